@@ -28,7 +28,7 @@ public:
     explicit SceneKeeper(Renderer& renderer) : renderer_(renderer) {}
 
     /// The scene and the lightmap of these options. Throws Error when they cannot be read.
-    [[nodiscard]] const Scene& provide(const DrawOptions& draw)
+    [[nodiscard]] const Scene& ensure(const DrawOptions& draw)
     {
         if (is_there_ && load_the_same(draw, loaded_) && draw.lightmap == loaded_.lightmap) {
             return scene_;
@@ -60,7 +60,7 @@ JobResult draw_job(Renderer& renderer, SceneKeeper& scenes, const BatchJob& job,
     try {
         const RenderCommand command = command_of(job, device);
         check_outputs(command);
-        const Scene& scene = scenes.provide(command.draw);
+        const Scene& scene = scenes.ensure(command.draw);
         if (command.film) {
             draw_film(renderer, scene, command);
         } else {

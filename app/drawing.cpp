@@ -13,7 +13,7 @@
 
 #include "core/file.hpp"
 #include "piped_scene.hpp"
-#include "scene/outlook/outlook.hpp"
+#include "scene/view_analysis/view_analysis.hpp"
 #include "style/suggest.hpp"
 #include "text.hpp"
 #include "world_options.hpp"

@@ -10,10 +10,10 @@
 #include <estampe/error.hpp>
 #include <fmt/format.h>
 
+#include "core/atomic_file.hpp"
 #include "core/file.hpp"
 #include "core/free_memory.hpp"
 #include "core/image_codec.hpp"
-#include "core/pending.hpp"
 #include "film_frames.hpp"
 #include "output/layer_files.hpp"
 #include "output/one_layer.hpp"
@@ -206,12 +206,12 @@ void write_pictures(DrawnPicture& picture, const Renderer& renderer, const Rende
     }
     const std::vector<std::byte> bytes = encode_named(picture, command);
     const PictureChoice& choice = command.picture;
-    std::vector<Pending> files;
+    std::vector<AtomicFile> files;
     if (command.draw.output != standard_output) {
-        files.push_back(Pending::file(command.draw.output, bytes));
+        files.push_back(AtomicFile::file(command.draw.output, bytes));
     }
     if (is_layers_exr(choice)) {
-        files.push_back(Pending::file(
+        files.push_back(AtomicFile::file(
             choice.layers, output::encode_layers_exr(picture.layers.value(), exr_numbers(choice))));
     } else if (!choice.layers.empty()) {
         const int bits = choice.format == PictureFormat::png ? choice.depth : 8;
@@ -220,7 +220,7 @@ void write_pictures(DrawnPicture& picture, const Renderer& renderer, const Rende
     if (!command.motion.empty()) {
         save_motion(renderer.motion(), command.motion);
     }
-    std::ranges::for_each(files, [](Pending& file) { file.publish(); });
+    std::ranges::for_each(files, [](AtomicFile& file) { file.publish(); });
     if (command.draw.output == standard_output) {
         write_to_standard_output(bytes);
     }

@@ -8,7 +8,7 @@
 
 #include <unistd.h>
 
-#include "core/pending.hpp"
+#include "core/atomic_file.hpp"
 #include "piped_scene.hpp"
 
 namespace estampe::app {

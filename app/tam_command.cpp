@@ -7,8 +7,8 @@
 #include <estampe/tonal_art_map.hpp>
 
 #include "commands.hpp"
+#include "core/atomic_file.hpp"
 #include "core/image_codec.hpp"
-#include "core/pending.hpp"
 #include "text.hpp"
 
 namespace estampe::app {
@@ -50,7 +50,7 @@ void run(const TamCommand& command)
         save_tonal_art_map(map, command.output);
         return;
     }
-    Pending preview = Pending::file(command.preview, encode_png(map_sheet(map, command.style)));
+    AtomicFile preview = AtomicFile::file(command.preview, encode_png(map_sheet(map, command.style)));
     save_tonal_art_map(map, command.output);
     preview.publish(); // both files, or none
 }

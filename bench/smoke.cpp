@@ -131,7 +131,7 @@ void measure(const Options& options)
         watch.device, "frame",
         std::vector{features::frame_globals(camera, {}, glm::dvec3(0.0), {.size_px = options.size_px})});
     smoke::VolumeMemory memory;
-    memory.provide(watch.device, around);
+    memory.ensure(watch.device, around);
     gpu::Buffer pixels(watch.device, "pixels", uint64_t{4} * options.size_px.x * options.size_px.y,
                        gpu::MemoryUse::readback);
     for (uint32_t i = 0; i < options.rounds; ++i) {

@@ -14,7 +14,7 @@ add_custom_command(OUTPUT ${told}/estampe.1.gz ${told}/estampe
   COMMAND estampe --completion > ${told}/estampe
   DEPENDS estampe
   VERBATIM)
-add_custom_target(estampe_told ALL DEPENDS ${told}/estampe.1.gz ${told}/estampe)
+add_custom_target(estampe_manual ALL DEPENDS ${told}/estampe.1.gz ${told}/estampe)
 install(FILES ${told}/estampe.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
 install(FILES ${told}/estampe DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
 install(FILES ${desktop}/estampe.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages COMPONENT program)

@@ -13,8 +13,8 @@
 
 #include <estampe/error.hpp>
 
+#include "core/atomic_file.hpp"
 #include "core/file.hpp"
-#include "core/pending.hpp"
 #include "output/child.hpp"
 #include "shaders/variant_table.hpp"
 
@@ -99,7 +99,8 @@ ShaderNews compile_shader(const ShaderBuild& build, const fs::path& root)
 {
     ShaderNews news{.name = build.name};
     try {
-        const Pending words = Pending::file(fs::temp_directory_path() / ("estampe-" + news.name + ".spv"));
+        const AtomicFile words =
+            AtomicFile::file(fs::temp_directory_path() / ("estampe-" + news.name + ".spv"));
         std::vector<std::string> command{"glslc",      "--target-env=vulkan1.3", "-O0", "-Werror", "-I",
                                          root.string()};
         for (const std::string& macro : build.macros) {

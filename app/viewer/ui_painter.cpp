@@ -201,7 +201,7 @@ void UiPainter::destroy(Mapped& mapped)
     mapped = {};
 }
 
-void UiPainter::provide(Mapped& mapped, VkDeviceSize size_bytes, VkBufferUsageFlags usage)
+void UiPainter::ensure(Mapped& mapped, VkDeviceSize size_bytes, VkBufferUsageFlags usage)
 {
     if (mapped.size_bytes >= size_bytes) {
         return;
@@ -216,10 +216,10 @@ void UiPainter::provide(Mapped& mapped, VkDeviceSize size_bytes, VkBufferUsageFl
 
 void UiPainter::copy_geometry(const ImDrawData& data)
 {
-    provide(vertices_, sizeof(ImDrawVert) * static_cast<VkDeviceSize>(data.TotalVtxCount),
-            VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
-    provide(indices_, sizeof(ImDrawIdx) * static_cast<VkDeviceSize>(data.TotalIdxCount),
-            VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+    ensure(vertices_, sizeof(ImDrawVert) * static_cast<VkDeviceSize>(data.TotalVtxCount),
+           VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+    ensure(indices_, sizeof(ImDrawIdx) * static_cast<VkDeviceSize>(data.TotalIdxCount),
+           VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
     auto* vertices = static_cast<ImDrawVert*>(vertices_.memory.mapped);
     auto* indices = static_cast<ImDrawIdx*>(indices_.memory.mapped);
     for (int i = 0; i < data.CmdListsCount; ++i) {

@@ -37,7 +37,7 @@ private:
 
     void create_layout();
     void create_pipeline();
-    void provide(Mapped& mapped, VkDeviceSize size_bytes, VkBufferUsageFlags usage);
+    void ensure(Mapped& mapped, VkDeviceSize size_bytes, VkBufferUsageFlags usage);
     void destroy(Mapped& mapped);
     void copy_geometry(const ImDrawData& data);
 

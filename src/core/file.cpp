@@ -18,8 +18,8 @@
 
 #include <estampe/error.hpp>
 
+#include "core/atomic_file.hpp"
 #include "core/free_memory.hpp"
-#include "core/pending.hpp"
 
 namespace estampe {
 namespace {
@@ -98,7 +98,7 @@ std::vector<std::byte> read_file_start(const std::filesystem::path& path, uint64
 
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes)
 {
-    Pending::file(path, bytes).publish();
+    AtomicFile::file(path, bytes).publish();
 }
 
 } // namespace estampe

@@ -24,7 +24,7 @@ namespace estampe {
 [[nodiscard]] std::vector<std::byte> read_file_start(const std::filesystem::path& path, uint64_t most_bytes);
 
 /// Writes beside `path` first and renames, so that readers see the old file or the whole new one, see
-/// Pending. Throws Error when the folder does not exist or cannot be written, or the disk is full.
+/// AtomicFile. Throws Error when the folder does not exist or cannot be written, or the disk is full.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 } // namespace estampe

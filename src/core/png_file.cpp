@@ -9,14 +9,14 @@
 
 #include <estampe/error.hpp>
 
+#include "core/atomic_file.hpp"
 #include "core/codec_failure.hpp"
-#include "core/pending.hpp"
 #include "core/png_head.hpp"
 
 namespace estampe {
 
 struct PngFile::Writer {
-    explicit Writer(const std::filesystem::path& path) : target(path), pending(Pending::file(path)) {}
+    explicit Writer(const std::filesystem::path& path) : target(path), pending(AtomicFile::file(path)) {}
 
     ~Writer()
     {
@@ -36,7 +36,7 @@ struct PngFile::Writer {
     }
 
     std::filesystem::path target;
-    Pending pending;
+    AtomicFile pending;
     std::FILE* file = nullptr;
     png_structp png = nullptr;
     png_infop info = nullptr;

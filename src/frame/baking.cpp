@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "features/lighting/baked_lights.hpp"
-#include "features/lighting/house_light.hpp"
+#include "features/lighting/default_light.hpp"
 #include "techniques/light/daylight.hpp"
 
 namespace estampe::frame {
@@ -57,10 +57,10 @@ void set_light(bake::BakeSettings& settings, const Scene& scene, const features:
 {
     const ScenePose pose = pose_scene(scene, 0.0, no_index);
     const Bounds bounds = scene_bounds(scene, pose);
-    const Outlook outlook =
-        features::HouseLight().outlook(scene, style.light, eye_of_first_camera(scene, pose));
+    const ViewAnalysis analysis =
+        features::DefaultLight().analysis(scene, style.light, eye_of_first_camera(scene, pose));
     light::Lighting lighting =
-        light::gather_lights(scene, pose, bounds, bounds.center(), style.light, outlook);
+        light::gather_lights(scene, pose, bounds, bounds.center(), style.light, analysis);
     if (const std::optional<light::Daylight> daylight = light::daylight_of(style.sun)) {
         light::set_daylight(lighting, *daylight, style.light);
     }

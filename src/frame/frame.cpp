@@ -14,11 +14,11 @@ void declare_frame(const FrameContext& context)
     const gpu::BufferId visibility = add_visibility(context, scene);
     const surface::Surface surface = add_surface(context, scene, visibility);
     add_motion(context, scene, visibility);
-    const SeenThrough screen = add_screen(context, scene, visibility);
+    const SeenThrough screen = add_transparency(context, scene, visibility);
 
     // What light falls on it.
     const ShadowMaps maps = add_shadow_maps(context, scene);
-    const std::optional<gpu::ImageId> known = add_known_light(context, scene, visibility);
+    const std::optional<gpu::ImageId> known = add_lightmap_light(context, scene, visibility);
     const std::optional<occlusion::OpenPage> open = add_occlusion(context, scene, visibility, surface);
     const std::optional<smoke::Volume> volume = add_smoke_volume(context, scene, maps);
     const light::LitPixels lit = add_light(context, scene, visibility, surface,
@@ -33,8 +33,8 @@ void declare_frame(const FrameContext& context)
                              stroke_haze(context, scene, surface), *context.job.lists);
         return;
     }
-    if (context.job.strung_into != nullptr) {
-        add_strung_lines(context, outlining);
+    if (context.job.linked_out != nullptr) {
+        add_linked_lines(context, outlining);
         return;
     }
     const gpu::ImageId strokes = hatch::add_hatch(context.graph, hatching, hatch_looks(context));
@@ -68,7 +68,7 @@ void declare_frame(const FrameContext& context)
     const paper::ComposeInputs layers =
         page_layers(context, scene, faded, colors, {.ink = flowing, .smoke = smoke}, cover, lit.light);
     add_picture(context, layers);
-    add_deep_picture(
+    add_linear_picture(
         context, layers, surface, lit,
         {.open = open ? std::optional(open->open) : std::nullopt, .cloud_cover = colors.cloud_cover});
 }

@@ -2,24 +2,24 @@
 #pragma once
 
 #include "features/common/style_tables.hpp"
-#include "frame/deep_page.hpp"
 #include "frame/features.hpp"
+#include "frame/linear_page.hpp"
 #include "frame/page.hpp"
 #include "frame/plan.hpp"
 #include "frame/vectors.hpp"
 #include "gpu/graph/graph.hpp"
-#include "techniques/contour/chains/stroke/strung_lines.hpp"
+#include "techniques/contour/chains/stroke/linked_lines.hpp"
 
 namespace estampe::frame {
 
 /// Lines that were strung for the whole page, and the part of it that is inked.
-struct StrungPart {
-    StrungPart(contour::StrungLines& strung_lines, const contour::PartOfPage& part_of_page)
-        : lines(strung_lines), part(part_of_page)
+struct LinkedPart {
+    LinkedPart(contour::LinkedLines& linked_lines, const contour::PartOfPage& part_of_page)
+        : lines(linked_lines), part(part_of_page)
     {
     }
 
-    contour::StrungLines& lines;
+    contour::LinkedLines& lines;
     contour::PartOfPage part;
 };
 
@@ -44,14 +44,14 @@ struct FrameBuffers {
 /// One frame of a picture: which sample, of which part of the page, and what is wanted of it.
 struct FrameJob {
     paper::Accumulation accumulation;
-    bool is_first = true;                        ///< of the picture's frames
-    std::optional<features::PixelRect> tile;     ///< part of the page to draw; otherwise all of it
-    std::optional<features::Survey> survey;      ///< the page in fewer pixels
-    StrokeLists* lists = nullptr;                ///< strokes as paths in place of pixels
-    DeepPage* deep = nullptr;                    ///< floats beside bytes
-    std::optional<StrungPart> strung = {};       ///< lines that were found for the whole page
-    contour::StrungLines* strung_into = nullptr; ///< what tiles share, in place of a picture
-    const VulkanPicture* target = nullptr;       ///< the host's, in place of bytes
+    bool is_first = true;                       ///< of the picture's frames
+    std::optional<features::PixelRect> tile;    ///< part of the page to draw; otherwise all of it
+    std::optional<features::Survey> survey;     ///< the page in fewer pixels
+    StrokeLists* lists = nullptr;               ///< strokes as paths in place of pixels
+    LinearPage* deep = nullptr;                 ///< floats beside bytes
+    std::optional<LinkedPart> strung = {};      ///< lines that were found for the whole page
+    contour::LinkedLines* linked_out = nullptr; ///< what tiles share, in place of a picture
+    const VulkanPicture* target = nullptr;      ///< the host's, in place of bytes
 };
 
 /// What the steps of a frame are declared from.

@@ -130,7 +130,7 @@ void take_layout(gpu::Device& device, LoadedScene& loaded, pose::MeshData layout
         } else {
             loaded.terrain = std::make_unique<terrain::TerrainBuffers>(device, *loaded.scene.terrain, target,
                                                                        features::raised_object(loaded.scene));
-            loaded.trodden = std::make_unique<terrain::TroddenSand>(loaded.scene.terrain->description());
+            loaded.trodden = std::make_unique<terrain::Footprints>(loaded.scene.terrain->description());
         }
     }
     loaded.meshes = pose::upload_meshes(device, loaded.layout);

@@ -12,7 +12,7 @@
 
 #include "features/common/placed_nodes.hpp"
 #include "features/common/surface_map.hpp"
-#include "features/lighting/house_light.hpp"
+#include "features/lighting/default_light.hpp"
 #include "features/lighting/light_links.hpp"
 #include "features/lighting/lightmaps.hpp"
 #include "features/shadows/sun_casters.hpp"
@@ -24,7 +24,7 @@
 #include "techniques/raster/clusters/clusters.hpp"
 #include "techniques/surface/materials.hpp"
 #include "techniques/terrain/terrain_buffers.hpp"
-#include "techniques/terrain/trails/trodden.hpp"
+#include "techniques/terrain/trails/footprints.hpp"
 
 namespace estampe::frame {
 
@@ -50,13 +50,13 @@ struct LoadedScene {
     occlusion::DiscBuffers discs;                          ///< made when a style first asks for them
     occlusion::DiscMapBuffers disc_map;                    ///< then, where they are summed in a map
     std::map<uint32_t, features::SurfaceMap> surface_maps; ///< that styles ask for, by their side in texels
-    motion_blur::TogetherBuffers together;                 ///< then, too
+    motion_blur::CoincidentVertices together;              ///< then, too
     motion_blur::SmearSeeds smear_seeds;                   ///< and these
-    features::HouseLight house_light;
-    light::KeyLightMemory key_light;
+    features::DefaultLight default_light;
+    light::ExposureKeyCache exposure_key;
     features::PlacedNodes placed;                     ///< what a program moves
     std::unique_ptr<terrain::TerrainBuffers> terrain; ///< where the scene has one
-    std::unique_ptr<terrain::TroddenSand> trodden;    ///< then
+    std::unique_ptr<terrain::Footprints> trodden;     ///< then
     bool terrain_moved = false;                       ///< the device has yet to pose its vertices
     bool has_plain_links = true;                      ///< every object stands to all lights alike
     bool pose_moved = true;                           ///< the device has yet to pose its vertices by it

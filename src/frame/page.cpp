@@ -61,7 +61,7 @@ SeenWindow seen_window(const paper::PaperStyle& style, glm::uvec2 page_px, float
             .max_px = glm::uvec2(glm::max(glm::ceil(max_px), 0.0F))};
 }
 
-void provide_page(gpu::Device& device, Page& page, glm::uvec2 size_px, uint32_t samples)
+void ensure_page(gpu::Device& device, Page& page, glm::uvec2 size_px, uint32_t samples)
 {
     const uint64_t count = uint64_t{size_px.x} * size_px.y;
     const bool has_sums = samples > 1;

@@ -43,6 +43,6 @@ struct SeenWindow {
                                      glm::vec2 from_px);
 
 /// Makes what `page` lacks for what is drawn at once.
-void provide_page(gpu::Device& device, Page& page, glm::uvec2 size_px, uint32_t samples);
+void ensure_page(gpu::Device& device, Page& page, glm::uvec2 size_px, uint32_t samples);
 
 } // namespace estampe::frame

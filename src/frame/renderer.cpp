@@ -171,23 +171,23 @@ void Renderer::Impl::draw_frame(const Camera& camera, const features::StyleTable
          .jitter_px = features::jitter(accumulation.sample_index, accumulation.sample_count),
          .page_height_mm = style.paper.height_mm,
          .nearby_m = frame::nearby_m(loaded->layout, camera.eye)});
-    gpu::refill(device, "frame", std::span(&globals, 1), buffers.frame_globals);
+    gpu::upload_items(device, "frame", std::span(&globals, 1), buffers.frame_globals);
     const shared::FrameGlobals of_map = map_globals(globals, plan.scatter_texels.value_or(1));
-    gpu::refill(device, "frame of the map", std::span(&of_map, 1), buffers.map_frame_globals);
+    gpu::upload_items(device, "frame of the map", std::span(&of_map, 1), buffers.map_frame_globals);
     const shared::FrameGlobals of_half = features::every_second(globals);
-    gpu::refill(device, "frame of the half page", std::span(&of_half, 1), buffers.half_frame_globals);
-    const frame::SamplePlan sample{
-        .accumulation = accumulation,
-        .is_first = job.is_first,
-        .size_px = globals.size_px,
-        .from_px = glm::vec2(globals.tile_from_px),
-        .clip_from_anchor = features::drawn_clip(globals),
-        .pose_moved = loaded->pose_moved,
-        .terrain_moved = loaded->terrain_moved,
-        .sun_map = features.shadows.sun().provide(device, plan.sun.map, sun_casters(plan)),
-        .line_step_px = frame::line_step_px(job.survey ? job.survey->shrink : 1)};
+    gpu::upload_items(device, "frame of the half page", std::span(&of_half, 1), buffers.half_frame_globals);
+    const frame::SamplePlan sample{.accumulation = accumulation,
+                                   .is_first = job.is_first,
+                                   .size_px = globals.size_px,
+                                   .from_px = glm::vec2(globals.tile_from_px),
+                                   .clip_from_anchor = features::drawn_clip(globals),
+                                   .pose_moved = loaded->pose_moved,
+                                   .terrain_moved = loaded->terrain_moved,
+                                   .sun_map =
+                                       features.shadows.sun().ensure(device, plan.sun.map, sun_casters(plan)),
+                                   .line_step_px = frame::line_step_px(job.survey ? job.survey->shrink : 1)};
     if (plan.sun.ground.is_thrown) {
-        features.shadows.ground().provide(device, plan.sun.ground);
+        features.shadows.ground().ensure(device, plan.sun.ground);
     }
     features.lines.ensure(device, loaded->layout, plan.looks.lines);
     frame::FrameContext context{.graph = declared,
@@ -242,7 +242,7 @@ Camera page_camera(const Camera& camera, const paper::PaperStyle& style, const R
 }
 
 Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, const RenderSettings& settings,
-                                   frame::DeepPage* deep, const std::function<void()>& after_sample,
+                                   frame::LinearPage* deep, const std::function<void()>& after_sample,
                                    const VulkanPicture* target)
 {
     const features::StyleTables& tables = style.tables();
@@ -254,12 +254,12 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
         }
     }
     frame::FramePlan plan = prepare(seen_by, tables, page_settings);
-    plan.ink = features.ink.provide(device, executor, ink_inputs(seen_by, tables, settings), notes);
+    plan.ink = features.ink.ensure(device, executor, ink_inputs(seen_by, tables, settings), notes);
     plan.smoke = plan_smoke(plan, tables, settings);
-    frame::provide_page(device, buffers.page, plan.page_px, settings.samples);
+    frame::ensure_page(device, buffers.page, plan.page_px, settings.samples);
     // Later samples of a picture of several go their own way by a pixel at most.
     plan.lines.are_remembered =
-        is_of_film && features.lines.meshes().provide(device, loaded->layout, plan.looks.lines) != nullptr;
+        is_of_film && features.lines.meshes().ensure(device, loaded->layout, plan.looks.lines) != nullptr;
     if (plan.lines.are_remembered) {
         features.lines.history().begin_frame(device, plan.page.size_px,
                                              settings.continuity == Continuity::follows,

@@ -94,13 +94,13 @@ struct Renderer::Impl {
                                                           const Camera& camera,
                                                           const features::StyleTables& tables) const;
     /// Hands the device what the light's shaders read.
-    void provide_lighting(const frame::FramePlan& plan, const light::Lighting& lighting,
-                          const features::StyleTables& tables);
+    void upload_lighting(const frame::FramePlan& plan, const light::Lighting& lighting,
+                         const features::StyleTables& tables);
     /// What of that, and of lines, hangs on how large a pixel is.
-    void provide_pixel_sizes(const frame::FramePlan& plan, const features::StyleTables& tables);
-    void provide_looks(const frame::FramePlan& plan);
+    void upload_pixel_sizes(const frame::FramePlan& plan, const features::StyleTables& tables);
+    void ensure_looks(const frame::FramePlan& plan);
     /// Maps that lie on all surfaces, where the style wants any.
-    void provide_surface_maps(const frame::FramePlan& plan);
+    void ensure_surface_maps(const frame::FramePlan& plan);
     /// All that comes before the first sample. Throws Error as Renderer::render() does.
     [[nodiscard]] frame::FramePlan prepare(const Camera& camera, const features::StyleTables& tables,
                                            const RenderSettings& settings);
@@ -116,13 +116,13 @@ struct Renderer::Impl {
     [[nodiscard]] features::InkPlan let_ink_flow(const Camera& camera, const features::StyleTables& tables,
                                                  const RenderSettings& settings);
     /// What tiles share: the lines of each sample, and how bright the page is.
-    [[nodiscard]] std::vector<contour::StrungLines>
+    [[nodiscard]] std::vector<contour::LinkedLines>
     survey_page(const Camera& camera, const features::StyleTables& style, const frame::FramePlan& plan,
                 const features::Survey& survey, uint32_t samples);
     /// All samples of a picture, which is empty where it goes into a `target`. `after_sample` is called after
     /// each.
     [[nodiscard]] Image draw_picture(const Camera& camera, const Style& style, const RenderSettings& settings,
-                                     frame::DeepPage* deep = nullptr,
+                                     frame::LinearPage* deep = nullptr,
                                      const std::function<void()>& after_sample = {},
                                      const VulkanPicture* target = nullptr);
 

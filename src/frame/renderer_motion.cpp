@@ -116,7 +116,7 @@ features::MotionPlan Renderer::Impl::motion_between(const Camera& before, const 
 
 features::MotionPlan Renderer::Impl::plan_motion(const Camera& camera, const RenderSettings& settings)
 {
-    features::provide_motion(device, buffers.motion_pixels, settings);
+    features::ensure_motion(device, buffers.motion_pixels, settings);
     return motion_between(settings.motion_since->camera, camera, settings);
 }
 

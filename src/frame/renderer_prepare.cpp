@@ -88,7 +88,7 @@ light::Lighting Renderer::Impl::gather_lights(const Camera& camera, const SceneP
     const std::future<void> edges = features.lines.meshes().find_edges(loaded->layout, tables.contour);
     return light::gather_lights(
         loaded->scene, scene_pose, loaded->layout.bounds, loaded->layout.anchor, tables.light,
-        loaded->house_light.outlook(loaded->scene, tables.light, camera.eye), &loaded->key_light);
+        loaded->default_light.analysis(loaded->scene, tables.light, camera.eye), &loaded->exposure_key);
 }
 
 frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const features::StyleTables& tables,
@@ -190,16 +190,16 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const features::S
                                   .line_half_px = plan.lines.half_px},
                                  notes);
     features.hatching.ensure_strokes(device, loaded->layout, plan.strokes);
-    provide_looks(plan);
+    ensure_looks(plan);
     plan.local_shadows = features.shadows.ensure_local_maps(
         device, lighting, local_map_scene(plan.page, camera, tables), notes);
-    provide_lighting(plan, lighting, tables);
+    upload_lighting(plan, lighting, tables);
     if (tables.smoke.drawn) {
         plan.lamps = features::smoke_lamps(lighting, plan.sun.map.size > 0);
         plan.light.ambient = luminance(lighting.ambient);
     }
     plan.light.adapt_stops = features.lighting.exposure().prepare(device, tables.light, settings.time_s);
-    loaded->key_light.room = std::move(lighting.records);
+    loaded->exposure_key.room = std::move(lighting.records);
     return plan;
 }
 
@@ -222,16 +222,16 @@ std::optional<features::SmokePlan> Renderer::Impl::plan_smoke(const frame::Frame
                                                               const features::StyleTables& tables,
                                                               const RenderSettings& settings)
 {
-    return features.smoke.provide(device, executor,
-                                  {.scene = loaded->scene,
-                                   .layout = loaded->layout,
-                                   .pose = pose_at(settings),
-                                   .settings = settings,
-                                   .style = tables,
-                                   .lamps = plan.lamps,
-                                   .ambient = plan.light.ambient,
-                                   .risen = plan.risen ? &*plan.risen : nullptr},
-                                  notes);
+    return features.smoke.ensure(device, executor,
+                                 {.scene = loaded->scene,
+                                  .layout = loaded->layout,
+                                  .pose = pose_at(settings),
+                                  .settings = settings,
+                                  .style = tables,
+                                  .lamps = plan.lamps,
+                                  .ambient = plan.light.ambient,
+                                  .risen = plan.risen ? &*plan.risen : nullptr},
+                                 notes);
 }
 
 features::LocalMapScene Renderer::Impl::local_map_scene(const frame::PagePlan& page_plan,
@@ -248,11 +248,11 @@ features::LocalMapScene Renderer::Impl::local_map_scene(const frame::PagePlan& p
             .casters = features::caster_kinds(loaded->layout)};
 }
 
-void Renderer::Impl::provide_looks(const frame::FramePlan& plan)
+void Renderer::Impl::ensure_looks(const frame::FramePlan& plan)
 {
-    features.hatching.maps().provide(device, plan.looks.styles);
+    features.hatching.maps().ensure(device, plan.looks.styles);
     if (!plan.focus.lines.empty()) {
-        gpu::refill(device, "focus lines", plan.focus.lines, features.lines.focus_lines());
+        gpu::upload_items(device, "focus lines", plan.focus.lines, features.lines.focus_lines());
     }
     if (plan.clouds) {
         features.clouds.upload(device, *plan.clouds);
@@ -261,26 +261,26 @@ void Renderer::Impl::provide_looks(const frame::FramePlan& plan)
         style.drawn && occlusion::has_discs(style.method) && loaded->discs.empty()) {
         loaded->discs = frame::discs_of(device, *loaded);
     }
-    provide_surface_maps(plan);
+    ensure_surface_maps(plan);
     if (plan.motion_blur && plan.looks.styles.front().motion_blur.mode == motion_blur::Mode::stretched &&
         loaded->together.empty()) {
-        loaded->together =
-            motion_blur::upload_together(device, motion_blur::list_together(loaded->layout.stroke_coordinates,
-                                                                            loaded->layout.draw_of_vertex));
+        loaded->together = motion_blur::upload_coincident(
+            device,
+            motion_blur::list_coincident(loaded->layout.stroke_coordinates, loaded->layout.draw_of_vertex));
     }
     if (plan.motion_blur && plan.looks.styles.front().motion_blur.smear && !loaded->smear_seeds.is_made) {
         loaded->smear_seeds = frame::smear_seeds_of(device, loaded->layout);
     }
     if (plan.subsurface) {
-        gpu::refill(device, "subsurface looks", plan.subsurface->looks, buffers.subsurface_looks);
+        gpu::upload_items(device, "subsurface looks", plan.subsurface->looks, buffers.subsurface_looks);
     }
     if (plan.looks.has_several()) {
         const std::vector<uint32_t>& looks = plan.looks.look_of_draw;
-        gpu::refill(device, "looks", looks, buffers.look_of_draw);
+        gpu::upload_items(device, "looks", looks, buffers.look_of_draw);
     }
 }
 
-void Renderer::Impl::provide_surface_maps(const frame::FramePlan& plan)
+void Renderer::Impl::ensure_surface_maps(const frame::FramePlan& plan)
 {
     const std::array<std::optional<uint32_t>, 2> wanted{plan.occlusion_texels, plan.scatter_texels};
     std::erase_if(loaded->surface_maps, [&](const auto& map) {
@@ -307,7 +307,7 @@ void Renderer::Impl::provide_surface_maps(const frame::FramePlan& plan)
     }
 }
 
-void Renderer::Impl::provide_pixel_sizes(const frame::FramePlan& plan, const features::StyleTables& tables)
+void Renderer::Impl::upload_pixel_sizes(const frame::FramePlan& plan, const features::StyleTables& tables)
 {
     const shared::SunShadow sun = features::sun_globals(plan.sun.map, plan.page.pixel, tables.shadow);
     features.shadows.upload(device, plan.shadow_edges.look, sun);
@@ -316,12 +316,12 @@ void Renderer::Impl::provide_pixel_sizes(const frame::FramePlan& plan, const fea
         for (const features::StyleTables& style : plan.looks.styles) {
             lines.push_back(contour::line_look(style.contour, plan.page.pixels_per_mm));
         }
-        gpu::refill(device, "line looks", lines, features.lines.looks());
+        gpu::upload_items(device, "line looks", lines, features.lines.looks());
     }
 }
 
-void Renderer::Impl::provide_lighting(const frame::FramePlan& plan, const light::Lighting& lighting,
-                                      const features::StyleTables& tables)
+void Renderer::Impl::upload_lighting(const frame::FramePlan& plan, const light::Lighting& lighting,
+                                     const features::StyleTables& tables)
 {
     const pose::MeshData& layout = loaded->layout;
     const light::Paling paling =
@@ -335,7 +335,7 @@ void Renderer::Impl::provide_lighting(const frame::FramePlan& plan, const light:
                                        .paling = paling.share_per_m,
                                        .paling_at_anchor = paling.share_at_anchor};
     features.lighting.upload(device, globals, lighting.records);
-    provide_pixel_sizes(plan, tables);
+    upload_pixel_sizes(plan, tables);
 }
 
 } // namespace estampe

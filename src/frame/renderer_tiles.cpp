@@ -63,28 +63,28 @@ bool Renderer::Impl::is_tiled(const RenderSettings& settings) const
     return is_alone && (is_wanted || !fits);
 }
 
-std::vector<contour::StrungLines>
+std::vector<contour::LinkedLines>
 Renderer::Impl::survey_page(const Camera& camera, const features::StyleTables& style,
                             const frame::FramePlan& plan, const features::Survey& survey, uint32_t samples)
 {
     const bool has_chains =
-        features.lines.meshes().provide(device, loaded->layout, plan.looks.lines) != nullptr;
+        features.lines.meshes().ensure(device, loaded->layout, plan.looks.lines) != nullptr;
     const uint32_t survey_count = has_chains ? samples : plan.light.meters_page ? 1 : 0;
     const frame::FramePlan survey_plan = frame::shrunk_plan(plan, survey.shrink, survey.size_px(), style);
-    provide_pixel_sizes(survey_plan, style);
-    std::vector<contour::StrungLines> lines;
+    upload_pixel_sizes(survey_plan, style);
+    std::vector<contour::LinkedLines> lines;
     for (uint32_t sample = 0; sample < survey_count; ++sample) {
-        contour::StrungLines found;
+        contour::LinkedLines found;
         draw_frame(camera, style, survey_plan,
                    {.accumulation = {.sample_index = sample, .sample_count = samples},
                     .is_first = sample == 0,
                     .survey = survey,
-                    .strung_into = &found});
+                    .linked_out = &found});
         if (has_chains) {
             lines.push_back(contour::shrunk(device, executor, std::move(found)));
         }
     }
-    provide_pixel_sizes(plan, style);
+    upload_pixel_sizes(plan, style);
     return lines;
 }
 
@@ -92,9 +92,9 @@ features::InkPlan Renderer::Impl::let_ink_flow(const Camera& camera, const featu
                                                const RenderSettings& settings)
 {
     frame::FramePlan plan = prepare(camera, tables, settings);
-    plan.ink = features.ink.provide(device, executor, ink_inputs(camera, tables, settings), notes);
+    plan.ink = features.ink.ensure(device, executor, ink_inputs(camera, tables, settings), notes);
     plan.smoke = plan_smoke(plan, tables, settings);
-    frame::provide_page(device, buffers.page, plan.page_px, settings.samples);
+    frame::ensure_page(device, buffers.page, plan.page_px, settings.samples);
     draw_frame(camera, tables, plan, {.accumulation = {.sample_index = 0, .sample_count = settings.samples}});
     features.ink.drawn(*plan.ink, camera);
     return *plan.ink;
@@ -134,9 +134,9 @@ void Renderer::Impl::draw_tiles(const Camera& camera, const Style& style, const 
     const uint32_t tile_px = settings.tile_px > 0 ? std::min(settings.tile_px, limits.side_px)
                                                   : automatic_tile_px(limits, overlap);
     const std::vector<frame::Tile> tiles = frame::tiles_of(plan.page_px, tile_px, overlap);
-    std::vector<contour::StrungLines> lines = survey_page(seen_by, tables, plan, survey, settings.samples);
+    std::vector<contour::LinkedLines> lines = survey_page(seen_by, tables, plan, survey, settings.samples);
     bool is_first = lines.empty() && !plan.light.meters_page;
-    frame::provide_page(device, buffers.page, tiles.front().drawn.size_px, settings.samples);
+    frame::ensure_page(device, buffers.page, tiles.front().drawn.size_px, settings.samples);
     Image band{.width = settings.width};
     double drawn_pixels = 0.0;
     for (const frame::Tile& tile : tiles) {

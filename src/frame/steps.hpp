@@ -7,16 +7,16 @@
 
 #include <optional>
 
-#include "core/few.hpp"
+#include "core/inline_vector.hpp"
 #include "frame/frame.hpp"
 #include "techniques/contour/contour.hpp"
 #include "techniques/lens/lens.hpp"
 #include "techniques/motion_blur/motion_blur.hpp"
 #include "techniques/occlusion/occlusion.hpp"
 #include "techniques/raster/raster.hpp"
-#include "techniques/screen/screen.hpp"
 #include "techniques/subsurface/subsurface.hpp"
 #include "techniques/surface/surface.hpp"
+#include "techniques/transparency/transparency.hpp"
 
 namespace estampe::frame {
 
@@ -32,7 +32,7 @@ struct PosedScene {
 
 /// What is looked through, and whether there is any.
 struct SeenThrough {
-    screen::Screen images;             ///< one texel each where there is none
+    transparency::Transparency images; ///< one texel each where there is none
     std::vector<gpu::BufferId> layers; ///< visibility, the nearest first
     bool is_there = false;
     std::optional<gpu::BufferId> background = {};  ///< visibility of what is solid but thick clear bodies
@@ -69,7 +69,7 @@ struct MovingLayers {
 [[nodiscard]] PosedScene add_posed_scene(const FrameContext& context);
 
 /// What hides what is behind it.
-[[nodiscard]] Few<raster::Batch, 3> solid_batches(const pose::MeshData& layout, bool with_ground);
+[[nodiscard]] InlineVector<raster::Batch, 3> solid_batches(const pose::MeshData& layout, bool with_ground);
 
 /// All that the camera sees.
 [[nodiscard]] raster::View eye_view(const FrameContext& context);
@@ -86,20 +86,21 @@ struct MovingLayers {
 void add_motion(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility);
 
 /// What see-through surfaces are made out from.
-[[nodiscard]] screen::ScreenInputs screen_inputs(const FrameContext& context, const PosedScene& scene,
-                                                 gpu::BufferId visibility,
-                                                 const std::vector<gpu::BufferId>& layers);
+[[nodiscard]] transparency::TransparencyInputs transparency_inputs(const FrameContext& context,
+                                                                   const PosedScene& scene,
+                                                                   gpu::BufferId visibility,
+                                                                   const std::vector<gpu::BufferId>& layers);
 
 /// What see-through surfaces show, and what lies behind thick clear bodies.
-[[nodiscard]] SeenThrough add_screen(const FrameContext& context, const PosedScene& scene,
-                                     gpu::BufferId visibility);
+[[nodiscard]] SeenThrough add_transparency(const FrameContext& context, const PosedScene& scene,
+                                           gpu::BufferId visibility);
 
 /// How far sun, lamps and spots see. Maps are kept, and drawn only where they are out of date.
 [[nodiscard]] ShadowMaps add_shadow_maps(const FrameContext& context, const PosedScene& scene);
 
 /// Light that is known ahead; none in a scene without lightmaps.
-[[nodiscard]] std::optional<gpu::ImageId> add_known_light(const FrameContext& context,
-                                                          const PosedScene& scene, gpu::BufferId visibility);
+[[nodiscard]] std::optional<gpu::ImageId>
+add_lightmap_light(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility);
 
 /// How much of the light from everywhere arrives there, where the style wants it.
 [[nodiscard]] std::optional<occlusion::OpenPage> add_occlusion(const FrameContext& context,
@@ -115,7 +116,7 @@ void add_motion(const FrameContext& context, const PosedScene& scene, gpu::Buffe
 struct LightBefore {
     ShadowMaps maps;
     std::optional<smoke::Volume> smoke;
-    std::optional<gpu::ImageId> known;       ///< by add_known_light()
+    std::optional<gpu::ImageId> known;       ///< by add_lightmap_light()
     std::optional<occlusion::OpenPage> open; ///< by add_occlusion()
 };
 
@@ -152,7 +153,7 @@ subsurface_inputs(const FrameContext& context, const PosedScene& scene, const su
 [[nodiscard]] gpu::ImageId add_lines(const FrameContext& context, const contour::ContourInputs& in);
 
 /// Strings the lines of the whole page, for its tiles.
-void add_strung_lines(const FrameContext& context, const contour::ContourInputs& in);
+void add_linked_lines(const FrameContext& context, const contour::ContourInputs& in);
 
 /// Sand in the air over the lines of the scene.
 [[nodiscard]] gpu::ImageId add_drift(const FrameContext& context, const PosedScene& scene,
@@ -240,7 +241,8 @@ add_motion_blur(const FrameContext& context, const PosedScene& scene, gpu::Buffe
 void add_picture(const FrameContext& context, const paper::ComposeInputs& layers);
 
 /// The same in floats, whole or layer by layer, where it is asked for.
-void add_deep_picture(const FrameContext& context, const paper::ComposeInputs& layers,
-                      const surface::Surface& surface, const light::LitPixels& lit, const MaskInputs& masks);
+void add_linear_picture(const FrameContext& context, const paper::ComposeInputs& layers,
+                        const surface::Surface& surface, const light::LitPixels& lit,
+                        const MaskInputs& masks);
 
 } // namespace estampe::frame

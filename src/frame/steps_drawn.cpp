@@ -189,7 +189,7 @@ gpu::ImageId add_lines(const FrameContext& context, const contour::ContourInputs
             ? std::optional(contour::add_contours(context.graph, in, context.plan.looks.lines))
             : std::nullopt;
     if (context.job.strung) {
-        return contour::add_strung_contours(context.graph, in, context.job.strung->lines,
+        return contour::add_linked_contours(context.graph, in, context.job.strung->lines,
                                             context.job.strung->part, context.plan.looks.lines, of_cuts);
     }
     const bool remembers = context.plan.lines.are_remembered && context.sample.is_first;
@@ -198,13 +198,13 @@ gpu::ImageId add_lines(const FrameContext& context, const contour::ContourInputs
                                        context.plan.looks.lines, of_cuts);
 }
 
-void add_strung_lines(const FrameContext& context, const contour::ContourInputs& in)
+void add_linked_lines(const FrameContext& context, const contour::ContourInputs& in)
 {
     if (context.features.lines.mesh() != nullptr) {
         const contour::ShapedStrokes shaped = contour::add_shaped_strokes(
             context.graph, in, *context.features.lines.mesh(), nullptr, context.plan.looks.lines);
         contour::add_keeping(context.graph, context.device, shaped, context.sample.size_px,
-                             *context.job.strung_into);
+                             *context.job.linked_out);
     }
 }
 
@@ -397,7 +397,7 @@ Colors add_colors(const FrameContext& context, const PosedScene& scene, const su
         sky = clouded.sky;
         cover = has_layers ? std::optional(clouded.cover) : std::nullopt;
     }
-    const bool is_tinted = screen.is_there && context.style.screen.mode == screen::Mode::ink;
+    const bool is_tinted = screen.is_there && context.style.transparency.mode == transparency::Mode::ink;
     const gpu::ImageId wash = add_paint(context, scene, surface, light,
                                         plan.page.shows_sky ? std::optional(sky.wash) : std::nullopt,
                                         is_tinted ? &screen : nullptr);
@@ -578,17 +578,17 @@ void add_picture(const FrameContext& context, const paper::ComposeInputs& layers
     }
 }
 
-void add_deep_picture(const FrameContext& context, const paper::ComposeInputs& layers,
-                      const surface::Surface& surface, const light::LitPixels& lit, const MaskInputs& masks)
+void add_linear_picture(const FrameContext& context, const paper::ComposeInputs& layers,
+                        const surface::Surface& surface, const light::LitPixels& lit, const MaskInputs& masks)
 {
     if (context.job.deep != nullptr) {
-        declare_deep_page(context.graph,
-                          {.layers = layers,
-                           .draw = surface.draw,
-                           .sun = lit.sun,
-                           .open = masks.open,
-                           .cloud_cover = masks.cloud_cover},
-                          context.style.paper, context.sample.accumulation, *context.job.deep);
+        declare_linear_page(context.graph,
+                            {.layers = layers,
+                             .draw = surface.draw,
+                             .sun = lit.sun,
+                             .open = masks.open,
+                             .cloud_cover = masks.cloud_cover},
+                            context.style.paper, context.sample.accumulation, *context.job.deep);
     }
 }
 

@@ -318,8 +318,8 @@ ShadowMaps add_shadow_maps(const FrameContext& context, const PosedScene& scene)
     return {.sun = sun, .local = local_maps_of(context, scene)};
 }
 
-std::optional<gpu::ImageId> add_known_light(const FrameContext& context, const PosedScene& scene,
-                                            gpu::BufferId visibility)
+std::optional<gpu::ImageId> add_lightmap_light(const FrameContext& context, const PosedScene& scene,
+                                               gpu::BufferId visibility)
 {
     if (!context.loaded.baked) {
         return std::nullopt;

@@ -42,9 +42,9 @@ void add_backgrounds(const FrameContext& context, const PosedScene& scene, SeenT
 
 } // namespace
 
-Few<raster::Batch, 3> solid_batches(const pose::MeshData& layout, bool with_ground)
+InlineVector<raster::Batch, 3> solid_batches(const pose::MeshData& layout, bool with_ground)
 {
-    Few<raster::Batch, 3> batches;
+    InlineVector<raster::Batch, 3> batches;
     batches.push_back(batch(layout.opaque));
     batches.push_back(batch(layout.masked, true));
     if (with_ground) {
@@ -180,8 +180,9 @@ void add_motion(const FrameContext& context, const PosedScene& scene, gpu::Buffe
                              context.buffers.motion_pixels);
 }
 
-screen::ScreenInputs screen_inputs(const FrameContext& context, const PosedScene& scene,
-                                   gpu::BufferId visibility, const std::vector<gpu::BufferId>& layers)
+transparency::TransparencyInputs transparency_inputs(const FrameContext& context, const PosedScene& scene,
+                                                     gpu::BufferId visibility,
+                                                     const std::vector<gpu::BufferId>& layers)
 {
     return {.frame = scene.frame,
             .solid_visibility = visibility,
@@ -196,7 +197,7 @@ screen::ScreenInputs screen_inputs(const FrameContext& context, const PosedScene
             .size_px = context.sample.size_px};
 }
 
-SeenThrough add_screen(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility)
+SeenThrough add_transparency(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility)
 {
     const pose::MeshData& layout = context.loaded.layout;
     const auto with_backgrounds = [&](SeenThrough seen) {
@@ -204,22 +205,23 @@ SeenThrough add_screen(const FrameContext& context, const PosedScene& scene, gpu
         return seen;
     };
     if (layout.blended.count == 0) {
-        return with_backgrounds({.images = screen::add_no_screen(context.graph), .layers = {}});
+        return with_backgrounds({.images = transparency::add_no_transparency(context.graph), .layers = {}});
     }
-    const screen::ScreenStyle& style = context.style.screen;
-    const uint32_t most =
-        style.mode == screen::Mode::sorted ? screen::most_sorted_layers : screen::most_layers;
+    const transparency::TransparencyStyle& style = context.style.transparency;
+    const uint32_t most = style.mode == transparency::Mode::sorted ? transparency::most_sorted_layers
+                                                                   : transparency::most_layers;
     const uint32_t wanted = std::min({layout.blended_sheets, static_cast<uint32_t>(style.layers), most});
     const raster::Batch blended = batch(layout.blended, true);
     const auto layers =
         raster::add_layers(context.graph, "screen", scene.meshes, {&blended, 1}, eye_view(context), wanted);
-    screen::ScreenInputs inputs = screen_inputs(context, scene, visibility, layers);
+    transparency::TransparencyInputs inputs = transparency_inputs(context, scene, visibility, layers);
     if (context.plan.raster.on_processor) {
         inputs.tiles =
             raster::add_seen_tiles(context.graph, "screen", layers.front(), context.sample.size_px);
     }
-    return with_backgrounds(
-        {.images = screen::add_screen(context.graph, inputs), .layers = layers, .is_there = true});
+    return with_backgrounds({.images = transparency::add_transparency(context.graph, inputs),
+                             .layers = layers,
+                             .is_there = true});
 }
 
 } // namespace estampe::frame

@@ -51,14 +51,15 @@ Colors add_seen_through(const FrameContext& context, const PosedScene& scene, gp
     if (screen.background) {
         colors.wash = add_behind(context, scene, visibility, surface, maps, *screen.background, colors);
     }
-    if (!screen.is_there || context.style.screen.mode != screen::Mode::sorted) {
+    if (!screen.is_there || context.style.transparency.mode != transparency::Mode::sorted) {
         return colors;
     }
-    const screen::ScreenInputs inputs = screen_inputs(context, scene, visibility, screen.layers);
+    const transparency::TransparencyInputs inputs =
+        transparency_inputs(context, scene, visibility, screen.layers);
     const std::vector<gpu::BufferId> farthest_first(screen.layers.rbegin(), screen.layers.rend());
     for (const gpu::BufferId& layer : farthest_first) {
         const gpu::ImageId painted = add_painted(context, scene, layer, maps, std::nullopt);
-        colors.wash = screen::add_sheet(context.graph, inputs, layer, painted, colors.wash);
+        colors.wash = transparency::add_sheet(context.graph, inputs, layer, painted, colors.wash);
     }
     return colors;
 }

@@ -23,7 +23,7 @@ template <std::ranges::contiguous_range Items>
 /// Puts such items into `buffer`, of a frame that is over: it is made anew only where their number is
 /// another.
 template <std::ranges::contiguous_range Items>
-void refill(gpu::Device& device, const char* name, const Items& items, gpu::Buffer& buffer)
+void upload_items(gpu::Device& device, const char* name, const Items& items, gpu::Buffer& buffer)
 {
     const auto bytes = std::as_bytes(std::span(std::ranges::data(items), std::ranges::size(items)));
     const size_t least_bytes = sizeof(std::ranges::range_value_t<Items>);

@@ -10,8 +10,8 @@
 #include <estampe/error.hpp>
 #include <fmt/format.h>
 
+#include "core/atomic_file.hpp"
 #include "core/file.hpp"
-#include "core/pending.hpp"
 #include "output/child.hpp"
 
 namespace estampe {
@@ -107,7 +107,7 @@ struct FilmWriter::Impl {
     Impl(const std::filesystem::path& path, const Codec& codec, uint32_t width, uint32_t height,
          double frames_per_s, bool has_alpha)
         : name(path.string()), width_px(width), height_px(height), has_even_sides(codec.wants_even_sides),
-          file(Pending::file(path)),
+          file(AtomicFile::file(path)),
           encoder(command_for(codec, file.path(), width + (has_even_sides ? width % 2 : 0),
                               height + (has_even_sides ? height % 2 : 0), frames_per_s, has_alpha),
                   "films are written by ffmpeg: install Debian's package of that name")
@@ -121,7 +121,7 @@ struct FilmWriter::Impl {
     uint32_t width_px;
     uint32_t height_px;
     bool has_even_sides;
-    Pending file;
+    AtomicFile file;
     output::Child encoder;
     bool has_frames = false;
 };

@@ -131,7 +131,7 @@ std::string manifest_of(const LayeredImage& image, const std::vector<LayerFile>&
     return manifest.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-Pending pending_layers(const LayeredImage& image, std::filesystem::path folder, int bits)
+AtomicFile pending_layers(const LayeredImage& image, std::filesystem::path folder, int bits)
 {
     if (!folder.has_filename()) {
         folder = folder.parent_path();
@@ -142,7 +142,7 @@ Pending pending_layers(const LayeredImage& image, std::filesystem::path folder, 
                     "remove it, or give the name of a new folder");
     }
     const std::vector<LayerFile> files = layer_files(image, bits);
-    Pending pending = Pending::folder(folder);
+    AtomicFile pending = AtomicFile::folder(folder);
     std::vector<std::string> names;
     for (size_t i = 0; i < files.size(); ++i) {
         names.push_back(fmt::format("{:02}-{}.png", i, plain_name(files[i].name)));

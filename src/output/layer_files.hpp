@@ -9,7 +9,7 @@
 
 #include <estampe/layers.hpp>
 
-#include "core/pending.hpp"
+#include "core/atomic_file.hpp"
 
 namespace estampe::output {
 
@@ -18,7 +18,7 @@ namespace estampe::output {
 [[nodiscard]] std::vector<std::byte> encode_layers_exr(const LayeredImage& image, ExrNumbers numbers);
 
 /// The folder of save_layers() before it has its name.
-[[nodiscard]] Pending pending_layers(const LayeredImage& image, std::filesystem::path folder, int bits);
+[[nodiscard]] AtomicFile pending_layers(const LayeredImage& image, std::filesystem::path folder, int bits);
 
 /// A layer or mask as a picture of its own, and where it lies.
 struct LayerFile {

@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
-#include "scene/outlook/outlook.hpp"
-#include "scene/outlook/subject.hpp"
-#include "scene/outlook/view_axes.hpp"
 #include "scene/pose.hpp"
+#include "scene/view_analysis/subject.hpp"
+#include "scene/view_analysis/view_analysis.hpp"
+#include "scene/view_analysis/view_axes.hpp"
 #include "scene/view_fit.hpp"
 #include "scene/visibility.hpp"
 
@@ -64,19 +64,19 @@ struct ViewPoints {
     std::vector<glm::dvec3> shadow; ///< of the subject's points, on the ground
 };
 
-glm::dvec3 towards(const SunBearing& sun, const Outlook& outlook)
+glm::dvec3 towards(const SunBearing& sun, const ViewAnalysis& analysis)
 {
-    return sun.turns ? outlook.towards_sun(sun.azimuth_deg, sun.elevation_deg)
+    return sun.turns ? analysis.towards_sun(sun.azimuth_deg, sun.elevation_deg)
                      : bearing(glm::radians(sun.azimuth_deg), glm::radians(sun.elevation_deg));
 }
 
 /// Direction of the light that throws the shadow: the scene's strongest directional light, or the sun when
 /// the scene has no light at all or the sun rules.
-std::optional<glm::dvec3> shadow_light(const Scene& scene, const ScenePose& pose, const Outlook& outlook,
-                                       const SunBearing& sun)
+std::optional<glm::dvec3> shadow_light(const Scene& scene, const ScenePose& pose,
+                                       const ViewAnalysis& analysis, const SunBearing& sun)
 {
     if (sun.rules) {
-        return towards(sun, outlook);
+        return towards(sun, analysis);
     }
     std::optional<glm::dvec3> found;
     float strongest = 0.0F;
@@ -94,15 +94,15 @@ std::optional<glm::dvec3> shadow_light(const Scene& scene, const ScenePose& pose
         strongest = brightness;
         found = glm::normalize(back);
     }
-    return !has_light && !outlook.shelter ? towards(sun, outlook) : found;
+    return !has_light && !analysis.shelter ? towards(sun, analysis) : found;
 }
 
 ViewPoints view_points(const Scene& scene, const ScenePose& pose, const ViewAxes& axes,
-                       const Outlook& outlook, const SunBearing& sun, const Subject& subject)
+                       const ViewAnalysis& analysis, const SunBearing& sun, const Subject& subject)
 {
     constexpr double lowest_sun = 0.26; // 15 degrees: longer shadows run out of any page
     ViewPoints points;
-    const auto light = shadow_light(scene, pose, outlook, sun);
+    const auto light = shadow_light(scene, pose, analysis, sun);
     const bool has_ground = sun.on_blank_ground.value_or(scene.cameras.empty());
     const bool has_shadow = sun.throws && light && light->y > lowest_sun;
     const glm::dvec3 origin = subject.bounds().center();
@@ -113,7 +113,7 @@ ViewPoints view_points(const Scene& scene, const ScenePose& pose, const ViewAxes
             points.subject.push_back(axes.of(position - origin));
             if (!has_shadow)
                 continue;
-            const glm::dvec3 shadow = position - *light * ((position.y - outlook.subject.min.y) / light->y);
+            const glm::dvec3 shadow = position - *light * ((position.y - analysis.subject.min.y) / light->y);
             const bool is_seen = has_ground || subject.has_floor_at(shadow);
             points.shadow.push_back(axes.of((is_seen ? shadow : position) - origin));
         }
@@ -223,33 +223,33 @@ glm::dvec3 framed_eye(const ViewPoints& points, const Window& window)
 
 /// Where to look from. Things are looked at from three quarters and slightly above, characters from near
 /// their front and from the height of their eyes.
-ViewAxes axes_for(const Scene& scene, const SurfaceCloud& cloud, const Outlook& outlook, double aspect)
+ViewAxes axes_for(const Scene& scene, const SurfaceCloud& cloud, const ViewAnalysis& analysis, double aspect)
 {
-    const std::optional<double> eyes_m = outlook.standpoint == Standpoint::outside
-                                             ? eye_level(scene, within(cloud, outlook.subject))
+    const std::optional<double> eyes_m = analysis.standpoint == Standpoint::outside
+                                             ? eye_level(scene, within(cloud, analysis.subject))
                                              : std::nullopt;
     if (!eyes_m)
-        return look_from(outlook.azimuth_rad, outlook.elevation_rad);
-    const glm::dvec3 size = outlook.subject.max - outlook.subject.min;
+        return look_from(analysis.azimuth_rad, analysis.elevation_rad);
+    const glm::dvec3 size = analysis.subject.max - analysis.subject.min;
     const double usable = 1.0 - 2.0 * framed_margin * std::min(1.0, aspect) - shadow_room;
     const double distance_m = 0.5 * std::max(size.y, size.x / aspect) / (usable * framed_half_height(aspect));
-    const double rise_m = *eyes_m - outlook.subject.center().y;
+    const double rise_m = *eyes_m - analysis.subject.center().y;
     const double elevation_rad = std::asin(std::clamp(rise_m / distance_m, 0.0, 0.3));
     // From the side of the front, or of the back, that the thing's own view would show.
-    const double middle_rad = std::cos(outlook.azimuth_rad) > 0.0 ? 0.0 : std::numbers::pi;
+    const double middle_rad = std::cos(analysis.azimuth_rad) > 0.0 ? 0.0 : std::numbers::pi;
     constexpr double aside = 0.5; // of the way to the three-quarter view
-    return look_from(glm::mix(middle_rad, outlook.azimuth_rad, aside), elevation_rad);
+    return look_from(glm::mix(middle_rad, analysis.azimuth_rad, aside), elevation_rad);
 }
 
 /// In the corner of a closed room, with a wide lens.
-Camera camera_inside(const Outlook& outlook, double aspect)
+Camera camera_inside(const ViewAnalysis& analysis, double aspect)
 {
     Camera camera;
-    const ViewAxes axes = look_from(outlook.azimuth_rad, outlook.elevation_rad);
-    camera.eye = outlook.corner;
-    camera.target = outlook.corner + axes.forward * outlook.subject.radius();
+    const ViewAxes axes = look_from(analysis.azimuth_rad, analysis.elevation_rad);
+    camera.eye = analysis.corner;
+    camera.target = analysis.corner + axes.forward * analysis.subject.radius();
     camera.vertical_fov_rad = 2.0 * std::atan(std::min(0.62, 1.0 / aspect));
-    camera.near_m = 1e-3 * outlook.subject.radius();
+    camera.near_m = 1e-3 * analysis.subject.radius();
     return camera;
 }
 
@@ -262,11 +262,11 @@ Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect, 
         return {};
     if (!(aspect > 0.0))
         aspect = 1.0;
-    const Outlook& outlook = surveyed->outlook;
-    if (outlook.standpoint == Standpoint::inside)
-        return camera_inside(outlook, aspect);
-    const Subject subject(scene, pose, outlook, surveyed->whole);
-    const ViewAxes axes = axes_for(scene, surveyed->cloud, outlook, aspect);
+    const ViewAnalysis& analysis = surveyed->analysis;
+    if (analysis.standpoint == Standpoint::inside)
+        return camera_inside(analysis, aspect);
+    const Subject subject(scene, pose, analysis, surveyed->whole);
+    const ViewAxes axes = axes_for(scene, surveyed->cloud, analysis, aspect);
     const Bounds& bounds = subject.bounds();
 
     const double half_height = framed_half_height(aspect);
@@ -275,7 +275,7 @@ Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect, 
                         .top = half_height - framed_margin * shorter,
                         .bottom = half_height - (framed_margin + shadow_room) * shorter};
 
-    ViewPoints points = view_points(scene, pose, axes, outlook, sun, subject);
+    ViewPoints points = view_points(scene, pose, axes, analysis, sun, subject);
     // A subject without extent still stands somewhere: give it a size that arithmetic can see.
     const double least = std::max({1e-12 * glm::length(bounds.center()), 1e-6 * bounds.radius(), 1e-9});
     Bounds extent;
@@ -293,7 +293,7 @@ Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect, 
     camera.eye = bounds.center() + axes.world(eye);
     camera.target = camera.eye - axes.forward * eye.z;
     camera.vertical_fov_rad = 2.0 * std::atan(half_height);
-    camera.near_m = outlook.cut_wall ? nearest + 1e-3 * span : std::max(0.1 * nearest, 1e-4 * span);
+    camera.near_m = analysis.cut_wall ? nearest + 1e-3 * span : std::max(0.1 * nearest, 1e-4 * span);
     return camera;
 }
 

@@ -8,9 +8,9 @@
 
 #include <estampe/error.hpp>
 
-#include "scene/outlook/outlook.hpp"
 #include "scene/pose.hpp"
 #include "scene/shapes.hpp"
+#include "scene/view_analysis/view_analysis.hpp"
 #include "support/scenes.hpp"
 
 namespace estampe {
@@ -67,7 +67,7 @@ Picture picture_of(const Scene& scene)
     const ScenePose pose = pose_scene(scene, 0.0);
     const Page page(framing_camera(scene, pose, aspect));
     const double ground_m = scene_bounds(scene, pose).min.y;
-    const glm::dvec3 sun = find_outlook(scene).towards_sun(house_sun_azimuth_deg, house_sun_elevation_deg);
+    const glm::dvec3 sun = analyze_view(scene).towards_sun(house_sun_azimuth_deg, house_sun_elevation_deg);
     Picture picture;
     size_t shadows = 0;
     size_t inside = 0;
@@ -198,7 +198,7 @@ TEST(FramedView, HoldsTheShadowOfTheSunThatItIsTold)
         SCOPED_TRACE(azimuth_deg);
         const SunBearing low{.azimuth_deg = azimuth_deg, .elevation_deg = 35.0};
         const Page page(framing_camera(scene, pose, aspect, low));
-        const glm::dvec3 sun = find_outlook(scene).towards_sun(low.azimuth_deg, low.elevation_deg);
+        const glm::dvec3 sun = analyze_view(scene).towards_sun(low.azimuth_deg, low.elevation_deg);
         visit_posed(scene, pose, [&](const PosedPrimitive& posed) {
             for (const glm::dvec3& p : posed.positions) {
                 EXPECT_TRUE(on_page(page.at(p - sun * (p.y / sun.y))));

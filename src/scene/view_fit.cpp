@@ -7,8 +7,8 @@
 
 #include "scene/drawn_size.hpp"
 #include "scene/extent.hpp"
-#include "scene/outlook/strays.hpp"
-#include "scene/outlook/subject.hpp"
+#include "scene/view_analysis/strays.hpp"
+#include "scene/view_analysis/subject.hpp"
 
 namespace estampe {
 
@@ -20,10 +20,10 @@ std::optional<SceneSurvey> survey(const Scene& scene, const ScenePose& pose)
         return std::nullopt;
     check_extent(whole, scene.name);
     SceneSurvey result{
-        .whole = whole, .cloud = surface_cloud(scene, pose_scene(scene, 0.0, no_index)), .outlook = {}};
-    result.outlook = find_outlook(result.cloud);
-    if (result.outlook.standpoint == Standpoint::outside)
-        result.outlook.subject = subject_by_vertices(scene, pose, result.cloud, result.outlook.subject);
+        .whole = whole, .cloud = surface_cloud(scene, pose_scene(scene, 0.0, no_index)), .analysis = {}};
+    result.analysis = analyze_view(result.cloud);
+    if (result.analysis.standpoint == Standpoint::outside)
+        result.analysis.subject = subject_by_vertices(scene, pose, result.cloud, result.analysis.subject);
     return result;
 }
 
@@ -81,8 +81,8 @@ glm::dvec3 centre_eye(const std::vector<glm::dvec3>& points, const Window& windo
     return eye;
 }
 
-Subject::Subject(const Scene& scene, const ScenePose& pose, const Outlook& outlook, const Bounds& whole)
-    : bounds_(bounds_without_strays(scene, pose, whole)), standing_(outlook.subject)
+Subject::Subject(const Scene& scene, const ScenePose& pose, const ViewAnalysis& analysis, const Bounds& whole)
+    : bounds_(bounds_without_strays(scene, pose, whole)), standing_(analysis.subject)
 {
     has_floor_ = standing_.max.x - standing_.min.x < 0.99 * (bounds_.max.x - bounds_.min.x);
     slack_m_ = 0.02 * (standing_.max.y - standing_.min.y);

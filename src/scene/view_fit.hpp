@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "scene/outlook/outlook.hpp"
+#include "scene/view_analysis/view_analysis.hpp"
 
 namespace estampe {
 
@@ -36,7 +36,7 @@ struct Window {
 struct SceneSurvey {
     Bounds whole; ///< of all vertices in the pose, never empty
     SurfaceCloud cloud;
-    Outlook outlook;
+    ViewAnalysis analysis;
 };
 
 /// Surveys the scene; nothing where it has nothing to draw. Throws Error when the scene is so large, small or
@@ -46,8 +46,8 @@ struct SceneSurvey {
 /// Which vertices a framed picture has to hold.
 class Subject {
 public:
-    /// `outlook` is that of the scene; `whole` are its bounds in `pose`.
-    Subject(const Scene& scene, const ScenePose& pose, const Outlook& outlook, const Bounds& whole);
+    /// `analysis` is that of the scene; `whole` are its bounds in `pose`.
+    Subject(const Scene& scene, const ScenePose& pose, const ViewAnalysis& analysis, const Bounds& whole);
 
     /// Bounds of all that is no stray.
     [[nodiscard]] const Bounds& bounds() const { return bounds_; }

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "scene/camera_words.hpp"
-#include "scene/outlook/view_axes.hpp"
 #include "scene/pose.hpp"
+#include "scene/view_analysis/view_axes.hpp"
 #include "scene/view_fit.hpp"
 
 namespace estampe {
@@ -141,16 +141,16 @@ Camera view_camera(const Scene& scene, const ScenePose& pose, double aspect, con
         aspect = 1.0;
     const Bounds& whole = surveyed->whole;
     const SurfaceCloud& cloud = surveyed->cloud;
-    Outlook& outlook = surveyed->outlook;
-    if (outlook.standpoint == Standpoint::inside)
-        outlook.subject = whole; // seen from outside after all
+    ViewAnalysis& analysis = surveyed->analysis;
+    if (analysis.standpoint == Standpoint::inside)
+        analysis.subject = whole; // seen from outside after all
     // A view that was asked for shows the floor too, unless that is ground far beyond what stands on it.
     constexpr double far_wider = 4.0;
     const glm::dvec3 all_m = cloud.bounds.max - cloud.bounds.min;
-    const glm::dvec3 subject_m = outlook.subject.max - outlook.subject.min;
+    const glm::dvec3 subject_m = analysis.subject.max - analysis.subject.min;
     if (!cloud.points.empty() && (all_m.x < far_wider * subject_m.x || all_m.z < far_wider * subject_m.z))
-        outlook.subject = cloud.bounds;
-    const Subject subject(scene, pose, outlook, whole);
+        analysis.subject = cloud.bounds;
+    const Subject subject(scene, pose, analysis, whole);
     const ViewAxes axes = axes_of(from);
     const std::vector<glm::dvec3> points = subject_points(scene, pose, subject, axes);
     const Bounds seen = bounds_of(points);

@@ -19,8 +19,8 @@
 
 #include "scene/charts/charts.hpp"
 #include "scene/gltf/gltf_import.hpp"
-#include "scene/outlook/outlook.hpp"
 #include "scene/static_triangles.hpp"
+#include "scene/view_analysis/view_analysis.hpp"
 #include "techniques/contour/chains/mesh/ridge_chains.hpp"
 #include "techniques/form/form.hpp"
 #include "techniques/pose/mesh_data.hpp"
@@ -164,7 +164,7 @@ void look_at(const Scene& scene)
             expect(is_finite(camera.eye) && is_finite(camera.target) && camera.eye != camera.target);
         }
     }
-    (void)find_outlook(scene);
+    (void)analyze_view(scene);
 }
 
 void make_lines(const pose::MeshData& meshes)

@@ -151,23 +151,24 @@ Drawing::Stage Drawing::add_surface(gpu::Graph& graph)
             .surface = seen};
 }
 
-screen::Screen Drawing::add_screen(gpu::Graph& graph)
+transparency::Transparency Drawing::add_transparency(gpu::Graph& graph)
 {
     const gpu::BufferId posed = add_posed(graph);
     const raster::RasterInputs inputs = raster_inputs(graph, posed);
     const raster::Batch blended{layout.blended.first, layout.blended.count, true};
-    return screen::add_screen(graph, {.frame = gpu::import_whole(graph, "frame", frame_),
-                                      .solid_visibility = add_visibility(graph, posed),
-                                      .layers = raster::add_layers(graph, "screen", inputs, {&blended, 1},
-                                                                   raster_view(), layout.blended_sheets),
-                                      .triangles = inputs.triangles,
-                                      .posed_vertices = posed,
-                                      .draws = inputs.draws,
-                                      .rest_vertices = inputs.rest_vertices,
-                                      .materials = inputs.materials,
-                                      .textures = inputs.textures,
-                                      .texture_classes = needs_.texture_classes,
-                                      .size_px = size_px});
+    return transparency::add_transparency(
+        graph, {.frame = gpu::import_whole(graph, "frame", frame_),
+                .solid_visibility = add_visibility(graph, posed),
+                .layers = raster::add_layers(graph, "screen", inputs, {&blended, 1}, raster_view(),
+                                             layout.blended_sheets),
+                .triangles = inputs.triangles,
+                .posed_vertices = posed,
+                .draws = inputs.draws,
+                .rest_vertices = inputs.rest_vertices,
+                .materials = inputs.materials,
+                .textures = inputs.textures,
+                .texture_classes = needs_.texture_classes,
+                .size_px = size_px});
 }
 
 light::LitPixels Drawing::add_light(gpu::Graph& graph, const Stage& stage, LightSetup setup)
@@ -299,8 +300,8 @@ ScreenPixels Drawing::screen()
     gpu::Graph for_draw;
     gpu::Graph for_color;
     ScreenPixels pixels;
-    pixels.draw = run_and_read_as<uint32_t>(for_draw, add_screen(for_draw).draw);
-    pixels.color = unpack_roots(run_and_read_as<uint32_t>(for_color, add_screen(for_color).color));
+    pixels.draw = run_and_read_as<uint32_t>(for_draw, add_transparency(for_draw).draw);
+    pixels.color = unpack_roots(run_and_read_as<uint32_t>(for_color, add_transparency(for_color).color));
     return pixels;
 }
 

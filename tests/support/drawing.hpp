@@ -18,11 +18,11 @@
 #include "techniques/pose/pose.hpp"
 #include "techniques/raster/raster.hpp"
 #include "techniques/raster/views/views.hpp"
-#include "techniques/screen/screen.hpp"
 #include "techniques/shadow/local/edge_look.hpp"
 #include "techniques/shadow/sun/clipmap.hpp"
 #include "techniques/shadow/sun/sun_view.hpp"
 #include "techniques/surface/materials.hpp"
+#include "techniques/transparency/transparency.hpp"
 
 namespace estampe::test {
 
@@ -138,7 +138,7 @@ private:
     gpu::BufferId add_posed(gpu::Graph& graph);
     gpu::BufferId add_visibility(gpu::Graph& graph, gpu::BufferId posed);
     Stage add_surface(gpu::Graph& graph);
-    screen::Screen add_screen(gpu::Graph& graph);
+    transparency::Transparency add_transparency(gpu::Graph& graph);
     contour::ContourInputs contour_inputs(gpu::Graph& graph, const Stage& stage);
     features::SunMapPlan sun_plan(const glm::dvec3& towards_sun, const LightSetup& setup) const;
     gpu::BufferId add_sun_map(gpu::Graph& graph, const Stage& stage, const LightSetup& setup,

@@ -28,7 +28,7 @@ contour::ContourInputs Drawing::contour_inputs(gpu::Graph& graph, const Stage& s
             .coordinate = stage.surface.coordinate,
             .light = lit.light,
             .sun = line_light.keeps_sun ? std::optional(lit.sun) : std::nullopt,
-            .screen_draw = screen::add_no_screen(graph).draw,
+            .screen_draw = transparency::add_no_transparency(graph).draw,
             .pixel_m_at_one = pixel_.at_one_m,
             .size_px = size_px};
 }
@@ -42,9 +42,9 @@ std::vector<float> Drawing::lines(const contour::ContourStyle& style, float pixe
     inputs.pixels_per_mm = pixels_per_mm;
     features::LineMeshes meshes;
     features::LineBrushes brushes;
-    inputs.brushes = brushes.provide(shared_device(), style);
+    inputs.brushes = brushes.ensure(shared_device(), style);
     inputs.is_moving = true;
-    contour::LineMesh* mesh = meshes.provide(shared_device(), layout, style);
+    contour::LineMesh* mesh = meshes.ensure(shared_device(), layout, style);
     const gpu::ImageId ink = mesh != nullptr
                                  ? contour::add_chain_contours(graph, inputs, *mesh, history, style)
                                  : contour::add_contours(graph, inputs, style);
@@ -64,7 +64,7 @@ ChainLists Drawing::chains(const contour::ContourStyle& style, contour::LineClas
 {
     ChainLists lists;
     features::LineMeshes meshes;
-    contour::LineMesh* mesh = meshes.provide(shared_device(), layout, style);
+    contour::LineMesh* mesh = meshes.ensure(shared_device(), layout, style);
     const bool along_edges = style.silhouettes == contour::Silhouettes::edges;
     gpu::Graph graph;
     const Stage stage = add_surface(graph);

@@ -43,7 +43,7 @@ gpu::BufferId Drawing::add_sun_map(gpu::Graph& graph, const Stage& stage, const 
 {
     sun_map_ = {};
     features::SunMap& memory = setup.sun_memory != nullptr ? *setup.sun_memory : sun_map_;
-    const features::SunMapWork work = memory.provide(shared_device(), plan, {});
+    const features::SunMapWork work = memory.ensure(shared_device(), plan, {});
     const gpu::BufferId map = gpu::import_whole(graph, "shadow", memory.buffer());
     memory.drawn(plan);
     return features::add_sun_map(graph,

@@ -27,7 +27,7 @@ style::Sheet sheet_of(StyleTables& tables)
     sheet.bind(occlusion::occlusion_table(), tables.occlusion);
     sheet.bind(subsurface::subsurface_table(), tables.subsurface);
     sheet.bind(light::tone_table(), tables.tone);
-    sheet.bind(screen::screen_table(), tables.screen);
+    sheet.bind(transparency::transparency_table(), tables.transparency);
     sheet.bind(hatch::hatch_table(), tables.hatch);
     sheet.bind(tam::tam_table(), tables.tam);
     sheet.bind(contour::contour_table(), tables.contour);

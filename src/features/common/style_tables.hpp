@@ -19,7 +19,6 @@
 #include "techniques/occlusion/occlusion_style.hpp"
 #include "techniques/paper/paper.hpp"
 #include "techniques/particles/particle_style.hpp"
-#include "techniques/screen/screen.hpp"
 #include "techniques/shadow/shadow_style.hpp"
 #include "techniques/sky/clouds/cloud_style.hpp"
 #include "techniques/sky/sky.hpp"
@@ -27,6 +26,7 @@
 #include "techniques/subsurface/subsurface_style.hpp"
 #include "techniques/tam/tam_style.hpp"
 #include "techniques/terrain/drift/drift.hpp"
+#include "techniques/transparency/transparency.hpp"
 #include "techniques/wash/wash.hpp"
 
 namespace estampe::features {
@@ -50,7 +50,7 @@ struct StyleTables {
     occlusion::OcclusionStyle occlusion;
     subsurface::SubsurfaceStyle subsurface;
     light::ToneStyle tone;
-    screen::ScreenStyle screen;
+    transparency::TransparencyStyle transparency;
     hatch::HatchStyle hatch;
     tam::TamStyle tam;
     contour::ContourStyle contour;

@@ -77,7 +77,7 @@ hatch::MapData load_map(const MapChoice& choice)
             .threshold_of_level = std::move(thresholds)};
 }
 
-void TonalMaps::provide(gpu::Device& device, const std::vector<StyleTables>& looks)
+void TonalMaps::ensure(gpu::Device& device, const std::vector<StyleTables>& looks)
 {
     place_of_look_.assign(looks.size(), std::nullopt);
     std::vector<Loaded> wanted;

@@ -35,7 +35,7 @@ struct MapChoice {
 class TonalMaps {
 public:
     /// Loads what the styles of looks ask for and is not there yet. Throws Error as load_map().
-    void provide(gpu::Device& device, const std::vector<StyleTables>& looks);
+    void ensure(gpu::Device& device, const std::vector<StyleTables>& looks);
 
     /// That of a look; null where its strokes come from none.
     [[nodiscard]] hatch::MapImages* of_look(size_t look)

@@ -142,8 +142,8 @@ std::optional<double> FlowingInk::before_s(const RenderSettings& settings, const
     return goes_on ? memory_.time_s() : std::nullopt;
 }
 
-std::optional<InkPlan> FlowingInk::provide(gpu::Device& device, gpu::Executor& executor,
-                                           const FlowingInkInputs& in, std::vector<std::string>& notes)
+std::optional<InkPlan> FlowingInk::ensure(gpu::Device& device, gpu::Executor& executor,
+                                          const FlowingInkInputs& in, std::vector<std::string>& notes)
 {
     const ink::InkStyle& style = in.style.ink;
     if (!style.drawn) {
@@ -173,7 +173,7 @@ std::optional<InkPlan> FlowingInk::provide(gpu::Device& device, gpu::Executor& e
         plan.motion = moved;
     }
     plan.ink.mask = ink_mask(in.layout, in.scene, style.objects, notes);
-    memory_.provide(device, style, plan.ink);
+    memory_.ensure(device, style, plan.ink);
     memory_.forget(); // until it has been drawn
     return plan;
 }

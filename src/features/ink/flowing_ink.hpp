@@ -43,8 +43,8 @@ public:
 
     /// Plans the ink of a picture and makes room for it; nothing where the style has none. Patterns that name
     /// nothing go into `notes`. Throws Error for a flow map or zones that cannot be read.
-    [[nodiscard]] std::optional<InkPlan> provide(gpu::Device& device, gpu::Executor& executor,
-                                                 const FlowingInkInputs& in, std::vector<std::string>& notes);
+    [[nodiscard]] std::optional<InkPlan> ensure(gpu::Device& device, gpu::Executor& executor,
+                                                const FlowingInkInputs& in, std::vector<std::string>& notes);
 
     /// The ink of `drawn`, a picture of another size that has just been drawn, on the page of this one.
     [[nodiscard]] InkPlan shown_on(gpu::Device& device, const InkPlan& drawn, const FlowingInkInputs& in);

@@ -9,8 +9,8 @@
 
 #include <estampe/renderer.hpp>
 
-#include "scene/outlook/outlook.hpp"
 #include "scene/shapes.hpp"
+#include "scene/view_analysis/view_analysis.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
 #include "techniques/light/light.hpp"
@@ -130,7 +130,7 @@ TEST(DefaultLight, DaylightThrowsNoEdgeOfTheOpeningThroughARoom)
     const ScenePose pose = pose_scene(scene, 0.0);
     const Bounds bounds = scene_bounds(scene, pose);
     const light::Lighting lighting =
-        light::gather_lights(scene, pose, bounds, bounds.center(), {}, find_outlook(scene));
+        light::gather_lights(scene, pose, bounds, bounds.center(), {}, analyze_view(scene));
     ASSERT_TRUE(lighting.indoors);
     EXPECT_EQ(lighting.directional_count, 1U);
     EXPECT_EQ(lighting.sun_casters, 0U);

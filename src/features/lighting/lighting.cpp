@@ -32,8 +32,8 @@ void Lighting::load(FilmReader& reader)
 void Lighting::upload(gpu::Device& device, const shared::LightGlobals& globals,
                       std::span<const shared::LightRecord> lights)
 {
-    gpu::refill(device, "lighting", std::span(&globals, 1), globals_);
-    gpu::refill(device, "lights", lights, lights_);
+    gpu::upload_items(device, "lighting", std::span(&globals, 1), globals_);
+    gpu::upload_items(device, "lights", lights, lights_);
 }
 
 } // namespace estampe::features

@@ -147,7 +147,7 @@ std::optional<contour::BrushSet> load_brushes(const contour::ContourStyle& style
     return set.strips.empty() ? std::nullopt : std::optional(std::move(set));
 }
 
-contour::BrushImages* LineBrushes::provide(gpu::Device& device, const contour::ContourStyle& style)
+contour::BrushImages* LineBrushes::ensure(gpu::Device& device, const contour::ContourStyle& style)
 {
     if (!style.drawn || style.lines != contour::Lines::chains) {
         return nullptr;

@@ -38,7 +38,7 @@ class LineBrushes {
 public:
     /// What the style's lines are drawn with; none where that is the pen alone. Throws as load_brushes()
     /// does.
-    contour::BrushImages* provide(gpu::Device& device, const contour::ContourStyle& style);
+    contour::BrushImages* ensure(gpu::Device& device, const contour::ContourStyle& style);
 
 private:
     std::optional<contour::BrushImages> images_;

@@ -114,8 +114,8 @@ std::future<void> LineMeshes::find_edges(const pose::MeshData& layout, const con
     return std::async(at_once, [this, &layout] { edges_ = edge_mesh_of(layout); });
 }
 
-contour::LineMesh* LineMeshes::provide(gpu::Device& device, const pose::MeshData& layout,
-                                       const contour::ContourStyle& style)
+contour::LineMesh* LineMeshes::ensure(gpu::Device& device, const pose::MeshData& layout,
+                                      const contour::ContourStyle& style)
 {
     if (!has_chains(layout, style)) {
         return nullptr;

@@ -16,8 +16,8 @@ class LineMeshes {
 public:
     /// The line mesh for `style`, or null when lines are not chains. Cost: nothing when neither meshes nor
     /// choice changed; else linear in triangles. Throws Error when memory runs out.
-    [[nodiscard]] contour::LineMesh* provide(gpu::Device& device, const pose::MeshData& layout,
-                                             const contour::ContourStyle& style);
+    [[nodiscard]] contour::LineMesh* ensure(gpu::Device& device, const pose::MeshData& layout,
+                                            const contour::ContourStyle& style);
 
     /// Begins that part of it which needs no device, in a thread that ends before what is returned does, and
     /// before which no other function may be called. Nothing to wait for where there is nothing to find.

@@ -35,8 +35,8 @@ void Lines::invalidate(Event event)
 
 void Lines::ensure(gpu::Device& device, const pose::MeshData& layout, const contour::ContourStyle& style)
 {
-    mesh_ = meshes_.provide(device, layout, style);
-    brush_images_ = brushes_.provide(device, style);
+    mesh_ = meshes_.ensure(device, layout, style);
+    brush_images_ = brushes_.ensure(device, style);
 }
 
 void Lines::save(FilmWriter& writer)

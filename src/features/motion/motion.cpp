@@ -7,7 +7,7 @@
 
 namespace estampe::features {
 
-void provide_motion(gpu::Device& device, gpu::Buffer& pixels, const RenderSettings& settings)
+void ensure_motion(gpu::Device& device, gpu::Buffer& pixels, const RenderSettings& settings)
 {
     const uint64_t size_bytes = sizeof(glm::vec4) * settings.width * settings.height;
     if (pixels.empty() || pixels.size_bytes() != size_bytes) {

@@ -11,7 +11,7 @@
 namespace estampe::features {
 
 /// Makes room to read back the motion of a picture of this size.
-void provide_motion(gpu::Device& device, gpu::Buffer& pixels, const RenderSettings& settings);
+void ensure_motion(gpu::Device& device, gpu::Buffer& pixels, const RenderSettings& settings);
 
 /// Declares the pass, and one that copies its image into `pixels`.
 void declare_motion(gpu::Graph& graph, const motion::MotionInputs& in, gpu::Buffer& pixels);

@@ -161,7 +161,7 @@ std::vector<particles::ParticlePlan> Particles::plan(gpu::Device& device, gpu::E
         }
         const auto alive = particles::particles_at(style, group.emitters, in.settings.time_s);
         ParticleBuffers& room = buffers_[plans.size()];
-        room.sheet.provide(device, style, [&] { return smoke_sheet(device, executor); });
+        room.sheet.ensure(device, style, [&] { return smoke_sheet(device, executor); });
         const particles::ParticlePlan& plan =
             plans.emplace_back(particles::plan_particles(style, alive,
                                                          {.clip_from_anchor = page.clip_from_anchor,

@@ -21,7 +21,7 @@ GroundShadowPlan plan_ground_shadow(const GroundShadowScene& scene, const shadow
             .relief_m = scene.relief_m};
 }
 
-void GroundShadow::provide(gpu::Device& device, const GroundShadowPlan& plan)
+void GroundShadow::ensure(gpu::Device& device, const GroundShadowPlan& plan)
 {
     const uint64_t size_bytes = sizeof(uint32_t) * shared::ground_levels * plan.size * plan.size;
     if (kept_.empty() || kept_.size_bytes() != size_bytes) {

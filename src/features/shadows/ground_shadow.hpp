@@ -58,7 +58,7 @@ public:
     void forget() { held_.reset(); }
 
     /// Makes room for what `plan` wants.
-    void provide(gpu::Device& device, const GroundShadowPlan& plan);
+    void ensure(gpu::Device& device, const GroundShadowPlan& plan);
     /// Brings the fields up to date, and looks every pixel up in them.
     [[nodiscard]] gpu::ImageId add_share(gpu::Graph& graph, terrain::TerrainBuffers& terrain,
                                          const GroundShadowInputs& in);

@@ -47,11 +47,11 @@ LocalMapPlan Shadows::ensure_local_maps(gpu::Device& device, light::Lighting& li
         plan = &planned();
         local_buffers_.layers = {};
     }
-    gpu::refill(device, "local shadows", plan->shadows, local_buffers_.shadows);
+    gpu::upload_items(device, "local shadows", plan->shadows, local_buffers_.shadows);
     LocalViewBuffers& views = local_buffers_.views;
-    gpu::refill(device, "local views", plan->views.whole, views.whole);
-    gpu::refill(device, "local views/still", plan->views.still, views.still);
-    gpu::refill(device, "local views/moving", plan->views.moving, views.moving);
+    gpu::upload_items(device, "local views", plan->views.whole, views.whole);
+    gpu::upload_items(device, "local views/still", plan->views.still, views.still);
+    gpu::upload_items(device, "local views/moving", plan->views.moving, views.moving);
     if (!plan->views.still.empty() && local_buffers_.layers.empty()) {
         local_buffers_.layers =
             gpu::Buffer(device, "local shadow layers", maps.size_bytes(), gpu::MemoryUse::device);
@@ -68,8 +68,8 @@ LocalMapPlan Shadows::ensure_local_maps(gpu::Device& device, light::Lighting& li
 
 void Shadows::upload(gpu::Device& device, const shared::EdgeLook& edges, const shared::SunShadow& sun)
 {
-    gpu::refill(device, "edges", std::span(&edges, 1), edge_look_);
-    gpu::refill(device, "sun", std::span(&sun, 1), sun_globals_);
+    gpu::upload_items(device, "edges", std::span(&edges, 1), edge_look_);
+    gpu::upload_items(device, "sun", std::span(&sun, 1), sun_globals_);
 }
 
 } // namespace estampe::features

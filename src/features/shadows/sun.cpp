@@ -139,7 +139,7 @@ shared::SunShadow sun_globals(const SunMapPlan& plan, const PixelSize& pixel,
                         : shadow::sun_shadow(plan.view, plan.size, style);
 }
 
-SunMapWork SunMap::provide(gpu::Device& device, const SunMapPlan& plan, const SunCasters& casters)
+SunMapWork SunMap::ensure(gpu::Device& device, const SunMapPlan& plan, const SunCasters& casters)
 {
     const uint64_t levels = plan.clipmap ? plan.clipmap->level_count : 1;
     const uint64_t size_bytes = std::max<uint64_t>(sizeof(float) * plan.size * plan.size * levels, 16);
@@ -170,15 +170,15 @@ SunMapWork SunMap::provide(gpu::Device& device, const SunMapPlan& plan, const Su
             still_ = gpu::Buffer(device, "shadow map of what stands", size_bytes, gpu::MemoryUse::device);
         }
         work.has_still = true;
-        provide_moving(device, plan, casters.groups, work);
+        ensure_moving(device, plan, casters.groups, work);
     }
     if (!work.views.empty()) {
-        gpu::refill(device, "sun views", work.views, views_);
+        gpu::upload_items(device, "sun views", work.views, views_);
     }
     return work;
 }
 
-void SunMap::provide_moving(gpu::Device& device, const SunMapPlan& plan, Groups groups, SunMapWork& work)
+void SunMap::ensure_moving(gpu::Device& device, const SunMapPlan& plan, Groups groups, SunMapWork& work)
 {
     const shadow::Clipmap& clipmap = *plan.clipmap;
     work.squares = shadow::squares_about(clipmap, plan.windows, moved_, work.pieces);

@@ -81,7 +81,7 @@ public:
     /// Makes room for the map that `plan` wants, and says what to draw into it. From the second time on that
     /// something has moved under the same sun, what stands still is kept, and drawn anew by itself when the
     /// sun goes on after it has stood.
-    [[nodiscard]] SunMapWork provide(gpu::Device& device, const SunMapPlan& plan, const SunCasters& casters);
+    [[nodiscard]] SunMapWork ensure(gpu::Device& device, const SunMapPlan& plan, const SunCasters& casters);
     /// That has been drawn.
     void drawn(const SunMapPlan& plan);
 
@@ -100,7 +100,7 @@ public:
 
 private:
     /// Of what moves, drawn over what stands still.
-    void provide_moving(gpu::Device& device, const SunMapPlan& plan, Groups groups, SunMapWork& work);
+    void ensure_moving(gpu::Device& device, const SunMapPlan& plan, Groups groups, SunMapWork& work);
 
     gpu::Buffer map_;
     gpu::Buffer still_;

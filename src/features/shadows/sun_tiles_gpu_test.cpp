@@ -96,7 +96,7 @@ public:
 
     std::vector<uint32_t> draw(test::Drawing& drawing, const Scene& scene, const SunMapPlan& plan)
     {
-        work = memory_.provide(test::shared_device(), plan, {.by_compute = true, .are_parted = are_parted_});
+        work = memory_.ensure(test::shared_device(), plan, {.by_compute = true, .are_parted = are_parted_});
         if (work.has_still) { // nothing of the pictures was ever cleared
             memory_.pictures() =
                 gpu::upload_buffer(test::shared_device(), "garbage",

@@ -408,8 +408,8 @@ gpu::ImageId RisingSmoke::velocity(gpu::Graph& graph, size_t box)
     return columns_.at(box)->add(graph).velocity;
 }
 
-std::optional<SmokePlan> RisingSmoke::provide(gpu::Device& device, gpu::Executor& executor,
-                                              const SmokeInputs& in, std::vector<std::string>& notes)
+std::optional<SmokePlan> RisingSmoke::ensure(gpu::Device& device, gpu::Executor& executor,
+                                             const SmokeInputs& in, std::vector<std::string>& notes)
 {
     const smoke::SmokeStyle& style = in.style.smoke;
     SmokePlan plan{.boxes = in.risen ? *in.risen : rise(device, executor, in, notes)};
@@ -419,7 +419,7 @@ std::optional<SmokePlan> RisingSmoke::provide(gpu::Device& device, gpu::Executor
     const shared::SmokeGlobals globals =
         smoke::globals_of(plan.boxes, style, {.lamps = in.lamps, .ambient = in.ambient});
     globals_ = gpu::upload_buffer(device, "smoke globals", std::vector{globals});
-    volume_.provide(device, globals);
+    volume_.ensure(device, globals);
     return plan;
 }
 

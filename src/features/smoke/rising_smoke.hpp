@@ -72,8 +72,8 @@ public:
     [[nodiscard]] gpu::ImageId velocity(gpu::Graph& graph, size_t box);
 
     /// Plans how the smoke is lit and drawn, which rises before unless it has; nothing where there is none.
-    [[nodiscard]] std::optional<SmokePlan> provide(gpu::Device& device, gpu::Executor& executor,
-                                                   const SmokeInputs& in, std::vector<std::string>& notes);
+    [[nodiscard]] std::optional<SmokePlan> ensure(gpu::Device& device, gpu::Executor& executor,
+                                                  const SmokeInputs& in, std::vector<std::string>& notes);
 
     /// Of the boxes that were measured when they took their last steps, numbered where there are several.
     [[nodiscard]] std::vector<SolverReport> solver_reports() const;

@@ -107,7 +107,7 @@ void Executor::run(const Graph& graph)
     graph_ = &graph;
     first_of_run_ = timing_count_;
     gpu_ms_ = timing_count_ == 0 ? 0.0 : gpu_ms_;
-    provide_slots();
+    ensure_slots();
     if (are_runs_watched()) {
         run_by_passes();
     } else {
@@ -162,7 +162,7 @@ uint64_t Executor::find_slots()
     return missing_bytes;
 }
 
-void Executor::provide_slots()
+void Executor::ensure_slots()
 {
     // Frames have other graphs between them, such as steps of cloth, and should find their own again.
     constexpr uint64_t runs_kept = 8;

@@ -98,7 +98,7 @@ private:
     void drop_unused(uint64_t runs);
     /// Begins a run: finds what there is for the compiled graph. Returns how much is missing.
     [[nodiscard]] uint64_t find_slots();
-    void provide_slots();
+    void ensure_slots();
     void begin_commands();
     void end_and_run_commands();
     void record(VkCommandBuffer commands);
@@ -113,7 +113,7 @@ private:
     [[nodiscard]] VkDescriptorSet bind(const PassRecord& pass, const Pipeline& pipeline);
     [[nodiscard]] const Image& image_of(uint32_t resource) const;
     [[nodiscard]] const Buffer& buffer_of(uint32_t resource) const;
-    void provide_stand_ins();
+    void ensure_stand_ins();
     void use_shader(const PassRecord& pass);
     void reset_frame();
     /// Milliseconds between two of the timestamps that were read.

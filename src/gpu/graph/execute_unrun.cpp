@@ -9,7 +9,7 @@ void Executor::use_shaders(const Graph& graph, const std::function<bool()>& go_o
 {
     compiler_.compile(graph, compiled_);
     graph_ = &graph;
-    provide_stand_ins();
+    ensure_stand_ins();
     for (size_t i = compiled_.passes.size(); i-- > 0;) {
         const PassRecord& pass = graph.passes()[compiled_.passes[i].pass];
         if (pass.shader == nullptr && !pass.is_raster()) {
@@ -26,7 +26,7 @@ void Executor::use_shaders(const Graph& graph, const std::function<bool()>& go_o
 }
 
 /// One for each resource, because what a driver compiles may depend on an image's size and format.
-void Executor::provide_stand_ins()
+void Executor::ensure_stand_ins()
 {
     for (const ResourceRecord& resource : graph_->resources()) {
         stand_in_images_.push_back(resource.is_image ? Image(device_, "stand-in", resource.image,

@@ -234,9 +234,9 @@ Pass& Pass::variant(uint32_t bits)
     return *this;
 }
 
-Pass& Pass::lasts(uint32_t us)
+Pass& Pass::estimated_duration_us(uint32_t us)
 {
-    record().lasts_us = us;
+    record().estimated_duration_us = us;
     return *this;
 }
 
@@ -302,7 +302,7 @@ PassRecord& Graph::new_pass(std::string_view name)
     pass.push.clear();
     pass.variant = 0;
     pass.dispatch = {};
-    pass.lasts_us = 0;
+    pass.estimated_duration_us = 0;
     pass.record.clear();
     pass.has_side_effect = false;
     return pass;

@@ -180,9 +180,9 @@ struct PassRecord {
     std::vector<std::byte> push = {};
     uint32_t variant = 0; ///< the shaders' specialization constant 0
     Dispatch dispatch = {};
-    uint32_t lasts_us = 0;        ///< about, as Pass::lasts() told; 0: not told
-    Recording record = {};        ///< custom passes only
-    bool has_side_effect = false; ///< never culled
+    uint32_t estimated_duration_us = 0; ///< about, as Pass::estimated_duration_us() told; 0: not told
+    Recording record = {};              ///< custom passes only
+    bool has_side_effect = false;       ///< never culled
 
     [[nodiscard]] bool is_raster() const { return draw.vertex != nullptr; }
 };
@@ -250,7 +250,7 @@ public:
 
     /// About how long the pass takes on a large GPU, if it leaves that idle meanwhile: few groups that work
     /// long, or threads that wait for one thing after another. Such passes then run beside each other.
-    Pass& lasts(uint32_t us);
+    Pass& estimated_duration_us(uint32_t us);
 
     /// One thread a pixel, in groups of 8 x 8 as the shaders declare.
     void dispatch_over(uint32_t width, uint32_t height, uint32_t layers = 1);

@@ -139,8 +139,8 @@ void Scheduler::spread(const Graph& graph, Schedule& schedule)
     for (uint32_t step = 0; step < level_of_.size(); ++step) {
         const PassRecord& pass = graph.passes()[schedule.passes[step]];
         wide_in_level_[level_of_[step]] += is_wide(pass) ? 1 : 0;
-        if (pass.lasts_us > 0)
-            long_.push_back({step, pass.lasts_us});
+        if (pass.estimated_duration_us > 0)
+            long_.push_back({step, pass.estimated_duration_us});
     }
     waves_.assign(graph.resources().size(), {});
     uint32_t past_effects = 0;
@@ -150,9 +150,10 @@ void Scheduler::spread(const Graph& graph, Schedule& schedule)
             std::max(next_level(schedule, step), pass.has_side_effect ? past_effects : 0);
         const uint32_t latest = level_of_[step];
         wide_in_level_[latest] -= is_wide(pass) ? 1 : 0;
-        const uint32_t level = pass.lasts_us > 0 ? beside_longest({step, pass.lasts_us}, earliest, latest)
-                               : is_wide(pass)   ? emptiest(earliest, latest)
-                                                 : earliest;
+        const uint32_t level = pass.estimated_duration_us > 0
+                                   ? beside_longest({step, pass.estimated_duration_us}, earliest, latest)
+                               : is_wide(pass) ? emptiest(earliest, latest)
+                                               : earliest;
         wide_in_level_[level] += is_wide(pass) ? 1 : 0;
         level_of_[step] = level;
         take_level(schedule, step, level);

@@ -38,12 +38,13 @@ class Scheduler {
 public:
     /// Keeps the passes of `graph` whose work is wanted, and gives each a level after those that it needs and
     /// before those that need it: as few levels as the longest chain has passes. What a level takes is about
-    /// what its longest pass does. So passes that wait (Pass::lasts()) go where others wait as long, passes
-    /// of many groups where the fewest such are, of several levels the first, and all others as early as they
-    /// can; in declared order. In a level those of few groups stand first: the time that they wait for memory
-    /// is then that of others. Passes with side effects keep their order. Throws std::logic_error when a
-    /// pass, kept or not, binds one resource twice with clashing accesses. Cost: linear in uses, a sort of
-    /// the passes, levels for each pass of many groups, and levels and passes that wait for each such pass.
+    /// what its longest pass does. So passes that wait (Pass::estimated_duration_us()) go where others wait
+    /// as long, passes of many groups where the fewest such are, of several levels the first, and all others
+    /// as early as they can; in declared order. In a level those of few groups stand first: the time that
+    /// they wait for memory is then that of others. Passes with side effects keep their order. Throws
+    /// std::logic_error when a pass, kept or not, binds one resource twice with clashing accesses. Cost:
+    /// linear in uses, a sort of the passes, levels for each pass of many groups, and levels and passes that
+    /// wait for each such pass.
     void run(const Graph& graph, Schedule& schedule);
 
 private:

@@ -95,7 +95,7 @@ TEST(ScheduleTest, WhatWaitsGoesBesideWhatWaitsAsLong)
         auto pass = graph.compute(name, fake_shader);
         pass.sample(after);
         const ImageId image = pass.write(graph.image(name, small_image));
-        pass.lasts(us).dispatch(groups);
+        pass.estimated_duration_us(us).dispatch(groups);
         return image;
     };
     const ImageId source = made(graph, "source");
@@ -115,10 +115,10 @@ TEST(ScheduleTest, WhatWaitsGoesBesideWhatWaitsAsLong)
 TEST(ScheduleTest, WhatATakenPassWasToldIsForgottenWithTheGraph)
 {
     Graph graph;
-    graph.compute("long", fake_shader).lasts(100).keep();
+    graph.compute("long", fake_shader).estimated_duration_us(100).keep();
     graph.clear();
     graph.compute("other", fake_shader).keep();
-    EXPECT_EQ(graph.passes()[0].lasts_us, 0U);
+    EXPECT_EQ(graph.passes()[0].estimated_duration_us, 0U);
 }
 
 TEST(ScheduleTest, SideEffectsKeepTheirOrder)

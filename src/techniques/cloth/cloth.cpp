@@ -108,7 +108,7 @@ void Cloths::add_small_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, u
     pass.sample(gpu::import_whole(graph, "cloth/flows", flow_speeds_), gpu::Format::rgba32f);
     pass.variant(kind.variant).push(shared::ClothMoment{.first_group = kind.first_group});
     constexpr uint32_t step_us = 20; // of each group, however many there are
-    pass.lasts(count * step_us).dispatch(kind.group_count);
+    pass.estimated_duration_us(count * step_us).dispatch(kind.group_count);
 }
 
 void Cloths::add_rest(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step, gpu::BufferId& awake)

@@ -96,7 +96,7 @@ class Memory {
 public:
     /// Makes room for what the plan needs; what is remembered of another grid is forgotten, whose plan must
     /// start afresh. Throws Error when memory runs out, or when `flow_map` of the style cannot be read.
-    void provide(gpu::Device& device, const InkStyle& style, const Plan& plan);
+    void ensure(gpu::Device& device, const InkStyle& style, const Plan& plan);
 
     /// Has the ink that is there laid on the page of `plan`, of the same grid.
     void show(gpu::Device& device, const Plan& plan);

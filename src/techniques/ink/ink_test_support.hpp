@@ -85,7 +85,7 @@ public:
     {
         plan = plan_of(style, page(), time_of(style, time_s, memory.time_s()), view, zones);
         auto& device = test::shared_device();
-        memory.provide(device, style, plan);
+        memory.ensure(device, style, plan);
         if (!painted_ || !keeps_layers) {
             painted_.emplace(paint());
         }

@@ -41,7 +41,7 @@ void Memory::make_room(gpu::Device& device, const Grid& grid)
     forget();
 }
 
-void Memory::provide(gpu::Device& device, const InkStyle& style, const Plan& plan)
+void Memory::ensure(gpu::Device& device, const InkStyle& style, const Plan& plan)
 {
     if (grid_ != plan.grid || cells_.front().empty()) {
         make_room(device, plan.grid);

@@ -37,7 +37,7 @@ const bool shows_circles = (variant & lens_shows_circles) != 0u;
 
 // What the pixel shows, and whether anything but itself is in that.
 struct Seen {
-    Veil veil;
+    LayerSample sample_here;
     bool is_blurred;
 };
 
@@ -49,7 +49,7 @@ Seen nearly_sharp(ivec2 pixel, LensTexel own, float reach_px)
     float own_radius = abs(own.radius_px);
     bool is_wanted = own_radius < lens_blurred_px && reach_px > lens_sharp_px;
     int rows = is_wanted ? small_side : 0;
-    Veil sum = Veil(vec4(0.0), vec4(0.0));
+    LayerSample sum = LayerSample(vec4(0.0), vec4(0.0));
     float weights = 0.0;
     float others = 0.0;
     for (int row = 0; row < rows; ++row) {
@@ -67,13 +67,13 @@ Seen nearly_sharp(ivec2 pixel, LensTexel own, float reach_px)
             float share = disc_share(max(radius, lens_sharp_px), aperture_distance(vec2(aside)));
             float weight =
                 is_there ? share * (aside == ivec2(0) ? 1.0 : 1.0 - near_share(tap.radius_px)) : 0.0;
-            sum = sum_of(sum, scaled(tap.veil, weight));
+            sum = sum_of(sum, scaled(tap.sample_here, weight));
             weights += weight;
             others += aside == ivec2(0) ? 0.0 : weight;
         }
     }
     bool is_blurred = others > 0.0;
-    return Seen(is_blurred ? scaled(sum, 1.0 / max(weights, 1e-6)) : own.veil, is_blurred);
+    return Seen(is_blurred ? scaled(sum, 1.0 / max(weights, 1e-6)) : own.sample_here, is_blurred);
 }
 
 // Between four texels of a field; its cover, where it has any, is in place of radii.
@@ -83,7 +83,7 @@ LensTexel between(usampler2D field_image, ivec2 pixel, bool is_wanted)
     ivec2 corner = ivec2(floor(place));
     vec2 part = place - vec2(corner);
     ivec2 most = level_size(1) - 1;
-    LensTexel sum = LensTexel(no_veil, 0.0, 1.0);
+    LensTexel sum = LensTexel(no_sample, 0.0, 1.0);
     int rounds = is_wanted ? 1 : 0; // a loop, as processors do what an `if` leaves out
     for (int round = 0; round < rounds; ++round) {
         [[unroll]] for (int i = 0; i < 4; ++i)
@@ -92,7 +92,7 @@ LensTexel between(usampler2D field_image, ivec2 pixel, bool is_wanted)
             vec2 side = mix(1.0 - part, part, vec2(aside));
             float weight = side.x * side.y;
             LensTexel texel = unpack_texel(texelFetch(field_image, clamp(corner + aside, ivec2(0), most), 0));
-            sum.veil = sum_of(sum.veil, scaled(texel.veil, weight));
+            sum.sample_here = sum_of(sum.sample_here, scaled(texel.sample_here, weight));
             sum.radius_px += weight * texel.radius_px;
         }
     }
@@ -108,9 +108,9 @@ Seen gathered(ivec2 pixel, LensTexel own)
     LensTexel near_field = between(near_image, pixel, reach.x > lens_nearly_px);
     LensTexel far_field = between(far_image, pixel, far > 0.0);
     float cover = near_field.radius_px;
-    Veil behind = sum_of(scaled(seen.veil, 1.0 - far), scaled(far_field.veil, far));
-    Veil veil = sum_of(scaled(behind, 1.0 - cover), near_field.veil);
-    return Seen(veil, seen.is_blurred || far > 0.0 || cover > 0.0);
+    LayerSample behind = sum_of(scaled(seen.sample_here, 1.0 - far), scaled(far_field.sample_here, far));
+    LayerSample sample_here = sum_of(scaled(behind, 1.0 - cover), near_field.sample_here);
+    return Seen(sample_here, seen.is_blurred || far > 0.0 || cover > 0.0);
 }
 
 // Blue behind the plane in focus, red before it, white in it.
@@ -143,7 +143,7 @@ void main()
     vec4 wash = layers.wash;
     float hatch;
     vec4 line;
-    unveil(seen.veil, layers.wash.rgb, wash.rgb, hatch, line);
+    unveil(seen.sample_here, layers.wash.rgb, wash.rgb, hatch, line);
     imageStore(out_wash, pixel, seen.is_blurred ? wash : layers.wash);
     if (!is_wash_only) {
         imageStore(out_hatch, pixel, vec4(seen.is_blurred ? hatch : layers.hatch));

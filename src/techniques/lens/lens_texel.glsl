@@ -4,17 +4,17 @@
 
 // What the lens' passes hand on of a place. Whoever includes this has `constants`, and `variant`.
 
-#include "shaders/veil.glsl"
+#include "shaders/layer_sample.glsl"
 
 struct LensTexel {
-    Veil veil;
+    LayerSample sample_here;
     float radius_px; // of the circle of confusion; below 0 before the plane in focus
     float part;      // of the texel's area that is taken
 };
 
 uvec4 pack_texel(LensTexel t)
 {
-    return pack_veil(t.veil, packHalf2x16(vec2(t.radius_px, t.part)));
+    return pack_veil(t.sample_here, packHalf2x16(vec2(t.radius_px, t.part)));
 }
 
 LensTexel unpack_texel(uvec4 packed)

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/luminance.hpp"
-#include "scene/outlook/view_axes.hpp"
 #include "scene/sun_position.hpp"
+#include "scene/view_analysis/view_axes.hpp"
 
 namespace estampe::light {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "core/luminance.hpp"
 #include "scene/lamp_light.hpp"
-#include "scene/outlook/view_axes.hpp"
 #include "scene/pose.hpp"
+#include "scene/view_analysis/view_axes.hpp"
 #include "techniques/light/light.hpp"
 
 namespace estampe::light {
@@ -112,8 +112,8 @@ float arriving(const std::vector<shared::LightRecord>& records, const glm::vec3&
 }
 
 /// The light at the brighter parts of the scene: the eightieth percentile over a sample of its vertices.
-float key_light(const std::vector<shared::LightRecord>& records, const Scene& scene, const ScenePose& pose,
-                const glm::dvec3& anchor)
+float exposure_key(const std::vector<shared::LightRecord>& records, const Scene& scene, const ScenePose& pose,
+                   const glm::dvec3& anchor)
 {
     constexpr size_t about_a_primitive = 64;
     std::vector<float> levels;
@@ -132,7 +132,7 @@ float key_light(const std::vector<shared::LightRecord>& records, const Scene& sc
 
 /// The same from memory where nothing has changed since.
 float remembered_key_light(const std::vector<shared::LightRecord>& records, const Scene& scene,
-                           const ScenePose& pose, const glm::dvec3& anchor, KeyLightMemory& memory)
+                           const ScenePose& pose, const glm::dvec3& anchor, ExposureKeyCache& memory)
 {
     const auto is_same = [](const shared::LightRecord& a, const shared::LightRecord& b) {
         // Other bits of one number are worked out once more, no harm.
@@ -141,7 +141,7 @@ float remembered_key_light(const std::vector<shared::LightRecord>& records, cons
     if (!std::ranges::equal(records, memory.records, is_same) || anchor != memory.anchor ||
         pose.world_from_node != memory.pose.world_from_node ||
         pose.morph_weights != memory.pose.morph_weights) {
-        memory = {records, pose, anchor, key_light(records, scene, pose, anchor)};
+        memory = {records, pose, anchor, exposure_key(records, scene, pose, anchor)};
     }
     return memory.key;
 }
@@ -195,14 +195,14 @@ shared::LightRecord parallel_light(const glm::dvec3& towards, float brightness)
 
 /// The style's sun, and a weak light from the other side of the viewer, low, so that shade has form.
 void add_sun_and_fill(std::vector<shared::LightRecord>& records, const LightStyle& style,
-                      const Outlook& outlook)
+                      const ViewAnalysis& analysis)
 {
     SunPlace sun{style.sun_azimuth_deg, style.sun_elevation_deg};
-    if (style.turn_sun && outlook.wind_deg) {
-        sun = sun_over_ground(sun, *outlook.wind_deg);
+    if (style.turn_sun && analysis.wind_deg) {
+        sun = sun_over_ground(sun, *analysis.wind_deg);
     }
     const auto towards = [&](double bearing_deg, double height_deg) {
-        return style.turn_sun ? outlook.towards_sun(bearing_deg, height_deg)
+        return style.turn_sun ? analysis.towards_sun(bearing_deg, height_deg)
                               : bearing(glm::radians(bearing_deg), glm::radians(height_deg));
     };
     records.push_back(parallel_light(towards(sun.azimuth_deg, sun.elevation_deg), 1.0F));
@@ -300,8 +300,8 @@ uint32_t put_suns_first(std::vector<shared::LightRecord>& records)
 } // namespace
 
 Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& bounds,
-                       const glm::dvec3& anchor, const LightStyle& style, const Outlook& outlook,
-                       KeyLightMemory* memory)
+                       const glm::dvec3& anchor, const LightStyle& style, const ViewAnalysis& analysis,
+                       ExposureKeyCache* memory)
 {
     Lighting lighting;
     std::vector<shared::LightRecord>& records = lighting.records;
@@ -315,17 +315,17 @@ Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& 
     const glm::vec3 ambient = style.source != LightSource::sun ? ambient_lights(scene) : glm::vec3(0.0F);
     const bool has_own = !records.empty();
     const bool is_unlit = records.empty() && ambient == glm::vec3(0.0F);
-    if (is_unlit && style.source == LightSource::automatic && outlook.shelter) {
-        records = lamp_light(*outlook.shelter, anchor, style);
+    if (is_unlit && style.source == LightSource::automatic && analysis.shelter) {
+        records = lamp_light(*analysis.shelter, anchor, style);
         lighting.indoors = true;
     } else if (is_unlit && style.source != LightSource::scene) {
-        add_sun_and_fill(records, style, outlook);
+        add_sun_and_fill(records, style, analysis);
     }
     const bool is_manual = style.metering == Metering::manual && has_own;
     float key = 1.0F;
     if (!records.empty() && !lighting.indoors && !is_manual) {
         key = memory != nullptr ? remembered_key_light(records, scene, pose, anchor, *memory)
-                                : key_light(records, scene, pose, anchor);
+                                : exposure_key(records, scene, pose, anchor);
     }
     lighting.directional_count = put_suns_first(records);
     // Metering by the page adds its own stops later.

@@ -9,7 +9,7 @@
 #include <estampe/scene.hpp>
 
 #include "gpu/graph/graph.hpp"
-#include "scene/outlook/outlook.hpp"
+#include "scene/view_analysis/view_analysis.hpp"
 #include "shaders/tone.glsl.h"
 #include "techniques/light/light.glsl.h"
 #include "techniques/light/light_style.hpp"
@@ -29,7 +29,7 @@ struct Lighting {
 };
 
 /// What the key light was found from, and what it is, kept from frame to frame.
-struct KeyLightMemory {
+struct ExposureKeyCache {
     std::vector<shared::LightRecord> records;
     ScenePose pose;
     glm::dvec3 anchor{0.0};
@@ -38,13 +38,13 @@ struct KeyLightMemory {
 };
 
 /// Places the scene's lights in anchor space. Where it has none it gets the style's sun, which turns with the
-/// front of the `outlook`, or under a shelter a lamp, with daylight where that can come in. Intensities (lux,
-/// candela) are scaled so that the scene's well-lit parts come to about one, whatever units the file was made
-/// in. A light without a range gets one where it falls under 1/400 of that. Cost: linear in lights times
-/// nodes that show something, unless the exposure is manual or `memory` knows the scene as it stands.
+/// front of the `analysis`, or under a shelter a lamp, with daylight where that can come in. Intensities
+/// (lux, candela) are scaled so that the scene's well-lit parts come to about one, whatever units the file
+/// was made in. A light without a range gets one where it falls under 1/400 of that. Cost: linear in lights
+/// times nodes that show something, unless the exposure is manual or `memory` knows the scene as it stands.
 [[nodiscard]] Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& bounds,
                                      const glm::dvec3& anchor, const LightStyle& style,
-                                     const Outlook& outlook = {}, KeyLightMemory* memory = nullptr);
+                                     const ViewAnalysis& analysis = {}, ExposureKeyCache* memory = nullptr);
 
 /// How much of the sun's light comes back to the shadow on the blank ground, linear over the ground: none
 /// below the middle of the scene, `most` where the shadow of its bounds ends. So the shadow is darkest where

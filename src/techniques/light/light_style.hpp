@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "scene/outlook/outlook.hpp"
+#include "scene/view_analysis/view_analysis.hpp"
 #include "shaders/tone.glsl.h"
 #include "style/parameter.hpp"
 

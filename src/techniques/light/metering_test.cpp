@@ -94,7 +94,7 @@ TEST(MeteringByLights, RemembersWhatStandsAndLooksAnewAtWhatMoved)
 {
     Scene scene = lit_by({.type = LightType::point, .intensity = 800.0F});
     const Bounds bounds = scene_bounds(scene, pose_scene(scene, 0.0));
-    KeyLightMemory memory;
+    ExposureKeyCache memory;
     const auto expect_same = [&](const glm::dvec3& anchor) {
         const ScenePose pose = pose_scene(scene, 0.0);
         const float remembered = gather_lights(scene, pose, bounds, anchor, {}, {}, &memory).exposure;

@@ -28,7 +28,7 @@ layout(push_constant, scalar) uniform Constants
 layout(constant_id = 0) const uint variant = 0u;
 const bool shows_velocity = (variant & blur_shows_velocity) != 0u;
 
-#include "shaders/veil.glsl"
+#include "shaders/layer_sample.glsl"
 
 const int most_taps = 24;        // along one way
 const int most_taps_of_two = 16; // along each of two
@@ -51,9 +51,9 @@ float is_before(float depth, float other)
 }
 
 struct Passing {
-    Veil before; // what is in front of the pixel's own surface, by its time there
+    LayerSample before; // what is in front of the pixel's own surface, by its time there
     float before_time;
-    Veil there; // the surface itself, and what is behind it
+    LayerSample there; // the surface itself, and what is behind it
     float there_time;
 };
 
@@ -84,14 +84,14 @@ void pass_along(ivec2 pixel, vec2 way, int most, vec2 own_way, float own_depth, 
         float same_way = abs(dot(tap_way, forward)) / max(tap_px, 1e-6);
         float moved = tap_px > 0.0 ? same_way * same_way * time_share(tap_px, away_px) * weight : 0.0;
         float uncovered = own_px > 0.0 ? time_share(own_px, away_px) * weight : 0.0;
-        Veil veil = unpack_veil(texel);
+        LayerSample sample_here = unpack_veil(texel);
         // At about the same distance what is faster passes over what is slower.
         float faster = clamp(1.0 - 2.0 * own_px / max(tap_px, 1e-6), 0.0, 1.0);
         before += faster * (1.0 - before - behind);
-        passing.before = sum_of(passing.before, scaled(veil, before * moved));
+        passing.before = sum_of(passing.before, scaled(sample_here, before * moved));
         passing.before_time += before * moved;
         float there = (1.0 - before - behind) * moved + behind * uncovered;
-        passing.there = sum_of(passing.there, scaled(veil, there));
+        passing.there = sum_of(passing.there, scaled(sample_here, there));
         passing.there_time += there;
         ++i;
     } while (i < taps);
@@ -116,23 +116,23 @@ void main()
     vec2 longest = texelFetch(reach_image, pixel / int(blur_tile_px), 0).xy;
     float own_depth = texelFetch(owner_depth_image, pixel, 0).x;
     bool is_moving = own_way != vec2(0.0);
-    Passing passing = Passing(no_veil, 0.0, no_veil, 0.0);
+    Passing passing = Passing(no_sample, 0.0, no_sample, 0.0);
     // What comes from elsewhere goes the longest way that reaches the pixel; what is there goes its own.
     bool is_same = length_of(longest - own_way) < 0.05 * length_of(longest);
     int most = is_same || !is_moving ? most_taps : most_taps_of_two;
     pass_along(pixel, longest, most, own_way, own_depth, passing);
-    Passing own_passing = Passing(no_veil, 0.0, passing.there, passing.there_time);
+    Passing own_passing = Passing(no_sample, 0.0, passing.there, passing.there_time);
     if (!is_same) {
-        own_passing.there = no_veil;
+        own_passing.there = no_sample;
         own_passing.there_time = 0.0;
     }
     pass_along(pixel, is_same ? vec2(0.0) : own_way, most, own_way, own_depth, own_passing);
-    Veil there = unpack_veil(own);
+    LayerSample there = unpack_veil(own);
     float there_time = is_moving ? own_passing.there_time : 0.0;
     there = there_time > 1e-4 ? scaled(own_passing.there, 1.0 / max(there_time, 1e-6)) : there;
     float before_time = min(passing.before_time, 1.0);
-    Veil before = scaled(passing.before, before_time / max(passing.before_time, 1e-6));
-    Veil veil = sum_of(before, scaled(there, 1.0 - before_time));
+    LayerSample before = scaled(passing.before, before_time / max(passing.before_time, 1e-6));
+    LayerSample sample_here = sum_of(before, scaled(there, 1.0 - before_time));
     bool is_blurred = before_time > 0.0 || there_time > 1e-4;
     if (!is_blurred) {
         return;
@@ -140,7 +140,7 @@ void main()
     vec3 paint;
     float hatch;
     vec4 lines;
-    unveil(veil, wash.rgb, paint, hatch, lines);
+    unveil(sample_here, wash.rgb, paint, hatch, lines);
     imageStore(wash_image, pixel, vec4(paint, wash.a));
     imageStore(out_hatch, pixel, vec4(hatch));
     imageStore(out_lines, pixel, lines);

@@ -26,7 +26,7 @@ layout(constant_id = 0) const uint variant = 0u;
 const bool has_sky = (variant & blur_has_sky) != 0u;
 
 #include "shaders/layers.glsl"
-#include "shaders/veil.glsl"
+#include "shaders/layer_sample.glsl"
 
 const int steps = 8; // to each side
 
@@ -40,7 +40,7 @@ void main()
     uvec4 own = texelFetch(page_image, pixel, 0);
     vec2 own_way = unpackHalf2x16(own.w);
     bool is_moving = own_way != vec2(0.0);
-    Veil sum = unpack_veil(own);
+    LayerSample sum = unpack_veil(own);
     vec2 place = vec2(pixel);
     vec2 way = own_way;
     int count = is_moving ? 2 * steps : 0;

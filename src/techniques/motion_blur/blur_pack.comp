@@ -31,7 +31,7 @@ const bool lays_sky = (variant & blur_lays_sky) != 0u;
 
 #include "shaders/layers.glsl"
 #include "shaders/line_owner.glsl"
-#include "shaders/veil.glsl"
+#include "shaders/layer_sample.glsl"
 
 vec2 half_way(vec4 motion)
 {

@@ -12,7 +12,7 @@
 
 namespace estampe::motion_blur {
 
-TogetherList list_together(std::span<const glm::vec3> places, std::span<const uint32_t> draw_of_vertex)
+TogetherList list_coincident(std::span<const glm::vec3> places, std::span<const uint32_t> draw_of_vertex)
 {
     const auto key = [&](uint32_t vertex) {
         const glm::vec3 place = places[vertex];
@@ -37,9 +37,9 @@ TogetherList list_together(std::span<const glm::vec3> places, std::span<const ui
     return list;
 }
 
-TogetherBuffers upload_together(gpu::Device& device, const TogetherList& list)
+CoincidentVertices upload_coincident(gpu::Device& device, const TogetherList& list)
 {
-    TogetherBuffers buffers{.vertex_count = static_cast<uint32_t>(list.members.size())};
+    CoincidentVertices buffers{.vertex_count = static_cast<uint32_t>(list.members.size())};
     if (!list.members.empty()) {
         buffers.of_vertex = gpu::upload_buffer(device, "together", list.of_vertex);
         buffers.members = gpu::upload_buffer(device, "members", list.members);
@@ -47,7 +47,7 @@ TogetherBuffers upload_together(gpu::Device& device, const TogetherList& list)
     return buffers;
 }
 
-Stretched add_stretch(gpu::Graph& graph, TogetherBuffers& together, const StretchInputs& in)
+Stretched add_stretch(gpu::Graph& graph, CoincidentVertices& together, const StretchInputs& in)
 {
     shared::StretchConstants constants = in.constants;
     constants.vertex_count = together.vertex_count;

@@ -20,11 +20,11 @@ struct TogetherList {
 };
 
 /// `places` are of posed vertices at rest. Cost: n log n.
-[[nodiscard]] TogetherList list_together(std::span<const glm::vec3> places,
-                                         std::span<const uint32_t> draw_of_vertex);
+[[nodiscard]] TogetherList list_coincident(std::span<const glm::vec3> places,
+                                           std::span<const uint32_t> draw_of_vertex);
 
 /// The same on the device, made when a style first asks for it.
-struct TogetherBuffers {
+struct CoincidentVertices {
     gpu::Buffer of_vertex;
     gpu::Buffer members;
     uint32_t vertex_count = 0;
@@ -32,7 +32,7 @@ struct TogetherBuffers {
     [[nodiscard]] bool empty() const { return vertex_count == 0; }
 };
 
-[[nodiscard]] TogetherBuffers upload_together(gpu::Device& device, const TogetherList& list);
+[[nodiscard]] CoincidentVertices upload_coincident(gpu::Device& device, const TogetherList& list);
 
 struct StretchInputs {
     gpu::BufferId posed_vertices;
@@ -52,6 +52,6 @@ struct Stretched {
 /// Cost    one dispatch, one thread a vertex
 /// Source  Wloka and Zeleznik, "Interactive Real-Time Motion Blur", The Visual Computer 12, 1996; Zanuttini,
 ///         "Recherches en rendu non réaliste temps réel", Université Paris 8, 2008, section 8.3
-[[nodiscard]] Stretched add_stretch(gpu::Graph& graph, TogetherBuffers& together, const StretchInputs& in);
+[[nodiscard]] Stretched add_stretch(gpu::Graph& graph, CoincidentVertices& together, const StretchInputs& in);
 
 } // namespace estampe::motion_blur

@@ -13,7 +13,7 @@ TEST(Stretch, ListsVerticesAtOnePlaceOfOneDraw)
     const std::array<glm::vec3, 6> places{glm::vec3(1, 0, 0), glm::vec3(0, 0, 0), glm::vec3(1, 0, 0),
                                           glm::vec3(1, 0, 0), glm::vec3(0, 0, 0), glm::vec3(0, 0, 1)};
     const std::array<uint32_t, 6> draws{0, 0, 0, 1, 0, 1};
-    const TogetherList list = list_together(places, draws);
+    const TogetherList list = list_coincident(places, draws);
     const auto members_of = [&](size_t vertex) {
         const glm::uvec2 part = list.of_vertex[vertex];
         return std::vector<uint32_t>(list.members.begin() + part.x, list.members.begin() + part.x + part.y);
@@ -23,7 +23,7 @@ TEST(Stretch, ListsVerticesAtOnePlaceOfOneDraw)
     EXPECT_EQ(members_of(1), (std::vector<uint32_t>{1, 4}));
     EXPECT_EQ(members_of(3), std::vector<uint32_t>{3}) << "of another draw";
     EXPECT_EQ(members_of(5), std::vector<uint32_t>{5});
-    EXPECT_TRUE(list_together({}, {}).members.empty());
+    EXPECT_TRUE(list_coincident({}, {}).members.empty());
 }
 
 } // namespace

@@ -145,8 +145,8 @@ ParticlePlan plan_particles(const ParticleStyle& style, std::span<const Particle
     return plan;
 }
 
-void Sheet::provide(gpu::Device& device, const ParticleStyle& style,
-                    const std::function<SheetImage()>& simulate)
+void Sheet::ensure(gpu::Device& device, const ParticleStyle& style,
+                   const std::function<SheetImage()>& simulate)
 {
     const glm::uvec2 asked_frames(style.columns, style.rows);
     if (!texels_.empty() && name_ == style.sheet && asked_frames_ == asked_frames) {

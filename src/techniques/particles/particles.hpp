@@ -80,8 +80,7 @@ class Sheet {
 public:
     /// Reads a picture, or takes what `simulate` works out. Throws Error naming the file when it is no
     /// picture, or smaller than its rows and columns.
-    void provide(gpu::Device& device, const ParticleStyle& style,
-                 const std::function<SheetImage()>& simulate);
+    void ensure(gpu::Device& device, const ParticleStyle& style, const std::function<SheetImage()>& simulate);
 
     [[nodiscard]] glm::uvec2 size_px() const { return size_px_; }
 

@@ -41,7 +41,7 @@ public:
         const shared::FrameGlobals globals =
             features::frame_globals(camera, {}, glm::dvec3(0.0), {.size_px = size_px});
         Sheet sheet;
-        sheet.provide(device, style, [] { return SheetImage(); });
+        sheet.ensure(device, style, [] { return SheetImage(); });
         ParticlePlan plan = plan_particles(style, particles,
                                            {.clip_from_anchor = globals.clip_from_anchor,
                                             .page_px = size_px,

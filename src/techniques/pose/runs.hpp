@@ -5,7 +5,7 @@
 
 #include <span>
 
-#include "core/few.hpp"
+#include "core/inline_vector.hpp"
 #include "techniques/pose/mesh_data.hpp"
 #include "techniques/pose/pose_variant.glsl.h"
 
@@ -18,7 +18,7 @@ struct VertexRun {
     bool operator==(const VertexRun&) const = default;
 };
 
-using VertexRuns = Few<VertexRun, shared::most_pose_runs>;
+using VertexRuns = InlineVector<VertexRun, shared::most_pose_runs>;
 
 /// The vertices that stand otherwise in `now` than in `before`, all of them where that is null, and those of
 /// the draws `written_over`, which are in ascending order. What lies between the nearest of many runs is in

@@ -215,7 +215,7 @@ shared::SmokeGlobals globals_of(std::span<const Box> boxes, const SmokeStyle& st
     return globals;
 }
 
-void VolumeMemory::provide(gpu::Device& device, const shared::SmokeGlobals& globals)
+void VolumeMemory::ensure(gpu::Device& device, const shared::SmokeGlobals& globals)
 {
     const bool fits = globals.field_cells == globals_.field_cells;
     globals_ = globals;

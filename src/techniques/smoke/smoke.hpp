@@ -60,7 +60,7 @@ struct Volume {
 class VolumeMemory {
 public:
     /// Makes room for the boxes. Throws Error when memory runs out.
-    void provide(gpu::Device& device, const shared::SmokeGlobals& globals);
+    void ensure(gpu::Device& device, const shared::SmokeGlobals& globals);
 
     /// What add_volume() left.
     [[nodiscard]] Volume import(gpu::Graph& graph);

@@ -102,7 +102,7 @@ inline Drawn draw(const std::vector<Filled>& filled, const SmokeStyle& style, co
     auto sky = test::Layer::color(size_px, [](glm::uvec2) { return glm::vec4(0.0F, 1.0F, 0.0F, 1.0F); });
     auto half = test::Layer::coverage(size_px, [](glm::uvec2) { return 0.5F; });
     VolumeMemory memory;
-    memory.provide(device, around);
+    memory.ensure(device, around);
     for (int wanted = 0; wanted < (seen.towards_sun ? 4 : 3); ++wanted) {
         gpu::Graph graph;
         const ViewInputs view{.frame = gpu::import_whole(graph, "frame", frame),

@@ -279,7 +279,7 @@ gpu::ImageId TerrainBuffers::add_heights(gpu::Graph& graph, const HeightFields& 
     const gpu::ImageId height = pass.write(graph.image(
         "terrain/heights", {.width = size.x, .height = count * size.y, .format = gpu::Format::r32f}));
     constexpr uint32_t point_us = 45; // one after another, a landscape's layers of noise, however few points
-    pass.push(constants).lasts(point_us).dispatch_over_page(size.x, size.y, count);
+    pass.push(constants).estimated_duration_us(point_us).dispatch_over_page(size.x, size.y, count);
     return height;
 }
 

@@ -9,7 +9,7 @@
 
 #include <estampe/terrain.hpp>
 
-#include "core/few.hpp"
+#include "core/inline_vector.hpp"
 #include "gpu/graph/graph.hpp"
 #include "gpu/resources.hpp"
 #include "techniques/terrain/graph/program.hpp"
@@ -47,7 +47,7 @@ struct TerrainTarget {
 };
 
 /// Lattices whose heights are asked for together.
-using HeightFields = Few<shared::TerrainField, shared::terrain_fields_most>;
+using HeightFields = InlineVector<shared::TerrainField, shared::terrain_fields_most>;
 
 class TerrainBuffers {
 public:

@@ -38,7 +38,7 @@ struct Marks {
     gpu::BufferId words;
     gpu::BufferId before;
     gpu::BufferId sizes;
-    Few<PageLines, 2> page_lines;
+    InlineVector<PageLines, 2> page_lines;
 };
 
 /// Words of marks before those of the page.
@@ -115,7 +115,7 @@ Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_ed
         marks = suggestive.modify(marks);
         suggestive.push(constants).dispatch(mark_groups(constants.suggestive_count, in.on_processor));
     }
-    const Few<PageLines, 2> page_lines = add_page_lines(graph, in, mesh_words(constants));
+    const InlineVector<PageLines, 2> page_lines = add_page_lines(graph, in, mesh_words(constants));
     for (const PageLines& lines : page_lines) {
         marks = add_cell_marks(graph, lines, in.size_px, marks);
     }

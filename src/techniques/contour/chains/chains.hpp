@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/few.hpp"
+#include "core/inline_vector.hpp"
 #include "gpu/graph/graph.hpp"
 #include "techniques/contour/chains/extract/suggestive.hpp"
 #include "techniques/contour/chains/history/line_history.hpp"
@@ -62,7 +62,7 @@ struct HandDrawn {
 struct ShapedStrokes {
     ChainStrokes strokes;
     gpu::BufferId facing;                                     ///< as in Chains
-    Few<HandDrawn, most_hands> hands;                         ///< one for each time that lines are gone over
+    InlineVector<HandDrawn, most_hands> hands;                ///< one for each time that lines are gone over
     std::optional<std::pair<ChainStrokes, HandDrawn>> hidden; ///< where they are wanted
 };
 

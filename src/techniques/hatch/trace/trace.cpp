@@ -41,7 +41,7 @@ class Stringing {
 public:
     Stringing(std::span<const shared::Crossing> sorted, const glm::uvec2& size_px)
         : crossings_(sorted), size_px_(size_px), links_(sorted.size(), {none, none}),
-          is_strung_(sorted.size(), false)
+          is_linked_(sorted.size(), false)
     {
         points_.reserve(sorted.size());
         for (const shared::Crossing& crossing : sorted) {
@@ -73,7 +73,7 @@ public:
         }
         for (const bool wants_end : {true, false}) {
             for (size_t i = first; i < last; ++i) {
-                if (!is_strung_[i] && (!wants_end || links_[i][1] == none)) {
+                if (!is_linked_[i] && (!wants_end || links_[i][1] == none)) {
                     add_stroke(i, strokes);
                 }
             }
@@ -131,8 +131,8 @@ private:
         TracedStroke stroke{.draw = crossing.draw - 1, .family = crossing.line & 0xffU};
         size_t before = none;
         size_t at = start;
-        while (at != none && !is_strung_[at]) {
-            is_strung_[at] = true;
+        while (at != none && !is_linked_[at]) {
+            is_linked_[at] = true;
             stroke.points.push_back(points_[at]);
             const size_t next =
                 links_[at][0] != before || links_[at][0] == links_[at][1] ? links_[at][0] : links_[at][1];
@@ -167,7 +167,7 @@ private:
     std::span<const shared::Crossing> crossings_;
     glm::uvec2 size_px_;
     std::vector<Links> links_;
-    std::vector<bool> is_strung_;
+    std::vector<bool> is_linked_;
     std::vector<TracedPoint> points_;
     std::vector<Corner> corners_;
 };

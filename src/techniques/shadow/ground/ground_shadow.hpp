@@ -22,7 +22,7 @@ using GroundLevels = std::array<shared::GroundLevel, shared::ground_levels>;
                                                const glm::dvec3& towards_sun, uint32_t size, double texel_m);
 
 /// Numbers of levels.
-using LevelNumbers = Few<uint32_t, shared::ground_levels>;
+using LevelNumbers = InlineVector<uint32_t, shared::ground_levels>;
 
 /// What is seen of the ground, and of what stands on it.
 struct GroundSight {

@@ -6,7 +6,7 @@
 
 #include <glm/glm.hpp>
 
-#include "core/few.hpp"
+#include "core/inline_vector.hpp"
 #include "gpu/graph/graph.hpp"
 #include "style/parameter.hpp"
 #include "techniques/shadow/heightfield/height_shadow.glsl.h"
@@ -28,7 +28,7 @@ struct HeightShadowStyle {
 [[nodiscard]] const style::Table<HeightShadowStyle>& height_shadow_table();
 
 /// Between two texels, for each of the fields that are worked out together.
-using FieldTexels = Few<float, shared::height_fields_most>;
+using FieldTexels = InlineVector<float, shared::height_fields_most>;
 
 struct HeightShadowInputs {
     gpu::ImageId height;             ///< r32f or r16f, metres; fields of one size, one under another

@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "core/atomic_file.hpp"
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
-#include "core/pending.hpp"
 #include "techniques/tam/files/dds.hpp"
 #include "techniques/tam/files/images.hpp"
 #include "techniques/tam/files/tam_file.hpp"
@@ -188,7 +188,7 @@ void write_folder_at_once(const TonalArtMap& map, fs::path folder)
         throw Error("exists and is not empty", folder.string(),
                     "remove it, or give the name of a new folder");
     }
-    Pending pending = Pending::folder(folder);
+    AtomicFile pending = AtomicFile::folder(folder);
     write_folder(map, pending.path());
     fs::permissions(pending.path(), fs::perms(0755), failure);
     pending.publish();

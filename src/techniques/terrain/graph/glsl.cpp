@@ -11,8 +11,8 @@
 #include <estampe/error.hpp>
 #include <fmt/format.h>
 
+#include "core/atomic_file.hpp"
 #include "core/file.hpp"
-#include "core/pending.hpp"
 #include "output/child.hpp"
 
 namespace estampe::terrain {
@@ -112,7 +112,7 @@ struct Compiled {
 
 std::vector<uint32_t> spirv_of(const std::string& text, const std::string& name)
 {
-    const Pending words = Pending::file(std::filesystem::temp_directory_path() / (name + ".spv"));
+    const AtomicFile words = AtomicFile::file(std::filesystem::temp_directory_path() / (name + ".spv"));
     output::Child compiler(
         {"glslc", "--target-env=vulkan1.3", "-O", "-fshader-stage=compute", "-o", words.path().string(), "-"},
         "install glslc");

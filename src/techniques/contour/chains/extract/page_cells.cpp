@@ -76,9 +76,9 @@ uint32_t page_words(glm::uvec2 size_px)
     return (point_count(size_px) + 31) / 32;
 }
 
-Few<PageLines, 2> add_page_lines(gpu::Graph& graph, const ChainInputs& in, uint32_t first_word)
+InlineVector<PageLines, 2> add_page_lines(gpu::Graph& graph, const ChainInputs& in, uint32_t first_word)
 {
-    Few<PageLines, 2> lines;
+    InlineVector<PageLines, 2> lines;
     if (in.meetings) {
         lines.push_back(add_meetings(graph, in, first_word));
         first_word += page_words(in.size_px);

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "core/few.hpp"
+#include "core/inline_vector.hpp"
 #include "gpu/graph/graph.hpp"
 #include "techniques/contour/chains/chains.glsl.h"
 
@@ -29,7 +29,8 @@ struct PageLines {
 ///
 /// Cost    one thread for each four pixels and kind; of meetings, one more where shells adjoin on the page
 /// Source  cells: Lorensen and Cline, "Marching Cubes", 1987, in the plane
-[[nodiscard]] Few<PageLines, 2> add_page_lines(gpu::Graph& graph, const ChainInputs& in, uint32_t first_word);
+[[nodiscard]] InlineVector<PageLines, 2> add_page_lines(gpu::Graph& graph, const ChainInputs& in,
+                                                        uint32_t first_word);
 
 /// Marks the cells that `lines` run through.
 [[nodiscard]] gpu::BufferId add_cell_marks(gpu::Graph& graph, const PageLines& lines, glm::uvec2 size_px,

@@ -11,7 +11,7 @@
 #include "techniques/contour/chains/chains.hpp"
 #include "techniques/contour/chains/ink/brushes.hpp"
 #include "techniques/contour/chains/scan/scan.hpp"
-#include "techniques/contour/chains/stroke/strung_lines.hpp"
+#include "techniques/contour/chains/stroke/linked_lines.hpp"
 #include "techniques/contour/chains/variants.glsl.h"
 
 namespace estampe::contour {
@@ -155,7 +155,7 @@ gpu::ImageId add_chain_contours(gpu::Graph& graph, const ContourInputs& in, Line
     return add_ink_layer(graph, in, shaped, style, in.size_px, under);
 }
 
-gpu::ImageId add_strung_contours(gpu::Graph& graph, const ContourInputs& in, StrungLines& lines,
+gpu::ImageId add_linked_contours(gpu::Graph& graph, const ContourInputs& in, LinkedLines& lines,
                                  const PartOfPage& part, const ContourStyle& style,
                                  std::optional<gpu::ImageId> under)
 {

@@ -60,14 +60,14 @@ public:
     FeatureChains run()
     {
         join_ends();
-        is_strung_.assign(edges_.size(), false);
+        is_linked_.assign(edges_.size(), false);
         for (uint32_t end = 0; end < partner_.size(); ++end) {
-            if (partner_[end] == no_end && !is_strung_[end / 2]) {
+            if (partner_[end] == no_end && !is_linked_[end / 2]) {
                 string_from(end, false);
             }
         }
         for (uint32_t edge = 0; edge < edges_.size(); ++edge) {
-            if (!is_strung_[edge]) {
+            if (!is_linked_[edge]) {
                 string_from(2 * edge, true);
             }
         }
@@ -143,8 +143,8 @@ private:
         const auto chain = static_cast<uint32_t>(result_.chains.size());
         const auto first = static_cast<uint32_t>(result_.points.size());
         uint32_t last = end;
-        while (end != no_end && !is_strung_[end / 2]) {
-            is_strung_[end / 2] = true;
+        while (end != no_end && !is_linked_[end / 2]) {
+            is_linked_[end / 2] = true;
             const Edge& edge = edges_[end / 2];
             result_.points.push_back({.vertex = vertex_at(end),
                                       .other_vertex = vertex_at(end),
@@ -182,7 +182,7 @@ private:
     std::span<const glm::vec3> positions_;
     std::vector<Edge> edges_;
     std::vector<uint32_t> partner_; ///< one an end
-    std::vector<bool> is_strung_;   ///< one an edge
+    std::vector<bool> is_linked_;   ///< one an edge
     FeatureChains result_;
 };
 

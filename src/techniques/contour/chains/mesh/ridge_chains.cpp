@@ -31,7 +31,7 @@ struct Crossing {
     float sharpness_deg = 0.0F;
     std::array<uint32_t, 2> next{nowhere, nowhere}; ///< crossings, on either side of the edge
     std::array<uint32_t, 2> triangle{nowhere, nowhere};
-    bool is_strung = false;
+    bool is_linked = false;
 };
 
 class RidgeFinder {
@@ -52,12 +52,12 @@ public:
         }
         for (uint32_t i = 0; i < crossings_.size(); ++i) {
             const bool is_end = (crossings_[i].next[0] == nowhere) != (crossings_[i].next[1] == nowhere);
-            if (is_end && !crossings_[i].is_strung) {
+            if (is_end && !crossings_[i].is_linked) {
                 string_from(i, features);
             }
         }
         for (uint32_t i = 0; i < crossings_.size(); ++i) {
-            if (crossings_[i].next[0] != nowhere && !crossings_[i].is_strung) {
+            if (crossings_[i].next[0] != nowhere && !crossings_[i].is_linked) {
                 string_from(i, features);
             }
         }
@@ -185,9 +185,9 @@ private:
         std::vector<uint32_t> triangles; // that lead to the next
         uint32_t before = nowhere;
         uint32_t at = start;
-        while (at != nowhere && !crossings_[at].is_strung) {
+        while (at != nowhere && !crossings_[at].is_linked) {
             Crossing& crossing = crossings_[at];
-            crossing.is_strung = true;
+            crossing.is_linked = true;
             line.push_back(at);
             const bool came_from_0 =
                 crossing.next[0] == nowhere || (before != nowhere && crossing.next[0] == before);

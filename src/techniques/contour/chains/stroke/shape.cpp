@@ -161,7 +161,7 @@ HandDrawn add_shape(gpu::Graph& graph, const ShapeInputs& in, const ContourStyle
 }
 
 /// Makes strokes of one class of lines, each drawn by as many hands as are wanted.
-std::pair<ChainStrokes, Few<HandDrawn, most_hands>>
+std::pair<ChainStrokes, InlineVector<HandDrawn, most_hands>>
 add_class(gpu::Graph& graph, const ContourInputs& page, const ChainInputs& mesh, gpu::BufferId facing,
           const ChainSamples& samples, LineHistory* history, const ContourStyle& style, LineClass lines)
 {
@@ -174,7 +174,7 @@ add_class(gpu::Graph& graph, const ContourInputs& page, const ChainInputs& mesh,
     const gpu::BufferId recalls =
         recalls_frame ? add_recall(graph, strokes, *history, page, style, lines) : strokes.strokes_before;
     const uint32_t hand_count = lines == LineClass::hidden ? 1 : static_cast<uint32_t>(style.strokes);
-    Few<HandDrawn, most_hands> hands;
+    InlineVector<HandDrawn, most_hands> hands;
     for (uint32_t hand = 0; hand < hand_count; ++hand) {
         hands.push_back(add_shape(graph,
                                   {.page = page,

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/transparency/transparency.hpp"
+
+#include <algorithm>
+
+#include "gpu/fills.hpp"
+#include "shaders/sheet_comp.hpp"
+#include "shaders/transparency_comp.hpp"
+#include "style/parameter.hpp"
+#include "techniques/transparency/transparency_variant.glsl.h"
+
+namespace estampe::transparency {
+namespace {
+
+gpu::ImageDesc draw_image(glm::uvec2 size_px)
+{
+    return {.width = size_px.x, .height = size_px.y, .format = gpu::Format::r32ui};
+}
+
+gpu::ImageDesc color_image(glm::uvec2 size_px)
+{
+    return {.width = size_px.x, .height = size_px.y, .format = gpu::Format::rgba8};
+}
+
+/// What a see-through surface is made out from.
+void bind_surfaces(gpu::Pass& pass, const TransparencyInputs& in)
+{
+    pass.uniform(in.frame).sample(in.solid_visibility, gpu::Format::rg32ui);
+    pass.sample(in.triangles)
+        .sample(in.posed_vertices)
+        .sample(in.draws)
+        .sample(in.rest_vertices)
+        .sample(in.materials);
+    for (const gpu::ImageId texture : in.textures) {
+        pass.sample(texture, gpu::Sampling::linear_repeat);
+    }
+}
+
+} // namespace
+
+Transparency add_transparency(gpu::Graph& graph, const TransparencyInputs& in)
+{
+    const size_t layers = std::min<size_t>(in.layers.size(), most_layers);
+    const auto blank = [&](gpu::ImageId image) {
+        return in.tiles ? gpu::add_fill(graph, "screen/blank", image, glm::vec4(0.0F)) : image;
+    };
+    const gpu::ImageId blank_draw = blank(graph.image("screen/draw", draw_image(in.size_px)));
+    const gpu::ImageId blank_color = blank(graph.image("screen/color", color_image(in.size_px)));
+    auto pass = graph.compute("screen", shaders::transparency_comp);
+    bind_surfaces(pass, in);
+    for (size_t i = 0; i < most_layers; ++i) {
+        pass.sample(in.layers[std::min(i, layers - 1)], gpu::Format::rg32ui);
+    }
+    const gpu::ImageId draw = in.tiles ? pass.modify(blank_draw) : pass.write(blank_draw);
+    const gpu::ImageId color = in.tiles ? pass.modify(blank_color) : pass.write(blank_color);
+    pass.read(in.tiles.value_or(in.solid_visibility));
+    pass.variant(in.texture_classes | static_cast<uint32_t>(layers - 1) << shared::screen_layers_shift |
+                 (in.tiles ? shared::screen_has_tiles : 0U));
+    if (in.tiles) {
+        pass.dispatch_indirect(*in.tiles);
+    } else {
+        pass.dispatch_over(in.size_px.x, in.size_px.y);
+    }
+    return {draw, color};
+}
+
+gpu::ImageId add_sheet(gpu::Graph& graph, const TransparencyInputs& in, gpu::BufferId layer,
+                       gpu::ImageId painted, gpu::ImageId wash)
+{
+    auto pass = graph.compute("screen/sheet", shaders::sheet_comp);
+    bind_surfaces(pass, in);
+    pass.sample(layer, gpu::Format::rg32ui).sample(painted);
+    const gpu::ImageId laid = pass.modify(wash);
+    pass.variant(in.texture_classes).dispatch_over(in.size_px.x, in.size_px.y);
+    return laid;
+}
+
+Transparency add_no_transparency(gpu::Graph& graph)
+{
+    return {gpu::add_filled_image(graph, "screen/no draw", draw_image(glm::uvec2(1)), glm::vec4(0.0F)),
+            gpu::add_filled_image(graph, "screen/no color", color_image(glm::uvec2(1)), glm::vec4(0.0F))};
+}
+
+const style::Table<TransparencyStyle>& transparency_table()
+{
+    static const auto table =
+        style::Table<TransparencyStyle>("screen", "What is looked through")
+            .choice("mode", &TransparencyStyle::mode, {{"ink", Mode::ink}, {"sorted", Mode::sorted}},
+                    "As screened ink that tints what is behind (ink); or each see-through surface lit and "
+                    "painted by itself, over what is behind it (sorted)")
+            .integer("layers", &TransparencyStyle::layers, {1, most_sorted_layers}, "",
+                     "See-through surfaces of a pixel that count, the nearest first, 4 at most in ink; each "
+                     "one costs a pass, where the scene has as many, and sorted ones are lit one by one");
+    return table;
+}
+
+} // namespace estampe::transparency
