@@ -185,7 +185,7 @@ TEST_F(AppWorlds, JobsOfABatchHaveThem)
               std::string::npos);
 }
 
-TEST_F(AppWorlds, AScenesIsKeptForJobsThatAskForTheSame)
+TEST_F(AppWorlds, ASceneIsKeptForJobsThatAskForTheSame)
 {
     const auto is_kept = [](const char* a, const char* b) {
         return load_the_same({.scene = "box", .world = {a}}, {.scene = "box", .world = {b}});
