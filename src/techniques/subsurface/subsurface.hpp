@@ -28,8 +28,8 @@ namespace estampe::subsurface {
 /// Whether what lies behind is seen.
 [[nodiscard]] bool is_clear(const SubsurfaceStyle& style);
 
-/// Whether lines behind it are drawn: it is clear, and at least half of what lies behind is seen. Lines do not
-/// pale, so that what is nearly solid hides them.
+/// Whether lines behind it are drawn: it is clear, and at least half of what lies behind is seen. Lines do
+/// not pale, so that what is nearly solid hides them.
 [[nodiscard]] bool shows_lines(const SubsurfaceStyle& style);
 
 /// How far off the page the pixels may lie that one of this style hangs on.
