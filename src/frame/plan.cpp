@@ -45,17 +45,7 @@ RasterPlan plan_raster(const PlanInputs& in)
                          {.triangles = layout.opaque.count,
                           .pixels = uint64_t{in.settings.width} * in.settings.height,
                           .has_masks = layout.masked.count + layout.blended.count > 0});
-    if (!in.device.info().software) {
-        return {.paths = paths};
-    }
-    // A processor draws a fairly large triangle faster on one thread than it hands tiles to many.
-    return {.paths = paths,
-            .tuning = {.small_area_px = 2048,
-                       .list_groups = 32,
-                       .threads_list_tiles = false,
-                       .clusters_from = 8192,
-                       .threads_bound_clusters = true},
-            .on_processor = true};
+    return {.paths = paths, .tuning = raster::tuning_of(in.device.execution())};
 }
 
 SunPlan plan_sun(const PlanInputs& in, const PagePlan& page)
@@ -86,7 +76,7 @@ SunPlan plan_sun(const PlanInputs& in, const PagePlan& page)
                                  .towards_sun = lighting.towards_sun,
                                  .is_thrown = scene.throws_shadow,
                                  .page_height_px = page.size_px.y,
-                                 .is_processor = in.device.info().software,
+                                 .execution = in.device.execution(),
                                  .relief_m = std::max(layout.bounds.max.y, scene.casters.max.y) -
                                              layout.bounds.min.y},
                                 in.style.shadow)};

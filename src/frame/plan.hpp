@@ -48,7 +48,6 @@ struct PagePlan {
 struct RasterPlan {
     raster::Paths paths;
     raster::Tuning tuning;
-    bool on_processor = false; ///< the device is no GPU
 };
 
 /// The first of the directional lights.

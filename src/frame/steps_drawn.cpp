@@ -75,7 +75,7 @@ gpu::ImageId stretched_motion_of(const FrameContext& context, const PosedScene& 
 bool works_by_groups(const FrameContext& context)
 {
     const glm::uvec2 beside_px = glm::uvec2(context.sample.from_px) % 8U;
-    return !context.plan.raster.on_processor && beside_px == glm::uvec2(0);
+    return context.device.execution().shares_by_groups() && beside_px == glm::uvec2(0);
 }
 
 } // namespace
@@ -164,7 +164,7 @@ contour::ContourInputs contour_inputs(const FrameContext& context, const PosedSc
             .screen_draw = screen.images.draw,
             .has_screen = screen.is_there && !has_chains,
             .only_cut = has_chains,
-            .on_processor = plan.raster.on_processor,
+            .execution = context.device.execution(),
             .is_moving = is_moving,
             .brushes = context.features.lines.brushes(),
             .pixels_per_mm = plan.page.pixels_per_mm,
@@ -310,7 +310,7 @@ motion_blur::MotionBlurLayers add_motion_blur(const FrameContext& context, const
          .window_min_px = window.min_px,
          .window_max_px = window.max_px,
          .smear = context.style.motion_blur.smear ? std::optional(smear) : std::nullopt,
-         .by_groups = !context.plan.raster.on_processor},
+         .by_groups = context.device.execution().shares_by_groups()},
         context.style.motion_blur, plan->constants, plan->smear);
 }
 
@@ -344,7 +344,7 @@ std::optional<gpu::BufferId> add_far_tiles(const FrameContext& context, const Po
                                            const surface::Surface& surface)
 {
     const PagePlan& page = context.plan.page;
-    if (!context.plan.raster.on_processor || (!page.has_haze && !context.plan.clouds)) {
+    if (!context.device.execution().lists_tiles() || (!page.has_haze && !context.plan.clouds)) {
         return std::nullopt;
     }
     return surface::add_far_tiles(

@@ -308,7 +308,7 @@ subsurface::SubsurfaceInputs subsurface_inputs(const FrameContext& context, cons
             .pixels_per_mm = context.plan.page.pixels_per_mm,
             .size_px = context.sample.size_px,
             .from_px = glm::uvec2(context.sample.from_px),
-            .on_processor = context.plan.raster.on_processor,
+            .execution = context.device.execution(),
             .in_perspective = !context.plan.page.pixel.is_parallel};
 }
 

@@ -215,7 +215,7 @@ SeenThrough add_transparency(const FrameContext& context, const PosedScene& scen
     const auto layers =
         raster::add_layers(context.graph, "screen", scene.meshes, {&blended, 1}, eye_view(context), wanted);
     transparency::TransparencyInputs inputs = transparency_inputs(context, scene, visibility, layers);
-    if (context.plan.raster.on_processor) {
+    if (context.device.execution().lists_tiles()) {
         inputs.tiles =
             raster::add_seen_tiles(context.graph, "screen", layers.front(), context.sample.size_px);
     }

@@ -7,6 +7,7 @@
 
 #include <estampe/renderer.hpp>
 
+#include "gpu/execution_profile.hpp"
 #include "gpu/memory.hpp"
 #include "gpu/vulkan.hpp"
 
@@ -33,6 +34,8 @@ public:
     [[nodiscard]] uint32_t queue_family() const { return queue_family_; }
 
     [[nodiscard]] const DeviceInfo& info() const { return info_; }
+
+    [[nodiscard]] ExecutionProfile execution() const { return {.is_processor = info_.software}; }
 
     [[nodiscard]] const VkPhysicalDeviceLimits& limits() const { return limits_; }
 

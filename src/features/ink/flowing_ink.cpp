@@ -162,7 +162,7 @@ std::optional<InkPlan> FlowingInk::ensure(gpu::Device& device, gpu::Executor& ex
                            .clip_from_anchor_before = page_seen_by(in, before_camera).clip_from_anchor,
                            .pose_moved = in.pose_moved};
     InkPlan plan{.ink = ink::plan_of(style, page, time, view_of(in, moved), zones), .motion = {}};
-    plan.ink.variant |= device.info().software ? uint32_t{shared::ink_in_strips} : 0U;
+    plan.ink.variant |= device.execution().looks_only_where_needed() ? uint32_t{shared::ink_in_strips} : 0U;
     if (style.solved > 0.0F && plan.ink.grid.face_side == 0) {
         ink::add_stream(plan.ink, water_.stirred(device, executor, style, page, time, zones,
                                                  in.settings.measure_solvers));

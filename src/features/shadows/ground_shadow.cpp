@@ -17,7 +17,7 @@ GroundShadowPlan plan_ground_shadow(const GroundShadowScene& scene, const shadow
             .size = size,
             .levels = shadow::ground_levels_about({eye.x, eye.z}, {scene.anchor.x, scene.anchor.z},
                                                   scene.towards_sun, size, texel_m),
-            .method = scene.is_processor ? shadow::HeightMethod::sweep : shadow::HeightMethod::pyramid,
+            .method = scene.execution.sweeps() ? shadow::HeightMethod::sweep : shadow::HeightMethod::pyramid,
             .relief_m = scene.relief_m};
 }
 

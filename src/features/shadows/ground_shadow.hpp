@@ -8,6 +8,7 @@
 #include <estampe/scene.hpp>
 
 #include "gpu/device.hpp"
+#include "gpu/execution_profile.hpp"
 #include "gpu/resources.hpp"
 #include "techniques/shadow/ground/ground_shadow.hpp"
 #include "techniques/shadow/shadow_style.hpp"
@@ -31,8 +32,8 @@ struct GroundShadowScene {
     glm::dvec3 towards_sun{0.0, 1.0, 0.0};
     bool is_thrown = false;
     uint32_t page_height_px = 0;
-    bool is_processor = false; ///< that draws it
-    double relief_m = 0.0;     ///< of the scene
+    gpu::ExecutionProfile execution; ///< of the device that draws it
+    double relief_m = 0.0;           ///< of the scene
 };
 
 /// Plans the fields about the camera. Their horizons are found by sweeps on a processor, which does least

@@ -134,7 +134,7 @@ private:
     SunMap memory_;
 };
 
-uint32_t frame::tiles_of(std::span<const shadow::Piece> squares)
+uint32_t tiles_of(std::span<const shadow::Piece> squares)
 {
     uint32_t count = 0;
     for (const shadow::Piece& square : squares) {
@@ -164,7 +164,7 @@ TEST(SunTiles, GiveTheMapDrawnAfresh)
             other += texels[i] == wanted[i] ? 0U : 1U;
         }
         EXPECT_EQ(other, 0U) << "after " << moment.time_s << " s, from " << moment.eye_x << " m";
-        few += kept.work.has_still && 2 * kept.work.tile_count < frame::tiles_of(kept.work.squares) ? 1U : 0U;
+        few += kept.work.has_still && 2 * kept.work.tile_count < tiles_of(kept.work.squares) ? 1U : 0U;
     }
     EXPECT_GE(few, 5U); // where windows stand, or go on by little
 }

@@ -298,7 +298,7 @@ void Cloths::lay_out_vertices(gpu::Device& device, std::span<const DrawnSheet> d
 Cloths::Cloths(gpu::Device& device, std::span<const Sheet> sheets, std::span<const DrawnSheet> drawn)
 {
     lay_out(device, sheets, drawn);
-    set_wide(device, !device.info().software);
+    set_wide(device, device.execution().shares_by_groups());
     group_sheets(device);
     lay_out_vertices(device, drawn);
     std::vector<glm::vec4> targets;

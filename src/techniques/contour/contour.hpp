@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "gpu/execution_profile.hpp"
 #include "gpu/graph/graph.hpp"
 #include "shaders/shared.hpp"
 #include "techniques/contour/contour_style.hpp"
@@ -35,8 +36,8 @@ struct ContourInputs {
     std::optional<gpu::ImageId> sun; ///< as light::LitPixels; only where edges of shadows are wanted
     gpu::ImageId screen_draw;        ///< of what is looked through; one texel for none
     bool has_screen = false;
-    bool only_cut = false;          ///< only what a texture's alpha cuts has lines
-    bool on_processor = false;      ///< the device is no GPU
+    bool only_cut = false; ///< only what a texture's alpha cuts has lines
+    gpu::ExecutionProfile execution;
     bool is_moving = false;         ///< it, or the camera, since the frame before
     BrushImages* brushes = nullptr; ///< of chains; none for the pen alone
     float pixels_per_mm = 1.0F;

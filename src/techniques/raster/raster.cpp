@@ -109,4 +109,17 @@ gpu::BufferId add_seen_tiles(gpu::Graph& graph, const gpu::Name& name, gpu::Buff
     return seen;
 }
 
+Tuning tuning_of(const gpu::ExecutionProfile& execution)
+{
+    if (!execution.is_processor) {
+        return {};
+    }
+    // A processor draws a fairly large triangle faster on one thread than it hands tiles to many.
+    return {.small_area_px = 2048,
+            .list_groups = 32,
+            .threads_list_tiles = false,
+            .clusters_from = 8192,
+            .threads_bound_clusters = true};
+}
+
 } // namespace estampe::raster

@@ -12,6 +12,7 @@
 
 #include <estampe/renderer.hpp>
 
+#include "gpu/execution_profile.hpp"
 #include "gpu/graph/graph.hpp"
 #include "shaders/shared.hpp"
 
@@ -64,6 +65,9 @@ struct Tuning {
     /// Processors run the barriers of a workgroup slowly.
     bool threads_bound_clusters = false;
 };
+
+/// How a device draws soonest.
+[[nodiscard]] Tuning tuning_of(const gpu::ExecutionProfile& execution);
 
 struct View {
     glm::mat4 clip_from_anchor{1.0F}; ///< reversed z, y down

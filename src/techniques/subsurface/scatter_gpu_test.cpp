@@ -73,7 +73,7 @@ std::vector<glm::vec4> spread(const Painted& page, const SubsurfaceStyle& style,
                                              .pixels_per_mm = 4.0F,
                                              .size_px = part_px,
                                              .from_px = from_px,
-                                             .on_processor = on_processor},
+                                             .execution = {.is_processor = on_processor}},
                                             given);
     return test::run_and_read_colors(graph, result);
 }

@@ -59,7 +59,7 @@ uint32_t bind_looks(gpu::Pass& pass, const SubsurfaceInputs& in)
 /// How far a pass looks about, and along which view, as bits of its variant.
 uint32_t looking(const SubsurfaceInputs& in)
 {
-    return (in.on_processor ? shared::subsurface_looks_less : 0U) |
+    return (in.execution.looks_only_where_needed() ? shared::subsurface_looks_less : 0U) |
            (in.in_perspective ? shared::subsurface_in_perspective : 0U);
 }
 
@@ -104,7 +104,7 @@ gpu::ImageId add_blurs(gpu::Graph& graph, const SubsurfaceInputs& in, shared::Sc
     for (int level = 0; level < levels; ++level) {
         constants.level = level;
         constants.is_last = level + 1 == levels ? 1U : 0U;
-        if (!in.on_processor) {
+        if (in.execution.shares_by_groups()) {
             auto pass = graph.compute("subsurface/blur", shaders::scatter_blur_tile_comp);
             source.light = add_blur(pass, graph, in, constants, source);
             continue;

@@ -7,6 +7,7 @@
 
 #include <estampe/scene.hpp>
 
+#include "gpu/execution_profile.hpp"
 #include "gpu/graph/graph.hpp"
 #include "techniques/subsurface/subsurface.glsl.h"
 #include "techniques/subsurface/subsurface_style.hpp"
@@ -46,8 +47,8 @@ struct SubsurfaceInputs {
     float reach_mm = 20.0F;
     float pixels_per_mm = 1.0F;
     glm::uvec2 size_px{0};
-    glm::uvec2 from_px{0};       ///< where on the page what is drawn begins
-    bool on_processor = false;   ///< looks about only where it has to; a GPU rather loads all at once
+    glm::uvec2 from_px{0}; ///< where on the page what is drawn begins
+    gpu::ExecutionProfile execution;
     bool in_perspective = false; ///< then depth alone tells how far along the view something lies
 
     /// Every second pixel each way, of those at even places of the page: which is the first, and how many.

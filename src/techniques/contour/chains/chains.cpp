@@ -76,9 +76,9 @@ std::optional<gpu::BufferId> add_bends(gpu::Graph& graph, const ChainInputs& in,
 
 /// Groups of 64 threads for `count` items, a word of 32 a subgroup: a processor has eight subgroups a group,
 /// and takes as long for one that finds no word left as for others.
-uint32_t mark_groups(uint32_t count, bool on_processor)
+uint32_t mark_groups(uint32_t count, const gpu::ExecutionProfile& execution)
 {
-    const uint32_t items = on_processor ? 256 : 64;
+    const uint32_t items = execution.items_per_group();
     return (count + items - 1) / items;
 }
 
@@ -94,7 +94,7 @@ Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_ed
         triangles.write(graph.buffer("contour/facing", list_of(triangle_words, sizeof(uint32_t))));
     gpu::BufferId marks = triangles.write(graph.buffer("contour/marks", list_of(words, sizeof(uint32_t))));
     triangles.variant(along_edges ? shared::mark_along_edges : 0U).push(constants);
-    triangles.dispatch(mark_groups(constants.triangle_count, in.on_processor));
+    triangles.dispatch(mark_groups(constants.triangle_count, in.execution));
     gpu::BufferId parts = facing;
     if (constants.loose_edge_count > 0) {
         auto edges = graph.compute("contour/mark edges", shaders::mark_edges_comp);
@@ -107,13 +107,13 @@ Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_ed
             graph.buffer("contour/edge parts", list_of(constants.loose_edge_count, sizeof(uint32_t))));
         edges.variant(along_edges ? shared::mark_along_edges : 0U)
             .push(constants)
-            .dispatch(mark_groups(constants.loose_edge_count, in.on_processor));
+            .dispatch(mark_groups(constants.loose_edge_count, in.execution));
     }
     if (view_bends) {
         auto suggestive = graph.compute("contour/mark suggestive", shaders::mark_suggestive_comp);
         suggestive.sample(in.line_triangles).sample(*view_bends, gpu::Format::rg32ui);
         marks = suggestive.modify(marks);
-        suggestive.push(constants).dispatch(mark_groups(constants.suggestive_count, in.on_processor));
+        suggestive.push(constants).dispatch(mark_groups(constants.suggestive_count, in.execution));
     }
     const InlineVector<PageLines, 2> page_lines = add_page_lines(graph, in, mesh_words(constants));
     for (const PageLines& lines : page_lines) {
@@ -126,7 +126,7 @@ Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_ed
                                       .values = marks,
                                       .sizes_are_new = true,
                                       .value_capacity = words,
-                                      .is_spread = !in.on_processor,
+                                      .is_spread = in.execution.spreads_scans(),
                                       .constants = {.fixed_count = words,
                                                     .count_of = shared::no_list,
                                                     .total_to = shared::list_segments,
@@ -153,7 +153,7 @@ ChainInputs chain_inputs(gpu::Graph& graph, const ContourInputs& in, LineMesh& m
                        .sun = {},
                        .step_px = in.line_step_px,
                        .size_px = in.size_px,
-                       .on_processor = in.on_processor};
+                       .execution = in.execution};
     if (in.sun) {
         inputs.sun = SunPixels{.share = *in.sun,
                                .visibility = in.visibility,
@@ -251,7 +251,7 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
                                      {.sizes = marks.sizes,
                                       .values = points_of_slot,
                                       .value_capacity = slots_most,
-                                      .is_spread = !in.on_processor,
+                                      .is_spread = in.execution.spreads_scans(),
                                       .constants = {.fixed_count = 0,
                                                     .count_of = shared::list_slots,
                                                     .total_to = shared::list_points,

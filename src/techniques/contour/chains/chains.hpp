@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/inline_vector.hpp"
+#include "gpu/execution_profile.hpp"
 #include "gpu/graph/graph.hpp"
 #include "techniques/contour/chains/extract/suggestive.hpp"
 #include "techniques/contour/chains/history/line_history.hpp"
@@ -38,7 +39,7 @@ struct ChainSamples {
     gpu::BufferId samples;  ///< LineSample
     gpu::BufferId states;   ///< each sample
     gpu::BufferId rotation; ///< each slot: where a closed chain is cut open
-    bool on_processor = false;
+    gpu::ExecutionProfile execution;
 };
 
 /// What of them is drawn together: where each stroke starts and ends.
@@ -89,7 +90,7 @@ struct ChainInputs {
     std::optional<SunPixels> sun;    ///< edges of its shadow are wanted
     float step_px = 3.0F;            ///< between samples, about
     glm::uvec2 size_px{0};
-    bool on_processor = false; ///< the device is no GPU
+    gpu::ExecutionProfile execution;
 };
 
 /// What of a frame's inputs lines are strung together from.

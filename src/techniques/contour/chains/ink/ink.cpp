@@ -110,11 +110,12 @@ Inked add_ink(gpu::Graph& graph, const ContourInputs& in, const ShapedStrokes& s
 }
 
 /// A processor fills an image quicker by itself than by threads; a GPU is the other way round.
-gpu::ImageId add_blank_layer(gpu::Graph& graph, const shared::InkConstants& constants, bool on_processor)
+gpu::ImageId add_blank_layer(gpu::Graph& graph, const shared::InkConstants& constants,
+                             const gpu::ExecutionProfile& execution)
 {
     const gpu::ImageDesc layer{
         .width = constants.width, .height = constants.height, .format = gpu::Format::rgba8};
-    if (!on_processor) {
+    if (!execution.clears_by_transfer()) {
         auto pass = graph.compute("contour/blank layer", shaders::blank_layer_comp);
         const gpu::ImageId blank = pass.write(graph.image("contour/ink", layer));
         pass.push(constants).dispatch_over_page(constants.width, constants.height);
@@ -132,7 +133,7 @@ gpu::ImageId add_ink_layer(gpu::Graph& graph, const ContourInputs& in, const Sha
     const shared::InkConstants constants{
         .width = in.size_px.x, .height = in.size_px.y, .ink_color = style.ink};
     const Inked inked = add_ink(graph, in, shaped, style, grid_page_px);
-    const gpu::ImageId below = under ? *under : add_blank_layer(graph, constants, in.on_processor);
+    const gpu::ImageId below = under ? *under : add_blank_layer(graph, constants, in.execution);
     auto layer = graph.compute("contour/ink layer", shaders::ink_layer_comp);
     layer.read(inked.pixels)
         .sample(in.materials)

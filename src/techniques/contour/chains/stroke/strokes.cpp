@@ -59,7 +59,7 @@ ChainStrokes add_strokes(gpu::Graph& graph, const ChainSamples& in, gpu::BufferI
                  {.sizes = in.sizes,
                   .values = starts,
                   .value_capacity = samples_most,
-                  .is_spread = !in.on_processor,
+                  .is_spread = in.execution.spreads_scans(),
                   .constants = scan_of_list(shared::list_samples, shared::list_strokes, samples_most)});
 
     auto bounds = graph.compute("contour/strokes", shaders::strokes_comp);

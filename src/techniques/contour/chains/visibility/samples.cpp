@@ -16,7 +16,7 @@ ChainSamples add_samples(gpu::Graph& graph, const ChainInputs& in, const Chains&
                                      {.sizes = chains.sizes,
                                       .values = chains.lengths,
                                       .value_capacity = constants.point_capacity,
-                                      .is_spread = !in.on_processor,
+                                      .is_spread = in.execution.spreads_scans(),
                                       .constants = scan_of_list(shared::list_points, shared::no_list, 0)});
 
     auto divide = graph.compute("contour/divide", shaders::divide_comp);
@@ -32,7 +32,7 @@ ChainSamples add_samples(gpu::Graph& graph, const ChainInputs& in, const Chains&
                  {.sizes = lengths.sizes,
                   .values = samples_of_slot,
                   .value_capacity = slots_most,
-                  .is_spread = !in.on_processor,
+                  .is_spread = in.execution.spreads_scans(),
                   .constants = scan_of_list(shared::list_slots, shared::list_samples, samples_most)});
 
     const uint64_t per_sample = indirect_offset(shared::list_samples);
@@ -62,7 +62,7 @@ ChainSamples add_samples(gpu::Graph& graph, const ChainInputs& in, const Chains&
             .samples = samples,
             .states = states,
             .rotation = rotation,
-            .on_processor = in.on_processor};
+            .execution = in.execution};
 }
 
 } // namespace estampe::contour
