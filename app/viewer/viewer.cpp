@@ -10,8 +10,8 @@
 #include <imgui.h>
 
 #include "core/file.hpp"
+#include "core/text.hpp"
 #include "features/common/style_tables.hpp"
-#include "text.hpp"
 #include "transparent_option.hpp"
 #include "viewer/jobs.hpp"
 #include "viewer/terrain_text.hpp"
