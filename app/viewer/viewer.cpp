@@ -75,7 +75,7 @@ Viewer::~Viewer()
 void Viewer::report(const std::string& text) const
 {
     if (command_.verbose) {
-        app::say(fmt::format("{:8.3f} {}\n", app::seconds_since(start_), text));
+        say(fmt::format("{:8.3f} {}\n", app::seconds_since(start_), text));
     }
 }
 

@@ -210,9 +210,10 @@ std::optional<SubsurfacePlan> plan_subsurface(const pose::MeshData& layout, cons
     };
     if (!plan.clear.empty()) {
         plan.others = all_but(subsurface::is_clear);
-        const bool any_shows = std::ranges::any_of(
-            looks.styles, [](const StyleTables& style) { return subsurface::shows_lines(style.subsurface); });
-        plan.lines_show = std::ranges::all_of(looks.styles, [](const StyleTables& style) {
+        const bool any_shows = std::ranges::any_of(looks.styles, [](const features::StyleTables& style) {
+            return subsurface::shows_lines(style.subsurface);
+        });
+        plan.lines_show = std::ranges::all_of(looks.styles, [](const features::StyleTables& style) {
             return subsurface::shows_lines(style.subsurface) || !subsurface::is_clear(style.subsurface);
         });
         if (any_shows && !plan.lines_show) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -59,6 +61,33 @@ public:
                 return false;
         }
         return true;
+    }
+
+    /// Whether a part of the triangle is on the inner side of all sides. Dearer than excludes(), and exact: a
+    /// large triangle may pass by the view with its corners beyond several sides.
+    [[nodiscard]] bool holds_part_of(const std::array<glm::dvec3, 3>& corners) const
+    {
+        std::vector<glm::dvec4> polygon(corners.size());
+        std::transform(corners.begin(), corners.end(), polygon.begin(),
+                       [&](const glm::dvec3& corner) { return view_from_world_ * glm::dvec4(corner, 1.0); });
+        for (size_t side = 0; side <= sides_.size(); ++side) {
+            const auto depth_in = [&](const glm::dvec4& point) {
+                return side < sides_.size() ? glm::dot(sides_[side], point) : -point.z - near_m_;
+            };
+            std::vector<glm::dvec4> kept;
+            for (size_t i = 0; i < polygon.size(); ++i) {
+                const glm::dvec4& from = polygon[i];
+                const glm::dvec4& to = polygon[(i + 1) % polygon.size()];
+                const double from_m = depth_in(from);
+                const double to_m = depth_in(to);
+                if (from_m >= 0.0)
+                    kept.push_back(from);
+                if ((from_m < 0.0) != (to_m < 0.0))
+                    kept.push_back(glm::mix(from, to, from_m / (from_m - to_m)));
+            }
+            polygon = std::move(kept);
+        }
+        return !polygon.empty();
     }
 
     /// Whether the corners run counterclockwise on the page.
@@ -178,11 +207,12 @@ private:
             const std::array corners{corner(primitive.indices[i]), corner(primitive.indices[i + 1]),
                                      corner(primitive.indices[i + 2])};
             const bool is_drawn = two_sided || view.is_counterclockwise(corners) != placed.mirrored;
+            const auto is_in_view = [&] { return !view.excludes(corners) && view.holds_part_of(corners); };
             const bool is_too_much = ++triangles_ > most_triangles;
-            if (is_too_much || (is_drawn && !view.excludes(corners)))
+            if (is_too_much || (is_drawn && is_in_view()))
                 found_.content = ViewContent::something;
             else if (!is_drawn && !has_backs)
-                has_backs = !view.excludes(corners);
+                has_backs = is_in_view();
         }
         return has_backs;
     }

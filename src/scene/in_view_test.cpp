@@ -146,6 +146,18 @@ TEST(InView, ARoomAndWhatStandsOutsideTheSolidAreSeen)
     EXPECT_EQ(view_of(two, from_outside).content, ViewContent::something);
 }
 
+TEST(InView, ALargeTriangleThatPassesByIsNotSeen)
+{
+    Scene scene = cube_at({0, 0, 0});
+    // It passes the upper left corner of the page: one of its corners is not beyond the left side, one not
+    // above.
+    Primitive& triangle = scene.meshes[0].primitives[0];
+    triangle = {.positions = {{-20, 0, 0}, {0, 20, 0}, {-20, 20, 0}}, .indices = {0, 1, 2, 0, 2, 1}};
+    EXPECT_FALSE(sees(scene, along_minus_z));
+    triangle.positions[0].x = triangle.positions[2].x = -4;
+    EXPECT_TRUE(sees(scene, along_minus_z));
+}
+
 TEST(InView, TheInnermostOfNestedSolidsIsNamed)
 {
     Scene scene = cube_at({0, 0, 10});
