@@ -40,7 +40,7 @@ void TransparentOption::assign(std::vector<std::string>& assignments) const
 
 bool is_transparent(const Style& style)
 {
-    return style.tables().paper.transparent != paper::Screen::none;
+    return style.tables().paper.transparent != paper::Transparency::none;
 }
 
 void check_has_alpha(const DrawOptions& draw, const PictureChoice& picture, bool is_film)

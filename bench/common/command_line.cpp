@@ -100,13 +100,12 @@ void add_renderer_options(CLI::App& command, RendererOptions& options)
 {
     add_no_cache_flag(command);
     add_device_option(command, options.device);
-    std::map<std::string, RasterPath> paths;
-    for (const RasterPath path : {RasterPath::automatic, RasterPath::hardware, RasterPath::compute}) {
-        paths[name_of(path)] = path;
-    }
+    const std::map<std::string, RasterPath> paths{{"auto", RasterPath::automatic},
+                                                  {"hardware", RasterPath::hardware},
+                                                  {"compute", RasterPath::compute}};
     command.add_option("--raster", options.raster, "hardware, compute, or auto")
         ->type_name("PATH")
-        ->default_str(name_of(options.raster))
+        ->default_str("auto")
         ->transform(CLI::CheckedTransformer(paths).description(""));
 }
 
