@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "text.hpp"
+#include "core/text.hpp"
 
 namespace estampe::app {
 namespace {

@@ -8,10 +8,11 @@
 
 #include "clock.hpp"
 #include "commands.hpp"
+#include "core/check_output.hpp"
 #include "drawing.hpp"
 #include "progress.hpp"
 #include "signals.hpp"
-#include "text.hpp"
+#include "warnings.hpp"
 
 namespace estampe::app {
 namespace {

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "core/file.hpp"
+#include "core/text.hpp"
 #include "option_values.hpp"
-#include "text.hpp"
 #include "usage_error.hpp"
 
 namespace estampe::app {

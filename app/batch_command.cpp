@@ -10,6 +10,8 @@
 #include "batch_report.hpp"
 #include "clock.hpp"
 #include "commands.hpp"
+#include "core/check_output.hpp"
+#include "core/text.hpp"
 #include "drawing.hpp"
 #include "film.hpp"
 #include "picture_output.hpp"
@@ -17,7 +19,7 @@
 #include "scene_details.hpp"
 #include "signals.hpp"
 #include "single_picture.hpp"
-#include "text.hpp"
+#include "warnings.hpp"
 
 namespace estampe::app {
 namespace {

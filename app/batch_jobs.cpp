@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 
 #include "core/file.hpp"
+#include "core/text.hpp"
 #include "style/suggest.hpp"
 #include "style/toml_words.hpp"
-#include "text.hpp"
 #include "usage_error.hpp"
 #include "world_options.hpp"
 

@@ -8,9 +8,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "core/text.hpp"
 #include "no_cache.hpp"
 #include "option_values.hpp"
-#include "text.hpp"
 #include "usage_error.hpp"
 
 namespace estampe::app {

@@ -9,10 +9,10 @@
 
 #include "bake_options.hpp"
 #include "batch_options.hpp"
-#include "benches/bench_options.hpp"
 #include "command_examples.hpp"
 #include "completion.hpp"
 #include "core/file.hpp"
+#include "core/text.hpp"
 #include "drawing.hpp"
 #include "manual_page.hpp"
 #include "no_cache.hpp"
@@ -20,7 +20,6 @@
 #include "options.hpp"
 #include "picture_options.hpp"
 #include "scene_options.hpp"
-#include "text.hpp"
 #include "transparent_option.hpp"
 #include "usage_error.hpp"
 #include "viewer/keys.hpp"
@@ -246,14 +245,12 @@ void refuse_empty_values(CLI::App& app)
 struct OwnOptions {
     BakeOptions bake;
     BatchOptions batch;
-    BenchOptions bench;
     PictureOptions picture;
     FilmOptions film;
 };
 
 void add_commands(CLI::App& app, Typed& typed, OwnOptions& own)
 {
-    own.bench.add_to(app);
     add_render(app, typed, own.picture, own.film);
     add_view(app, typed);
     add_tam(app, typed);
@@ -442,9 +439,6 @@ Command to_command(const CLI::App& app, const Typed& typed, const OwnOptions& ow
     }
     if (app.got_subcommand("styles")) {
         return StylesCommand{typed.style, typed.schema};
-    }
-    if (app.got_subcommand("bench")) {
-        return own.bench.read();
     }
     if (app.got_subcommand("tam")) {
         return read_tam(typed);

@@ -12,10 +12,10 @@
 #include <estampe/error.hpp>
 
 #include "core/file.hpp"
+#include "core/text.hpp"
 #include "piped_scene.hpp"
 #include "scene/view_analysis/view_analysis.hpp"
 #include "style/suggest.hpp"
-#include "text.hpp"
 #include "world_options.hpp"
 
 namespace estampe::app {

@@ -6,9 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "core/text.hpp"
 #include "drawing.hpp"
 #include "scene/in_view.hpp"
-#include "text.hpp"
+#include "warnings.hpp"
 
 namespace estampe::app {
 namespace {

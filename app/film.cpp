@@ -28,8 +28,8 @@
 #include "scene_details.hpp"
 #include "signals.hpp"
 #include "techniques/motion_blur/motion_blur.hpp"
-#include "text.hpp"
 #include "transparent_option.hpp"
+#include "warnings.hpp"
 #include "world_animator.hpp"
 #include "world_options.hpp"
 

@@ -3,9 +3,10 @@
 #include <string>
 
 #include "commands.hpp"
+#include "core/check_output.hpp"
 #include "core/file.hpp"
 #include "drawing.hpp"
-#include "text.hpp"
+#include "warnings.hpp"
 
 namespace estampe::app {
 

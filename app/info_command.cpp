@@ -6,7 +6,7 @@
 #include "commands.hpp"
 #include "drawing.hpp"
 #include "report.hpp"
-#include "text.hpp"
+#include "warnings.hpp"
 #include "world_options.hpp"
 #include "world_report.hpp"
 

@@ -13,17 +13,16 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "core/text.hpp"
 #include "options.hpp"
 #include "signals.hpp"
-#include "text.hpp"
 #include "usage_error.hpp"
 
 namespace {
 
 int fail(const char* message, int status)
 {
-    estampe::app::say(
-        fmt::format("estampe: error: {}\n", estampe::app::shortened(estampe::app::one_line(message))));
+    estampe::say(fmt::format("estampe: error: {}\n", estampe::shortened(estampe::one_line(message))));
     return status;
 }
 

@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/text.hpp"
 #include "piped_scene.hpp"
-#include "text.hpp"
 #include "usage_error.hpp"
 
 namespace estampe::app {

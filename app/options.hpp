@@ -125,55 +125,6 @@ struct TamCommand {
     std::string preview; ///< .png; empty: none
 };
 
-/// Measures what things cost on scenes that the program makes, or compares two such results.
-struct BenchCommand {
-    std::vector<std::string> names;    ///< of series; empty: all
-    std::vector<std::string> compared; ///< two .json; empty: measure
-    std::string json;                  ///< empty: none
-    std::string csv;                   ///< empty: none
-    std::string plots;                 ///< a folder; empty: none
-    double most_share = 1.0;           ///< of a series' greatest amount
-    uint32_t width = 1280;
-    uint32_t height = 720;
-    uint32_t frames = 9;
-    RendererOptions device;
-};
-
-/// Measures what lights cost on a scene that the program makes.
-struct BenchLightsCommand {
-    std::vector<uint32_t> counts{1, 3, 10, 30, 100, 300, 1000};
-    uint32_t shadowed = 0; ///< of them throw shadows: spots and points in turn
-    bool million = false;  ///< a million triangles, not some ten thousand
-    bool moving = false;   ///< shadowed lights move from frame to frame
-    uint32_t width = 1280;
-    uint32_t height = 720;
-    uint32_t frames = 9;
-    RendererOptions device;
-    std::string output; ///< .svg; empty: no plot
-    bool json = false;
-};
-
-/// Measures what small kernels show of the device.
-struct BenchLabCommand {
-    std::vector<std::string> names; ///< of experiments; empty: all
-    uint32_t rounds = 9;
-    std::string device = "auto";
-    std::string json; ///< empty: none
-    std::string csv;  ///< empty: none
-};
-
-/// Holds the passes of frames against what the device can do.
-struct BenchRooflineCommand {
-    std::vector<std::string> names; ///< of pictures; empty: all
-    uint32_t width = 1280;
-    uint32_t height = 720;
-    uint32_t frames = 9;
-    double least_share = 0.02; ///< of a picture's time, below which a pass is not told
-    RendererOptions device;
-    std::string json; ///< empty: none
-    std::string csv;  ///< empty: none
-};
-
 /// Works out light ahead.
 struct BakeCommand {
     std::string scene;
@@ -195,8 +146,7 @@ struct BatchCommand {
     RendererOptions device;
 };
 
-using Command = std::variant<BatchCommand, BenchCommand, BenchLabCommand, BenchLightsCommand,
-                             BenchRooflineCommand, RenderCommand, GraphCommand, InfoCommand, DevicesCommand,
+using Command = std::variant<BatchCommand, RenderCommand, GraphCommand, InfoCommand, DevicesCommand,
                              StylesCommand, StyleManualCommand, TamCommand, BakeCommand, ViewCommand>;
 
 /// Reads the command line, the style it names, and its --set assignments. Nothing when it asked for help or

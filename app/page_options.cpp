@@ -11,8 +11,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "core/text.hpp"
 #include "option_values.hpp"
-#include "text.hpp"
 #include "usage_error.hpp"
 
 namespace estampe::app {

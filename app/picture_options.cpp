@@ -12,7 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "core/file.hpp"
-#include "text.hpp"
+#include "core/text.hpp"
 #include "usage_error.hpp"
 
 namespace estampe::app {

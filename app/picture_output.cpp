@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "core/atomic_file.hpp"
+#include "core/check_output.hpp"
 #include "core/file.hpp"
 #include "core/free_memory.hpp"
 #include "core/image_codec.hpp"
@@ -19,7 +20,6 @@
 #include "output/one_layer.hpp"
 #include "output/pictures.hpp"
 #include "progress.hpp"
-#include "text.hpp"
 
 namespace estampe::app {
 namespace {

@@ -21,8 +21,8 @@
 #include <fmt/ranges.h>
 
 #include "core/file.hpp"
+#include "core/text.hpp"
 #include "sniffed_format.hpp"
-#include "text.hpp"
 
 namespace estampe::app {
 namespace {

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "text.hpp"
+#include "core/text.hpp"
 
 namespace estampe::app {
 namespace {

@@ -10,19 +10,21 @@
 
 #include "commands.hpp"
 #include "core/at_once.hpp"
+#include "core/spread.hpp"
+#include "core/text.hpp"
 #include "drawing.hpp"
 #include "empty_view.hpp"
 #include "features/particles/particles.hpp"
 #include "film.hpp"
+#include "gpu/pass_history.hpp"
 #include "output/svg.hpp"
-#include "pass_history.hpp"
 #include "picture_output.hpp"
 #include "quick_compile.hpp"
 #include "report.hpp"
 #include "scene_details.hpp"
 #include "single_picture.hpp"
-#include "text.hpp"
 #include "usage_error.hpp"
+#include "warnings.hpp"
 #include "world_animator.hpp"
 
 namespace estampe::app {
@@ -212,7 +214,7 @@ void run(const RenderCommand& command)
 
     RenderSettings settings = render_settings(command, scene, animation);
     const bool reports = command.timings || command.json;
-    PassHistory passes;
+    gpu::PassHistory passes;
     std::vector<SolverReport> solvers;
     const auto draw_next = [&](bool by_passes) {
         settings.time_passes = by_passes;
@@ -252,12 +254,12 @@ void run(const RenderCommand& command)
     clock.finish("write");
 
     if (reports) {
-        TimingReport report{renderer.device().name, renderer.raster_path(), draw.output,           settings,
-                            command.repeat,         passes.medians(),       median(frames_gpu_ms), solvers,
-                            clock.steps()};
+        TimingReport report{
+            renderer.device().name, renderer.raster_path(),   draw.output, settings,     command.repeat,
+            passes.medians(),       median_of(frames_gpu_ms), solvers,     clock.steps()};
         report.cpu_ms.emplace_back("total", clock.total_ms());
         if (!later_frames_ms.empty()) {
-            report.cpu_ms.emplace_back("median later frame", median(later_frames_ms));
+            report.cpu_ms.emplace_back("median later frame", median_of(later_frames_ms));
         }
         tell(command, report_timings(report, command.json));
     }

@@ -9,9 +9,9 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "core/text.hpp"
 #include "scene_details.hpp"
 #include "scene_summary.hpp"
-#include "text.hpp"
 #include "world_report.hpp"
 
 namespace estampe::app {

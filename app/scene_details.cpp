@@ -10,9 +10,9 @@
 #include <fmt/ranges.h>
 
 #include "core/file.hpp"
+#include "core/text.hpp"
 #include "scene/up_axis.hpp"
 #include "scene/visibility.hpp"
-#include "text.hpp"
 
 namespace estampe::app {
 namespace {

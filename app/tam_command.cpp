@@ -8,8 +8,9 @@
 
 #include "commands.hpp"
 #include "core/atomic_file.hpp"
+#include "core/check_output.hpp"
 #include "core/image_codec.hpp"
-#include "text.hpp"
+#include "warnings.hpp"
 
 namespace estampe::app {
 namespace {

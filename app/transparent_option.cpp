@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "core/file.hpp"
+#include "core/text.hpp"
 #include "features/common/style_tables.hpp"
-#include "text.hpp"
 #include "usage_error.hpp"
 
 namespace estampe::app {

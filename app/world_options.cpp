@@ -11,8 +11,8 @@
 
 #include <estampe/error.hpp>
 
+#include "core/text.hpp"
 #include "options.hpp"
-#include "text.hpp"
 #include "usage_error.hpp"
 
 namespace estampe::app {

@@ -3,18 +3,16 @@
 // estampe_bench_cloth --help
 
 #include <algorithm>
-#include <chrono>
+#include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <estampe/error.hpp>
-
-#include "gpu/graph/execute.hpp"
+#include "common/command_line.hpp"
+#include "common/machine.hpp"
+#include "common/rounds.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/read_back.hpp"
 #include "shaders/mesh.glsl.h"
@@ -81,12 +79,6 @@ std::vector<cloth::Solid> solids_of(const Options& options)
     return solids;
 }
 
-double median(std::vector<double> numbers)
-{
-    std::ranges::sort(numbers);
-    return numbers[numbers.size() / 2];
-}
-
 void choose_solver(gpu::Device& device, cloth::Cloths& cloths, const Options& options)
 {
     if (options.verlet || options.descent) {
@@ -94,33 +86,46 @@ void choose_solver(gpu::Device& device, cloth::Cloths& cloths, const Options& op
     }
 }
 
+/// Takes steps, in as many graphs as they need. `finish` adds to the last graph. Returns all passes.
+template <class Finish>
+std::vector<PassTiming> take_steps(bench::Machine& machine, cloth::Cloths& cloths,
+                                   cloth::Surroundings& surroundings, uint32_t steps, const Finish& finish)
+{
+    std::vector<PassTiming> passes;
+    bench::in_batches(steps, cloths.most_steps(surroundings), [&](uint32_t count, bool is_last) {
+        gpu::Graph graph;
+        cloth::Cloths::Handles handles = cloths.import(graph);
+        cloths.add_steps(graph, handles, surroundings, count);
+        surroundings.time_s += static_cast<double>(count) * static_cast<double>(surroundings.step_s);
+        if (is_last) {
+            finish(graph, handles);
+        }
+        machine.executor.run(graph);
+        passes.insert(passes.end(), machine.passes().begin(), machine.passes().end());
+    });
+    return passes;
+}
+
 /// How much longer or shorter the edges of a square metre are, let go where it lay and held by two corners,
 /// 5 s later.
 void measure_strain(const Options& options)
 {
-    gpu::Device device(RendererOptions{.device = options.device});
-    gpu::Executor executor(device);
+    bench::Machine machine(options.device);
     cloth::Sheet sheet =
         cloth::grid_sheet(glm::uvec2(options.side), {}, {0.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 0.0F});
     sheet.held.assign(sheet.rest_m.size(), 0.0F);
     sheet.held[0] = sheet.held[options.side - 1] = 1.0F;
-    cloth::Cloths cloths(device, {&sheet, 1});
-    choose_solver(device, cloths, options);
-    const cloth::Surroundings surroundings{.step_s = options.step_s, .effort = options.effort};
-    gpu::Buffer places(device, "places", cloths.state().front()->size_bytes(), gpu::MemoryUse::readback);
-    const auto begin = std::chrono::steady_clock::now();
-    for (auto left = static_cast<uint32_t>(std::lround(5.0F / options.step_s)); left > 0;) {
-        const uint32_t now = std::min(left, cloths.most_steps(surroundings));
-        left -= now;
-        gpu::Graph graph;
-        cloth::Cloths::Handles handles = cloths.import(graph);
-        cloths.add_steps(graph, handles, surroundings, now);
-        if (left == 0) {
-            gpu::add_read_back(graph, "places", handles.places, places);
-        }
-        executor.run(graph);
-    }
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+    cloth::Cloths cloths(machine.device, {&sheet, 1});
+    choose_solver(machine.device, cloths, options);
+    cloth::Surroundings surroundings{.step_s = options.step_s, .effort = options.effort};
+    gpu::Buffer places(machine.device, "places", cloths.state().front()->size_bytes(),
+                       gpu::MemoryUse::readback);
+    const bench::WallClock clock;
+    take_steps(machine, cloths, surroundings, static_cast<uint32_t>(std::lround(5.0F / options.step_s)),
+               [&](gpu::Graph& graph, const cloth::Cloths::Handles& handles) {
+                   gpu::add_read_back(graph, "places", handles.places, places);
+               });
+    const double took_ms = clock.ms();
     const auto at = gpu::items_of<glm::vec4>(places);
     std::vector<double> strains;
     for (const glm::uvec3& triangle : sheet.triangles) {
@@ -135,75 +140,52 @@ void measure_strain(const Options& options)
     std::ranges::sort(strains);
     fmt::print("{}: strain of {} x {} after 5 s: median {:.2f}, 99th percentile {:.2f}, most {:.2f} %; "
                "{:.2f} ms a frame by the wall\n",
-               device.info().name, options.side, options.side, strains[strains.size() / 2],
-               strains[strains.size() * 99 / 100], strains.back(), took.count() / 300.0);
+               machine.name(), options.side, options.side, strains[strains.size() / 2],
+               strains[strains.size() * 99 / 100], strains.back(), took_ms / 300.0);
 }
 
 void measure(const Options& options)
 {
-    gpu::Device device(RendererOptions{.device = options.device});
-    gpu::Executor executor(device);
+    bench::Machine machine(options.device);
     const Hung hung = hang_up(options);
-    cloth::Cloths cloths(device, hung.sheets, hung.drawn);
-    choose_solver(device, cloths, options);
-    cloths.set_solids(device, solids_of(options));
-    gpu::Buffer posed(device, "posed vertices", hung.vertex_count * sizeof(shared::PosedVertex),
+    cloth::Cloths cloths(machine.device, hung.sheets, hung.drawn);
+    choose_solver(machine.device, cloths, options);
+    cloths.set_solids(machine.device, solids_of(options));
+    gpu::Buffer posed(machine.device, "posed vertices", hung.vertex_count * sizeof(shared::PosedVertex),
                       gpu::MemoryUse::device);
     cloth::Surroundings surroundings{.step_s = options.step_s, .effort = options.effort};
     surroundings.wind.speed_m_s = options.wind_m_s;
     surroundings.rest_m_s = options.restless ? 0.0F : surroundings.rest_m_s;
-    for (auto left = static_cast<uint32_t>(options.before_s / options.step_s); left > 0;) {
-        const uint32_t now = std::min(left, cloths.most_steps(surroundings));
-        left -= now;
-        gpu::Graph graph;
-        cloth::Cloths::Handles handles = cloths.import(graph);
-        cloths.add_steps(graph, handles, surroundings, now);
-        executor.run(graph);
-    }
+    take_steps(machine, cloths, surroundings, static_cast<uint32_t>(options.before_s / options.step_s),
+               [](gpu::Graph&, const cloth::Cloths::Handles&) {});
     const auto steps = static_cast<uint32_t>(std::max(1.0F, std::round(1.0F / 60.0F / options.step_s)));
-    std::vector<double> device_ms;
-    std::vector<double> wall_ms;
-    for (uint32_t round = 0; round < options.rounds + 2; ++round) {
-        const auto begin = std::chrono::steady_clock::now();
-        double device_sum = 0.0;
-        for (uint32_t left = steps; left > 0;) {
-            const uint32_t now = std::min(left, cloths.most_steps(surroundings));
-            left -= now;
-            gpu::Graph graph;
-            cloth::Cloths::Handles handles = cloths.import(graph);
-            cloths.add_steps(graph, handles, surroundings, now);
-            surroundings.time_s += static_cast<double>(now) * options.step_s;
-            if (left == 0) {
+    constexpr uint32_t compiling = 2; ///< first frames, which compile shaders
+    bench::Rounds by_passes;
+    bench::Rounds by_wall;
+    for (uint32_t round = 0; round < options.rounds + compiling; ++round) {
+        const bench::WallClock clock;
+        const std::vector<PassTiming> passes = take_steps(
+            machine, cloths, surroundings, steps, [&](gpu::Graph& graph, cloth::Cloths::Handles& handles) {
                 graph.export_buffer(
                     cloths.add_vertices(graph, handles, gpu::import_whole(graph, "posed", posed)));
-            }
-            executor.run(graph);
-            for (const PassTiming& timing : executor.timings()) {
-                device_sum += timing.gpu_ms;
-                if (options.passes && round == options.rounds + 1) {
-                    fmt::print("  {} {:.4f}\n", timing.name, timing.gpu_ms);
-                }
-            }
-        }
-        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-        if (round >= 2) { // the first ones compile
-            device_ms.push_back(device_sum);
-            wall_ms.push_back(took.count());
+            });
+        if (round >= compiling) {
+            by_wall.add(clock.ms());
+            by_passes.add(bench::sum_ms(passes), passes);
         }
     }
-    fmt::print("{}: {} sheets of {} x {}, {} colliders, {} steps a frame: {:.3f} ms by passes, {:.3f} ms by "
-               "the wall\n",
-               device.info().name, options.sheets, options.side, options.side, options.colliders, steps,
-               median(device_ms), median(wall_ms));
+    fmt::print("{}: {} sheets of {} x {}, {} colliders, {} steps a frame: {} by passes, {} by the wall\n{}",
+               machine.name(), options.sheets, options.side, options.side, options.colliders, steps,
+               by_passes.text(), by_wall.text(), options.passes ? by_passes.passes_table() : "");
 }
 
 } // namespace
 
-int main(int count, char** arguments)
+int main(int argc, char** argv)
 {
     Options options;
-    CLI::App app("Measures what cloth costs");
-    app.add_option("--device", options.device);
+    CLI::App app("Measures what cloth costs", "estampe_bench_cloth");
+    bench::add_device_option(app, options.device);
     app.add_option("--side", options.side, "Particles of a side")->check(CLI::Range(3, 2048));
     app.add_option("--sheets", options.sheets)->check(CLI::Range(1, 10000));
     app.add_option("--colliders", options.colliders)->check(CLI::Range(0, 1000));
@@ -216,18 +198,13 @@ int main(int count, char** arguments)
     app.add_flag("--restless", options.restless, "None comes to rest");
     app.add_flag("--verlet", options.verlet, "The thesis's relaxation");
     app.add_flag("--descent", options.descent, "Vertex block descent");
-    app.add_flag("--strain", options.strain, "Tells what one sheet stretches instead");
-    app.add_flag("--passes", options.passes, "Tells each pass of the last frame");
-    CLI11_PARSE(app, count, arguments);
-    try {
+    app.add_flag("--strain", options.strain, "Measures how far one sheet stretches instead");
+    app.add_flag("--passes", options.passes, "Also prints what each pass costs");
+    return bench::run(app, argc, argv, [&] {
         if (options.strain) {
             measure_strain(options);
         } else {
             measure(options);
         }
-    } catch (const Error& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return 1;
-    }
-    return 0;
+    });
 }

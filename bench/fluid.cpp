@@ -2,8 +2,7 @@
 // What a step of fluid costs, pass by pass, and how long each solver takes to a given divergence.
 // estampe_bench_fluid --help
 
-#include <algorithm>
-#include <chrono>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -12,12 +11,11 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <estampe/error.hpp>
-
-#include "gpu/graph/execute.hpp"
+#include "common/command_line.hpp"
+#include "common/machine.hpp"
+#include "common/rounds.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/read_back.hpp"
 #include "gpu/upload.hpp"
@@ -40,39 +38,6 @@ struct Options {
     bool steps_only = false;
     bool solvers_only = false;
 };
-
-struct Machine {
-    explicit Machine(const Options& options)
-        : device(RendererOptions{.device = options.device}), executor(device)
-    {
-    }
-
-    /// Milliseconds of a run: of the device's own clock, but by the wall's on a processor, where its clock is
-    /// wrong for short passes.
-    double run(const gpu::Graph& graph)
-    {
-        const auto begin = std::chrono::steady_clock::now();
-        executor.run(graph);
-        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-        if (device.info().software) {
-            return took.count();
-        }
-        double sum = 0.0;
-        for (const PassTiming& timing : executor.timings()) {
-            sum += timing.gpu_ms;
-        }
-        return sum;
-    }
-
-    gpu::Device device;
-    gpu::Executor executor;
-};
-
-double median(std::vector<double> numbers)
-{
-    std::ranges::sort(numbers);
-    return numbers.empty() ? 0.0 : numbers[numbers.size() / 2];
-}
 
 fluid::Grid grid_of(const Options& options, uint32_t side)
 {
@@ -159,8 +124,8 @@ double norm(std::span<const float> numbers)
     return std::sqrt(sum);
 }
 
-double divergence_of(Machine& machine, const fluid::Grid& grid, gpu::Graph& graph, gpu::ImageId velocity,
-                     const fluid::Solids& solids)
+double divergence_of(bench::Machine& machine, const fluid::Grid& grid, gpu::Graph& graph,
+                     gpu::ImageId velocity, const fluid::Solids& solids)
 {
     const gpu::BufferId divergence = fluid::add_divergence(graph, grid, velocity, solids);
     gpu::Buffer host(machine.device, "divergence", graph.describe(divergence).size_bytes,
@@ -171,7 +136,7 @@ double divergence_of(Machine& machine, const fluid::Grid& grid, gpu::Graph& grap
 }
 
 /// Divergence that the next step's last projection leaves, over what it was given.
-double divergence_left(Machine& machine, fluid::Fluid& flow, const fluid::FluidStyle& style)
+double divergence_left(bench::Machine& machine, fluid::Fluid& flow, const fluid::FluidStyle& style)
 {
     gpu::Graph before;
     const fluid::FluidFields given = flow.add_steps(before, style, 1);
@@ -181,7 +146,7 @@ double divergence_left(Machine& machine, fluid::Fluid& flow, const fluid::FluidS
     return divergence_of(machine, flow.grid(), after, left.velocity, left.solids) / all;
 }
 
-void measure_steps(Machine& machine, const Options& options, uint32_t side)
+void measure_steps(bench::Machine& machine, const Options& options, uint32_t side)
 {
     constexpr uint32_t channels = 4;
     const fluid::Grid grid = grid_of(options, side);
@@ -189,26 +154,19 @@ void measure_steps(Machine& machine, const Options& options, uint32_t side)
         fluid::Fluid flow(machine.device, grid, channels, over_faces(grid, gust));
         flow.set_shapes(one.obstacles, {});
         const double residual = flow.check_spectral(machine.device, machine.executor);
-        std::vector<double> times_ms;
-        std::map<std::string, double> pass_ms;
-        size_t passes = 0;
+        bench::Rounds rounds;
         for (uint32_t i = 0; i < options.rounds; ++i) {
             gpu::Graph graph;
             static_cast<void>(flow.add_steps(graph, one.style, 1));
-            times_ms.push_back(machine.run(graph));
-            passes = machine.executor.timings().size();
-            for (const PassTiming& timing : machine.executor.timings()) {
-                pass_ms[timing.name] += timing.gpu_ms / options.rounds;
-            }
+            const double ms = machine.run(graph);
+            rounds.add(ms, machine.passes());
         }
-        fmt::print("{0} x {0}{1}, {2}: {3:.4f} ms, {4} passes, divergence left {5:.1e}\n", side,
-                   grid.is_volume() ? fmt::format(" x {}", options.depth) : "", one.name, median(times_ms),
-                   passes, divergence_left(machine, flow, one.style));
-        fmt::print("   direct solver's residual at the start {:.1e};", residual);
-        for (const auto& [name, ms] : pass_ms) {
-            fmt::print(" {} {:.4f}", name, ms);
-        }
-        fmt::print("\n");
+        const size_t passes = machine.passes().size();
+        fmt::print(
+            "{0} x {0}{1}, {2}: {3}, {4} passes, divergence left {5:.1e}, residual of the direct solver "
+            "at the start {6:.1e}\n{7}",
+            side, grid.is_volume() ? fmt::format(" x {}", options.depth) : "", one.name, rounds.text(),
+            passes, divergence_left(machine, flow, one.style), residual, rounds.passes_table());
         static_cast<void>(std::fflush(stdout));
     }
 }
@@ -216,7 +174,7 @@ void measure_steps(Machine& machine, const Options& options, uint32_t side)
 /// A velocity that is projected again and again.
 class Projecting {
 public:
-    Projecting(Machine& machine, const fluid::Grid& grid, const std::vector<float>& start)
+    Projecting(bench::Machine& machine, const fluid::Grid& grid, const std::vector<float>& start)
         : machine_(machine), grid_(grid),
           cells_(gpu::upload_buffer(machine.device, "solids", std::vector<uint32_t>(grid.cell_count()))),
           angles_(fluid::upload_angles(machine.device, grid))
@@ -260,7 +218,7 @@ public:
     }
 
 private:
-    Machine& machine_;
+    bench::Machine& machine_;
     fluid::Grid grid_;
     std::array<gpu::Image, 2> images_;
     uint32_t newest_ = 0;
@@ -268,8 +226,8 @@ private:
     gpu::Buffer angles_;
 };
 
-void measure_solver(Machine& machine, const Options& options, const fluid::Grid& grid, fluid::Solver solver,
-                    const std::vector<float>& start)
+void measure_solver(bench::Machine& machine, const Options& options, const fluid::Grid& grid,
+                    fluid::Solver solver, const std::vector<float>& start)
 {
     constexpr std::array<double, 5> goals{1e-1, 1e-2, 1e-3, 1e-4, 1e-5};
     const fluid::ProjectionStyle style{.solver = solver, .projections = 1};
@@ -279,11 +237,11 @@ void measure_solver(Machine& machine, const Options& options, const fluid::Grid&
     double spent_ms = 0.0;
     size_t goal = 0;
     double left = 1.0;
-    std::vector<double> times_ms;
+    bench::Rounds rounds;
     std::string reached;
     for (uint32_t i = 1; i <= options.most_projections && goal < goals.size(); ++i) {
-        times_ms.push_back(projecting.project(style));
-        spent_ms += times_ms.back();
+        rounds.add(projecting.project(style));
+        spent_ms += rounds.times_ms().back();
         left = projecting.divergence() / all;
         for (; goal < goals.size() && left <= goals[goal]; ++goal) {
             reached += fmt::format(" | {:.3f} ({})", spent_ms, i);
@@ -292,11 +250,11 @@ void measure_solver(Machine& machine, const Options& options, const fluid::Grid&
     for (; goal < goals.size(); ++goal) {
         reached += fmt::format(" | no: {:.1e}", left);
     }
-    fmt::print("{:.4f}{} |\n", median(times_ms), reached);
+    fmt::print("{:.4f}{} |\n", median_of(rounds.times_ms()), reached);
     static_cast<void>(std::fflush(stdout));
 }
 
-void measure_solvers(Machine& machine, const Options& options, uint32_t side)
+void measure_solvers(bench::Machine& machine, const Options& options, uint32_t side)
 {
     const fluid::Grid grid = grid_of(options, side);
     std::mt19937 random(11);
@@ -319,8 +277,8 @@ void measure_solvers(Machine& machine, const Options& options, uint32_t side)
 
 void measure(const Options& options)
 {
-    Machine machine(options);
-    fmt::print("{}, {}\n", machine.device.info().name, machine.device.info().driver);
+    bench::Machine machine(options.device);
+    fmt::print("{}, {}\n", machine.name(), machine.device.info().driver);
     for (const uint32_t side : options.sizes) {
         if (!options.solvers_only) {
             measure_steps(machine, options, side);
@@ -340,24 +298,18 @@ void measure(const Options& options)
 
 } // namespace
 
-int main(int count, char** arguments)
+int main(int argc, char** argv)
 {
     Options options;
-    CLI::App app("Measures what fluids cost");
-    app.add_option("--device", options.device);
+    CLI::App app("Measures what fluids cost", "estampe_bench_fluid");
+    bench::add_device_option(app, options.device);
     app.add_option("--sizes", options.sizes, "Cells of a side, one or several");
     app.add_option("--depth", options.depth, "Cells along z; 1 for two dimensions");
     app.add_option("--rounds", options.rounds, "Steps to take the median of")->check(CLI::Range(1, 100000));
-    app.add_option("--most-projections", options.most_projections, "After which a solver is given up");
+    app.add_option("--most-projections", options.most_projections, "After which a solver is given up")
+        ->check(CLI::PositiveNumber);
     app.add_flag("--periodic", options.periodic, "Edges that meet in place of walls");
     app.add_flag("--steps-only", options.steps_only);
     app.add_flag("--solvers-only", options.solvers_only);
-    CLI11_PARSE(app, count, arguments);
-    try {
-        measure(options);
-    } catch (const Error& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return 1;
-    }
-    return 0;
+    return bench::run(app, argc, argv, [&] { measure(options); });
 }

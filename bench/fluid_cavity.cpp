@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The lid-driven cavity until it stands still, against Ghia, Ghia and Shin. estampe_bench_fluid_cavity --help
 
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <map>
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <estampe/error.hpp>
-
-#include "gpu/graph/execute.hpp"
+#include "common/command_line.hpp"
+#include "common/machine.hpp"
+#include "common/rounds.hpp"
 #include "techniques/fluid/cavity.hpp"
 #include "techniques/fluid/fluid.hpp"
 #include "techniques/fluid/read_fields.hpp"
@@ -35,46 +32,47 @@ struct Options {
 
 void measure(const Options& options)
 {
-    gpu::Device device(RendererOptions{.device = options.device});
-    gpu::Executor executor(device);
+    bench::Machine machine(options.device);
     const fluid::Grid grid = fluid::cavity_grid(options.side);
-    fluid::Fluid cavity(device, grid);
+    fluid::Fluid cavity(machine.device, grid);
     const fluid::FluidStyle style{.step_s = static_cast<float>(options.courant / options.side),
                                   .stepping = options.stepping,
                                   .velocity_advection = options.advection,
                                   .projection = {.solver = options.solver},
                                   .viscosity_m2_s = 1.0F / static_cast<float>(options.reynolds)};
     const auto steps = static_cast<uint32_t>(options.time_s * options.side / options.courant);
-    const auto begin = std::chrono::steady_clock::now();
+    const bench::WallClock clock;
     constexpr uint32_t reports = 10;
-    for (uint32_t i = 0, reported = 0; i < steps;) {
+    uint32_t taken = 0;
+    uint32_t reported = 0;
+    bench::in_batches(steps, cavity.most_steps(style), [&](uint32_t count, bool /*is_last*/) {
         gpu::Graph graph;
-        const uint32_t count = std::min(steps - i, cavity.most_steps(style));
         const fluid::FluidFields fields = cavity.add_steps(graph, style, count);
-        i += count;
-        if (i * reports / steps == reported) {
-            executor.run(graph);
-            continue;
+        taken += count;
+        if (taken * reports / steps == reported) {
+            machine.executor.run(graph);
+            return;
         }
-        reported = i * reports / steps;
-        const std::vector<float> velocity = fluid::run_and_read(device, executor, graph, fields.velocity);
+        reported = taken * reports / steps;
+        const std::vector<float> velocity =
+            fluid::run_and_read(machine.device, machine.executor, graph, fields.velocity);
         const fluid::CavityFit fit = fluid::cavity_fit(grid, velocity, options.reynolds);
         fmt::print("after {:6.2f} s: rms of u {:.4f}, of v {:.4f}; u from {:.4f}, v from {:.4f} to {:.4f}\n",
-                   static_cast<double>(i) * static_cast<double>(style.step_s), fit.rms_u, fit.rms_v,
+                   static_cast<double>(taken) * static_cast<double>(style.step_s), fit.rms_u, fit.rms_v,
                    fit.least_u, fit.least_v, fit.most_v);
         static_cast<void>(std::fflush(stdout));
-    }
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-    fmt::print("{}: {} steps of {:.3f} ms\n", device.info().name, steps, took.count() / steps);
+    });
+    fmt::print("{}: {} steps of {:.3f} ms\n", machine.name(), steps, clock.ms() / steps);
 }
 
 } // namespace
 
-int main(int count, char** arguments)
+int main(int argc, char** argv)
 {
     Options options;
-    CLI::App app("Lets the lid of a cavity drive what is in it, and compares with what is known");
-    app.add_option("--device", options.device);
+    CLI::App app("Lets the lid of a cavity drive the fluid in it, and compares with the literature",
+                 "estampe_bench_fluid_cavity");
+    bench::add_device_option(app, options.device);
     app.add_option("--reynolds", options.reynolds)->check(CLI::IsMember({100, 400, 1000}));
     app.add_option("--side", options.side, "Cells");
     app.add_option("--time-s", options.time_s);
@@ -92,12 +90,5 @@ int main(int count, char** arguments)
             std::map<std::string, fluid::Solver>{{"jacobi", fluid::Solver::jacobi},
                                                  {"multigrid", fluid::Solver::multigrid},
                                                  {"spectral", fluid::Solver::spectral}}));
-    CLI11_PARSE(app, count, arguments);
-    try {
-        measure(options);
-    } catch (const Error& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return 1;
-    }
-    return 0;
+    return bench::run(app, argc, argv, [&] { measure(options); });
 }

@@ -3,17 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
-#include <estampe/error.hpp>
-#include <estampe/image.hpp>
-
-#include "gpu/graph/execute.hpp"
+#include "common/command_line.hpp"
+#include "common/gray_picture.hpp"
+#include "common/machine.hpp"
 #include "techniques/fluid/fluid.hpp"
 #include "techniques/fluid/read_fields.hpp"
 
@@ -51,52 +46,44 @@ uint8_t gray_of(float density)
 
 void draw(const Options& options)
 {
-    gpu::Device device(RendererOptions{.device = options.device});
-    gpu::Executor executor(device);
+    bench::Machine machine(options.device);
     const fluid::Grid grid{.cells = {options.width, options.width * 3 / 2, 1},
                            .cell_m = 2.0F / static_cast<float>(options.width)};
-    fluid::Fluid smoke(device, grid, 2);
+    fluid::Fluid smoke(machine.device, grid, 2);
     smoke.set_shapes(obstacles(), std::vector{fire()});
     const fluid::FluidStyle style{.step_s = 1.0F / 60.0F,
                                   .forces = {.lift_m_s2 = 1.5F},
                                   .matter = {.fading_per_s = 0.05F, .cooling_per_s = 0.15F}};
     const auto steps = static_cast<uint32_t>(options.time_s / static_cast<double>(style.step_s));
-    for (uint32_t i = 0; i < steps;) {
-        const uint32_t count = std::min(steps - i, smoke.most_steps(style));
+    bench::in_batches(steps, smoke.most_steps(style), [&](uint32_t count, bool /*is_last*/) {
         gpu::Graph graph;
         static_cast<void>(smoke.add_steps(graph, style, count));
-        executor.run(graph);
-        i += count;
-    }
+        machine.executor.run(graph);
+    });
     gpu::Graph graph;
     const fluid::FluidFields fields = smoke.add_steps(graph, style, 0);
-    const std::vector<float> density = fluid::run_and_read(device, executor, graph, *fields.quantities);
-    Image image{.width = grid.cells.x, .height = grid.cells.y};
-    for (uint32_t i = 0; i < grid.cells.x * grid.cells.y; ++i) {
-        const uint32_t row = grid.cells.y - 1 - i / grid.cells.x; // y is up
-        const uint32_t cell = row * grid.cells.x + i % grid.cells.x;
-        const uint8_t gray = gray_of(density[cell]);
-        image.rgba.insert(image.rgba.end(), {gray, gray, gray, 255});
-    }
-    save_png(image, options.picture);
+    const std::vector<float> density =
+        fluid::run_and_read(machine.device, machine.executor, graph, *fields.quantities);
+    bench::save_gray_picture(
+        grid.cells.x, grid.cells.y,
+        [&](uint32_t x, uint32_t y) {
+            const uint32_t row = grid.cells.y - 1 - y; // y of the grid is up
+            return gray_of(density[row * grid.cells.x + x]);
+        },
+        options.picture);
 }
 
 } // namespace
 
-int main(int count, char** arguments)
+int main(int argc, char** argv)
 {
     Options options;
-    CLI::App app("Draws smoke that rises past obstacles");
-    app.add_option("--device", options.device);
-    app.add_option("--picture", options.picture, "PNG file to write");
-    app.add_option("--width", options.width, "Cells; half as many more along y")->check(CLI::Range(16, 2048));
-    app.add_option("--time-s", options.time_s)->check(CLI::Range(0.0, 600.0));
-    CLI11_PARSE(app, count, arguments);
-    try {
-        draw(options);
-    } catch (const Error& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return 1;
-    }
-    return 0;
+    CLI::App app("Draws smoke that rises past obstacles", "estampe_bench_fluid_smoke");
+    bench::add_device_option(app, options.device);
+    app.add_option("--picture", options.picture, "PNG file to write")->capture_default_str();
+    app.add_option("--width", options.width, "Cells; half as many more along y")
+        ->capture_default_str()
+        ->check(CLI::Range(16, 2048));
+    app.add_option("--time-s", options.time_s)->capture_default_str()->check(CLI::Range(0.0, 600.0));
+    return bench::run(app, argc, argv, [&] { draw(options); });
 }

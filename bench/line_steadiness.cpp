@@ -4,18 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <map>
 #include <numeric>
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <estampe/error.hpp>
 #include <estampe/renderer.hpp>
 
+#include "common/command_line.hpp"
+#include "common/film.hpp"
+#include "common/rounds.hpp"
 #include "scene/pose.hpp"
 #include "scene/subdivision.hpp"
 
@@ -25,17 +24,12 @@ using namespace estampe; // NOLINT(google-build-using-namespace): a program of o
 
 struct Options {
     std::string scene;
-    std::string device = "auto";
-    std::vector<std::string> settings;
-    std::string frames_to;
+    bench::FilmOptions film{.style = "comic"};
     uint32_t levels = 0;
     uint32_t frames = 41;
-    uint32_t width = 1920;
-    uint32_t height = 1080;
     double step_deg = 0.25;
     double reach_px = 4.0;
     bool stills = false;
-    bool timings = false;
 };
 
 Scene loaded(const Options& options)
@@ -62,19 +56,15 @@ size_t triangle_count(const Scene& scene)
     return count;
 }
 
-/// Black lines on white, no tone, no grain.
-Style line_style(const Options& options)
+/// Black lines on white, no tone, no grain, but for what --set says.
+Style line_style(const bench::FilmOptions& film)
 {
-    Style style = Style::load("comic");
-    for (const char* setting :
-         {"hatch.drawn=false", "picture.ground=none", "wash.strength=0", "paper.grain=0",
-          "paper.color=#ffffff", "paper.ink_break=0", "bleed.width_mm=0", "contour.ink=#000000"}) {
-        style.set(setting);
-    }
-    for (const std::string& setting : options.settings) {
-        style.set(setting);
-    }
-    return style;
+    bench::FilmOptions plain = film;
+    plain.assignments = {"hatch.drawn=false", "picture.ground=none", "wash.strength=0",
+                         "paper.grain=0",     "paper.color=#ffffff", "paper.ink_break=0",
+                         "bleed.width_mm=0",  "contour.ink=#000000"};
+    plain.assignments.insert(plain.assignments.end(), film.assignments.begin(), film.assignments.end());
+    return plain.load_style();
 }
 
 std::vector<uint8_t> lines_in(const Image& image)
@@ -133,45 +123,39 @@ Camera turned(const Camera& camera, double angle_deg)
     return result;
 }
 
-double median(std::vector<double>& values)
+/// The passes that draw lines.
+std::vector<PassTiming> line_passes(const Renderer& renderer)
 {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+    std::vector<PassTiming> passes = renderer.timings();
+    std::erase_if(passes, [](const PassTiming& pass) { return !pass.name.starts_with("contour/"); });
+    return passes;
 }
 
 void measure(const Options& options)
 {
     const Scene scene = loaded(options);
-    Renderer renderer({.device = options.device});
+    const uint32_t width = options.film.width;
+    const uint32_t height = options.film.height;
+    Renderer renderer({.device = options.film.device});
     renderer.set_scene(scene);
-    const Style style = line_style(options);
-    const Camera first = framing_camera(scene, pose_scene(scene, 0.0, no_index),
-                                        static_cast<double>(options.width) / options.height);
+    const Style style = line_style(options.film);
+    const Camera first =
+        framing_camera(scene, pose_scene(scene, 0.0, no_index), static_cast<double>(width) / height);
     std::vector<double> shares;
-    std::vector<double> lines_ms;
-    std::map<std::string, std::vector<double>> pass_ms;
+    bench::Rounds lines_drawn;
     std::vector<uint8_t> lines_before;
     std::vector<uint8_t> near_before;
     for (uint32_t frame = 0; frame < options.frames; ++frame) {
-        RenderSettings settings{.width = options.width, .height = options.height, .time_passes = true};
+        RenderSettings settings{.width = width, .height = height, .time_passes = true};
         settings.continuity = options.stills ? Continuity::still
                               : frame == 0   ? Continuity::starts
                                              : Continuity::follows;
         const Image image = renderer.render(turned(first, frame * options.step_deg), style, settings);
-        double sum_ms = 0.0;
-        for (const PassTiming& pass : renderer.timings()) {
-            if (pass.name.starts_with("contour/")) {
-                sum_ms += pass.gpu_ms;
-                pass_ms[pass.name].push_back(pass.gpu_ms);
-            }
-        }
-        lines_ms.push_back(sum_ms);
-        if (!options.frames_to.empty()) {
-            save_png(image, fmt::format("{}/{:03}.png", options.frames_to, frame));
-        }
+        const std::vector<PassTiming> passes = line_passes(renderer);
+        lines_drawn.add(bench::sum_ms(passes), passes);
+        options.film.save(image, static_cast<int>(frame));
         std::vector<uint8_t> lines = lines_in(image);
-        std::vector<uint8_t> near_lines = grown(lines, options.width, options.height, options.reach_px);
+        std::vector<uint8_t> near_lines = grown(lines, width, height, options.reach_px);
         if (frame > 0) {
             shares.push_back(percent_alone(lines, near_before));
             shares.push_back(percent_alone(lines_before, near_lines));
@@ -179,45 +163,30 @@ void measure(const Options& options)
         lines_before = std::move(lines);
         near_before = std::move(near_lines);
     }
-    for (auto& [name, times] : pass_ms) {
-        if (options.timings) {
-            fmt::print("{:28} {:8.3f} ms x {}\n", name, median(times), times.size() / options.frames);
-        }
-    }
     const double mean =
         std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
     fmt::print(
         "{}: {} triangles, {} frames of {} degrees at {}x{}: line pixels without a line within {} px in "
         "the neighbouring frame: mean {:.4f} %, worst {:.4f} %\n",
-        options.scene, triangle_count(scene), options.frames, options.step_deg, options.width, options.height,
-        options.reach_px, mean, *std::max_element(shares.begin(), shares.end()));
-    fmt::print("lines on {}: median {:.3f} ms a frame\n", renderer.device().name, median(lines_ms));
+        options.scene, triangle_count(scene), options.frames, options.step_deg, width, height,
+        options.reach_px, mean, std::ranges::max(shares));
+    fmt::print("lines on {}: {} a frame\n{}", renderer.device().name, lines_drawn.text(),
+               options.film.passes ? lines_drawn.passes_table() : "");
 }
 
 } // namespace
 
-int main(int count, char** arguments)
+int main(int argc, char** argv)
 {
     Options options;
-    CLI::App app("Measures how steady lines are while a scene turns");
+    CLI::App app("Measures how steady lines are while a scene turns", "estampe_bench_line_steadiness");
     app.add_option("scene", options.scene)->required();
+    options.film.add_to(app);
     app.add_option("--levels", options.levels, "Subdivide so many times first");
-    app.add_option("--frames", options.frames)->check(CLI::Range(2, 100000));
-    app.add_option("--width", options.width);
-    app.add_option("--height", options.height);
-    app.add_option("--step-deg", options.step_deg);
-    app.add_option("--reach-px", options.reach_px);
-    app.add_option("--set", options.settings, "One parameter of the style; may be repeated");
-    app.add_option("--device", options.device);
-    app.add_option("--frames-to", options.frames_to, "Folder to write the frames to");
-    app.add_flag("--stills", options.stills, "No frame goes on from the one before");
-    app.add_flag("--timings", options.timings, "Time of every pass that draws lines");
-    CLI11_PARSE(app, count, arguments);
-    try {
-        measure(options);
-    } catch (const Error& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return 1;
-    }
-    return 0;
+    app.add_option("--frames", options.frames)->capture_default_str()->check(CLI::Range(2, 100000));
+    app.add_option("--step-deg", options.step_deg, "Turn from frame to frame")->capture_default_str();
+    app.add_option("--reach-px", options.reach_px, "Distance within which a line counts as the same one")
+        ->capture_default_str();
+    app.add_flag("--stills", options.stills, "Draw each frame as a still, without the frame before it");
+    return bench::run(app, argc, argv, [&] { measure(options); });
 }

@@ -3,19 +3,16 @@
 // estampe_bench_slabs --help
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <estampe/error.hpp>
-#include <estampe/image.hpp>
-
-#include "gpu/graph/execute.hpp"
+#include "common/command_line.hpp"
+#include "common/gray_picture.hpp"
+#include "common/machine.hpp"
+#include "common/rounds.hpp"
 #include "gpu/read_back.hpp"
 #include "style/sheet.hpp"
 #include "techniques/terrain/slabs/slabs.hpp"
@@ -77,12 +74,9 @@ void save_picture(const Ground& ground, const Options& options)
     const double elevation = glm::radians(options.sun_elevation_deg);
     const glm::dvec3 sun(std::cos(azimuth) * std::cos(elevation), std::sin(elevation),
                          std::sin(azimuth) * std::cos(elevation));
-    Image image{.width = ground.side, .height = ground.side};
-    for (uint32_t i = 0; i < ground.side * ground.side; ++i) {
-        const uint8_t gray = shade(ground, glm::ivec2(i % ground.side, i / ground.side), sun);
-        image.rgba.insert(image.rgba.end(), {gray, gray, gray, 255});
-    }
-    save_png(image, options.picture);
+    bench::save_gray_picture(
+        ground.side, ground.side,
+        [&](uint32_t x, uint32_t y) { return shade(ground, glm::ivec2(x, y), sun); }, options.picture);
 }
 
 /// Share of the cells steeper than the angle of repose allows, and of those between 30 and 34 degrees.
@@ -110,25 +104,22 @@ void measure(const Options& options)
     for (const std::string& setting : options.settings) {
         sheet.set(setting);
     }
-    gpu::Device device(RendererOptions{.device = options.device});
-    gpu::Executor executor(device);
-    terrain::SlabField field(device, style, options.side);
+    bench::Machine machine(options.device);
+    terrain::SlabField field(machine.device, style, options.side);
     const uint64_t size_bytes = sizeof(float) * uint64_t{options.side} * options.side;
-    gpu::Buffer read_back(device, "heights", size_bytes, gpu::MemoryUse::readback);
-    const auto begin = std::chrono::steady_clock::now();
-    for (uint32_t left = options.steps; left > 0;) {
-        gpu::Graph graph;
-        const uint32_t count = std::min(left, terrain::SlabField::most_steps(style));
-        left -= count;
-        const gpu::ImageId height = field.add_steps(graph, style, count);
-        if (left == 0) {
-            gpu::add_read_back(graph, "read back", height, read_back);
-        }
-        executor.run(graph);
-    }
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-    fmt::print("{}: {} steps of {} x {} cells on {}: {:.4f} ms a step\n", device.info().name, options.steps,
-               options.side, options.side, device.info().driver, took.count() / options.steps);
+    gpu::Buffer read_back(machine.device, "heights", size_bytes, gpu::MemoryUse::readback);
+    const bench::WallClock clock;
+    bench::in_batches(options.steps, terrain::SlabField::most_steps(style),
+                      [&](uint32_t count, bool is_last) {
+                          gpu::Graph graph;
+                          const gpu::ImageId height = field.add_steps(graph, style, count);
+                          if (is_last) {
+                              gpu::add_read_back(graph, "read back", height, read_back);
+                          }
+                          machine.executor.run(graph);
+                      });
+    fmt::print("{}: {} steps of {} x {} cells on {}: {:.4f} ms a step\n", machine.name(), options.steps,
+               options.side, options.side, machine.device.info().driver, clock.ms() / options.steps);
     const auto heights = gpu::items_of<float>(read_back);
     const Ground ground{.side = options.side,
                         .cell_m = static_cast<double>(style.cell_m),
@@ -141,23 +132,16 @@ void measure(const Options& options)
 
 } // namespace
 
-int main(int count, char** arguments)
+int main(int argc, char** argv)
 {
     Options options;
-    CLI::App app("Measures what a step of slabs costs");
-    app.add_option("--side", options.side, "Cells");
-    app.add_option("--steps", options.steps)->check(CLI::Range(1, 10000000));
-    app.add_option("--set", options.settings, "One parameter of the style; may be repeated");
-    app.add_option("--device", options.device);
+    CLI::App app("Measures what a step of slabs costs", "estampe_bench_slabs");
+    app.add_option("--side", options.side, "Cells of a side, a power of two")->capture_default_str();
+    app.add_option("--steps", options.steps)->capture_default_str()->check(CLI::Range(1, 10000000));
+    bench::add_set_option(app, options.settings);
+    bench::add_device_option(app, options.device);
     app.add_option("--picture", options.picture, "PNG file to write");
-    app.add_option("--sun-azimuth-deg", options.sun_azimuth_deg);
-    app.add_option("--sun-elevation-deg", options.sun_elevation_deg);
-    CLI11_PARSE(app, count, arguments);
-    try {
-        measure(options);
-    } catch (const Error& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return 1;
-    }
-    return 0;
+    app.add_option("--sun-azimuth-deg", options.sun_azimuth_deg)->capture_default_str();
+    app.add_option("--sun-elevation-deg", options.sun_elevation_deg)->capture_default_str();
+    return bench::run(app, argc, argv, [&] { measure(options); });
 }

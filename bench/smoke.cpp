@@ -2,21 +2,16 @@
 // What smoke costs, pass by pass: a step of its fluid, its shape and light, and its drawing on a page that it
 // fills. estampe_bench_smoke --help
 
-#include <algorithm>
-#include <chrono>
-#include <cstdio>
-#include <map>
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <estampe/error.hpp>
-
+#include "common/command_line.hpp"
+#include "common/machine.hpp"
+#include "common/rounds.hpp"
 #include "features/common/view.hpp"
 #include "gpu/fills.hpp"
-#include "gpu/graph/execute.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/read_back.hpp"
 #include "gpu/upload.hpp"
@@ -37,46 +32,25 @@ struct Options {
     bool puffs = true;
 };
 
-/// Times of passes by name, as means over rounds, and of all of them as a median.
-class Stopwatch {
+/// Runs graphs of one kind, and prints what they took.
+class Measured {
 public:
-    explicit Stopwatch(const Options& options)
-        : device(RendererOptions{.device = options.device}), executor(device)
-    {
-    }
+    explicit Measured(bench::Machine& machine) : machine_(machine) {}
 
     void run(const gpu::Graph& graph)
     {
-        const auto begin = std::chrono::steady_clock::now();
-        executor.run(graph);
-        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-        double sum_ms = 0.0;
-        for (const PassTiming& timing : executor.timings()) {
-            pass_ms_[timing.name] += timing.gpu_ms;
-            sum_ms += timing.gpu_ms;
-        }
-        // A processor's own clock is wrong for short passes.
-        times_ms_.push_back(device.info().software ? took.count() : sum_ms);
+        const double ms = machine_.run(graph);
+        rounds_.add(ms, machine_.passes());
     }
 
-    void print(const char* what)
+    void print(const char* what) const
     {
-        std::ranges::sort(times_ms_);
-        fmt::print("{}: {:.4f} ms\n  ", what, times_ms_[times_ms_.size() / 2]);
-        for (const auto& [name, ms] : pass_ms_) {
-            fmt::print(" {} {:.4f}", name, ms / static_cast<double>(times_ms_.size()));
-        }
-        fmt::print("\n");
-        times_ms_.clear();
-        pass_ms_.clear();
+        fmt::print("{}: {}\n{}", what, rounds_.text(), rounds_.passes_table());
     }
-
-    gpu::Device device;
-    gpu::Executor executor;
 
 private:
-    std::vector<double> times_ms_;
-    std::map<std::string, double> pass_ms_;
+    bench::Machine& machine_;
+    bench::Rounds rounds_;
 };
 
 /// A box of two metres about the origin.
@@ -100,22 +74,23 @@ fluid::FluidStyle solving()
 
 void measure(const Options& options)
 {
-    Stopwatch watch(options);
+    bench::Machine machine(options.device);
     const smoke::Box box = box_of(options.cells);
     const fluid::Edge open = fluid::Edge::periodic;
-    fluid::Fluid fluid(watch.device, {.cells = box.cells, .cell_m = box.cell_m, .edges = {open, open, open}},
-                       2);
+    fluid::Fluid fluid(machine.device,
+                       {.cells = box.cells, .cell_m = box.cell_m, .edges = {open, open, open}}, 2);
     fluid::Source source{.shape = fluid::disc({1.0F, 0.4F, 1.0F}, 0.3F)};
     source.gain_per_s = {6.0F, 2.0F};
     fluid.set_shapes({}, std::vector{source});
+    Measured steps(machine);
     for (uint32_t i = 0; i < options.steps; ++i) {
         gpu::Graph graph;
         static_cast<void>(fluid.add_steps(graph, solving(), 1));
-        watch.run(graph);
+        steps.run(graph);
     }
     fmt::print("{0} x {0} x {0} cells, {1} x {2} pixels, {3}\n", options.cells, options.size_px.x,
-               options.size_px.y, watch.device.info().name);
-    watch.print("a step");
+               options.size_px.y, machine.name());
+    steps.print("a step");
 
     smoke::SmokeStyle style{.drawn = true};
     style.puffs = options.puffs;
@@ -124,25 +99,27 @@ void measure(const Options& options)
                                                   : smoke::Sampling::rays;
     const std::vector<smoke::Lamp> sun{{.place = {0.5F, 0.7F, 0.4F}, .luminance = 1.0F}};
     const shared::SmokeGlobals around = smoke::globals_of(std::span(&box, 1), style, {.lamps = sun});
-    auto globals = gpu::upload_buffer(watch.device, "smoke", std::vector{around});
+    auto globals = gpu::upload_buffer(machine.device, "smoke", std::vector{around});
     // The box is as high as the page.
     const Camera camera{.eye = {0.6, 0.3, 4.4}, .target = {0.0, 0.0, 0.0}};
     auto frame = gpu::upload_buffer(
-        watch.device, "frame",
+        machine.device, "frame",
         std::vector{features::frame_globals(camera, {}, glm::dvec3(0.0), {.size_px = options.size_px})});
     smoke::VolumeMemory memory;
-    memory.ensure(watch.device, around);
-    gpu::Buffer pixels(watch.device, "pixels", uint64_t{4} * options.size_px.x * options.size_px.y,
+    memory.ensure(machine.device, around);
+    gpu::Buffer pixels(machine.device, "pixels", uint64_t{4} * options.size_px.x * options.size_px.y,
                        gpu::MemoryUse::readback);
+    Measured shaping(machine);
     for (uint32_t i = 0; i < options.rounds; ++i) {
         gpu::Graph graph;
         const fluid::FluidFields fields = fluid.add_steps(graph, solving(), 0);
         smoke::add_volume(
             graph, memory, style,
             {.globals = gpu::import_whole(graph, "smoke", globals), .densities = {*fields.quantities}});
-        watch.run(graph);
+        shaping.run(graph);
     }
-    watch.print("shape and light");
+    shaping.print("shape and light");
+    Measured drawing(machine);
     for (uint32_t i = 0; i < options.rounds; ++i) {
         gpu::Graph graph;
         const gpu::ImageDesc page{.width = options.size_px.x, .height = options.size_px.y};
@@ -160,18 +137,18 @@ void measure(const Options& options)
                             .lines = gpu::add_filled_image(graph, "lines", page, glm::vec4(0.0F)),
                             .pixels_per_mm = static_cast<float>(options.size_px.y) / 150.0F});
         gpu::add_read_back(graph, "read back", layer.paint, pixels);
-        watch.run(graph);
+        drawing.run(graph);
     }
-    watch.print("drawing, and reading it back");
+    drawing.print("drawing, and reading it back");
 }
 
 } // namespace
 
-int main(int count, char** arguments)
+int main(int argc, char** argv)
 {
     Options options;
-    CLI::App app("Measures smoke");
-    app.add_option("--device", options.device);
+    CLI::App app("Measures what smoke costs", "estampe_bench_smoke");
+    bench::add_device_option(app, options.device);
     app.add_option("--cells", options.cells, "Along each side of the box, a power of two")
         ->check(CLI::Range(16, 256));
     app.add_option("--width", options.size_px.x)->check(CLI::Range(16, 8192));
@@ -180,12 +157,5 @@ int main(int count, char** arguments)
     app.add_option("--rounds", options.rounds)->check(CLI::Range(1, 100000));
     app.add_option("--sampling", options.sampling)->check(CLI::IsMember({"rays", "axis", "view"}));
     app.add_flag("!--plain", options.puffs, "Without puffs");
-    CLI11_PARSE(app, count, arguments);
-    try {
-        measure(options);
-    } catch (const Error& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return 1;
-    }
-    return 0;
+    return bench::run(app, argc, argv, [&] { measure(options); });
 }

@@ -3,21 +3,19 @@
 // from the dunes to the last hall and back, and is drawn as it goes. estampe_bench_temple_walk --help
 
 #include <algorithm>
-#include <chrono>
 #include <ctime>
 #include <fstream>
-#include <map>
-#include <string>
 #include <vector>
 
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <estampe/error.hpp>
 #include <estampe/renderer.hpp>
 
+#include "common/command_line.hpp"
+#include "common/film.hpp"
+#include "common/rounds.hpp"
 #include "temple/temple.hpp"
 #include "temple/tour.hpp"
 #include "temple/visit.hpp"
@@ -27,15 +25,10 @@ namespace {
 using namespace estampe; // NOLINT(google-build-using-namespace): a program of one file
 
 struct Options {
-    std::string device = "auto";
-    std::string style = "temple-day";
-    std::vector<std::string> set;
-    std::string pictures;
+    bench::FilmOptions film{.style = "temple-day", .width = 320, .height = 180};
     uint64_t seed = 1;
-    glm::uvec2 size_px{320, 180};
     double minutes = 10.0;
     double frames_per_s = 1.0;
-    bool passes = false;
 };
 
 /// What the program itself has of the machine's memory.
@@ -62,18 +55,18 @@ class Walk {
 public:
     explicit Walk(const Options& options)
         : options_(options), scene_(temple::build_temple(options.seed)), visit_(scene_, options.seed),
-          tour_(visit_, options.seed), renderer_({.device = options.device}),
-          style_(Style::load(options.style))
+          tour_(visit_, options.seed), renderer_({.device = options.film.device}),
+          style_(options.film.load_style())
     {
-        for (const std::string& assignment : options.set) {
-            style_.set(assignment);
-        }
         renderer_.set_scene(scene_);
     }
 
     void run()
     {
         const auto frames = static_cast<int>(60.0 * options_.minutes * options_.frames_per_s);
+        if (frames <= first) {
+            throw CLI::ValidationError("--minutes", fmt::format("must come to more than {} frames", first));
+        }
         for (int number = 0; number < frames; ++number) {
             const double until_s = (number + 1) / options_.frames_per_s;
             for (; time_s_ < until_s; time_s_ += walk::Walker::step_s) {
@@ -95,7 +88,7 @@ public:
             return values;
         };
         fmt::print("{} on {}, {} x {}, seed {}: {} frames of {} minutes, {} rounds, last hall {}\n",
-                   options_.style, renderer_.device().name, options_.size_px.x, options_.size_px.y,
+                   options_.film.style, renderer_.device().name, options_.film.width, options_.film.height,
                    options_.seed, frames_.size(), options_.minutes, tour_.rounds(),
                    visit_.since_arrival_s() ? "reached" : "not reached");
         for (const auto& [name, member] :
@@ -120,24 +113,12 @@ public:
             fmt::print("  {:.1f} ms at {:.0f} s, {:.1f} {:.1f} {:.1f}\n", slow[i].wall_ms, slow[i].at_s,
                        slow[i].eye_m.x, slow[i].eye_m.y, slow[i].eye_m.z);
         }
-        if (options_.passes) {
-            print_passes();
+        if (options_.film.passes) {
+            fmt::print("{}", by_passes_.passes_table());
         }
     }
 
 private:
-    void print_passes() const
-    {
-        std::vector<std::pair<double, std::string>> passes;
-        for (const auto& [name, ms] : passes_ms_) {
-            passes.emplace_back(ms / static_cast<double>(frames_.size() - first), name);
-        }
-        std::ranges::sort(passes, std::ranges::greater{});
-        for (const auto& [ms, name] : passes) {
-            fmt::print("  {:<32} {:.4f} ms\n", name, ms);
-        }
-    }
-
     static constexpr int first = 4; ///< frames in which shaders are still compiled
 
     /// A walker looks where it goes.
@@ -163,27 +144,24 @@ private:
         }
         const Camera camera{.eye = eye, .target = eye + look_, .vertical_fov_rad = 0.92, .near_m = 0.1};
         const std::clock_t cpu_begin = std::clock();
-        const auto begin = std::chrono::steady_clock::now();
+        const bench::WallClock clock;
         const Image image =
             renderer_.render(camera, style_,
-                             {.width = options_.size_px.x,
-                              .height = options_.size_px.y,
+                             {.width = options_.film.width,
+                              .height = options_.film.height,
                               .time_s = time_s_,
                               .continuity = number == 0 ? Continuity::starts : Continuity::follows,
-                              .time_passes = options_.passes});
-        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-        Frame frame{.at_s = time_s_, .wall_ms = took.count(), .eye_m = eye};
+                              .time_passes = options_.film.passes});
+        Frame frame{.at_s = time_s_, .wall_ms = clock.ms(), .eye_m = eye};
         frame.cpu_ms = 1e3 * static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC;
         frame.gpu_ms = renderer_.gpu_ms();
-        for (const PassTiming& pass : renderer_.timings()) {
-            passes_ms_[pass.name] += number >= first ? pass.gpu_ms : 0.0;
+        if (number >= first) {
+            by_passes_.add(frame.gpu_ms, renderer_.timings());
         }
         frame.resident_mb = resident_mb();
         frame.device_mb = 1e-6 * static_cast<double>(renderer_.device_memory_bytes());
         frames_.push_back(frame);
-        if (!options_.pictures.empty()) {
-            save_png(image, fmt::format("{}/{:05}.png", options_.pictures, number));
-        }
+        options_.film.save(image, number);
     }
 
     const Options& options_;
@@ -195,7 +173,7 @@ private:
     glm::dvec3 look_{0.0, 0.0, -1.0};
     double time_s_ = 0.0;
     std::vector<Frame> frames_;
-    std::map<std::string, double> passes_ms_; ///< of all frames that count
+    bench::Rounds by_passes_; ///< frames that count
 };
 
 } // namespace
@@ -203,27 +181,15 @@ private:
 int main(int argc, char** argv)
 {
     Options options;
-    CLI::App program("Draws a walk through the temple, and measures each frame");
-    program.add_option("--device", options.device, "auto, cpu or an index")->capture_default_str();
-    program.add_option("--style", options.style)->capture_default_str();
-    program.add_option("--set", options.set, "A parameter of the style, KEY=VALUE");
-    program.add_option("--seed", options.seed)->capture_default_str();
-    program.add_option("--width", options.size_px.x)->capture_default_str();
-    program.add_option("--height", options.size_px.y)->capture_default_str();
-    program.add_option("--minutes", options.minutes, "Of the walk")->capture_default_str();
-    program.add_option("--fps", options.frames_per_s, "Frames a second of it that are drawn")
+    CLI::App app("Draws a walk through the temple, and measures each frame", "estampe_bench_temple_walk");
+    options.film.add_to(app);
+    app.add_option("--seed", options.seed, "Random seed of the temple")->capture_default_str();
+    app.add_option("--minutes", options.minutes, "Length of the walk")->capture_default_str();
+    app.add_option("--fps", options.frames_per_s, "Frames drawn per second of the walk")
         ->capture_default_str();
-    program.add_option("--pictures", options.pictures, "A folder that frames are written to");
-    program.add_flag("--passes", options.passes,
-                     "Also what each pass costs on average, with which a frame takes longer");
-    CLI11_PARSE(program, argc, argv);
-    try {
+    return bench::run(app, argc, argv, [&] {
         Walk walk(options);
         walk.run();
         walk.print();
-    } catch (const Error& problem) {
-        fmt::print(stderr, "{}\n", problem.what());
-        return 1;
-    }
-    return 0;
+    });
 }

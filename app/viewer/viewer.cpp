@@ -10,8 +10,8 @@
 #include <imgui.h>
 
 #include "core/file.hpp"
+#include "core/text.hpp"
 #include "features/common/style_tables.hpp"
-#include "text.hpp"
 #include "transparent_option.hpp"
 #include "viewer/jobs.hpp"
 #include "viewer/terrain_text.hpp"
@@ -75,7 +75,7 @@ Viewer::~Viewer()
 void Viewer::report(const std::string& text) const
 {
     if (command_.verbose) {
-        app::say(fmt::format("{:8.3f} {}\n", app::seconds_since(start_), text));
+        say(fmt::format("{:8.3f} {}\n", app::seconds_since(start_), text));
     }
 }
 

@@ -471,43 +471,8 @@ expect_error 1 'sheet.png' tam -o a.tam --brush missing-sheet.png
 head -c 2000 a.tam >truncated.tam
 expect_error 1 'truncated.tam' tam --from truncated.tam -o g.tam
 
-# Benches
-expect_success bench lights --counts 2,70 --shadowed 1 --frames 1 --size 64x36 --device cpu -o lights.svg
-expect_printed '^ *70 '
-[[ "$(head -c 4 lights.svg)" == "<svg" ]] || wrong "lights.svg is no SVG"
-expect_success bench lights --counts 1 --frames 1 --size 64x36 --device cpu --json
-expect_printed '"light_ms"'
-expect_success bench triangles lamps --frames 1 --size 64x36 --most 0.02 --device cpu --json bench.json --csv bench.csv --plots plots
-expect_printed '^lamps, by lamps'
-expect_printed '^ *10000 '
-grep -q '^triangles,triangles,10000,' bench.csv || wrong "bench.csv lacks a row"
-[[ "$(head -c 4 plots/lamps.svg)" == "<svg" ]] || wrong "plots/lamps.svg is no SVG"
-expect_success bench --compare bench.json bench.json
-expect_printed ' 1.000 '
-expect_error 2 'no series .lumps.' bench lumps
-expect_error 2 'must end in .json' bench --json bench.txt
-expect_error 2 'leave out series' bench lamps --compare bench.json bench.json
-expect_error 2 '--most' bench --most 2
-expect_error 1 'bench.csv/plots' bench lamps --most 0.001 --plots bench.csv/plots
-expect_error 1 'nothing.json' bench --compare bench.json nothing.json
-echo "{}" >empty.json
-expect_error 1 "no result of estampe bench" bench --compare bench.json empty.json
-expect_error 2 '--counts' bench lights --counts 0
-expect_success bench lab min --rounds 1 --device cpu --json lab.json --csv lab.csv
-expect_printed '^if (x > a) x = a '
-grep -q '"against": "min(x, a)"' lab.json || wrong "lab.json does not say what is compared"
-[[ "$(wc -l <lab.csv)" == 5 ]] || wrong "lab.csv has not a row for each kernel"
-expect_error 2 'no experiment .lumps.' bench lab lumps
-expect_error 2 '--rounds' bench lab --rounds 0
-expect_success bench roofline field --frames 1 --size 64x36 --least 0 --device cpu --json roof.json --csv roof.csv
-expect_printed 'GB/s'
-expect_printed '^light'
-grep -q '^field,"light' roof.csv || wrong "roof.csv lacks the light"
-grep -q '"share_of_copy"' roof.json || wrong "roof.json lacks shares"
-expect_error 2 'no picture .lumps.' bench roofline lumps
-expect_error 2 '--least' bench roofline --least 1
+# Pipelines that are not kept
 expect_success render scene.glb -o kept.png --size 64x36 --device cpu --no-cache
-expect_error 2 'must end in .svg' bench lights -o lights.png
 
 # Lightmaps
 quick=(--size 512 --samples 1 --bounces 1)

@@ -73,7 +73,5 @@ offers temple render te
 offers temple info te
 offers_not temple render -o te
 offers weather= view temple --world we
-offers lights bench ""
-offers_not lights ""
 offers_not --samples info --
 [[ $failures -eq 0 ]]

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The commands of estampe_lab. Each function adds the options of one to `command` and returns what runs it
+// once the command line is parsed. That throws Error when something cannot be measured or written.
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace estampe::lab {
+
+using Job = std::function<void()>;
+
+/// Measures the series, or compares two results.
+[[nodiscard]] Job add_series(CLI::App& command);
+
+/// Measures what lights cost.
+[[nodiscard]] Job add_lights(CLI::App& command);
+
+/// Runs the kernels that show what makes a shader quick or slow.
+[[nodiscard]] Job add_kernels(CLI::App& command);
+
+/// Holds each pass against what the device can copy and compute.
+[[nodiscard]] Job add_roofline(CLI::App& command);
+
+/// Files that a result is written to besides standard output.
+class ResultFiles {
+public:
+    /// Adds --json and --csv. This object must outlive the job.
+    void add_to(CLI::App& command);
+
+    [[nodiscard]] bool is_any() const { return !json_.empty() || !csv_.empty(); }
+
+    /// Throws Error when a file cannot be written, which is known before anything is measured.
+    void check() const;
+
+    /// Writes json_of(result) and csv_of(result) to the files that were asked for.
+    template <class Result>
+    void write(const Result& result) const
+    {
+        write_text(json_, [&] { return json_of(result); });
+        write_text(csv_, [&] { return csv_of(result); });
+    }
+
+    /// Calls `text` and writes what it returns, unless `file` is empty.
+    static void write_text(const std::string& file, const std::function<std::string()>& text);
+
+private:
+    std::string json_;
+    std::string csv_;
+};
+
+/// The names of `entries`.
+template <class Entries>
+[[nodiscard]] std::vector<std::string> names_of(const Entries& entries)
+{
+    std::vector<std::string> names;
+    names.reserve(entries.size());
+    for (const auto& entry : entries) {
+        names.emplace_back(entry.name);
+    }
+    return names;
+}
+
+/// Those of `entries` that are named; all if none is.
+template <class Entry>
+[[nodiscard]] std::vector<const Entry*> chosen(const std::vector<Entry>& entries,
+                                               const std::vector<std::string>& names)
+{
+    std::vector<const Entry*> result;
+    for (const Entry& entry : entries) {
+        if (names.empty() || std::ranges::find(names, entry.name) != names.end()) {
+            result.push_back(&entry);
+        }
+    }
+    return result;
+}
+
+/// A line for each entry: its name, and what it is about.
+template <class Entries>
+[[nodiscard]] std::string list_of(const Entries& entries)
+{
+    std::string list;
+    for (const auto& entry : entries) {
+        const std::string name = entry.name;
+        list += "  " + name + std::string(name.size() < 12 ? 12 - name.size() : 0, ' ') + " " + entry.about +
+                "\n";
+    }
+    return list;
+}
+
+} // namespace estampe::lab

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace estampe {
+
+/// `text` on one line: control characters, which could command a terminal, become "\x1b".
+[[nodiscard]] std::string one_line(std::string_view text);
+
+/// `text`, or its beginning and its end if it is too long to be read.
+[[nodiscard]] std::string shortened(const std::string& text);
+
+/// `text` on one line, in double quotes.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
+/// Writes to standard error. If that is full or closed, the text is lost and nothing fails.
+void say(const std::string& text);
+
+} // namespace estampe
