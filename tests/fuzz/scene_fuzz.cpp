@@ -206,11 +206,11 @@ void lay_charts(const Scene& scene)
 {
     const StaticTriangles triangles = static_triangles(scene);
     (void)geometry_fingerprint(triangles);
-    std::vector<bake::Chart> charts = bake::cut_charts(triangles.positions);
-    if (std::optional<bake::Chart> own = bake::own_chart(triangles.positions, triangles.uvs[0])) {
-        charts = {std::move(*own)};
+    std::vector<charts::Chart> cut = charts::cut_charts(triangles.positions);
+    if (std::optional<charts::Chart> own = charts::own_chart(triangles.positions, triangles.uvs[0])) {
+        cut = {std::move(*own)};
     }
-    (void)bake::covered_texels(bake::pack_charts(charts, triangles.count(), 64));
+    (void)charts::covered_texels(charts::pack_charts(cut, triangles.count(), 64));
 }
 
 } // namespace
