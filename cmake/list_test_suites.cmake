@@ -1,4 +1,5 @@
 # cmake -D program=... -D list=FILE -D label=... -D timeout=... -D quick_suites=FILE -P list_test_suites.cmake
+cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND ${program} --gtest_list_tests OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "[^\n]+" lines "${output}")
 file(STRINGS ${quick_suites} quick REGEX "^[^#]")
