@@ -1,13 +1,19 @@
-# cmake -D program=... -D list=FILE -D label=... -D timeout=... -P list_test_suites.cmake
+# cmake -D program=... -D list=FILE -D label=... -D timeout=... -D quick_suites=FILE -P list_test_suites.cmake
+cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND ${program} --gtest_list_tests OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "[^\n]+" lines "${output}")
+file(STRINGS ${quick_suites} quick REGEX "^[^#]")
 set(tests "")
 foreach(line IN LISTS lines)
   if(line MATCHES "^([A-Za-z0-9_/]+)\\.( |$)")
     set(suite ${CMAKE_MATCH_1})
     string(REPLACE "/" "_" name ${suite})
+    set(labels ${label})
+    if(name IN_LIST quick OR (label STREQUAL "unit" AND NOT "-${name}" IN_LIST quick))
+      list(APPEND labels quick)
+    endif()
     string(APPEND tests "add_test([=[${name}]=] [=[${program}]=] [=[--gtest_filter=${suite}.*]=])\n"
-                        "set_tests_properties([=[${name}]=] PROPERTIES LABELS ${label} TIMEOUT ${timeout})\n")
+                        "set_tests_properties([=[${name}]=] PROPERTIES LABELS [=[${labels}]=] TIMEOUT ${timeout})\n")
   endif()
 endforeach()
 file(WRITE ${list} "${tests}")

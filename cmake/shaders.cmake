@@ -3,6 +3,10 @@
 # file name, in whatever folders. GLSL may include from src/ ("shaders/noise.glsl").
 
 find_program(GLSLC glslc REQUIRED)
+set(glslc_warnings "")
+if(ESTAMPE_WERROR)
+  set(glslc_warnings -Werror)
+endif()
 
 # Compiles `source` with the macros that follow `file`, which names the result as if the shader were a file of that name.
 function(estampe_compile_shader name source file)
@@ -17,7 +21,7 @@ function(estampe_compile_shader name source file)
   list(TRANSFORM ARGN PREPEND -D OUTPUT_VARIABLE defines)
   add_custom_command(
     OUTPUT ${words}
-    COMMAND ${GLSLC} --target-env=vulkan1.3 -O -Werror -I ${PROJECT_SOURCE_DIR}/src ${defines} -mfmt=num
+    COMMAND ${GLSLC} --target-env=vulkan1.3 -O ${glslc_warnings} -I ${PROJECT_SOURCE_DIR}/src ${defines} -mfmt=num
             -MD -MF ${words}.d -MT ${words} -o ${words} ${source}
     DEPENDS ${source}
     DEPFILE ${words}.d

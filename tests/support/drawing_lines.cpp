@@ -60,6 +60,19 @@ void Drawing::begin_film_frame(contour::LineHistory& history, bool continues, bo
     history.begin_frame(shared_device(), size_px, continues, has_hidden);
 }
 
+std::vector<shared::ListSize> Drawing::chain_sizes(const contour::ContourStyle& style)
+{
+    features::LineMeshes meshes;
+    contour::LineMesh* mesh = meshes.ensure(shared_device(), layout, style);
+    gpu::Graph graph;
+    const Stage stage = add_surface(graph);
+    const contour::ChainInputs inputs =
+        contour::chain_inputs(graph, contour_inputs(graph, stage), *mesh, style);
+    const bool along_edges = style.silhouettes == contour::Silhouettes::edges;
+    return run_and_read_as<shared::ListSize>(graph,
+                                             contour::add_chains(graph, inputs, *mesh, along_edges).sizes);
+}
+
 ChainLists Drawing::chains(const contour::ContourStyle& style, contour::LineClass wanted)
 {
     ChainLists lists;
