@@ -39,8 +39,8 @@ std::vector<Assignment> assignments(std::string_view text, const std::string& ke
             throw Error(fmt::format("{} is not of the form {}", in_quotes(item), form), key,
                         fmt::format("write for instance {}", in_quotes(example)));
         }
-        parts.push_back(
-            {std::string(without_outer_spaces(item.substr(0, equals))), std::string(without_outer_spaces(item.substr(equals + 1)))});
+        parts.push_back({std::string(without_outer_spaces(item.substr(0, equals))),
+                         std::string(without_outer_spaces(item.substr(equals + 1)))});
     }
     return parts;
 }
