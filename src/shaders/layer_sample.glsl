@@ -27,7 +27,7 @@ LayerSample veil_of(vec3 paint, float hatch, vec4 lines)
 {
     float shown = 1.0 - lines.a;
     return LayerSample(vec4(paint * ((1.0 - hatch) * shown), hatch * shown),
-                vec4(lines.rgb * lines.rgb * lines.a, lines.a));
+                       vec4(lines.rgb * lines.rgb * lines.a, lines.a));
 }
 
 // And back: paint where ink leaves any, else `paint_below`.
@@ -51,7 +51,7 @@ LayerSample unpack_veil(uvec4 packed)
 {
     vec4 lines = unpackUnorm4x8(packed.z);
     return LayerSample(vec4(unpackHalf2x16(packed.x), unpackHalf2x16(packed.y)),
-                vec4(lines.rgb * lines.rgb, lines.a));
+                       vec4(lines.rgb * lines.rgb, lines.a));
 }
 
 #endif

@@ -2,7 +2,8 @@
 #ifndef ESTAMPE_SURFACE_MAP
 #define ESTAMPE_SURFACE_MAP
 
-// Texels of a map that lies on all surfaces, see features/common/surface_map.hpp. Wanted before: MAP_TEXELS_BINDING.
+// Texels of a map that lies on all surfaces, see features/common/surface_map.hpp. Wanted before:
+// MAP_TEXELS_BINDING.
 
 layout(binding = MAP_TEXELS_BINDING) uniform usamplerBuffer map_texels; // row by row
 
