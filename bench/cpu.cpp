@@ -85,7 +85,7 @@ std::filesystem::path glb_of(const Primitive& primitive)
     append(bytes, data_chunk.data(), sizeof data_chunk);
     append(bytes, primitive.positions.data(), places_bytes);
     append(bytes, primitive.indices.data(), indices_bytes);
-    const auto path = std::filesystem::temp_directory_path() / "estampe_bench_cpu.glb";
+    auto path = std::filesystem::temp_directory_path() / "estampe_bench_cpu.glb";
     std::ofstream(path, std::ios::binary) << bytes;
     return path;
 }
