@@ -8,7 +8,7 @@
 
 #include "clock.hpp"
 #include "commands.hpp"
-#include "core/check_output.hpp"
+#include "core/file.hpp"
 #include "drawing.hpp"
 #include "progress.hpp"
 #include "signals.hpp"

@@ -10,7 +10,7 @@
 #include "batch_report.hpp"
 #include "clock.hpp"
 #include "commands.hpp"
-#include "core/check_output.hpp"
+#include "core/file.hpp"
 #include "core/text.hpp"
 #include "drawing.hpp"
 #include "film.hpp"

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "commands.hpp"
-#include "core/check_output.hpp"
 #include "core/file.hpp"
 #include "drawing.hpp"
 #include "warnings.hpp"

@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include "core/atomic_file.hpp"
-#include "core/check_output.hpp"
 #include "core/file.hpp"
 #include "core/free_memory.hpp"
 #include "core/image_codec.hpp"

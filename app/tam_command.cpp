@@ -8,7 +8,7 @@
 
 #include "commands.hpp"
 #include "core/atomic_file.hpp"
-#include "core/check_output.hpp"
+#include "core/file.hpp"
 #include "core/image_codec.hpp"
 #include "warnings.hpp"
 

@@ -4,7 +4,6 @@
 #include <span>
 
 #include "common/command_line.hpp"
-#include "core/check_output.hpp"
 #include "core/file.hpp"
 
 namespace estampe::lab {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/command_line.hpp"
-#include "core/check_output.hpp"
+#include "core/file.hpp"
 #include "core/spread.hpp"
 #include "gpu/pass_history.hpp"
 #include "lab/commands.hpp"

@@ -27,4 +27,12 @@ namespace estampe {
 /// AtomicFile. Throws Error when the folder does not exist or cannot be written, or the disk is full.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
+/// Throws Error when a file cannot be written to `output`: no such folder, no right to write there, a folder
+/// in its place, or when it is one of the `inputs`. Nothing at `output` is touched.
+void check_output(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs);
+
+/// The folder in which programs keep what they can make again: $XDG_CACHE_HOME, or ~/.cache. Empty when
+/// neither is an absolute path.
+[[nodiscard]] std::filesystem::path user_cache_folder();
+
 } // namespace estampe

@@ -12,7 +12,7 @@
 
 namespace estampe::frame {
 
-/// Lines that were strung for the whole page, and the part of it that is inked.
+/// Lines that were linked for the whole page, and the part of it that is inked.
 struct LinkedPart {
     LinkedPart(contour::LinkedLines& linked_lines, const contour::PartOfPage& part_of_page)
         : lines(linked_lines), part(part_of_page)
@@ -48,8 +48,8 @@ struct FrameJob {
     std::optional<features::PixelRect> tile;    ///< part of the page to draw; otherwise all of it
     std::optional<features::Survey> survey;     ///< the page in fewer pixels
     StrokeLists* lists = nullptr;               ///< strokes as paths in place of pixels
-    LinearPage* deep = nullptr;                 ///< floats beside bytes
-    std::optional<LinkedPart> strung = {};      ///< lines that were found for the whole page
+    LinearPage* linear = nullptr;               ///< floats beside bytes
+    std::optional<LinkedPart> linked = {};      ///< lines that were found for the whole page
     contour::LinkedLines* linked_out = nullptr; ///< what tiles share, in place of a picture
     const VulkanPicture* target = nullptr;      ///< the host's, in place of bytes
 };

@@ -32,11 +32,11 @@ LinearPage make_linear_page(gpu::Device& device, const RenderSettings& settings,
             (stage != paper::Stage::ink || kind.has_ink) && (stage != paper::Stage::smoke || kind.has_smoke);
         if ((kind.has_layers && is_there) || stage == last) {
             page.stages.push_back({.stage = has_alpha ? paper::Stage::picture : stage,
-                                   .sums = gpu::Image(device, "deep sums",
+                                   .sums = gpu::Image(device, "linear sums",
                                                       {.width = has_sums ? settings.width : 1,
                                                        .height = has_sums ? settings.height : 1,
                                                        .format = gpu::Format::rgba32f}),
-                                   .pixels = gpu::Buffer(device, "deep pixels", sizeof(glm::vec4) * count,
+                                   .pixels = gpu::Buffer(device, "linear pixels", sizeof(glm::vec4) * count,
                                                          gpu::MemoryUse::readback)});
         }
     }
@@ -63,8 +63,8 @@ void declare_linear_page(gpu::Graph& graph, const LinearPageInputs& in, const pa
         const gpu::ImageId picture = paper::add_compose_stage(graph, in.layers, style, stage.stage);
         const paper::Developed developed =
             paper::add_develop(graph, picture, paper::import_sums(graph, stage.sums, accumulation),
-                               graph.buffer("deep pixels", {.size_bytes = size_bytes}), size_px, accumulation,
-                               paper::PixelForm::linear_floats,
+                               graph.buffer("linear pixels", {.size_bytes = size_bytes}), size_px,
+                               accumulation, paper::PixelForm::linear_floats,
                                page.has_layers() ? std::nullopt : paper::transparent_color(style));
         if (accumulation.is_last()) {
             gpu::add_read_back(graph, "read back floats", developed.pixels, stage.pixels);

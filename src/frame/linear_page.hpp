@@ -31,7 +31,7 @@ struct LinearPage {
     [[nodiscard]] bool has_layers() const { return !draws.empty(); }
 };
 
-/// What a deep page holds.
+/// What a linear page holds.
 struct LinearPageKind {
     bool has_layers = false; ///< each of them; else the picture alone
     bool has_ink = false;    ///< one of ink that flows besides
@@ -45,7 +45,7 @@ struct LinearPageKind {
 [[nodiscard]] LinearPage make_linear_page(gpu::Device& device, const RenderSettings& settings,
                                           LinearPageKind kind);
 
-/// What a deep page is made from.
+/// What a linear page is made from.
 struct LinearPageInputs {
     paper::ComposeInputs layers;
     gpu::ImageId draw;

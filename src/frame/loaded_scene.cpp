@@ -130,7 +130,7 @@ void take_layout(gpu::Device& device, LoadedScene& loaded, pose::MeshData layout
         } else {
             loaded.terrain = std::make_unique<terrain::TerrainBuffers>(device, *loaded.scene.terrain, target,
                                                                        features::raised_object(loaded.scene));
-            loaded.trodden = std::make_unique<terrain::Footprints>(loaded.scene.terrain->description());
+            loaded.footprints = std::make_unique<terrain::Footprints>(loaded.scene.terrain->description());
         }
     }
     loaded.meshes = pose::upload_meshes(device, loaded.layout);
@@ -147,7 +147,7 @@ void take_layout(gpu::Device& device, LoadedScene& loaded, pose::MeshData layout
     loaded.discs = {};
     loaded.disc_map = {};
     loaded.surface_maps.clear();
-    loaded.together = {};
+    loaded.coincident = {};
     loaded.smear_seeds = {};
     loaded.pose.reset();
     loaded.pose_moved = true;
@@ -268,7 +268,7 @@ bool swap_terrain(gpu::Device& device, LoadedScene& loaded, const Terrain& terra
     const auto take = [&](const Terrain& taken, const Bounds& bounds) {
         loaded.scene.terrain = taken;
         loaded.terrain->set_graph(device, taken);
-        loaded.trodden->set(taken.description());
+        loaded.footprints->set(taken.description());
         if (change.is_cut_otherwise) {
             lay_out(device, loaded);
         }

@@ -31,35 +31,37 @@ namespace estampe::frame {
 /// Everything of one scene that lives on the device, and the scene itself without its pictures.
 struct LoadedScene {
     Scene scene;
-    features::LightingOfScene own_lighting;    ///< as the file has it
-    features::LightingOfScene styled_lighting; ///< as `scene` has it now
+    features::LightingOfScene own_lighting;    ///< lights and links as the file has them
+    features::LightingOfScene styled_lighting; ///< lights and links as `scene` has them now
     std::optional<features::LightingWords>
-        styled_by; ///< what made that of the file's, unless that has changed since
+        styled_by; ///< the style's words that `styled_lighting` was made by
     pose::MeshData layout;
-    uint32_t layout_number = 0;                       ///< of how many this is the last
-    std::vector<features::StillCaster> still_casters; ///< of that
-    Bounds still_room;                                ///< about all of them
-    pose::MeshBuffers meshes;
-    raster::ClusterBoxes cluster_boxes; ///< of these
+    uint32_t layout_number = 0; ///< counts how often the scene was laid out
+    std::vector<features::StillCaster>
+        still_casters;                  ///< triangles of `layout` that never move and throw shadows
+    Bounds still_room;                  ///< the box about all of `still_casters`
+    pose::MeshBuffers meshes;           ///< `layout` on the device
+    raster::ClusterBoxes cluster_boxes; ///< boxes about runs of triangles of `meshes`
     surface::MaterialBuffers materials;
     surface::SceneNeeds needs;
-    std::vector<std::string> notes;                        ///< what became of textures
-    std::optional<Lightmap> lightmap;                      ///< where one was given
-    std::optional<features::WornLight> baked;              ///< the same as the meshes wear it
-    std::optional<pose::PoseData> pose;                    ///< what the device holds now
-    occlusion::DiscBuffers discs;                          ///< made when a style first asks for them
-    occlusion::DiscMapBuffers disc_map;                    ///< then, where they are summed in a map
-    std::map<uint32_t, features::SurfaceMap> surface_maps; ///< that styles ask for, by their side in texels
-    motion_blur::CoincidentVertices together;              ///< then, too
-    motion_blur::SmearSeeds smear_seeds;                   ///< and these
+    std::vector<std::string> notes;           ///< what became of textures
+    std::optional<Lightmap> lightmap;         ///< only where one was given
+    std::optional<features::WornLight> baked; ///< `lightmap` laid on the triangles of `layout`
+    std::optional<pose::PoseData> pose;       ///< the pose that the device holds; none after a new layout
+    occlusion::DiscBuffers discs;             ///< made when a style first asks for occlusion by discs
+    occlusion::DiscMapBuffers disc_map; ///< made when a style first asks for discs that are summed in a map
+    std::map<uint32_t, features::SurfaceMap>
+        surface_maps;                           ///< maps that styles ask for, by their side in texels
+    motion_blur::CoincidentVertices coincident; ///< made when a style first stretches what moves
+    motion_blur::SmearSeeds smear_seeds;        ///< made when a style first asks for smear strokes
     features::DefaultLight default_light;
     light::ExposureKeyCache exposure_key;
-    features::PlacedNodes placed;                     ///< what a program moves
-    std::unique_ptr<terrain::TerrainBuffers> terrain; ///< where the scene has one
-    std::unique_ptr<terrain::Footprints> trodden;     ///< then
-    bool terrain_moved = false;                       ///< the device has yet to pose its vertices
-    bool has_plain_links = true;                      ///< every object stands to all lights alike
-    bool pose_moved = true;                           ///< the device has yet to pose its vertices by it
+    features::PlacedNodes placed;                     ///< nodes that a program moves
+    std::unique_ptr<terrain::TerrainBuffers> terrain; ///< null where the scene has no terrain
+    std::unique_ptr<terrain::Footprints> footprints;  ///< null where the scene has no terrain
+    bool terrain_moved = false;  ///< the terrain's vertices on the device are out of date
+    bool has_plain_links = true; ///< every object stands to all lights alike
+    bool pose_moved = true;      ///< the posed vertices on the device are out of date
 };
 
 /// Uploads `scene`, with a lightmap unless that is null. Throws Error when it does not fit the device, or

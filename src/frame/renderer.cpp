@@ -242,7 +242,7 @@ Camera page_camera(const Camera& camera, const paper::PaperStyle& style, const R
 }
 
 Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, const RenderSettings& settings,
-                                   frame::LinearPage* deep, const std::function<void()>& after_sample,
+                                   frame::LinearPage* linear, const std::function<void()>& after_sample,
                                    const VulkanPicture* target)
 {
     const features::StyleTables& tables = style.tables();
@@ -272,7 +272,7 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
         draw_frame(seen_by, tables, plan,
                    {.accumulation = {.sample_index = sample, .sample_count = settings.samples},
                     .is_first = sample == 0,
-                    .deep = deep,
+                    .linear = linear,
                     .target = target});
         if (plan.ink && sample == 0) {
             features.ink.drawn(*plan.ink, seen_by);

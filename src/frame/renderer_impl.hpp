@@ -122,7 +122,7 @@ struct Renderer::Impl {
     /// All samples of a picture, which is empty where it goes into a `target`. `after_sample` is called after
     /// each.
     [[nodiscard]] Image draw_picture(const Camera& camera, const Style& style, const RenderSettings& settings,
-                                     frame::LinearPage* deep = nullptr,
+                                     frame::LinearPage* linear = nullptr,
                                      const std::function<void()>& after_sample = {},
                                      const VulkanPicture* target = nullptr);
 

@@ -263,8 +263,8 @@ void Renderer::Impl::ensure_looks(const frame::FramePlan& plan)
     }
     ensure_surface_maps(plan);
     if (plan.motion_blur && plan.looks.styles.front().motion_blur.mode == motion_blur::Mode::stretched &&
-        loaded->together.empty()) {
-        loaded->together = motion_blur::upload_coincident(
+        loaded->coincident.empty()) {
+        loaded->coincident = motion_blur::upload_coincident(
             device,
             motion_blur::list_coincident(loaded->layout.stroke_coordinates, loaded->layout.draw_of_vertex));
     }

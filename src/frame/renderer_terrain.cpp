@@ -43,10 +43,10 @@ bool Renderer::is_terrain_compiling() const
 
 void Renderer::press(std::span<const TrailStamp> stamps)
 {
-    if (!impl_->loaded || !impl_->loaded->trodden) {
+    if (!impl_->loaded || !impl_->loaded->footprints) {
         throw Error("the scene has no terrain", "", "give it one before set_scene");
     }
-    impl_->loaded->trodden->press(stamps);
+    impl_->loaded->footprints->press(stamps);
 }
 
 void Renderer::Impl::follow_eye(const Camera& camera)
@@ -81,12 +81,12 @@ void Renderer::Impl::update_terrain(const Camera& camera, const RenderSettings& 
         loaded->terrain->add_catching_up(graph);
         executor.run(graph);
     }
-    loaded->trodden->prepare(device, {.time_s = settings.time_s,
-                                      .centre_m = middle_of_trails(camera, loaded->trodden->extent_m()),
-                                      .follows = settings.continuity == Continuity::follows});
-    while (loaded->trodden->is_behind()) {
+    loaded->footprints->prepare(device, {.time_s = settings.time_s,
+                                         .centre_m = middle_of_trails(camera, loaded->footprints->extent_m()),
+                                         .follows = settings.continuity == Continuity::follows});
+    while (loaded->footprints->is_behind()) {
         gpu::Graph graph;
-        loaded->trodden->add_catching_up(graph);
+        loaded->footprints->add_catching_up(graph);
         executor.run(graph);
     }
     // What poses the rest writes over all.

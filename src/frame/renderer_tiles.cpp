@@ -150,7 +150,7 @@ void Renderer::Impl::draw_tiles(const Camera& camera, const Style& style, const 
             if (!lines.empty()) {
                 const contour::PartOfPage part{.from_px = glm::vec2(tile.drawn.from_px),
                                                .scale = static_cast<float>(survey.shrink)};
-                job.strung.emplace(lines.at(sample), part);
+                job.linked.emplace(lines.at(sample), part);
             }
             draw_frame(seen_by, tables, plan, job);
             is_first = false;

@@ -148,7 +148,7 @@ subsurface_inputs(const FrameContext& context, const PosedScene& scene, const su
                                                     gpu::BufferId visibility, const surface::Surface& surface,
                                                     const light::LitPixels& lit, const SeenThrough& screen);
 
-/// Lines where surfaces end, meet or fold: strung as chains, or found between pixels, which is also how what
+/// Lines where surfaces end, meet or fold: linked to chains, or found between pixels, which is also how what
 /// a texture cuts gets its own.
 [[nodiscard]] gpu::ImageId add_lines(const FrameContext& context, const contour::ContourInputs& in);
 

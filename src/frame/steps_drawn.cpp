@@ -55,7 +55,7 @@ gpu::ImageId stretched_motion_of(const FrameContext& context, const PosedScene& 
 {
     const bool has_moved = plan.motion.pose_moved || context.loaded.terrain != nullptr;
     const motion_blur::Stretched stretched = motion_blur::add_stretch(
-        context.graph, context.loaded.together,
+        context.graph, context.loaded.coincident,
         {.posed_vertices = scene.meshes.posed_vertices,
          .posed_vertices_before = has_moved ? scene.vertices_before : scene.meshes.posed_vertices,
          .constants = {.now_from_before =
@@ -188,9 +188,9 @@ gpu::ImageId add_lines(const FrameContext& context, const contour::ContourInputs
         context.loaded.layout.masked.count > 0
             ? std::optional(contour::add_contours(context.graph, in, context.plan.looks.lines))
             : std::nullopt;
-    if (context.job.strung) {
-        return contour::add_linked_contours(context.graph, in, context.job.strung->lines,
-                                            context.job.strung->part, context.plan.looks.lines, of_cuts);
+    if (context.job.linked) {
+        return contour::add_linked_contours(context.graph, in, context.job.linked->lines,
+                                            context.job.linked->part, context.plan.looks.lines, of_cuts);
     }
     const bool remembers = context.plan.lines.are_remembered && context.sample.is_first;
     return contour::add_chain_contours(context.graph, in, *context.features.lines.mesh(),
@@ -357,7 +357,7 @@ Colors add_colors(const FrameContext& context, const PosedScene& scene, const su
                   const std::optional<gpu::BufferId>& far_tiles)
 {
     const FramePlan& plan = context.plan;
-    const bool has_layers = context.job.deep != nullptr && context.job.deep->has_layers();
+    const bool has_layers = context.job.linear != nullptr && context.job.linear->has_layers();
     const bool is_clear = plan.subsurface && !plan.subsurface->clear.empty();
     const bool shows_elsewhere = screen.is_there || is_clear || has_layers;
     const std::optional<gpu::BufferId> tiles = shows_elsewhere ? std::nullopt : far_tiles;
@@ -581,14 +581,14 @@ void add_picture(const FrameContext& context, const paper::ComposeInputs& layers
 void add_linear_picture(const FrameContext& context, const paper::ComposeInputs& layers,
                         const surface::Surface& surface, const light::LitPixels& lit, const MaskInputs& masks)
 {
-    if (context.job.deep != nullptr) {
+    if (context.job.linear != nullptr) {
         declare_linear_page(context.graph,
                             {.layers = layers,
                              .draw = surface.draw,
                              .sun = lit.sun,
                              .open = masks.open,
                              .cloud_cover = masks.cloud_cover},
-                            context.style.paper, context.sample.accumulation, *context.job.deep);
+                            context.style.paper, context.sample.accumulation, *context.job.linear);
     }
 }
 

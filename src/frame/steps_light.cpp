@@ -339,7 +339,7 @@ std::optional<occlusion::OpenPage> add_occlusion(const FrameContext& context, co
 {
     const occlusion::OcclusionStyle& style = context.style.occlusion;
     const bool is_layer_alone = style.feeds == occlusion::Feeds::layer;
-    const bool has_layers = context.job.deep != nullptr && context.job.deep->has_layers();
+    const bool has_layers = context.job.linear != nullptr && context.job.linear->has_layers();
     if (!style.drawn || (is_layer_alone && !has_layers)) {
         return std::nullopt;
     }
@@ -400,7 +400,7 @@ light::LitPixels add_light(const FrameContext& context, const PosedScene& scene,
     inputs.has_emissive = plan.needs.emissive;
     inputs.keeps_strongest = plan.light.leads_strokes;
     inputs.keeps_sun =
-        plan.lines.of_shadows || (context.job.deep != nullptr && context.job.deep->has_layers());
+        plan.lines.of_shadows || (context.job.linear != nullptr && context.job.linear->has_layers());
     light::LitPixels lit = light::add_light(context.graph, inputs);
     lit.light = add_subsurface(context, scene, visibility, surface, before.maps, lit.light);
     if (plan.light.meters_page) {

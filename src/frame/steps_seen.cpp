@@ -134,7 +134,7 @@ surface::Surface add_surface(const FrameContext& context, const PosedScene& scen
                 .strokes_per_m = static_cast<float>(1.0 / context.loaded.layout.stroke_unit_m),
                 .size_px = context.sample.size_px});
     const std::optional<terrain::TrailImage> trails =
-        context.loaded.trodden != nullptr ? context.loaded.trodden->add_image(graph) : std::nullopt;
+        context.loaded.footprints != nullptr ? context.loaded.footprints->add_image(graph) : std::nullopt;
     if (trails) {
         surface.normal = terrain::add_trail_relief(
             graph,

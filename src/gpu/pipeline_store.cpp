@@ -73,14 +73,10 @@ PipelineOwner owner_of(VkPhysicalDevice physical)
 
 std::filesystem::path pipeline_file(const PipelineOwner& owner)
 {
-    const char* cache = std::getenv("XDG_CACHE_HOME");
-    const char* home = std::getenv("HOME");
-    const bool has_cache = cache != nullptr && *cache == '/';
-    if (!has_cache && (home == nullptr || *home != '/')) {
+    const std::filesystem::path folder = user_cache_folder();
+    if (folder.empty()) {
         return {};
     }
-    const std::filesystem::path folder =
-        has_cache ? std::filesystem::path(cache) : std::filesystem::path(home) / ".cache";
     Hash hash;
     hash.add_text(ESTAMPE_VERSION);
     hash.add(owner);

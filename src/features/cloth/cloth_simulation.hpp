@@ -20,10 +20,10 @@ namespace estampe::features {
 struct ClothInputs {
     const Scene& scene;
     pose::MeshData& layout;                     ///< whose torn triangles are left out
-    pose::MeshBuffers& meshes;                  ///< of that
-    const std::optional<pose::PoseData>& posed; ///< as the device has it
-    /// Poses the scene as it stands then, so that `posed` says so, and add_posed() declares what of it is
-    /// left to do on the device.
+    pose::MeshBuffers& meshes;                  ///< the buffers of `layout`
+    const std::optional<pose::PoseData>& posed; ///< the pose that the device holds
+    /// Poses the scene at a moment: afterwards `posed` holds that pose, and add_posed() declares the passes
+    /// that are still needed on the device.
     std::function<ScenePose(double time_s)> pose_at;
     std::function<gpu::BufferId(gpu::Graph&)> add_posed;
     const RenderSettings& settings;

@@ -15,7 +15,7 @@ namespace estampe::features {
 enum class Event : uint8_t {
     scene_replaced,    ///< set_scene(): what is drawn from now on is something else
     layout_replaced,   ///< the scene's draws, vertices and triangles are numbered afresh
-    triangles_changed, ///< some are flagged otherwise, or torn
+    triangles_changed, ///< some triangles are flagged otherwise, or torn
     ground_replaced,   ///< the terrain is cut into other triangles, after layout_replaced
     lights_changed,    ///< shadows may fall otherwise
     anchor_moved,      ///< positions on the device are relative to another origin
@@ -25,7 +25,7 @@ enum class Event : uint8_t {
 /// The feature's part of a film's memory.
 struct FilmSection {
     std::string_view name;
-    uint32_t version = 1; ///< of what save() writes; another one is refused
+    uint32_t version = 1; ///< of the bytes that save() writes; load() is never given another version
 };
 
 /// A part of the renderer that keeps buffers or state from picture to picture. A feature plans on the

@@ -2,12 +2,12 @@
 #include "features/hatching/tonal_maps.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <system_error>
 
 #include <estampe/error.hpp>
 #include <fmt/format.h>
 
+#include "core/file.hpp"
 #include "core/hash.hpp"
 #include "style/sheet.hpp"
 #include "techniques/tam/files/folder.hpp"
@@ -52,14 +52,10 @@ MapChoice map_choice(const StyleTables& style)
 
 std::filesystem::path kept_map(const tam::TamStyle& style)
 {
-    const char* cache = std::getenv("XDG_CACHE_HOME");
-    const char* home = std::getenv("HOME");
-    const bool has_cache = cache != nullptr && *cache == '/';
-    if (!has_cache && (home == nullptr || *home != '/')) {
+    const std::filesystem::path folder = user_cache_folder();
+    if (folder.empty()) {
         return {};
     }
-    const std::filesystem::path folder =
-        has_cache ? std::filesystem::path(cache) : std::filesystem::path(home) / ".cache";
     tam::TamStyle values = style;
     style::Sheet sheet;
     sheet.bind(tam::tam_table(), values);
