@@ -16,7 +16,7 @@ namespace estampe::app {
 /// Labels and texts about a world, in the order in which they are shown.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> world_rows(const worlds::Description& world);
 
-/// The same as world_report() in JSON.
+/// What world_rows() says about a world, as JSON for programs.
 [[nodiscard]] nlohmann::ordered_json world_json(const worlds::Description& world);
 
 /// All worlds with their rows, as text for people or as JSON for programs.
