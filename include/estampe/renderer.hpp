@@ -199,7 +199,7 @@ public:
     /// sRGB-encoded values, as programs do. The same scene, camera, style and settings give the same bytes on
     /// the same device by the same raster path. A film gives the same bytes when its frames are drawn in the
     /// same order from its first frame on. Pages that are too large for the device are drawn in tiles, which
-    /// leave no seams: lines are strung for the whole page, in up to 16.7 megapixels. Each side may have
+    /// leave no seams: lines are linked for the whole page, in up to 16.7 megapixels. Each side may have
     /// 65535 pixels. Throws Error when the size is zero or too large, or larger than the device's limits
     /// where tiles will not do: with motion_since, and in films; when no scene was set, and when memory runs
     /// out.

@@ -233,8 +233,9 @@ bool has_float_samples(TIFF* tiff)
            TIFFIsTiled(tiff) == 0;
 }
 
-/// Reads such a picture. Colours are linear, as programs write them, and become sRGB; what is beyond 0 to 1
-/// is clamped. Throws Error naming the picture when a row cannot be read. Memory: the picture, and a row.
+/// Decodes a TIFF of floating-point samples. Colours are linear, as programs write them, and become sRGB;
+/// what is beyond 0 to 1 is clamped. Throws Error naming the picture when a row cannot be read. Memory: the
+/// picture, and a row.
 Image decode_float_tiff(TIFF* tiff, uint32_t width, uint32_t height, const std::string& name)
 {
     const FloatLayout layout = float_layout_of(tiff);

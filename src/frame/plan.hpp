@@ -86,7 +86,7 @@ struct SubsurfacePlan {
 /// How the edges of shadows look.
 struct EdgePlan {
     shared::EdgeLook look; ///< their teeth
-    uint32_t variant = 0;  ///< see shadow/edge_look.hpp
+    uint32_t variant = 0;  ///< see shadow/local/edge_look.hpp
 };
 
 struct LinePlan {

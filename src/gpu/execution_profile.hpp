@@ -9,7 +9,7 @@ namespace estampe::gpu {
 
 /// A GPU runs thousands of threads side by side, those of a workgroup in step. A processor (lavapipe) runs a
 /// few workgroups at once and their threads one after the other; each barrier costs it a round over all of
-/// them. Each question names one choice that follows from this; asked for by Device::execution().
+/// them. Each question names one choice that follows from this. Device::execution() returns it.
 struct ExecutionProfile {
     bool is_processor = false;
 
@@ -32,7 +32,7 @@ struct ExecutionProfile {
     /// threads busy.
     [[nodiscard]] bool sweeps() const { return is_processor; }
 
-    /// Items that a thread of a short test takes in a workgroup of 64.
+    /// Items per workgroup of 64 threads, for passes with a short test per item.
     [[nodiscard]] uint32_t items_per_group() const { return is_processor ? 256 : 64; }
 };
 

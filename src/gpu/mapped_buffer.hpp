@@ -9,21 +9,21 @@
 
 namespace estampe::gpu {
 
-/// A buffer of these items that the device reads; of one that is not set where there are none.
+/// A host-visible buffer that holds `items`. Without items it has room for one, which is not set.
 template <std::ranges::contiguous_range Items>
-[[nodiscard]] gpu::Buffer mapped_buffer(gpu::Device& device, const char* name, const Items& items)
+[[nodiscard]] Buffer mapped_buffer(Device& device, const char* name, const Items& items)
 {
     const auto bytes = std::as_bytes(std::span(std::ranges::data(items), std::ranges::size(items)));
     const size_t least_bytes = sizeof(std::ranges::range_value_t<Items>);
-    gpu::Buffer buffer(device, name, std::max(bytes.size(), least_bytes), gpu::MemoryUse::upload);
+    Buffer buffer(device, name, std::max(bytes.size(), least_bytes), MemoryUse::upload);
     std::ranges::copy(bytes, buffer.mapped().begin());
     return buffer;
 }
 
-/// Puts such items into `buffer`, of a frame that is over: it is made anew only where their number is
-/// another.
+/// Copies `items` into `buffer`, which no running frame may read. Allocates a new buffer only if the size
+/// differs.
 template <std::ranges::contiguous_range Items>
-void upload_items(gpu::Device& device, const char* name, const Items& items, gpu::Buffer& buffer)
+void upload_items(Device& device, const char* name, const Items& items, Buffer& buffer)
 {
     const auto bytes = std::as_bytes(std::span(std::ranges::data(items), std::ranges::size(items)));
     const size_t least_bytes = sizeof(std::ranges::range_value_t<Items>);

@@ -12,7 +12,11 @@ class PassHistory {
 public:
     void add(const std::vector<PassTiming>& passes);
 
-    void forget() { times_.clear(); }
+    void forget()
+    {
+        times_.clear();
+        last_.clear();
+    }
 
     [[nodiscard]] std::vector<PassTiming> medians() const;
 

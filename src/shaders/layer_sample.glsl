@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef ESTAMPE_VEIL
-#define ESTAMPE_VEIL
+#ifndef ESTAMPE_LAYER_SAMPLE
+#define ESTAMPE_LAYER_SAMPLE
 
 // What lies on the paper at a place, in parts that may be added: blurred so, layers on paper are the picture
 // blurred, and the paper is not.
@@ -23,7 +23,7 @@ LayerSample sum_of(LayerSample a, LayerSample b)
 }
 
 // Of paint, ink of strokes over it, and lines over both: roots of their colour, and cover.
-LayerSample veil_of(vec3 paint, float hatch, vec4 lines)
+LayerSample sample_of_layers(vec3 paint, float hatch, vec4 lines)
 {
     float shown = 1.0 - lines.a;
     return LayerSample(vec4(paint * ((1.0 - hatch) * shown), hatch * shown),
@@ -31,7 +31,8 @@ LayerSample veil_of(vec3 paint, float hatch, vec4 lines)
 }
 
 // And back: paint where ink leaves any, else `paint_below`.
-void unveil(LayerSample sample_here, vec3 paint_below, out vec3 paint, out float hatch, out vec4 lines)
+void layers_of_sample(LayerSample sample_here, vec3 paint_below, out vec3 paint, out float hatch,
+                      out vec4 lines)
 {
     float cover = clamp(sample_here.lines.a, 0.0, 1.0);
     hatch = clamp(sample_here.paint.a / max(1.0 - cover, 1e-4), 0.0, 1.0);
@@ -41,13 +42,13 @@ void unveil(LayerSample sample_here, vec3 paint_below, out vec3 paint, out float
 }
 
 // In three words; the fourth is free.
-uvec4 pack_veil(LayerSample sample_here, uint rest)
+uvec4 pack_sample(LayerSample sample_here, uint rest)
 {
     return uvec4(packHalf2x16(sample_here.paint.xy), packHalf2x16(sample_here.paint.zw),
                  packUnorm4x8(vec4(sqrt(sample_here.lines.rgb), sample_here.lines.a)), rest);
 }
 
-LayerSample unpack_veil(uvec4 packed)
+LayerSample unpack_sample(uvec4 packed)
 {
     vec4 lines = unpackUnorm4x8(packed.z);
     return LayerSample(vec4(unpackHalf2x16(packed.x), unpackHalf2x16(packed.y)),

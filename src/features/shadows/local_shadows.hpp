@@ -67,7 +67,7 @@ struct LocalMapViews {
 /// Shadow maps of local lights, as a picture is to have them.
 struct LocalMapPlan {
     bool is_there = false; ///< some light has any
-    uint32_t variant = 0;  ///< see shadow/edge_look.hpp
+    uint32_t variant = 0;  ///< see shadow/local/edge_look.hpp
     LocalMapViews views;   ///< to draw anew
 };
 

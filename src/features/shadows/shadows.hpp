@@ -46,10 +46,10 @@ public:
 
     [[nodiscard]] LocalShadowBuffers& local() { return local_buffers_; }
 
-    /// EdgeLook, see shadow/edge.glsl.h.
+    /// EdgeLook, see shadow/local/edge.glsl.h.
     [[nodiscard]] gpu::Buffer& edge_look() { return edge_look_; }
 
-    /// SunShadow, see shadow/sun.glsl.h.
+    /// SunShadow, see shadow/sun/sun.glsl.h.
     [[nodiscard]] gpu::Buffer& sun_globals() { return sun_globals_; }
 
 private:

@@ -71,7 +71,7 @@ public:
             }
             piece.volume_m3 += glm::dot(corners[0], glm::cross(corners[1], corners[2])) / 6.0;
         }
-        // InlineVector pieces are inside out, and lists of their triangles are long.
+        // Few pieces are inside out, and lists of their triangles are long.
         if (std::ranges::any_of(pieces_, [](const SurfacePiece& piece) { return piece.volume_m3 < 0.0; })) {
             for (uint32_t t = 0; t < triangle_count(); ++t)
                 if (SurfacePiece& piece = pieces_[piece_of_triangle[t]]; piece.volume_m3 < 0.0)

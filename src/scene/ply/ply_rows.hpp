@@ -59,12 +59,12 @@ public:
     BinaryRows(const BinaryRows&) = delete;
     BinaryRows& operator=(const BinaryRows&) = delete;
 
-    bool next() { return left() > 0 || upload_items(1); }
+    bool next() { return left() > 0 || refill(1); }
 
     bool read(Type type, double& value)
     {
         const size_t size = bytes_of(type);
-        if (left() < size && !upload_items(size))
+        if (left() < size && !refill(size))
             return false;
         unsigned char bytes[8] = {};
         std::memcpy(bytes, ahead_.data() + used_, size);
@@ -95,7 +95,7 @@ private:
         ahead_ = {};
     }
 
-    bool upload_items(size_t wanted)
+    bool refill(size_t wanted)
     {
         release();
         ahead_ = input_.peek(wanted);

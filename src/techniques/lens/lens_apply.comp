@@ -138,12 +138,12 @@ void main()
     if (is_gathered) {
         seen = gathered(pixel, own);
     } else {
-        seen = Seen(unpack_veil(texelFetch(near_image, pixel, 0)), abs(own.radius_px) > lens_sharp_px);
+        seen = Seen(unpack_sample(texelFetch(near_image, pixel, 0)), abs(own.radius_px) > lens_sharp_px);
     }
     vec4 wash = layers.wash;
     float hatch;
     vec4 line;
-    unveil(seen.sample_here, layers.wash.rgb, wash.rgb, hatch, line);
+    layers_of_sample(seen.sample_here, layers.wash.rgb, wash.rgb, hatch, line);
     imageStore(out_wash, pixel, seen.is_blurred ? wash : layers.wash);
     if (!is_wash_only) {
         imageStore(out_hatch, pixel, vec4(seen.is_blurred ? hatch : layers.hatch));

@@ -43,8 +43,8 @@ void main()
         return;
     }
     Layers layers = layers_at(pixel);
-    LayerSample sample_here =
-        veil_of(layers.wash.rgb, is_wash_only ? 0.0 : layers.hatch, is_wash_only ? vec4(0.0) : layers.lines);
+    LayerSample sample_here = sample_of_layers(layers.wash.rgb, is_wash_only ? 0.0 : layers.hatch,
+                                               is_wash_only ? vec4(0.0) : layers.lines);
     ivec2 last = ivec2(constants.size_px) - 1;
     float radius = radius_of(owner_of(pixel, layers.lines.a, constants.line_reach_px, last).depth);
     imageStore(out_texel, pixel, pack_texel(LensTexel(sample_here, radius, 1.0)));

@@ -14,13 +14,13 @@ struct LensTexel {
 
 uvec4 pack_texel(LensTexel t)
 {
-    return pack_veil(t.sample_here, packHalf2x16(vec2(t.radius_px, t.part)));
+    return pack_sample(t.sample_here, packHalf2x16(vec2(t.radius_px, t.part)));
 }
 
 LensTexel unpack_texel(uvec4 packed)
 {
     vec2 rest = unpackHalf2x16(packed.w);
-    return LensTexel(unpack_veil(packed), rest.x, rest.y);
+    return LensTexel(unpack_sample(packed), rest.x, rest.y);
 }
 
 // Of the drawn pixels and of what lies before them up to the corner of a block, in whole blocks.

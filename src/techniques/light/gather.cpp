@@ -131,8 +131,8 @@ float exposure_key(const std::vector<shared::LightRecord>& records, const Scene&
 }
 
 /// The same from memory where nothing has changed since.
-float remembered_key_light(const std::vector<shared::LightRecord>& records, const Scene& scene,
-                           const ScenePose& pose, const glm::dvec3& anchor, ExposureKeyCache& memory)
+float remembered_exposure_key(const std::vector<shared::LightRecord>& records, const Scene& scene,
+                              const ScenePose& pose, const glm::dvec3& anchor, ExposureKeyCache& memory)
 {
     const auto is_same = [](const shared::LightRecord& a, const shared::LightRecord& b) {
         // Other bits of one number are worked out once more, no harm.
@@ -324,7 +324,7 @@ Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& 
     const bool is_manual = style.metering == Metering::manual && has_own;
     float key = 1.0F;
     if (!records.empty() && !lighting.indoors && !is_manual) {
-        key = memory != nullptr ? remembered_key_light(records, scene, pose, anchor, *memory)
+        key = memory != nullptr ? remembered_exposure_key(records, scene, pose, anchor, *memory)
                                 : exposure_key(records, scene, pose, anchor);
     }
     lighting.directional_count = put_suns_first(records);

@@ -28,7 +28,7 @@ struct Lighting {
     bool indoors = false;            ///< the lamp of a shelter, not of the scene
 };
 
-/// What the key light was found from, and what it is, kept from frame to frame.
+/// The exposure key and the scene it was computed from, kept from frame to frame.
 struct ExposureKeyCache {
     std::vector<shared::LightRecord> records;
     ScenePose pose;
@@ -79,12 +79,12 @@ struct LightInputs {
     gpu::BufferId draws;
     gpu::BufferId materials;
     gpu::BufferId sun_map;    ///< reversed depth, row by row
-    gpu::BufferId sun_shadow; ///< SunShadow, see shadow/sun.glsl.h
+    gpu::BufferId sun_shadow; ///< SunShadow, see shadow/sun/sun.glsl.h
     gpu::ImageId coordinate;
     gpu::ImageId footprint;
-    gpu::BufferId edge_look;     ///< EdgeLook, see shadow/edge.glsl.h
-    uint32_t shadow_variant = 0; ///< see shadow/edge_look.hpp
-    gpu::BufferId local_shadows; ///< LocalShadow, see shadow/local.glsl.h
+    gpu::BufferId edge_look;     ///< EdgeLook, see shadow/local/edge.glsl.h
+    uint32_t shadow_variant = 0; ///< see shadow/local/edge_look.hpp
+    gpu::BufferId local_shadows; ///< LocalShadow, see shadow/local/local.glsl.h
     gpu::BufferId local_maps;    ///< near distance over distance, of all maps of local lights
     bool has_local_shadows = false;
     std::optional<gpu::ImageId> lightmap;  ///< light known ahead: takes the place of ambient where alpha is 1

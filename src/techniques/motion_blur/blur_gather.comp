@@ -84,7 +84,7 @@ void pass_along(ivec2 pixel, vec2 way, int most, vec2 own_way, float own_depth, 
         float same_way = abs(dot(tap_way, forward)) / max(tap_px, 1e-6);
         float moved = tap_px > 0.0 ? same_way * same_way * time_share(tap_px, away_px) * weight : 0.0;
         float uncovered = own_px > 0.0 ? time_share(own_px, away_px) * weight : 0.0;
-        LayerSample sample_here = unpack_veil(texel);
+        LayerSample sample_here = unpack_sample(texel);
         // At about the same distance what is faster passes over what is slower.
         float faster = clamp(1.0 - 2.0 * own_px / max(tap_px, 1e-6), 0.0, 1.0);
         before += faster * (1.0 - before - behind);
@@ -127,7 +127,7 @@ void main()
         own_passing.there_time = 0.0;
     }
     pass_along(pixel, is_same ? vec2(0.0) : own_way, most, own_way, own_depth, own_passing);
-    LayerSample there = unpack_veil(own);
+    LayerSample there = unpack_sample(own);
     float there_time = is_moving ? own_passing.there_time : 0.0;
     there = there_time > 1e-4 ? scaled(own_passing.there, 1.0 / max(there_time, 1e-6)) : there;
     float before_time = min(passing.before_time, 1.0);
@@ -140,7 +140,7 @@ void main()
     vec3 paint;
     float hatch;
     vec4 lines;
-    unveil(sample_here, wash.rgb, paint, hatch, lines);
+    layers_of_sample(sample_here, wash.rgb, paint, hatch, lines);
     imageStore(wash_image, pixel, vec4(paint, wash.a));
     imageStore(out_hatch, pixel, vec4(hatch));
     imageStore(out_lines, pixel, lines);

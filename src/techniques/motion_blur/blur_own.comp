@@ -40,7 +40,7 @@ void main()
     uvec4 own = texelFetch(page_image, pixel, 0);
     vec2 own_way = unpackHalf2x16(own.w);
     bool is_moving = own_way != vec2(0.0);
-    LayerSample sum = unpack_veil(own);
+    LayerSample sum = unpack_sample(own);
     vec2 place = vec2(pixel);
     vec2 way = own_way;
     int count = is_moving ? 2 * steps : 0;
@@ -52,14 +52,14 @@ void main()
         place += way * ((i < steps ? 1.0 : -1.0) / float(steps));
         ivec2 at = clamp(ivec2(floor(place + 0.5)), ivec2(0), ivec2(constants.size_px) - 1);
         uvec4 texel = texelFetch(page_image, at, 0);
-        sum = sum_of(sum, unpack_veil(texel));
+        sum = sum_of(sum, unpack_sample(texel));
         way = unpackHalf2x16(texel.w);
         ++i;
     } while (i < count);
     vec4 wash = layers.wash;
     float hatch;
     vec4 lines;
-    unveil(scaled(sum, 1.0 / float(count + 1)), layers.wash.rgb, wash.rgb, hatch, lines);
+    layers_of_sample(scaled(sum, 1.0 / float(count + 1)), layers.wash.rgb, wash.rgb, hatch, lines);
     imageStore(out_wash, pixel, is_moving ? wash : layers.wash);
     imageStore(out_hatch, pixel, vec4(is_moving ? hatch : layers.hatch));
     imageStore(out_lines, pixel, is_moving ? lines : layers.lines);

@@ -55,7 +55,7 @@ void main()
         way = half_way(texelFetch(own_motion_image, owner.pixel, 0));
     }
     imageStore(out_texel, pixel,
-               pack_veil(veil_of(layers.wash.rgb, layers.hatch, layers.lines), packHalf2x16(way)));
+               pack_sample(sample_of_layers(layers.wash.rgb, layers.hatch, layers.lines), packHalf2x16(way)));
     imageStore(out_depth, pixel, vec4(owner.depth));
     if (lays_sky) {
         imageStore(out_hatch, pixel, vec4(layers.hatch));

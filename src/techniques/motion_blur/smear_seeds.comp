@@ -122,7 +122,7 @@ void main()
     float weight = unit_float(hash(random, 2u));
     SmearStroke stroke;
     stroke.from_px = moving.xy + along_px * back;
-    // InlineVector are long, and few are broad.
+    // Few strokes are long, and few are broad.
     stroke.way_px = ends && goes_along(edge_way, way)
                         ? -edge_way * (constants.length_share * (0.2 + 0.8 * uneven * uneven))
                         : vec2(0.0);

@@ -12,13 +12,13 @@
 
 namespace estampe::motion_blur {
 
-TogetherList list_coincident(std::span<const glm::vec3> places, std::span<const uint32_t> draw_of_vertex)
+CoincidentList list_coincident(std::span<const glm::vec3> places, std::span<const uint32_t> draw_of_vertex)
 {
     const auto key = [&](uint32_t vertex) {
         const glm::vec3 place = places[vertex];
         return std::tuple(draw_of_vertex[vertex], place.x, place.y, place.z);
     };
-    TogetherList list;
+    CoincidentList list;
     list.members.resize(places.size());
     std::iota(list.members.begin(), list.members.end(), 0U);
     std::ranges::sort(list.members,
@@ -37,7 +37,7 @@ TogetherList list_coincident(std::span<const glm::vec3> places, std::span<const 
     return list;
 }
 
-CoincidentVertices upload_coincident(gpu::Device& device, const TogetherList& list)
+CoincidentVertices upload_coincident(gpu::Device& device, const CoincidentList& list)
 {
     CoincidentVertices buffers{.vertex_count = static_cast<uint32_t>(list.members.size())};
     if (!list.members.empty()) {

@@ -14,16 +14,16 @@ namespace estampe::motion_blur {
 
 /// Vertices at one place of one draw, which go together whatever their normals are: for each vertex where its
 /// list begins and how long it is, then the lists.
-struct TogetherList {
+struct CoincidentList {
     std::vector<glm::uvec2> of_vertex;
     std::vector<uint32_t> members;
 };
 
 /// `places` are of posed vertices at rest. Cost: n log n.
-[[nodiscard]] TogetherList list_coincident(std::span<const glm::vec3> places,
-                                           std::span<const uint32_t> draw_of_vertex);
+[[nodiscard]] CoincidentList list_coincident(std::span<const glm::vec3> places,
+                                             std::span<const uint32_t> draw_of_vertex);
 
-/// The same on the device, made when a style first asks for it.
+/// A CoincidentList on the device, made when a style first asks for it.
 struct CoincidentVertices {
     gpu::Buffer of_vertex;
     gpu::Buffer members;
@@ -32,7 +32,7 @@ struct CoincidentVertices {
     [[nodiscard]] bool empty() const { return vertex_count == 0; }
 };
 
-[[nodiscard]] CoincidentVertices upload_coincident(gpu::Device& device, const TogetherList& list);
+[[nodiscard]] CoincidentVertices upload_coincident(gpu::Device& device, const CoincidentList& list);
 
 struct StretchInputs {
     gpu::BufferId posed_vertices;

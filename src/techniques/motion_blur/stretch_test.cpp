@@ -13,7 +13,7 @@ TEST(Stretch, ListsVerticesAtOnePlaceOfOneDraw)
     const std::array<glm::vec3, 6> places{glm::vec3(1, 0, 0), glm::vec3(0, 0, 0), glm::vec3(1, 0, 0),
                                           glm::vec3(1, 0, 0), glm::vec3(0, 0, 0), glm::vec3(0, 0, 1)};
     const std::array<uint32_t, 6> draws{0, 0, 0, 1, 0, 1};
-    const TogetherList list = list_coincident(places, draws);
+    const CoincidentList list = list_coincident(places, draws);
     const auto members_of = [&](size_t vertex) {
         const glm::uvec2 part = list.of_vertex[vertex];
         return std::vector<uint32_t>(list.members.begin() + part.x, list.members.begin() + part.x + part.y);

@@ -38,8 +38,7 @@ struct OpenPage {
 /// Writes  r16f, as large as what is drawn: the share of the light, 1 where nothing is seen
 /// Cost    four dispatches, all but the last over every second pixel each way: 20 depths, twice 4 neighbours,
 ///         then 4 at every pixel
-/// Source  Therrien, Levesque and Gilet, "Transparency Space Indirect Lighting with Visibility Bitmask",
-/// 2023;
+/// Source  Therrien, Levesque and Gilet, "Screen Space Indirect Lighting with Visibility Bitmask", 2023;
 ///         slices and their weights after Jimenez et al., "Practical Real-Time Strategies for Accurate
 ///         Indirect Occlusion", 2016
 [[nodiscard]] gpu::ImageId add_horizon(gpu::Graph& graph, const OcclusionInputs& in,

@@ -89,7 +89,7 @@ struct Through {
 ///         its reach, over every second pixel
 /// Source  Christensen and Burley, "Approximate Reflectance Profiles for Efficient Subsurface Scattering",
 ///         2015; Gaussians after d'Eon, Luebke and Enderton, "Efficient Rendering of Human Skin", 2007; on
-///         the page after Jimenez, Sundstedt and Gutierrez, "Transparency-Space Perceptual Rendering of Human
+///         the page after Jimenez, Sundstedt and Gutierrez, "Screen-Space Perceptual Rendering of Human
 ///         Skin", 2009; with holes after Shensa, "The Discrete Wavelet Transform: Wedding the a Trous and
 ///         Mallat Algorithms", 1992
 [[nodiscard]] gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::ImageId light,

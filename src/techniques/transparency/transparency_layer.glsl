@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef ESTAMPE_SCREEN_LAYER
-#define ESTAMPE_SCREEN_LAYER
+#ifndef ESTAMPE_TRANSPARENCY_LAYER
+#define ESTAMPE_TRANSPARENCY_LAYER
 
 // A see-through surface at a pixel. Wanted before: `frame`, a FrameGlobals; texels of meshes, draws,
 // vertices at rest and materials; textures of all classes, and TEXTURE_CLASSES.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef ESTAMPE_SCREEN_VARIANT_GLSL_H
-#define ESTAMPE_SCREEN_VARIANT_GLSL_H
+#ifndef ESTAMPE_TRANSPARENCY_VARIANT_GLSL_H
+#define ESTAMPE_TRANSPARENCY_VARIANT_GLSL_H
 // What is asked of transparency.comp besides the size classes that hold textures, texture_class_mask.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"

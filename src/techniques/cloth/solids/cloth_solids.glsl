@@ -5,7 +5,7 @@
 // Solids in their own space: the way out in xyz, of length 1, and in w how far it is to the surface, negative
 // within. Of an ellipsoid, of grids and of bodies that is exact on the surface alone.
 
-// Solids that numbers on a grid tell of, as those of cloth_solids.glsl.
+// Solids given as distances on a grid.
 
 #include "techniques/cloth/cloth_data.glsl"
 

@@ -52,7 +52,7 @@ struct ObjectTriangles {
 [[nodiscard]] std::unique_ptr<MeshMethod> mesh_method(const TerrainMeshing& meshing,
                                                       const ObjectTriangles& object = {});
 
-/// The place of a vertex in the plane, from the anchor in metres; as vertices.comp finds it.
+/// The place of a vertex in the plane, from the anchor in metres; as terrain_vertices.comp finds it.
 [[nodiscard]] glm::vec2 vertex_place(uint32_t vertex, const std::vector<shared::TerrainLevel>& levels);
 
 } // namespace estampe::terrain
