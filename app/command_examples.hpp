@@ -28,7 +28,7 @@ inline constexpr const char* examples = R"(Examples:
   estampe bake room.glb -o room.exr
 )";
 
-/// Below the examples of `render`.
+/// Last line of the help of the program, of `render` and of `info`; manual_page() cuts it off.
 inline constexpr const char* exit_status =
     "\nExit status: 0 done, 1 the job failed, 2 the command line is wrong.";
 

@@ -14,6 +14,7 @@
 #include "features/common/style_tables.hpp"
 #include "piped_scene.hpp"
 #include "world/registry.hpp"
+#include "world_options.hpp"
 
 namespace estampe::app {
 namespace {
@@ -87,15 +88,6 @@ std::vector<std::string> style_keys()
         }
     }
     return keys;
-}
-
-std::vector<std::string> world_names()
-{
-    std::vector<std::string> names;
-    for (const worlds::Description& world : worlds::registry().all()) {
-        names.push_back(world.name);
-    }
-    return names;
 }
 
 /// The options of all worlds, as "seed=".

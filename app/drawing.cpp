@@ -74,9 +74,7 @@ void check_is_known(const std::string& scene)
         std::filesystem::exists(scene, problem)) {
         return;
     }
-    std::vector<std::string> names;
-    std::ranges::transform(worlds::registry().all(), std::back_inserter(names), &worlds::Description::name);
-    const std::string meant = style::nearest(scene, names);
+    const std::string meant = style::nearest(scene, world_names());
     throw Error("is neither a file nor a world", scene,
                 meant.empty() ? known_worlds() : fmt::format("did you mean the world {}?", meant));
 }

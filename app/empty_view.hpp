@@ -14,7 +14,7 @@ namespace estampe::app {
 /// camera.
 void warn_of_empty_view(const DrawOptions& draw, const Scene& scene, Index animation, const Camera& camera);
 
-/// Warns when that is so at all of these moments of a film.
+/// Warns when nothing of the scene can be in the picture at any of these moments of a film.
 void warn_of_empty_film(const DrawOptions& draw, const Scene& scene, Index animation,
                         std::span<const Moment> moments);
 

@@ -86,7 +86,7 @@ FilmChoice with_end(FilmChoice film, const DrawOptions& draw, const Scene& scene
     return film;
 }
 
-/// Of all that the frames hang on.
+/// Hash of everything that the frames depend on.
 uint64_t fingerprint(const DrawOptions& draw, const FilmChoice& film, const Scene& scene,
                      const Renderer& renderer)
 {

@@ -54,9 +54,8 @@ void FilmOptions::add_to(CLI::App& command)
     command.add_option("--fps", frames_per_s_, "Film: frames a second [what the file was made for, else 24]")
         ->type_name("F");
     command.add_flag("--turntable", turntable_, "Film: go once around what is seen [in 5 s]");
-    command.add_flag(
-        "--film", flies_,
-        "Film: the own film of a world, along the camera path that it has\n[a camera that stands]");
+    command.add_flag("--film", flies_,
+                     "Film: a world's own film, along its own camera path\n[a camera that stands still]");
     command.add_flag("--resume", resume_, "Film: go on where an earlier run stopped");
 }
 

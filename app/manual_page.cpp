@@ -64,17 +64,14 @@ std::string entry(const CLI::Option& option)
     return text + "\n";
 }
 
-/// All commands, and what is typed to come to them.
-void list_commands(const CLI::App& app, const std::string& typed,
-                   std::vector<std::pair<std::string, const CLI::App*>>& found)
+/// All commands with what is typed to run each.
+std::vector<std::pair<std::string, const CLI::App*>> list_commands(const CLI::App& app)
 {
-    const std::vector<const CLI::App*> below = app.get_subcommands([](const CLI::App*) { return true; });
-    if (below.empty() || app.get_parent() != nullptr) {
-        found.emplace_back(typed, &app);
+    std::vector<std::pair<std::string, const CLI::App*>> found;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        found.emplace_back(app.get_name() + " " + command->get_name(), command);
     }
-    for (const CLI::App* command : below) {
-        list_commands(*command, typed + " " + command->get_name(), found);
-    }
+    return found;
 }
 
 /// "render [OPTION]... SCENE -o FILE"
@@ -105,8 +102,7 @@ std::string examples_of(const CLI::App& command)
 
 std::string manual_page(const CLI::App& app)
 {
-    std::vector<std::pair<std::string, const CLI::App*>> commands;
-    list_commands(app, app.get_name(), commands);
+    const std::vector<std::pair<std::string, const CLI::App*>> commands = list_commands(app);
 
     std::string page = fmt::format(".TH ESTAMPE 1 \"\" \"{}\" \"User Commands\"\n.nh\n.SH NAME\nestampe \\- "
                                    "draws 3D scenes as a hand would\n.SH SYNOPSIS\n",

@@ -35,7 +35,8 @@ public:
     /// weather and light; the assignments of `draw` override both.
     [[nodiscard]] Style show(Renderer& renderer, double time_s, const Camera& camera);
 
-    /// As the other show(), with the style `chosen` in place of that of `draw`.
+    /// Simulates up to a moment and shows it on the renderer. Returns the style `chosen` with the world's
+    /// weather and light; what the user edited overrides both.
     [[nodiscard]] Style show(Renderer& renderer, const ChosenStyle& chosen, double time_s,
                              const Camera& camera);
 

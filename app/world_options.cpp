@@ -18,23 +18,21 @@
 namespace estampe::app {
 namespace {
 
-std::string names_of(bool (*is_listed)(const worlds::Description&))
-{
-    std::vector<std::string> names;
-    for (const worlds::Description& world : worlds::registry().all()) {
-        if (is_listed(world)) {
-            names.push_back(world.name);
-        }
-    }
-    return fmt::format("{}", fmt::join(names, ", "));
-}
-
 bool has_option(const worlds::Description& world, const std::string& key)
 {
     return std::ranges::find(world.options, key, &worlds::Option::key) != world.options.end();
 }
 
 } // namespace
+
+std::vector<std::string> world_names()
+{
+    std::vector<std::string> names;
+    for (const worlds::Description& world : worlds::registry().all()) {
+        names.push_back(world.name);
+    }
+    return names;
+}
 
 const worlds::Description* world_of(const std::string& scene)
 {
@@ -102,10 +100,15 @@ void check_has_film(const std::string& scene)
 {
     const worlds::Description* const world = world_of(scene);
     if (world == nullptr || !world->film_s) {
-        const auto has_film = [](const worlds::Description& other) { return other.film_s.has_value(); };
+        std::vector<std::string> filmed;
+        for (const worlds::Description& other : worlds::registry().all()) {
+            if (other.film_s) {
+                filmed.push_back(other.name);
+            }
+        }
         throw UsageError(
             fmt::format("works only with a world that has a film of its own; {} has none", in_quotes(scene)),
-            "--film", "worlds with a film: " + names_of(has_film));
+            "--film", fmt::format("worlds with a film: {}", fmt::join(filmed, ", ")));
     }
 }
 
@@ -119,7 +122,7 @@ std::string world_option_as_typed(const std::string& key, const std::string& val
 
 std::string known_worlds()
 {
-    return "the worlds: " + names_of([](const worlds::Description& /*world*/) { return true; });
+    return fmt::format("the worlds: {}", fmt::join(world_names(), ", "));
 }
 
 } // namespace estampe::app

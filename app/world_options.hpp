@@ -19,6 +19,9 @@ namespace estampe::app {
 
 struct DrawOptions;
 
+/// The names of all worlds.
+[[nodiscard]] std::vector<std::string> world_names();
+
 /// The world that `scene` names; null if it names none, or if a file has this name, which has precedence.
 [[nodiscard]] const worlds::Description* world_of(const std::string& scene);
 

@@ -306,7 +306,8 @@ int main(int argc, char** argv)
     app.add_option("--sizes", options.sizes, "Cells of a side, one or several");
     app.add_option("--depth", options.depth, "Cells along z; 1 for two dimensions");
     app.add_option("--rounds", options.rounds, "Steps to take the median of")->check(CLI::Range(1, 100000));
-    app.add_option("--most-projections", options.most_projections, "After which a solver is given up")
+    app.add_option("--most-projections", options.most_projections,
+                   "Most projections before a solver is given up")
         ->check(CLI::PositiveNumber);
     app.add_flag("--periodic", options.periodic, "Edges that meet in place of walls");
     app.add_flag("--steps-only", options.steps_only);

@@ -58,7 +58,7 @@ function(estampe_shader_variants name shader)
   target_include_directories(estampe_${name} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
 endfunction()
 
-# One of them: its name, then its macros. None where nothing is named.
+# Compiles one variant of a source: its name, then its macros. Does nothing without a name, as before the first VARIANT.
 function(estampe_shader_variant name shader)
   set(macros ${ARGN})
   list(POP_FRONT macros variant)

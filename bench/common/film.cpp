@@ -13,8 +13,8 @@ void FilmOptions::add_to(CLI::App& app)
     add_device_option(app, device);
     app.add_option("--style", style, "Preset, or TOML file")->capture_default_str();
     add_set_option(app, assignments);
-    app.add_option("--width", width, "In pixels")->capture_default_str();
-    app.add_option("--height", height, "In pixels")->capture_default_str();
+    app.add_option("--width", width, "Width of a frame in pixels")->capture_default_str();
+    app.add_option("--height", height, "Height of a frame in pixels")->capture_default_str();
     app.add_option("--pictures", pictures, "Folder that frames are written to");
     app.add_flag("--passes", passes, "Also prints what each pass costs; a frame then takes longer");
 }

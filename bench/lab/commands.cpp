@@ -35,4 +35,14 @@ void ResultFiles::write_text(const std::string& file, const std::function<std::s
     }
 }
 
+void add_drawing_options(CLI::App& command, bench::Size& size, uint32_t& frames, RendererOptions& device)
+{
+    bench::add_size_option(command, size);
+    command.add_option("--frames", frames, "Frames of each kind, of which the median counts")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(bench::up_to(10000));
+    bench::add_renderer_options(command, device);
+}
+
 } // namespace estampe::lab

@@ -10,6 +10,9 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "common/command_line.hpp"
 
 namespace estampe::lab {
 
@@ -26,6 +29,10 @@ using Job = std::function<void()>;
 
 /// Holds each pass against what the device can copy and compute.
 [[nodiscard]] Job add_roofline(CLI::App& command);
+
+/// Adds what all commands that draw pictures ask for: their size, the number of frames, and the device's
+/// options.
+void add_drawing_options(CLI::App& command, bench::Size& size, uint32_t& frames, RendererOptions& device);
 
 /// Files that a result is written to besides standard output.
 class ResultFiles {
@@ -66,7 +73,7 @@ template <class Entries>
     return names;
 }
 
-/// Those of `entries` that are named; all if none is.
+/// The entries of those names; all entries if `names` is empty.
 template <class Entry>
 [[nodiscard]] std::vector<const Entry*> chosen(const std::vector<Entry>& entries,
                                                const std::vector<std::string>& names)
@@ -86,9 +93,7 @@ template <class Entries>
 {
     std::string list;
     for (const auto& entry : entries) {
-        const std::string name = entry.name;
-        list += "  " + name + std::string(name.size() < 12 ? 12 - name.size() : 0, ' ') + " " + entry.about +
-                "\n";
+        list += fmt::format("  {:<12} {}\n", entry.name, entry.about);
     }
     return list;
 }

@@ -28,7 +28,7 @@ on how busy the machine is.)";
 
 struct LightsOptions {
     std::vector<uint32_t> counts{1, 3, 10, 30, 100, 300, 1000};
-    uint32_t shadowed = 0; ///< of the lights throw shadows: spots and points in turn
+    uint32_t shadowed = 0; ///< how many lights throw shadows: spots and points in turn
     bool million = false;  ///< a million triangles, not some ten thousand
     bool moving = false;   ///< shadowed lights move from frame to frame
     bench::Size size;
@@ -233,12 +233,7 @@ Job add_lights(CLI::App& command)
         ->capture_default_str();
     command.add_flag("--million", options->million, "A million triangles instead of some ten thousand");
     command.add_flag("--moving", options->moving, "Move the lights that throw shadows from frame to frame");
-    bench::add_size_option(command, options->size);
-    command.add_option("--frames", options->frames, "Frames of each kind, of which the median counts")
-        ->type_name("N")
-        ->capture_default_str()
-        ->check(bench::up_to(10000));
-    bench::add_renderer_options(command, options->device);
+    add_drawing_options(command, options->size, options->frames, options->device);
     command.add_option("-o,--output", options->output, "Also write a plot, NAME.svg")
         ->type_name("FILE")
         ->check(bench::ends_in(".svg"));

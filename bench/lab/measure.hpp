@@ -56,7 +56,7 @@ struct BenchPlan {
     double most_share = 1.0; ///< amounts above so much of a series' greatest are left out
 };
 
-/// Draws each amount in turn with the series' first, so that their ratio does not hang on how busy the
+/// Draws each amount in turn with the series' first, so that their ratio does not depend on how busy the
 /// machine is. `on_point` is told what is about to be measured. Throws Error as Renderer does.
 [[nodiscard]] BenchResult measure(const std::vector<const Series*>& series, const BenchPlan& plan,
                                   const std::function<void(const Series&, double amount)>& on_point);

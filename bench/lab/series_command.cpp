@@ -105,12 +105,7 @@ Job add_series(CLI::App& command)
         ->type_name("SHARE")
         ->capture_default_str()
         ->check(CLI::Range(1e-9, 1.0).description(""));
-    bench::add_size_option(command, options->size);
-    command.add_option("--frames", options->plan.frames, "Frames of each kind, of which the median counts")
-        ->type_name("N")
-        ->capture_default_str()
-        ->check(bench::up_to(10000));
-    bench::add_renderer_options(command, options->plan.device);
+    add_drawing_options(command, options->size, options->plan.frames, options->plan.device);
     return [options] {
         if (options->compared.empty()) {
             measure_series(*options);

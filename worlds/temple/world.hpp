@@ -42,8 +42,8 @@ public:
     /// All of it as it stands at the beginning. Cost: a fifth of a second.
     [[nodiscard]] estampe::Scene scene() const override;
 
-    /// As meet(). In a film the sun goes on, on a walk slowly, unless WeatherChoice says how fast; a film
-    /// that is no draft is a film() of it.
+    /// Calls meet(). The sun moves in a film, and slowly on a walk, unless WeatherChoice sets its speed.
+    /// Calls film() for a film that is not a draft.
     void begin(const estampe::Scene& scene, const worlds::Purpose& purpose) override;
 
     /// Learns which nodes of its scene() are what. Throws Error for a scene that has no demons.
@@ -78,10 +78,10 @@ public:
     [[nodiscard]] estampe::Style style(const estampe::Style& base,
                                        const estampe::Camera& camera) const override;
 
-    /// A Flight.
+    /// Makes the Flight through the temple.
     [[nodiscard]] std::unique_ptr<worlds::CameraPath> film_camera(const estampe::Scene& scene) const override;
 
-    /// A Visit.
+    /// Makes a Visit of the temple.
     [[nodiscard]] std::unique_ptr<worlds::Visit> visit(const estampe::Scene& scene) const override;
 
     [[nodiscard]] Demons& demons() { return demons_; }

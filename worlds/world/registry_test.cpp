@@ -76,7 +76,7 @@ TEST(WorldRegistry, HasTheProgramsWorlds)
         for (const std::string& style : world.styles) {
             EXPECT_NO_THROW(static_cast<void>(estampe::Style::load(style))) << world.name << ", " << style;
         }
-        EXPECT_EQ(world.make(Values(world.options, {})) == nullptr, false) << world.name;
+        EXPECT_NE(world.make(Values(world.options, {})), nullptr) << world.name;
     }
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 // Small kernels that show what makes a shader quick or slow on the device at hand. Each experiment does one
-// thing in several ways, which are run in turn, so that their ratio does not hang on how busy the machine is;
-// what each leaves is held against what the processor finds.
+// thing in several ways, which are run in turn, so that their ratio does not depend on how busy the machine
+// is; what each leaves is held against what the processor finds.
 
 #include <cstdint>
 #include <functional>
@@ -103,7 +103,7 @@ struct KernelsResult {
 [[nodiscard]] ExperimentResult run_experiment(gpu::Device& device, const Entry& entry, Effort effort,
                                               uint32_t rounds);
 
-/// The same of several. `on_experiment` is told what is about to be run.
+/// Runs several experiments on the device of that name. Calls `on_experiment` before each.
 [[nodiscard]] KernelsResult run_experiments(const std::string& device,
                                             const std::vector<const Entry*>& entries, uint32_t rounds,
                                             const std::function<void(const Entry&)>& on_experiment);
