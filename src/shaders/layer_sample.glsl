@@ -12,9 +12,9 @@ struct LayerSample {
 
 const LayerSample no_sample = LayerSample(vec4(0.0), vec4(0.0));
 
-LayerSample scaled(LayerSample sample_here, float by)
+LayerSample scaled(LayerSample layers, float by)
 {
-    return LayerSample(sample_here.paint * by, sample_here.lines * by);
+    return LayerSample(layers.paint * by, layers.lines * by);
 }
 
 LayerSample sum_of(LayerSample a, LayerSample b)
@@ -22,7 +22,7 @@ LayerSample sum_of(LayerSample a, LayerSample b)
     return LayerSample(a.paint + b.paint, a.lines + b.lines);
 }
 
-// Of paint, ink of strokes over it, and lines over both: roots of their colour, and cover.
+// Combines paint, the ink of strokes over it, and lines over both. The colour of lines comes as square roots.
 LayerSample sample_of_layers(vec3 paint, float hatch, vec4 lines)
 {
     float shown = 1.0 - lines.a;
@@ -30,22 +30,21 @@ LayerSample sample_of_layers(vec3 paint, float hatch, vec4 lines)
                        vec4(lines.rgb * lines.rgb * lines.a, lines.a));
 }
 
-// And back: paint where ink leaves any, else `paint_below`.
-void layers_of_sample(LayerSample sample_here, vec3 paint_below, out vec3 paint, out float hatch,
-                      out vec4 lines)
+// Splits a sample into layers. Where ink leaves no paint to see, the paint is `paint_below`.
+void layers_of_sample(LayerSample layers, vec3 paint_below, out vec3 paint, out float hatch, out vec4 lines)
 {
-    float cover = clamp(sample_here.lines.a, 0.0, 1.0);
-    hatch = clamp(sample_here.paint.a / max(1.0 - cover, 1e-4), 0.0, 1.0);
+    float cover = clamp(layers.lines.a, 0.0, 1.0);
+    hatch = clamp(layers.paint.a / max(1.0 - cover, 1e-4), 0.0, 1.0);
     float bare = (1.0 - cover) * (1.0 - hatch);
-    paint = bare > 2e-3 ? sample_here.paint.rgb / max(bare, 1e-3) : paint_below;
-    lines = vec4(sqrt(sample_here.lines.rgb / max(cover, 1e-4)), cover);
+    paint = bare > 2e-3 ? layers.paint.rgb / max(bare, 1e-3) : paint_below;
+    lines = vec4(sqrt(layers.lines.rgb / max(cover, 1e-4)), cover);
 }
 
-// In three words; the fourth is free.
-uvec4 pack_sample(LayerSample sample_here, uint rest)
+// Packs a sample into three words; `rest` is the fourth.
+uvec4 pack_sample(LayerSample layers, uint rest)
 {
-    return uvec4(packHalf2x16(sample_here.paint.xy), packHalf2x16(sample_here.paint.zw),
-                 packUnorm4x8(vec4(sqrt(sample_here.lines.rgb), sample_here.lines.a)), rest);
+    return uvec4(packHalf2x16(layers.paint.xy), packHalf2x16(layers.paint.zw),
+                 packUnorm4x8(vec4(sqrt(layers.lines.rgb), layers.lines.a)), rest);
 }
 
 LayerSample unpack_sample(uvec4 packed)

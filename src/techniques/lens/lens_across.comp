@@ -34,7 +34,7 @@ void main()
     // A Gaussian curve of the disc's spread, out to where an eighth of the middle is left.
     float spread_px = 0.5 * abs(own.radius_px);
     float step_px = 2.0 * spread_px / float(taps_aside);
-    LayerSample sum = LayerSample(vec4(0.0), vec4(0.0));
+    LayerSample sum = no_sample;
     float weights = 0.0;
     for (int i = -taps_aside; i <= taps_aside; ++i) {
         int away = int(floor(float(i) * step_px + 0.5));
@@ -44,7 +44,7 @@ void main()
         float part = 2.0 * float(i) / float(taps_aside);
         float tolerance = max(1.0, 0.25 * abs(own.radius_px));
         float weight = exp(-0.5 * part * part) * (tap.radius_px > own.radius_px + tolerance ? 0.0 : 1.0);
-        sum = sum_of(sum, scaled(tap.sample_here, weight));
+        sum = sum_of(sum, scaled(tap.layers, weight));
         weights += weight;
     }
     imageStore(out_texel, pixel, pack_texel(LensTexel(scaled(sum, 1.0 / weights), own.radius_px, 1.0)));

@@ -37,7 +37,7 @@ const bool shows_circles = (variant & lens_shows_circles) != 0u;
 
 // What the pixel shows, and whether anything but itself is in that.
 struct Seen {
-    LayerSample sample_here;
+    LayerSample layers;
     bool is_blurred;
 };
 
@@ -49,7 +49,7 @@ Seen nearly_sharp(ivec2 pixel, LensTexel own, float reach_px)
     float own_radius = abs(own.radius_px);
     bool is_wanted = own_radius < lens_blurred_px && reach_px > lens_sharp_px;
     int rows = is_wanted ? small_side : 0;
-    LayerSample sum = LayerSample(vec4(0.0), vec4(0.0));
+    LayerSample sum = no_sample;
     float weights = 0.0;
     float others = 0.0;
     for (int row = 0; row < rows; ++row) {
@@ -67,13 +67,13 @@ Seen nearly_sharp(ivec2 pixel, LensTexel own, float reach_px)
             float share = disc_share(max(radius, lens_sharp_px), aperture_distance(vec2(aside)));
             float weight =
                 is_there ? share * (aside == ivec2(0) ? 1.0 : 1.0 - near_share(tap.radius_px)) : 0.0;
-            sum = sum_of(sum, scaled(tap.sample_here, weight));
+            sum = sum_of(sum, scaled(tap.layers, weight));
             weights += weight;
             others += aside == ivec2(0) ? 0.0 : weight;
         }
     }
     bool is_blurred = others > 0.0;
-    return Seen(is_blurred ? scaled(sum, 1.0 / max(weights, 1e-6)) : own.sample_here, is_blurred);
+    return Seen(is_blurred ? scaled(sum, 1.0 / max(weights, 1e-6)) : own.layers, is_blurred);
 }
 
 // Between four texels of a field; its cover, where it has any, is in place of radii.
@@ -92,7 +92,7 @@ LensTexel between(usampler2D field_image, ivec2 pixel, bool is_wanted)
             vec2 side = mix(1.0 - part, part, vec2(aside));
             float weight = side.x * side.y;
             LensTexel texel = unpack_texel(texelFetch(field_image, clamp(corner + aside, ivec2(0), most), 0));
-            sum.sample_here = sum_of(sum.sample_here, scaled(texel.sample_here, weight));
+            sum.layers = sum_of(sum.layers, scaled(texel.layers, weight));
             sum.radius_px += weight * texel.radius_px;
         }
     }
@@ -108,8 +108,8 @@ Seen gathered(ivec2 pixel, LensTexel own)
     LensTexel near_field = between(near_image, pixel, reach.x > lens_nearly_px);
     LensTexel far_field = between(far_image, pixel, far > 0.0);
     float cover = near_field.radius_px;
-    LayerSample behind = sum_of(scaled(seen.sample_here, 1.0 - far), scaled(far_field.sample_here, far));
-    LayerSample sample_here = sum_of(scaled(behind, 1.0 - cover), near_field.sample_here);
+    LayerSample behind = sum_of(scaled(seen.layers, 1.0 - far), scaled(far_field.layers, far));
+    LayerSample sample_here = sum_of(scaled(behind, 1.0 - cover), near_field.layers);
     return Seen(sample_here, seen.is_blurred || far > 0.0 || cover > 0.0);
 }
 
@@ -143,7 +143,7 @@ void main()
     vec4 wash = layers.wash;
     float hatch;
     vec4 line;
-    layers_of_sample(seen.sample_here, layers.wash.rgb, wash.rgb, hatch, line);
+    layers_of_sample(seen.layers, layers.wash.rgb, wash.rgb, hatch, line);
     imageStore(out_wash, pixel, seen.is_blurred ? wash : layers.wash);
     if (!is_wash_only) {
         imageStore(out_hatch, pixel, vec4(seen.is_blurred ? hatch : layers.hatch));

@@ -69,7 +69,7 @@ LensTexel gather_near(ivec2 at, float own_px, float reach_px)
     Place place = place_on(level_for(reach_px), at);
     float own_texels = max(-own_px * place.texels_per_px, 0.5);
     float own_near = near_share(own_px);
-    LayerSample sum = LayerSample(vec4(0.0), vec4(0.0));
+    LayerSample sum = no_sample;
     float cover = 0.0;
     float seen = 0.0;
     float seen_near = 0.0;
@@ -82,7 +82,7 @@ LensTexel gather_near(ivec2 at, float own_px, float reach_px)
             float away = aperture_distance(tap.offset);
             float near = near_share(tap.texel.radius_px) * tap.texel.part;
             float weight = near * disc_share(radius, away);
-            sum = sum_of(sum, scaled(tap.texel.sample_here, weight));
+            sum = sum_of(sum, scaled(tap.texel.layers, weight));
             cover += weight;
             float within = clamp(own_texels + 0.5 - away, 0.0, 1.0) * tap.texel.part;
             seen += within;
@@ -100,7 +100,7 @@ LensTexel gather_far(ivec2 at, LensTexel own, float own_reach_px)
     float own_far = far_share(own.radius_px);
     float search_px = max(abs(own.radius_px), 4.0);
     Place place = place_on(level_for(search_px), at);
-    LayerSample sum = LayerSample(vec4(0.0), vec4(0.0));
+    LayerSample sum = no_sample;
     float weights = 0.0;
     int rows = own_reach_px > lens_nearly_px ? tap_side : 0;
     for (int row = 0; row < rows; ++row) {
@@ -115,12 +115,12 @@ LensTexel gather_far(ivec2 at, LensTexel own, float own_reach_px)
             float sharp = hidden_sharp * (1.0 - far - near_share(tap.texel.radius_px));
             float beside = (far + own_near * sharp) / (1.0 + away * away * away * away);
             float weight = mix(beside, blurred, own_far) * tap.texel.part;
-            sum = sum_of(sum, scaled(tap.texel.sample_here, weight));
+            sum = sum_of(sum, scaled(tap.texel.layers, weight));
             weights += weight;
         }
     }
     bool has_any = weights > 1e-5;
-    return LensTexel(has_any ? scaled(sum, 1.0 / max(weights, 1e-6)) : own.sample_here, own.radius_px, 1.0);
+    return LensTexel(has_any ? scaled(sum, 1.0 / max(weights, 1e-6)) : own.layers, own.radius_px, 1.0);
 }
 
 void main()

@@ -54,16 +54,16 @@ void main()
     }
     float kept = nearest < -lens_sharp_px ? nearest : farthest;
     float tolerance = max(0.5, 0.25 * abs(kept));
-    LensTexel texel = LensTexel(LayerSample(vec4(0.0), vec4(0.0)), 0.0, 0.0);
+    LensTexel texel = LensTexel(no_sample, 0.0, 0.0);
     float sum = 0.0;
     for (int i = 0; i < 4; ++i) {
         float alike = is_plain ? 1.0 : clamp(2.0 - abs(below[i].radius_px - kept) / tolerance, 0.0, 1.0);
         float weight = alike * below[i].part;
-        texel.sample_here = sum_of(texel.sample_here, scaled(below[i].sample_here, weight));
+        texel.layers = sum_of(texel.layers, scaled(below[i].layers, weight));
         texel.radius_px += weight * below[i].radius_px;
         sum += weight;
     }
-    texel.sample_here = scaled(texel.sample_here, 1.0 / max(sum, 1e-6));
+    texel.layers = scaled(texel.layers, 1.0 / max(sum, 1e-6));
     texel.radius_px /= max(sum, 1e-6);
     texel.part = 0.25 * sum;
     imageStore(level_image, level_origin(level) + at, pack_texel(texel));

@@ -30,7 +30,7 @@ LayerSample level_at(int level, ivec2 pixel)
     vec2 place = (vec2(pixel + ivec2(constants.pad_px)) + 0.5) / float(1 << level) - 0.5;
     ivec2 corner = ivec2(floor(place));
     vec2 part = place - vec2(corner);
-    LayerSample sum = LayerSample(vec4(0.0), vec4(0.0));
+    LayerSample sum = no_sample;
     float weights = 0.0;
     for (int i = 0; i < 4; ++i) {
         ivec2 aside = ivec2(i & 1, i >> 1);
@@ -38,7 +38,7 @@ LayerSample level_at(int level, ivec2 pixel)
         LensTexel texel = unpack_texel(texelFetch(level_image, level_origin(level) + at, 0));
         vec2 side = mix(1.0 - part, part, vec2(aside));
         float weight = side.x * side.y * texel.part;
-        sum = sum_of(sum, scaled(texel.sample_here, weight));
+        sum = sum_of(sum, scaled(texel.layers, weight));
         weights += weight;
     }
     return scaled(sum, 1.0 / max(weights, 1e-6));
@@ -54,12 +54,12 @@ void main()
     // A texel looked up between its neighbours spreads as a disc of about four fifths of its side does.
     float wanted = log2(max(abs(own.radius_px) / (is_sum ? 0.6 : 0.8), 1.0));
     wanted = min(wanted, float(lens_levels));
-    LayerSample sum = LayerSample(vec4(0.0), vec4(0.0));
+    LayerSample sum = no_sample;
     float weights = 0.0;
     for (int level = 0; level < rounds(int(lens_levels) + 1, pixel.x); ++level) {
         float near = clamp(1.0 - abs(wanted - float(level)), 0.0, 1.0);
         float weight = is_sum ? clamp(wanted - float(level) + 1.0, 0.0, 1.0) * float(1 << level) : near;
-        LayerSample there = level == 0 ? own.sample_here : level_at(max(level, 1), pixel);
+        LayerSample there = level == 0 ? own.layers : level_at(max(level, 1), pixel);
         sum = sum_of(sum, scaled(there, weight));
         weights += weight;
     }

@@ -7,14 +7,14 @@
 #include "shaders/layer_sample.glsl"
 
 struct LensTexel {
-    LayerSample sample_here;
+    LayerSample layers;
     float radius_px; // of the circle of confusion; below 0 before the plane in focus
     float part;      // of the texel's area that is taken
 };
 
 uvec4 pack_texel(LensTexel t)
 {
-    return pack_sample(t.sample_here, packHalf2x16(vec2(t.radius_px, t.part)));
+    return pack_sample(t.layers, packHalf2x16(vec2(t.radius_px, t.part)));
 }
 
 LensTexel unpack_texel(uvec4 packed)
