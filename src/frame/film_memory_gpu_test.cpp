@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A film that is drawn in two runs is the film drawn in one.
+#include <algorithm>
+#include <span>
+#include <string>
+#include <string_view>
+
 #include <estampe/renderer.hpp>
 
 #include <gtest/gtest.h>
@@ -176,6 +181,39 @@ TEST(FilmMemory, RefusesWhatIsNone)
     memory.pop_back();
     memory[0] ^= std::byte{1};
     EXPECT_THROW(renderer.recall_film(memory), Error) << "of another kind";
+}
+
+/// Where `name` stands as a section's name in a film's memory; the section's version follows it.
+size_t version_of(const std::vector<std::byte>& memory, std::string_view name)
+{
+    const auto bytes = std::as_bytes(std::span(name));
+    const auto found = std::search(memory.begin(), memory.end(), bytes.begin(), bytes.end());
+    return static_cast<size_t>(found - memory.begin()) + name.size();
+}
+
+TEST(FilmMemory, NamesTheFeatureWhoseVersionItDoesNotRead)
+{
+    Renderer& renderer = test::shared_renderer();
+    const Scene scene = still_life();
+    renderer.set_scene(scene);
+    static_cast<void>(frame(renderer, inked(), 0));
+    const std::vector<std::byte> memory = renderer.film_memory();
+    for (const char* name : {"lines", "exposure", "ink", "smoke"}) {
+        const size_t at = version_of(memory, name);
+        ASSERT_LT(at + 4, memory.size()) << name << " has no section";
+        std::vector<std::byte> later = memory;
+        later.at(at) = std::byte{99};
+        try {
+            renderer.recall_film(later);
+            FAIL() << name << " of another version was taken";
+        } catch (const Error& problem) {
+            EXPECT_NE(std::string(problem.what()).find(std::string(name) + " in version 99"),
+                      std::string::npos)
+                << problem.what();
+        }
+    }
+    renderer.recall_film(memory);
+    EXPECT_EQ(renderer.film_memory(), memory) << "what was refused changed nothing";
 }
 
 } // namespace
