@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "animations.hpp"
+#include "drawing.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,24 +7,17 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "bake_options.hpp"
-#include "batch_options.hpp"
-#include "command_examples.hpp"
-#include "completion.hpp"
+#include "bake.hpp"
+#include "batch.hpp"
 #include "core/file.hpp"
 #include "core/text.hpp"
 #include "drawing.hpp"
-#include "manual_page.hpp"
-#include "no_cache.hpp"
+#include "help.hpp"
 #include "option_values.hpp"
 #include "options.hpp"
-#include "picture_options.hpp"
-#include "scene_options.hpp"
-#include "transparent_option.hpp"
-#include "usage_error.hpp"
+#include "report.hpp"
 #include "viewer/keys.hpp"
-#include "world_options.hpp"
-#include "world_report.hpp"
+#include "worlds.hpp"
 
 namespace estampe::app {
 namespace {

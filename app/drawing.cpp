@@ -2,23 +2,119 @@
 #include "drawing.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <memory>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <estampe/error.hpp>
 
 #include "core/file.hpp"
 #include "core/text.hpp"
+#include "messages.hpp"
 #include "piped_scene.hpp"
 #include "scene/view_analysis/view_analysis.hpp"
-#include "style/suggest.hpp"
-#include "world_options.hpp"
+#include "scene/visibility.hpp"
+#include "style/names.hpp"
+#include "worlds.hpp"
 
 namespace estampe::app {
+namespace {
+
+/// What --animation takes in place of a name, to play all animations together.
+constexpr const char* all_animations = "all";
+
+std::string name_of(const Animation& animation, size_t index)
+{
+    return animation.name.empty() ? std::to_string(index) : in_quotes(animation.name);
+}
+
+} // namespace
+
+bool add_all_animations(Scene& scene)
+{
+    const bool is_named = std::ranges::any_of(
+        scene.animations, [](const Animation& animation) { return animation.name == all_animations; });
+    if (scene.animations.size() < 2 || is_named) {
+        return true;
+    }
+    Animation all{.name = all_animations, .start_s = scene.animations.front().start_s};
+    std::set<std::pair<Index, AnimatedPath>> animated;
+    std::set<Index> contested;
+    for (const Animation& animation : scene.animations) {
+        std::set<std::pair<Index, AnimatedPath>> own;
+        for (const AnimationChannel& channel : animation.channels) {
+            const std::pair key(channel.node, channel.path);
+            if (animated.contains(key)) {
+                contested.insert(channel.node);
+                continue;
+            }
+            own.insert(key);
+            all.channels.push_back(channel);
+        }
+        animated.merge(own);
+        all.duration_s = std::max(all.duration_s, animation.duration_s);
+        all.start_s = std::min(all.start_s, animation.start_s);
+    }
+    if (!contested.empty()) {
+        scene.warnings.push_back(fmt::format(
+            "several animations move the same nodes ({}, such as \"{}\"): there the first of them is played",
+            contested.size(), scene.nodes.at(*contested.begin()).name));
+    }
+    scene.animations.push_back(std::move(all));
+    return contested.empty();
+}
+
+Index choose_animation(const DrawOptions& draw, const Scene& scene)
+{
+    if (draw.animation.empty()) {
+        return 0;
+    }
+    std::vector<std::string> names;
+    for (const Animation& animation : scene.animations) {
+        if (animation.name == draw.animation) {
+            return static_cast<Index>(names.size());
+        }
+        names.push_back(in_quotes(animation.name));
+    }
+    if (draw.animation == all_animations && !names.empty()) {
+        return 0; // the only one
+    }
+    Index index = 0;
+    const char* const end = draw.animation.data() + draw.animation.size();
+    const auto [stop, problem] = std::from_chars(draw.animation.data(), end, index);
+    if (problem == std::errc{} && stop == end && index < names.size()) {
+        return index;
+    }
+    throw Error(fmt::format("no animation {}", in_quotes(draw.animation)), draw.scene,
+                names.empty() ? "the file has none"
+                              : fmt::format("it has {}, or all", fmt::join(names, ", ")));
+}
+
+std::string note_of_animations(const DrawOptions& draw, const Scene& scene)
+{
+    if (!draw.animation.empty() || scene.animations.size() < 2) {
+        return {};
+    }
+    constexpr size_t most_names = 12;
+    std::vector<std::string> others;
+    for (size_t i = 1; i < std::min(scene.animations.size(), most_names + 1); ++i) {
+        others.push_back(name_of(scene.animations[i], i));
+    }
+    const size_t more = scene.animations.size() - 1 - others.size();
+    return fmt::format("plays animation {} of {}; --animation picks another, or all: {}{}",
+                       name_of(scene.animations.front(), 0), scene.animations.size(), fmt::join(others, ", "),
+                       more > 0 ? fmt::format(" and {} more", more) : std::string());
+}
+
 namespace {
 
 Index first_placed_camera(const Scene& scene)
@@ -215,6 +311,70 @@ void set_scene(Renderer& renderer, const Scene& scene, const DrawOptions& draw)
         }
         throw;
     }
+}
+
+namespace {
+
+std::string name_of_camera(const DrawOptions& draw, const Scene& scene)
+{
+    if (draw.camera.kind == CameraChoice::Kind::named)
+        return fmt::format("camera {}", in_quotes(draw.camera.name));
+    if (draw.camera.kind == CameraChoice::Kind::placed)
+        return "the camera given by --camera";
+    Index first = no_index;
+    for (const Node& node : scene.nodes)
+        first = std::min(first, node.camera);
+    const std::string& name = scene.cameras[first].name;
+    return fmt::format("camera {} of the file", name.empty() ? std::to_string(first) : in_quotes(name));
+}
+
+std::string name_of_node(const Scene& scene, Index node)
+{
+    const std::string& own = scene.nodes[node].name;
+    const std::string& name = own.empty() ? scene.meshes[scene.nodes[node].mesh].name : own;
+    return name.empty() ? fmt::format("node {}", node) : in_quotes(name);
+}
+
+/// What is wrong with a view in which nothing is drawn, and what to do.
+std::string problem_with(const InView& view, const Scene& scene)
+{
+    if (view.content == ViewContent::nothing)
+        return "sees nothing of the scene; --camera auto frames all of it";
+    const std::string name = name_of_node(scene, view.backs_of);
+    if (view.holds_eye)
+        return fmt::format("stands inside {}, whose one-sided surface is drawn from outside alone, and sees "
+                           "nothing else; move it out, or make the material double-sided",
+                           name);
+    return fmt::format("sees nothing but backs of one-sided surfaces, such as {}, which are not drawn; look "
+                       "from their front, or make the material double-sided",
+                       name);
+}
+
+} // namespace
+
+void warn_of_empty_view(const DrawOptions& draw, const Scene& scene, Index animation, const Camera& camera)
+{
+    const Moment moment{camera, draw.time_s};
+    warn_of_empty_film(draw, scene, animation, {&moment, 1});
+}
+
+void warn_of_empty_film(const DrawOptions& draw, const Scene& scene, Index animation,
+                        std::span<const Moment> moments)
+{
+    if (draw.camera.kind != CameraChoice::Kind::placed && !has_camera_of_file(draw, scene))
+        return;
+    const double aspect = draw.style.window_aspect(draw.page.width, draw.page.height);
+    std::optional<InView> first;
+    for (const Moment& moment : moments) {
+        const InView view =
+            find_in_view(scene, pose_scene(scene, moment.time_s, animation), moment.camera, aspect);
+        if (view.content == ViewContent::something)
+            return;
+        first = first.value_or(view);
+    }
+    if (first)
+        print_warnings(
+            {fmt::format("{}: {} {}", draw.scene, name_of_camera(draw, scene), problem_with(*first, scene))});
 }
 
 } // namespace estampe::app

@@ -15,8 +15,7 @@
 #include "commands.hpp"
 #include "core/text.hpp"
 #include "options.hpp"
-#include "signals.hpp"
-#include "usage_error.hpp"
+#include "process.hpp"
 
 namespace {
 

@@ -2,19 +2,21 @@
 #include "option_values.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <initializer_list>
 #include <optional>
 #include <string_view>
 
-#include <estampe/error.hpp>
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <estampe/error.hpp>
+
 #include "core/text.hpp"
+#include "gpu/pipelines.hpp"
+#include "options.hpp"
 #include "piped_scene.hpp"
-#include "usage_error.hpp"
 
 namespace estampe::app {
 namespace {
@@ -107,6 +109,9 @@ CameraChoice parse_view(const std::string& text)
     return choice;
 }
 
+namespace {
+
+/// "x", "y", "z", "-x", "-y" or "-z". Throws UsageError when it is none of them.
 UpAxis parse_up_axis(const std::string& text)
 {
     constexpr std::array<std::pair<std::string_view, UpAxis>, 6> axes{{{"x", UpAxis::x},
@@ -115,8 +120,7 @@ UpAxis parse_up_axis(const std::string& text)
                                                                        {"-x", UpAxis::minus_x},
                                                                        {"-y", UpAxis::minus_y},
                                                                        {"-z", UpAxis::minus_z}}};
-    std::string low = text;
-    std::ranges::transform(low, low.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string low = lower_case(text);
     const auto* const found =
         std::ranges::find(axes, std::string_view(low), &decltype(axes)::value_type::first);
     if (found == axes.end()) {
@@ -126,6 +130,7 @@ UpAxis parse_up_axis(const std::string& text)
     return found->second;
 }
 
+/// Throws UsageError unless `text` is empty or a format of --input-format.
 void check_input_format(const std::string& text)
 {
     const auto formats = input_formats();
@@ -134,6 +139,8 @@ void check_input_format(const std::string& text)
                          fmt::format("allowed: {}", fmt::join(formats, ", ")));
     }
 }
+
+} // namespace
 
 RasterPath parse_raster_path(const std::string& text)
 {
@@ -173,6 +180,38 @@ Style read_style(const std::string& name, const std::vector<std::string>& assign
         }
     }
     return style;
+}
+
+void SceneOptions::add_to(CLI::App& command)
+{
+    command
+        .add_option("--up", up_,
+                    "Axis of the file that points up: x, y, z, -x, -y or -z; the scene is\n"
+                    "turned so that it becomes y [what the file says, else y]")
+        ->type_name("AXIS");
+    command
+        .add_option("--input-format", format_,
+                    "Format of a scene that comes through a pipe: glb, gltf, obj, ply, stl,\n"
+                    "fbx or dae [recognised by its content where that can be]")
+        ->type_name("NAME");
+}
+
+std::optional<UpAxis> SceneOptions::up() const
+{
+    return up_.empty() ? std::nullopt : std::optional(parse_up_axis(up_));
+}
+
+std::string SceneOptions::format() const
+{
+    check_input_format(format_);
+    return format_;
+}
+
+void add_no_cache_flag(CLI::App& command)
+{
+    command.add_flag_callback(
+        "--no-cache", [] { gpu::keep_pipelines(false); },
+        "Neither use nor keep pipelines on disk that the driver has compiled");
 }
 
 } // namespace estampe::app

@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// Options that several commands have, and how their values are read.
+
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <estampe/scene.hpp>
+
 #include "options.hpp"
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace estampe::app {
 
@@ -25,12 +34,6 @@ inline constexpr uint32_t largest_side_px = 65535;
 
 /// "front", "three-quarter" and so on. Throws UsageError listing the views when there is no such one.
 [[nodiscard]] CameraChoice parse_view(const std::string& text);
-
-/// "x", "y", "z", "-x", "-y" or "-z". Throws UsageError when it is none of them.
-[[nodiscard]] UpAxis parse_up_axis(const std::string& text);
-
-/// Throws UsageError unless `text` is empty or a format of --input-format.
-void check_input_format(const std::string& text);
 
 /// Throws UsageError unless `text` is "auto", "cpu" or an index.
 void check_device(const std::string& text);
@@ -51,5 +54,25 @@ inline constexpr std::array draft_assignments{"hatch.layers=1",         "contour
 /// The style that `--style` names, or the default one, with the assignments of `--set`. Throws UsageError for
 /// a mistake in these, Error for a style that cannot be read.
 [[nodiscard]] Style read_style(const std::string& name, const std::vector<std::string>& assignments);
+
+/// The options that say how a scene is read.
+class SceneOptions {
+public:
+    /// Adds --up and --input-format to the command; this object must outlive the parsing.
+    void add_to(CLI::App& command);
+
+    /// The axis of the file that points up, if one was typed. Throws UsageError for what is no axis.
+    [[nodiscard]] std::optional<UpAxis> up() const;
+
+    /// The format of a piped scene; empty if none was typed. Throws UsageError for an unknown one.
+    [[nodiscard]] std::string format() const;
+
+private:
+    std::string up_;
+    std::string format_;
+};
+
+/// Adds `--no-cache`, which takes effect while the command line is read: see gpu::keep_pipelines().
+void add_no_cache_flag(CLI::App& command);
 
 } // namespace estampe::app

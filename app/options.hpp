@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// What the command line asks for, one struct a command, and the groups of options that it is read by.
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -8,14 +10,43 @@
 #include <vector>
 
 #include <estampe/bake.hpp>
+#include <estampe/error.hpp>
 #include <estampe/renderer.hpp>
 #include <estampe/scene.hpp>
 #include <estampe/views.hpp>
 
-#include "film_options.hpp"
-#include "page_options.hpp"
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace estampe::app {
+
+/// A mistake on the command line itself: the program ends with 2 instead of 1.
+class UsageError : public Error {
+public:
+    using Error::Error;
+};
+
+/// How large a picture is.
+struct PageSize {
+    uint32_t width = 1280; ///< pixels
+    uint32_t height = 720;
+    std::optional<double> width_mm;      ///< of a page in millimetres, exactly
+    std::optional<double> height_mm;     ///< of a page in millimetres, which millimetres of the style are of
+    std::optional<double> dots_per_inch; ///< of such a page, for the file to tell
+};
+
+/// What makes a film of a picture.
+struct FilmChoice {
+    uint32_t first = 1;
+    uint32_t last = 0; ///< with the first; 0: to the end of the animation, of a turn of five seconds, or of
+                       ///< the world's own film
+    double frames_per_s = 24.0; ///< without --fps that of the scene's file, where it says one
+    bool has_rate = false;      ///< --fps was given
+    bool turntable = false;     ///< the eye goes once around from the first frame to the last
+    bool flies = false;         ///< --film: along the camera path of the world's own film
+    bool resume = false;        ///< go on where an earlier run stopped
+};
 
 /// Where --camera looks from.
 struct CameraChoice {
@@ -153,5 +184,82 @@ using Command = std::variant<BatchCommand, RenderCommand, GraphCommand, InfoComm
 /// the version, which have then been printed. Throws UsageError for a mistake in it, Error for a style file
 /// that cannot be read.
 [[nodiscard]] std::optional<Command> read_command_line(int argc, const char* const* argv);
+
+/// The options that say how large a picture is: in pixels, or as a page and how finely it is printed.
+class PageOptions {
+public:
+    /// Adds --size to the command, and the others where it draws pictures `for_print`; this object must
+    /// outlive the parsing.
+    void add_to(CLI::App& command, bool for_print);
+
+    /// What was typed. Throws UsageError for a mistake in it.
+    [[nodiscard]] PageSize read() const;
+
+private:
+    std::string size_;
+    std::string page_;
+    std::optional<double> dots_per_inch_;
+    bool landscape_ = false;
+};
+
+/// The options of `estampe render` that are of films alone.
+class FilmOptions {
+public:
+    /// Adds them to the command; this object must outlive its parsing.
+    void add_to(CLI::App& command);
+
+    /// What was typed; nothing where `output` is a single picture. Throws UsageError for what contradicts
+    /// itself.
+    [[nodiscard]] std::optional<FilmChoice> read(const std::string& output) const;
+
+private:
+    std::string frames_;
+    std::optional<double> frames_per_s_;
+    bool turntable_ = false;
+    bool flies_ = false;
+    bool resume_ = false;
+};
+
+/// The options of `estampe render` that say what its picture is written as.
+class PictureOptions {
+public:
+    /// Adds them to the command; this object must outlive the parsing.
+    void add_to(CLI::App& command);
+
+    /// What was typed, looked at, for a picture that is named by `-o` and of a size. Throws UsageError for a
+    /// mistake in it.
+    [[nodiscard]] PictureChoice read(const std::string& output, uint32_t width, uint32_t height) const;
+
+    /// That of the frames of a film. Throws UsageError when anything was typed that they do not have.
+    [[nodiscard]] PictureChoice of_film() const;
+
+private:
+    std::string format_;
+    std::string layers_;
+    std::string layer_;
+    std::optional<int> quality_;
+    std::optional<int> depth_;
+};
+
+/// The option --transparent, which sets paper.transparent.
+class TransparentOption {
+public:
+    /// Adds it to the command; this object must outlive the parsing.
+    void add_to(CLI::App& command);
+
+    /// Puts what was typed before `assignments` of the style, which go over it. Throws UsageError for a word
+    /// that it does not take.
+    void assign(std::vector<std::string>& assignments) const;
+
+private:
+    std::string mode_;
+};
+
+/// Whether pictures in this style have an alpha channel.
+[[nodiscard]] bool is_transparent(const Style& style);
+
+/// Throws UsageError where the style's paper is transparent and the picture or film is written as a format
+/// without alpha, naming those that have it.
+void check_has_alpha(const DrawOptions& draw, const PictureChoice& picture, bool is_film);
 
 } // namespace estampe::app

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Scenes that come through a pipe: `-`, /dev/stdin, a named pipe, a process substitution of the shell.
+// Scenes that come through a pipe: `-`, /dev/stdin, a named pipe, a process substitution of the shell. Their
+// format is told by their first bytes.
 
 #include <cstdint>
 #include <filesystem>
@@ -11,6 +12,11 @@
 #include <vector>
 
 namespace estampe::app {
+
+/// The scene format whose beginning this is, as --input-format names it; empty if none is recognised.
+/// `size_bytes` is the length of the whole, by which a binary STL is known. Text may be all that the readers
+/// of OBJ and STL take: UTF-8 or UTF-16, with blank lines and comments before the first statement.
+[[nodiscard]] std::string_view sniffed_format(std::string_view beginning, uint64_t size_bytes);
 
 /// In place of a scene's file name.
 inline constexpr const char* standard_input = "-";

@@ -14,7 +14,6 @@
 #include <estampe/error.hpp>
 
 #include "drawing.hpp"
-#include "sniffed_format.hpp"
 #include "support/folder.hpp"
 
 namespace estampe::app {

@@ -4,20 +4,198 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <estampe/default_light.hpp>
+
 #include "core/text.hpp"
+#include "scene/visibility.hpp"
 #include "scene_details.hpp"
-#include "scene_summary.hpp"
-#include "world_report.hpp"
 
 namespace estampe::app {
 namespace {
 
+struct PrimitiveCounts {
+    uint64_t primitives = 0;
+    uint64_t triangles = 0;
+    uint64_t lines = 0;
+    uint64_t points = 0;
+    uint64_t vertices = 0;
+    uint64_t morph_targets = 0;
+
+    void add(const Primitive& primitive)
+    {
+        ++primitives;
+        vertices += primitive.positions.size();
+        morph_targets += primitive.morph_targets.size();
+        switch (primitive.topology) {
+        case Topology::triangles:
+            triangles += primitive.indices.size() / 3;
+            break;
+        case Topology::lines:
+            lines += primitive.indices.size() / 2;
+            break;
+        case Topology::points:
+            points += primitive.indices.size();
+            break;
+        }
+    }
+};
+
+/// Triangles in the picture: a mesh counts once for every node and instance that shows it.
+uint64_t drawn_triangles(const Scene& scene)
+{
+    uint64_t drawn = 0;
+    const std::vector<bool> visible = visible_nodes(scene);
+    for (size_t i = 0; i < scene.nodes.size(); ++i) {
+        const Node& node = scene.nodes[i];
+        if (!visible[i] || node.mesh == no_index) {
+            continue;
+        }
+        PrimitiveCounts counts;
+        for (const Primitive& primitive : scene.meshes[node.mesh].primitives) {
+            counts.add(primitive);
+        }
+        drawn += counts.triangles * std::max<uint64_t>(1, node.instances.size());
+    }
+    return drawn;
+}
+
+/// What `estampe info` counts.
+struct SceneSummary {
+    /// In the order they are shown.
+    std::vector<std::pair<std::string, uint64_t>> counts;
+    std::vector<std::string> camera_names;
+    Bounds bounds; ///< of the rest pose
+    LightChoice light = LightChoice::own;
+};
+
+/// Cost: linear in vertices and triangles, for the bounds and the light.
+SceneSummary summarize(const Scene& scene)
+{
+    PrimitiveCounts counts;
+    for (const Mesh& mesh : scene.meshes) {
+        for (const Primitive& primitive : mesh.primitives) {
+            counts.add(primitive);
+        }
+    }
+    SceneSummary summary;
+    summary.counts = {{"nodes", scene.nodes.size()},
+                      {"meshes", scene.meshes.size()},
+                      {"primitives", counts.primitives},
+                      {"vertices", counts.vertices},
+                      {"triangles", counts.triangles},
+                      {"triangles drawn", drawn_triangles(scene)},
+                      {"lines", counts.lines},
+                      {"points", counts.points},
+                      {"morph targets", counts.morph_targets},
+                      {"materials", scene.materials.size()},
+                      {"textures", scene.textures.size()},
+                      {"lights", scene.lights.size()},
+                      {"cameras", scene.cameras.size()},
+                      {"skins", scene.skins.size()},
+                      {"animations", scene.animations.size()}};
+    for (const SceneCamera& camera : scene.cameras) {
+        summary.camera_names.push_back(camera.name);
+    }
+    summary.bounds = scene_bounds(scene, pose_scene(scene, 0.0, no_index));
+    summary.light = default_light(scene);
+    return summary;
+}
+
 using Json = nlohmann::ordered_json;
+
+std::string option_text(const worlds::Option& option)
+{
+    const std::string& otherwise = option.initial.empty() ? option.without : option.initial;
+    return fmt::format("{}: {} [{}]", option.syntax(), option.meaning, otherwise);
+}
+
+Json option_json(const worlds::Option& option)
+{
+    Json json{{"key", option.key},
+              {"meaning", option.meaning},
+              {"initial", option.initial.empty() ? Json() : Json(option.initial)}};
+    if (const auto* const words = std::get_if<worlds::Words>(&option.allowed)) {
+        json["words"] = *words;
+    } else if (const auto* const numbers = std::get_if<worlds::NumberRange>(&option.allowed)) {
+        json["least"] = numbers->least;
+        json["most"] = numbers->most;
+    } else {
+        json["least"] = std::get<worlds::WholeRange>(option.allowed).least;
+        json["most"] = std::get<worlds::WholeRange>(option.allowed).most;
+    }
+    return json;
+}
+
+/// Labels and texts about a world, in the order in which they are shown.
+std::vector<std::pair<std::string, std::string>> world_rows(const worlds::Description& world)
+{
+    std::vector<std::pair<std::string, std::string>> rows{{"world", world.summary}};
+    if (!world.styles.empty()) {
+        rows.emplace_back("styles", fmt::format("{}", fmt::join(world.styles, ", ")));
+    }
+    if (world.film_s) {
+        rows.emplace_back("film",
+                          fmt::format("{:g} s along a camera path of its own, with --film", *world.film_s));
+    }
+    for (const worlds::Option& option : world.options) {
+        rows.emplace_back("--world", option_text(option));
+    }
+    return rows;
+}
+
+/// What world_rows() says about a world, as JSON for programs.
+Json world_json(const worlds::Description& world)
+{
+    Json json{{"name", world.name},
+              {"summary", world.summary},
+              {"styles", world.styles},
+              {"film_s", world.film_s ? Json(*world.film_s) : Json()},
+              {"options", Json::array()}};
+    for (const worlds::Option& option : world.options) {
+        json["options"].push_back(option_json(option));
+    }
+    return json;
+}
+
+} // namespace
+
+std::string report_worlds(bool json)
+{
+    if (json) {
+        Json list = Json::array();
+        for (const worlds::Description& world : worlds::registry().all()) {
+            list.push_back(world_json(world));
+        }
+        return list.dump(2) + "\n";
+    }
+    std::string text;
+    for (const worlds::Description& world : worlds::registry().all()) {
+        text += world.name + "\n";
+        for (const auto& [label, words] : world_rows(world)) {
+            text += fmt::format("  {:<18} {}\n", label, words);
+        }
+    }
+    return text;
+}
+
+std::string world_examples()
+{
+    std::string lines;
+    for (const worlds::Description& world : worlds::registry().all()) {
+        for (const std::string& example : world.examples) {
+            lines += fmt::format("  {}\n", example);
+        }
+    }
+    return lines;
+}
+
+namespace {
 
 /// Names come from files and may hold bytes that are not UTF-8.
 std::string to_text(const Json& json)

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// What the program prints of scenes, worlds, devices and timings, as text for people (`json` false) or as
+// JSON for programs.
+
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,13 +12,9 @@
 #include <estampe/renderer.hpp>
 #include <estampe/scene.hpp>
 
-namespace worlds {
-struct Description;
-}
+#include "world/registry.hpp"
 
 namespace estampe::app {
-
-// What the program prints, as text for people (`json` false) or as JSON for programs.
 
 /// `world` is the one that made the scene; null for a file.
 [[nodiscard]] std::string report_scene(const Scene& scene, const std::string& path, bool json,
@@ -36,5 +36,11 @@ struct TimingReport {
 };
 
 [[nodiscard]] std::string report_timings(const TimingReport& report, bool json);
+
+/// All worlds with their rows, as text for people or as JSON for programs.
+[[nodiscard]] std::string report_worlds(bool json);
+
+/// The examples of all worlds, one per line, indented as examples are in help.
+[[nodiscard]] std::string world_examples();
 
 } // namespace estampe::app

@@ -3,7 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
+
 #include "scene_details.hpp"
 
 namespace estampe::app {

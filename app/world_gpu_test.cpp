@@ -8,7 +8,7 @@
 
 #include "drawing.hpp"
 #include "film.hpp"
-#include "single_picture.hpp"
+#include "render.hpp"
 #include "support/folder.hpp"
 #include "support/gpu_device.hpp"
 #include "world/test_world.hpp"

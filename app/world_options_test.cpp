@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "world_options.hpp"
+#include "worlds.hpp"
 
 #include <fstream>
 #include <initializer_list>
 #include <tuple>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <estampe/error.hpp>
 
-#include "batch_jobs.hpp"
+#include "batch.hpp"
 #include "drawing.hpp"
+#include "options.hpp"
+#include "report.hpp"
 #include "support/folder.hpp"
-#include "usage_error.hpp"
 #include "world/test_world.hpp"
-#include "world_report.hpp"
 
 namespace estampe::app {
 namespace {

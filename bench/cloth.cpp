@@ -11,11 +11,10 @@
 #include <fmt/format.h>
 
 #include "common/command_line.hpp"
-#include "common/machine.hpp"
-#include "common/rounds.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/read_back.hpp"
-#include "shaders/mesh.glsl.h"
+#include "common/measuring.hpp"
+#include "gpu/resources.hpp"
+#include "gpu/transfers.hpp"
+#include "shaders/scene.glsl.h"
 #include "techniques/cloth/cloth.hpp"
 
 namespace {

@@ -14,11 +14,11 @@
 #include <nlohmann/json.hpp>
 
 #include <estampe/scene.hpp>
+#include <estampe/shapes.hpp>
 #include <estampe/style.hpp>
 #include <estampe/tonal_art_map.hpp>
 
-#include "features/lines/line_meshes.hpp"
-#include "scene/shapes.hpp"
+#include "features/lines/lines.hpp"
 #include "techniques/pose/mesh_data.hpp"
 
 namespace {

@@ -14,15 +14,12 @@
 #include <fmt/format.h>
 
 #include "common/command_line.hpp"
-#include "common/machine.hpp"
-#include "common/rounds.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/read_back.hpp"
-#include "gpu/upload.hpp"
+#include "common/measuring.hpp"
+#include "gpu/resources.hpp"
+#include "gpu/transfers.hpp"
 #include "techniques/fluid/fluid.hpp"
-#include "techniques/fluid/pressure/residual.hpp"
+#include "techniques/fluid/pressure/projection.hpp"
 #include "techniques/fluid/pressure/solvers.hpp"
-#include "techniques/fluid/read_fields.hpp"
 
 namespace {
 

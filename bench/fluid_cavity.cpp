@@ -9,11 +9,9 @@
 #include <fmt/format.h>
 
 #include "common/command_line.hpp"
-#include "common/machine.hpp"
-#include "common/rounds.hpp"
+#include "common/measuring.hpp"
 #include "techniques/fluid/cavity.hpp"
 #include "techniques/fluid/fluid.hpp"
-#include "techniques/fluid/read_fields.hpp"
 
 namespace {
 

@@ -7,10 +7,8 @@
 #include <vector>
 
 #include "common/command_line.hpp"
-#include "common/gray_picture.hpp"
-#include "common/machine.hpp"
+#include "common/measuring.hpp"
 #include "techniques/fluid/fluid.hpp"
-#include "techniques/fluid/read_fields.hpp"
 
 namespace {
 

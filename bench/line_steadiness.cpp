@@ -14,9 +14,9 @@
 
 #include "common/command_line.hpp"
 #include "common/film.hpp"
-#include "common/rounds.hpp"
+#include "common/measuring.hpp"
 #include "scene/pose.hpp"
-#include "scene/subdivision.hpp"
+#include "scene/smooth_surface.hpp"
 
 namespace {
 

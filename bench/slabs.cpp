@@ -10,10 +10,8 @@
 #include <fmt/format.h>
 
 #include "common/command_line.hpp"
-#include "common/gray_picture.hpp"
-#include "common/machine.hpp"
-#include "common/rounds.hpp"
-#include "gpu/read_back.hpp"
+#include "common/measuring.hpp"
+#include "gpu/transfers.hpp"
 #include "style/sheet.hpp"
 #include "techniques/terrain/slabs/slabs.hpp"
 

@@ -8,13 +8,10 @@
 #include <fmt/format.h>
 
 #include "common/command_line.hpp"
-#include "common/machine.hpp"
-#include "common/rounds.hpp"
+#include "common/measuring.hpp"
 #include "features/common/view.hpp"
-#include "gpu/fills.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/read_back.hpp"
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
+#include "gpu/transfers.hpp"
 #include "techniques/fluid/fluid.hpp"
 #include "techniques/smoke/smoke.hpp"
 

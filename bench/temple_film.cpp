@@ -13,8 +13,8 @@
 
 #include "common/command_line.hpp"
 #include "common/film.hpp"
-#include "common/rounds.hpp"
-#include "temple/flight.hpp"
+#include "common/measuring.hpp"
+#include "temple/cameras.hpp"
 #include "temple/temple.hpp"
 #include "temple/world.hpp"
 

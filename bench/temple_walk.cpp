@@ -15,9 +15,8 @@
 
 #include "common/command_line.hpp"
 #include "common/film.hpp"
-#include "common/rounds.hpp"
+#include "common/measuring.hpp"
 #include "temple/temple.hpp"
-#include "temple/tour.hpp"
 #include "temple/visit.hpp"
 
 namespace {

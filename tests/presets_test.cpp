@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "features/common/style_tables.hpp"
-#include "style/presets.hpp"
+#include "style/sheet.hpp"
 #include "support/files.hpp"
 
 namespace estampe {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/bookmarks.hpp"
+#include "viewer/studio.hpp"
 
 #include <fstream>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/file_watch.hpp"
+#include "viewer/reload.hpp"
 
 #include <algorithm>
 #include <fstream>

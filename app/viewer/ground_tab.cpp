@@ -6,10 +6,9 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
-#include "techniques/terrain/graph/node_kinds.hpp"
-#include "techniques/terrain/terrain_tables.hpp"
+#include "techniques/terrain/graph/language.hpp"
+#include "techniques/terrain/terrain_file.hpp"
 #include "viewer/panels.hpp"
-#include "viewer/parameter_row.hpp"
 
 namespace estampe::viewer {
 namespace {

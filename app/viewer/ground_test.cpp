@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/ground.hpp"
+#include "viewer/camera_rig.hpp"
 
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
 
 namespace estampe::viewer {
 namespace {

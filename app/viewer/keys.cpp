@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "viewer/vulkan_functions.hpp"
+#include "viewer/screen.hpp"
 
 namespace estampe::viewer {
 namespace {

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "support/files.hpp"
-#include "viewer/vulkan_functions.hpp"
+#include "viewer/screen.hpp"
 
 namespace estampe::viewer {
 namespace {

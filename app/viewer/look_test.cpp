@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/look.hpp"
+#include "viewer/studio.hpp"
 
 #include <gtest/gtest.h>
 

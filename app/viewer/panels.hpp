@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
+// What Dear ImGui lays out around and over the picture.
 
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "style/parameter.hpp"
+#include "style/sheet.hpp"
 #include "viewer/studio.hpp"
 
 namespace estampe::viewer {
@@ -46,5 +52,23 @@ void show_timings_tab(Studio& studio);
 /// Rows of parameters: one that its table describes, with name, control and a way back to the base.
 /// Those of the sections named, or all; of these such as hold every word of `search`.
 void show_parameters(Studio& studio, const std::string& search, std::span<const char* const> sections);
+
+/// Whether each word of `search` is found in the name of the parameter, its section or its help.
+[[nodiscard]] bool matches(const style::Sheet::Section& section, const style::Parameter& parameter,
+                           const std::string& search);
+
+/// Whether any parameter of the section matches.
+[[nodiscard]] bool matches(const style::Sheet::Section& section, const std::string& search);
+
+/// What a person did to a row.
+struct RowEdit {
+    std::optional<style::Value> value; ///< another one
+    bool is_finished = false;          ///< a drag at its end, what is picked or typed at once
+};
+
+/// A line of a panel: the name of a parameter, a control of its kind, and a way back to `base` where it
+/// differs.
+[[nodiscard]] RowEdit show_parameter_row(const std::string& section, const style::Parameter& parameter,
+                                         const style::Value& held, const style::Value& base);
 
 } // namespace estampe::viewer

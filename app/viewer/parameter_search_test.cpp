@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/parameter_search.hpp"
+#include "viewer/panels.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,16 +1,141 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/picture_thread.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <filesystem>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include <estampe/error.hpp>
 
-#include "clock.hpp"
-#include "core/progress_watch.hpp"
+#include "core/long_jobs.hpp"
 #include "drawing.hpp"
+#include "messages.hpp"
 
 namespace estampe::viewer {
+namespace {
+
+Camera between(const Camera& a, const Camera& b, double share)
+{
+    Camera camera = a;
+    const bool are_alike =
+        a.orthographic_half_height_m.has_value() == b.orthographic_half_height_m.has_value();
+    if (!are_alike) {
+        return camera;
+    }
+    camera.eye = glm::mix(a.eye, b.eye, share);
+    camera.target = glm::mix(a.target, b.target, share);
+    const glm::dvec3 up = glm::mix(a.up, b.up, share);
+    camera.up = glm::length(up) > 1e-3 ? glm::normalize(up) : a.up;
+    camera.vertical_fov_rad = glm::mix(a.vertical_fov_rad, b.vertical_fov_rad, share);
+    if (a.orthographic_half_height_m) {
+        camera.orthographic_half_height_m =
+            glm::mix(*a.orthographic_half_height_m, *b.orthographic_half_height_m, share);
+    }
+    return camera;
+}
+
+} // namespace
+
+Take::Sample Take::at(double seconds) const
+{
+    const auto later = std::ranges::upper_bound(samples_, seconds, {}, &Sample::at_s);
+    if (later == samples_.begin()) {
+        return samples_.front();
+    }
+    const Sample& before = *(later - 1);
+    if (later == samples_.end()) {
+        return before;
+    }
+    const double length_s = later->at_s - before.at_s;
+    const double share = length_s > 0.0 ? (seconds - before.at_s) / length_s : 0.0;
+    Sample sample = before;
+    sample.at_s = seconds;
+    sample.camera = between(before.camera, later->camera, share);
+    if (before.animation == later->animation && later->time_s >= before.time_s) {
+        sample.time_s = glm::mix(before.time_s, later->time_s, share);
+    }
+    return sample;
+}
+
+namespace {
+
+constexpr double frames_per_s = 24.0;
+
+} // namespace
+
+std::string free_name(const std::string& scene, const std::string& extension)
+{
+    const std::string stem = std::filesystem::path(scene).stem().string();
+    for (int number = 1;; ++number) {
+        std::string name = fmt::format("{}-{:03}{}", stem, number, extension);
+        std::error_code problem;
+        if (!std::filesystem::exists(name, problem)) {
+            return name;
+        }
+    }
+}
+
+bool ScreenshotJob::step(Renderer& renderer, app::WorldAnimator& animator,
+                         const std::function<void(PictureNews)>& tell)
+{
+    const Style style = animator.show(renderer, request_.style, request_.settings.time_s, request_.camera);
+    const Image image = renderer.render(request_.camera, style, request_.settings);
+    save_png(image, path_);
+    tell(JobNews{fmt::format("wrote {}, {} x {}", path_, image.width, image.height)});
+    return false;
+}
+
+FilmJob::FilmJob(Take take, std::shared_ptr<const LoadedFile> file, std::optional<double> end_s,
+                 RenderSettings settings, std::string path)
+    : take_(std::move(take)), file_(std::move(file)), end_s_(end_s), settings_(settings),
+      path_(std::move(path)),
+      count_(std::max(1U, static_cast<uint32_t>(std::lround(take_.length_s() * frames_per_s))))
+{
+}
+
+void FilmJob::begin(const app::WorldAnimator& seen)
+{
+    writer_.emplace(path_, settings_.width, settings_.height, frames_per_s,
+                    std::filesystem::path(path_).extension() == ".webm");
+    animator_ = std::make_unique<app::WorldAnimator>(file_->draw, file_->scene, worlds::Occasion::walk);
+    if (end_s_) {
+        animator_->end_at(*end_s_);
+    }
+    if (seen.has_left_ground()) {
+        animator_->leave_ground();
+    }
+}
+
+bool FilmJob::step(Renderer& renderer, app::WorldAnimator& animator,
+                   const std::function<void(PictureNews)>& tell)
+{
+    if (!writer_) {
+        begin(animator);
+    }
+    const Take::Sample sample = take_.at(next_ / frames_per_s);
+    settings_.time_s = sample.time_s;
+    settings_.animation = sample.animation;
+    settings_.continuity = next_ == 0 ? Continuity::starts : Continuity::follows;
+    const app::Clock::time_point start = app::Clock::now();
+    const Style style = animator_->show(renderer, *sample.style, settings_.time_s, sample.camera);
+    Image image = renderer.render(sample.camera, style, settings_);
+    const double drawn_s = app::seconds_since(start);
+    writer_->add(image);
+    ++next_;
+    tell(JobNews{fmt::format("Drawing frame {} of {}", next_, count_), static_cast<double>(next_) / count_,
+                 false});
+    tell(Picture{.image = std::move(image), .continuity = settings_.continuity, .seconds = drawn_s});
+    if (next_ < count_) {
+        return true;
+    }
+    writer_->finish();
+    tell(JobNews{fmt::format("wrote {}, {} frames", path_, count_)});
+    return false;
+}
 
 PictureThread::PictureThread(RendererOptions options, std::function<void()> wake)
     : options_(std::move(options)), wake_(std::move(wake)), thread_([this] { work(); })

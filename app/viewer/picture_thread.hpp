@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// The thread that owns the renderer: pictures that it is asked for, and jobs that it does between them.
+
 #include <array>
 #include <condition_variable>
 #include <cstdint>
@@ -14,10 +16,13 @@
 #include <variant>
 #include <vector>
 
+#include <estampe/film.hpp>
 #include <estampe/renderer.hpp>
+#include <estampe/scene.hpp>
+#include <estampe/style.hpp>
 
 #include "viewer/scene_loader.hpp"
-#include "world_animator.hpp"
+#include "worlds.hpp"
 
 namespace estampe::viewer {
 
@@ -151,6 +156,76 @@ private:
     std::optional<Terrain> terrain_;               ///< in place of the scene's; the thread's own
     bool is_compiling_ = false;                    ///< its shader; the thread's own
     std::thread thread_;
+};
+
+/// What was seen in the view while it was recorded: not pictures, but from where, when and how, so that a
+/// film of it is drawn as finely as any, however slow the view was.
+class Take {
+public:
+    struct Sample {
+        double at_s = 0.0; ///< since it began
+        Camera camera;
+        double time_s = 0.0; ///< of the animation
+        Index animation = 0;
+        std::shared_ptr<const app::ChosenStyle> style;
+    };
+
+    /// In the order of time.
+    void add(Sample sample) { samples_.push_back(std::move(sample)); }
+
+    [[nodiscard]] bool empty() const { return samples_.empty(); }
+
+    [[nodiscard]] double length_s() const { return samples_.empty() ? 0.0 : samples_.back().at_s; }
+
+    /// Between two samples the camera goes straight, and so does the animation where it ran on; all else
+    /// holds until the later one. To be called where there are samples.
+    [[nodiscard]] Sample at(double seconds) const;
+
+private:
+    std::vector<Sample> samples_;
+};
+
+/// The first of "fox-001.png", "fox-002.png", ... in the working directory that is not there.
+[[nodiscard]] std::string free_name(const std::string& scene, const std::string& extension);
+
+/// Draws the view once more, as estampe render would, and writes it as PNG.
+class ScreenshotJob : public PictureJob {
+public:
+    ScreenshotJob(PictureRequest request, std::string path)
+        : request_(std::move(request)), path_(std::move(path))
+    {
+    }
+
+    bool step(Renderer& renderer, app::WorldAnimator& animator,
+              const std::function<void(PictureNews)>& tell) override;
+
+private:
+    PictureRequest request_;
+    std::string path_;
+};
+
+/// Draws a take as a film, a frame a step.
+class FilmJob : public PictureJob {
+public:
+    /// A world is animated from its beginning again; `end_s` is when the walker reached the end of the world.
+    FilmJob(Take take, std::shared_ptr<const LoadedFile> file, std::optional<double> end_s,
+            RenderSettings settings, std::string path);
+
+    bool step(Renderer& renderer, app::WorldAnimator& animator,
+              const std::function<void(PictureNews)>& tell) override;
+
+private:
+    void begin(const app::WorldAnimator& seen);
+
+    Take take_;
+    std::shared_ptr<const LoadedFile> file_;
+    std::optional<double> end_s_;
+    std::unique_ptr<app::WorldAnimator> animator_; ///< since the first step
+    RenderSettings settings_;
+    std::string path_;
+    uint32_t next_ = 0;
+    uint32_t count_;
+    std::optional<FilmWriter> writer_;
 };
 
 } // namespace estampe::viewer

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/progress_watch.hpp"
+#include "core/long_jobs.hpp"
 #include "drawing.hpp"
-#include "world_options.hpp"
+#include "worlds.hpp"
 
 namespace estampe::viewer {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/shader_reload.hpp"
+#include "viewer/reload.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -9,7 +9,7 @@
 #include <estampe/error.hpp>
 
 #include "gpu/graph/graph.hpp"
-#include "gpu/shader_replacements.hpp"
+#include "gpu/shader_bindings.hpp"
 #include "support/folder.hpp"
 
 namespace estampe::viewer {

@@ -3,13 +3,261 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <fmt/format.h>
+#include <glm/gtc/constants.hpp>
+#include <nlohmann/json.hpp>
 
+#include <estampe/error.hpp>
+
+#include "core/file.hpp"
 #include "features/common/style_tables.hpp"
 #include "piped_scene.hpp"
 
 namespace estampe::viewer {
+
+void Resolution::drawn(double scale, double seconds)
+{
+    constexpr double step = 1.0 / 16.0;
+    constexpr double room = 0.9; ///< for what comes beside drawing
+    if (seconds > wanted_s && slow_s_ == 0.0) {
+        slow_s_ = seconds;
+        return;
+    }
+    const double counts_s = slow_s_ > 0.0 ? std::min(slow_s_, seconds) : seconds;
+    slow_s_ = seconds > wanted_s ? seconds : 0.0;
+    // Time goes as pixels do; the part that does not is met by going there in several steps.
+    const double fitting = scale * std::sqrt(room * wanted_s / std::max(counts_s, 1e-4));
+    const double next = std::clamp(std::floor(fitting / step) * step, least, 1.0);
+    if (next < scale_ && counts_s > wanted_s) {
+        scale_ = next;
+        slow_s_ = 0.0;
+    } else if (next > scale_) {
+        // There would be room even if all time went as pixels do, so it does not go to and fro. Never twice
+        // as many pixels at once.
+        scale_ = std::min(next, std::max(scale_ + step, 1.4 * scale_));
+    }
+}
+
+void Timeline::advance(double seconds)
+{
+    if (!is_playing || !moves()) {
+        return;
+    }
+    time_s += seconds * speed;
+    if (is_endless || (time_s >= 0.0 && time_s < length_s)) {
+        return;
+    }
+    if (loops) {
+        time_s -= length_s * std::floor(time_s / length_s);
+    } else {
+        time_s = std::clamp(time_s, 0.0, length_s);
+        is_playing = false;
+    }
+}
+
+void Timeline::seek(double moment_s)
+{
+    if (moves()) {
+        time_s = is_endless ? std::max(moment_s, 0.0) : std::clamp(moment_s, 0.0, length_s);
+    }
+}
+
+void Timeline::toggle_playing()
+{
+    if (!moves()) {
+        return;
+    }
+    is_playing = !is_playing;
+    if (is_playing && !is_endless && !loops && time_s >= length_s) {
+        time_s = 0.0;
+    }
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* remedy = "mend it, or remove it to begin anew";
+
+Json to_json(const glm::dvec3& vector)
+{
+    return Json::array({vector.x, vector.y, vector.z});
+}
+
+double number_of(const Json& json)
+{
+    const double number = json.get<double>();
+    constexpr double most = 1e15;
+    if (!(std::abs(number) < most)) {
+        throw Error("holds a number out of all bounds");
+    }
+    return number;
+}
+
+glm::dvec3 to_vector(const Json& json)
+{
+    if (json.size() != 3) {
+        throw Error("holds a place that has not three numbers");
+    }
+    return {number_of(json.at(0)), number_of(json.at(1)), number_of(json.at(2))};
+}
+
+Bookmark to_bookmark(const Json& json)
+{
+    Bookmark bookmark{.name = json.at("name").get<std::string>()};
+    bookmark.camera.eye = to_vector(json.at("eye"));
+    bookmark.camera.target = to_vector(json.at("target"));
+    bookmark.camera.up = to_vector(json.at("up"));
+    bookmark.camera.vertical_fov_rad = glm::radians(number_of(json.at("fov_deg")));
+    bookmark.camera.near_m = number_of(json.at("near_m"));
+    if (json.contains("half_height_m")) {
+        bookmark.camera.orthographic_half_height_m = number_of(json.at("half_height_m"));
+    }
+    bookmark.time_s = number_of(json.at("time_s"));
+    bookmark.animation = json.at("animation").get<Index>();
+    return bookmark;
+}
+
+Json to_json(const Bookmark& bookmark)
+{
+    Json json;
+    json["name"] = bookmark.name;
+    json["eye"] = to_json(bookmark.camera.eye);
+    json["target"] = to_json(bookmark.camera.target);
+    json["up"] = to_json(bookmark.camera.up);
+    json["fov_deg"] = glm::degrees(bookmark.camera.vertical_fov_rad);
+    json["near_m"] = bookmark.camera.near_m;
+    if (bookmark.camera.orthographic_half_height_m) {
+        json["half_height_m"] = *bookmark.camera.orthographic_half_height_m;
+    }
+    json["time_s"] = bookmark.time_s;
+    json["animation"] = bookmark.animation;
+    return json;
+}
+
+} // namespace
+
+std::filesystem::path bookmarks_path(const std::filesystem::path& scene)
+{
+    std::filesystem::path path = scene;
+    path += ".views.json";
+    return path;
+}
+
+std::vector<Bookmark> load_bookmarks(const std::filesystem::path& path)
+{
+    constexpr uint64_t largest_bytes = uint64_t{1} << 20U;
+    std::error_code problem;
+    if (!std::filesystem::exists(path, problem)) {
+        return {};
+    }
+    const std::vector<std::byte> bytes = read_file(path, largest_bytes);
+    const auto* first = reinterpret_cast<const char*>(bytes.data());
+    std::vector<Bookmark> bookmarks;
+    try {
+        const Json json = Json::parse(first, first + bytes.size());
+        for (const Json& item : json.at("views")) {
+            bookmarks.push_back(to_bookmark(item));
+        }
+    } catch (const nlohmann::json::exception& error) {
+        throw Error(std::string("is no file of bookmarks: ") + error.what(), path.string(), remedy);
+    } catch (const Error& error) {
+        throw Error(error.what(), path.string(), remedy);
+    }
+    return bookmarks;
+}
+
+void save_bookmarks(const std::vector<Bookmark>& bookmarks, const std::filesystem::path& path)
+{
+    if (bookmarks.empty()) {
+        std::error_code problem;
+        std::filesystem::remove(path, problem);
+        return;
+    }
+    Json json;
+    json["views"] = Json::array();
+    for (const Bookmark& bookmark : bookmarks) {
+        json["views"].push_back(to_json(bookmark));
+    }
+    const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    write_file_atomically(path, std::as_bytes(std::span(text)));
+}
+
+namespace {
+
+Style style_named(const std::string& name)
+{
+    return name.empty() ? Style() : Style::load(name);
+}
+
+} // namespace
+
+Look::Look(const std::string& name, Style style)
+    : name_(name), base_(style_named(name)), style_(std::move(style)), history_({name_, base_, style_})
+{
+}
+
+void Look::load(const std::string& name)
+{
+    const Style style = style_named(name);
+    history_.push({name, style, style});
+    take(history_.now());
+}
+
+void Look::set(std::string_view assignment)
+{
+    style_.set(assignment);
+    finish_change();
+}
+
+void Look::finish_change()
+{
+    ++revision_;
+    if (style_.to_toml() != history_.now().style.to_toml()) {
+        history_.push({name_, base_, style_});
+    }
+    finished_revision_ = revision_;
+}
+
+void Look::finish_change_if_any()
+{
+    if (revision_ != finished_revision_) {
+        finish_change();
+    }
+}
+
+void Look::take(const State& state)
+{
+    name_ = state.name;
+    base_ = state.base;
+    style_ = state.style;
+    finished_revision_ = ++revision_;
+}
+
+void Look::undo()
+{
+    if (history_.can_undo()) {
+        take(history_.undo());
+    }
+}
+
+void Look::redo()
+{
+    if (history_.can_redo()) {
+        take(history_.redo());
+    }
+}
+
+void Look::save(const std::filesystem::path& path)
+{
+    const std::string text = style_.to_toml();
+    write_file_atomically(path, std::as_bytes(std::span(text)));
+    name_ = path.string();
+    base_ = style_;
+    history_.push({name_, base_, style_});
+}
 
 void Studio::say(Message::Kind kind, const std::string& topic, const std::string& text)
 {

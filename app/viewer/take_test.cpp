@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/take.hpp"
+#include "viewer/picture_thread.hpp"
 
 #include <gtest/gtest.h>
 

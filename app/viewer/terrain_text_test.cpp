@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/terrain_text.hpp"
+#include "viewer/terrain_edit.hpp"
 
 #include <functional>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/timeline.hpp"
+#include "viewer/studio.hpp"
 
 #include <gtest/gtest.h>
 

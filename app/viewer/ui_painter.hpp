@@ -1,13 +1,71 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <bit>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <span>
 
-#include "viewer/texture.hpp"
+#include <imgui.h>
 
-struct ImDrawData;
+#include "viewer/screen.hpp"
 
 namespace estampe::viewer {
+
+/// A picture that is painted on the screen, of four bytes a pixel; it grows with what it is given.
+class Texture {
+public:
+    /// Of descriptor sets that UiPainter allots.
+    Texture(Screen& screen, VkDescriptorPool pool, VkDescriptorSetLayout layout, VkSampler sampler);
+    ~Texture();
+    Texture(const Texture&) = delete;
+    Texture& operator=(const Texture&) = delete;
+
+    /// From the next frame on it is this. Cost: a copy.
+    void set(uint32_t width, uint32_t height, std::span<const uint8_t> rgba);
+
+    /// Copies what was set to the device, if it is new. To be called between Screen::begin() and
+    /// begin_drawing().
+    void record_upload(VkCommandBuffer commands);
+
+    [[nodiscard]] bool empty() const { return width_ == 0; }
+
+    [[nodiscard]] uint32_t width() const { return width_; }
+
+    [[nodiscard]] uint32_t height() const { return height_; }
+
+    [[nodiscard]] VkDescriptorSet descriptor() const { return descriptor_; }
+
+private:
+    void destroy();
+    void create(uint32_t width, uint32_t height);
+
+    Screen& screen_;
+    VkDescriptorPool pool_;
+    VkSampler sampler_;
+    VkDescriptorSet descriptor_ = VK_NULL_HANDLE;
+    VkImage image_ = VK_NULL_HANDLE;
+    VkImageView view_ = VK_NULL_HANDLE;
+    Allocation image_memory_;
+    VkBuffer staging_ = VK_NULL_HANDLE;
+    Allocation staging_memory_;
+    uint32_t width_ = 0;
+    uint32_t height_ = 0;
+    bool is_new_ = false;
+};
+
+/// What ImGui calls a texture: a pointer in its versions up to 1.91, a number later.
+[[nodiscard]] inline ImTextureID id_of(const Texture& texture)
+{
+    static_assert(sizeof(ImTextureID) == sizeof(VkDescriptorSet));
+    return std::bit_cast<ImTextureID>(texture.descriptor());
+}
+
+[[nodiscard]] inline VkDescriptorSet descriptor_of(ImTextureID id)
+{
+    return std::bit_cast<VkDescriptorSet>(id);
+}
 
 /// Paints what Dear ImGui lays out. Its own backend for Vulkan would link a loader beside volk's.
 class UiPainter {

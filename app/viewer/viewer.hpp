@@ -5,14 +5,12 @@
 #include <memory>
 #include <optional>
 
-#include "viewer/file_watch.hpp"
-#include "viewer/ground.hpp"
+#include "viewer/camera_rig.hpp"
 #include "viewer/panels.hpp"
 #include "viewer/picture_thread.hpp"
+#include "viewer/reload.hpp"
 #include "viewer/scene_loader.hpp"
-#include "viewer/shader_reload.hpp"
 #include "viewer/studio.hpp"
-#include "viewer/take.hpp"
 #include "viewer/ui_painter.hpp"
 #include "viewer/warm_up.hpp"
 #include "viewer/window.hpp"

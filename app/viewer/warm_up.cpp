@@ -17,8 +17,8 @@
 #include "core/file.hpp"
 #include "core/hash.hpp"
 #include "drawing.hpp"
-#include "quick_compile.hpp"
-#include "world_animator.hpp"
+#include "process.hpp"
+#include "worlds.hpp"
 
 namespace estampe::viewer {
 namespace {

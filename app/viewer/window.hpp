@@ -7,7 +7,7 @@
 #include <glm/glm.hpp>
 
 #include "viewer/keys.hpp"
-#include "viewer/vulkan_functions.hpp"
+#include "viewer/screen.hpp"
 
 namespace estampe::viewer {
 

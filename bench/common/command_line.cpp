@@ -13,7 +13,7 @@
 
 #include "core/file.hpp"
 #include "core/text.hpp"
-#include "gpu/pipeline_store.hpp"
+#include "gpu/pipelines.hpp"
 
 namespace estampe::bench {
 namespace {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "common/rounds.hpp"
+#include "common/measuring.hpp"
 
 #include <gtest/gtest.h>
-
-#include "common/machine.hpp"
 
 namespace estampe::bench {
 namespace {

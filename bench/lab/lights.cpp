@@ -10,7 +10,7 @@
 #include "common/command_line.hpp"
 #include "core/file.hpp"
 #include "core/spread.hpp"
-#include "gpu/pass_history.hpp"
+#include "gpu/pass_costs.hpp"
 #include "lab/commands.hpp"
 #include "lab/series.hpp"
 

@@ -4,10 +4,13 @@
 // What estampe_lab measures: scenes of its own, each by growing amounts of one kind of work.
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include <estampe/renderer.hpp>
+
+#include "core/spread.hpp"
 
 namespace estampe::lab {
 
@@ -38,12 +41,6 @@ struct Series {
 /// so that the program adds none of its own.
 [[nodiscard]] Scene field_of_balls(double triangles);
 
-/// Without a parent.
-void add_root(Scene& scene, Node node);
-
-/// The side of its floor.
-inline constexpr double field_m = 40.0;
-
 /// From where all of it is seen.
 [[nodiscard]] Camera view_of_field();
 
@@ -53,5 +50,56 @@ void add_lights(Scene& scene, uint32_t count, uint32_t shadowed);
 
 /// The lights that throw shadows circle once in a second.
 void animate_shadowed(Scene& scene, uint32_t shadowed);
+
+/// What one technique took of a frame.
+struct TechniqueCost {
+    std::string name; ///< of its passes, up to the first slash
+    double gpu_ms = 0.0;
+};
+
+/// One amount of work.
+struct BenchPoint {
+    double amount = 0.0;
+    Spread gpu_ms;      ///< a frame, its passes side by side
+    Spread wall_ms;     ///< the frame as who asks for it sees it, with the way back to the host
+    double ratio = 1.0; ///< cost by that of the first amount, frame by frame in turn
+    uint64_t memory_bytes = 0;
+    std::vector<TechniqueCost> techniques; ///< medians, one pass after another, dearest first
+};
+
+struct BenchSeries {
+    std::string name;
+    std::string work;
+    std::vector<BenchPoint> points;
+};
+
+struct BenchResult {
+    std::string device;
+    std::string driver;
+    bool software = false; ///< a processor, whose clock of passes is wrong: wall time is the cost
+    uint32_t width = 0;
+    uint32_t height = 0;
+    uint32_t frames = 0;
+    std::vector<BenchSeries> series;
+};
+
+[[nodiscard]] const Spread& cost_of(const BenchPoint& point, bool software);
+
+/// Power of the amount that the cost grows by from one point to the next: 1 where twice the work costs twice
+/// as much. 0 for the first.
+[[nodiscard]] double growth(const BenchSeries& series, size_t point, bool software);
+
+struct BenchPlan {
+    RendererOptions device;
+    uint32_t width = 1280;
+    uint32_t height = 720;
+    uint32_t frames = 9;
+    double most_share = 1.0; ///< amounts above so much of a series' greatest are left out
+};
+
+/// Draws each amount in turn with the series' first, so that their ratio does not depend on how busy the
+/// machine is. `on_point` is told what is about to be measured. Throws Error as Renderer does.
+[[nodiscard]] BenchResult measure(const std::vector<const Series*>& series, const BenchPlan& plan,
+                                  const std::function<void(const Series&, double amount)>& on_point);
 
 } // namespace estampe::lab

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// What was measured, for people and for programs.
+
 #include <string>
 
-#include "lab/measure.hpp"
+#include <nlohmann/json.hpp>
+
+#include "core/spread.hpp"
+#include "lab/series.hpp"
 
 namespace estampe::lab {
-
-// What was measured, for people and for programs.
 
 [[nodiscard]] std::string text_of(const BenchResult& result);
 [[nodiscard]] std::string csv_of(const BenchResult& result);
@@ -22,5 +25,10 @@ namespace estampe::lab {
 /// Cost of the second by that of the first, point by point, with how far it may be off by the quartiles of
 /// both. Throws Error when they have no point in common.
 [[nodiscard]] std::string comparison_of(const BenchResult& before, const BenchResult& after);
+
+[[nodiscard]] inline nlohmann::ordered_json spread_json(const Spread& spread)
+{
+    return {{"low", spread.low}, {"median", spread.median}, {"high", spread.high}};
+}
 
 } // namespace estampe::lab

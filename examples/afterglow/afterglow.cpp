@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "afterglow.glsl.h"
-#include "gpu/imports.hpp"
+#include "gpu/resources.hpp"
 #include "shaders/afterglow_comp.hpp"
 
 namespace estampe::features {

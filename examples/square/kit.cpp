@@ -7,7 +7,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
 
 namespace square {
 namespace {

@@ -5,8 +5,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include <estampe/error.hpp>
-
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
 
 namespace square {
 namespace {

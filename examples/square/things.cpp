@@ -4,7 +4,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
+
 #include "square.hpp"
 
 namespace square {

@@ -12,9 +12,8 @@
 #include <glm/gtc/packing.hpp>
 
 #include "gpu/graph/execute.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/read_back.hpp"
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
+#include "gpu/transfers.hpp"
 #include "stipple.hpp"
 #include "style/sheet.hpp"
 

@@ -12,7 +12,6 @@
 
 #include <estampe/error.hpp>
 
-#include "core/atomic_file.hpp"
 #include "core/file.hpp"
 #include "support/folder.hpp"
 

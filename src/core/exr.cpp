@@ -18,7 +18,9 @@
 #include <fmt/format.h>
 
 #include <estampe/error.hpp>
+#include <estampe/motion.hpp>
 
+#include "core/file.hpp"
 #include "core/free_memory.hpp"
 #include "core/image_codec.hpp"
 
@@ -156,6 +158,9 @@ std::vector<std::byte> encode_exr(const ExrFile& file)
     return std::move(stream.bytes);
 }
 
+namespace {
+
+/// Encodes red, green, blue and alpha as floats, bit for bit. Throws Error when the picture is empty.
 std::vector<std::byte> encode_float_exr(uint32_t width, uint32_t height, std::span<const glm::vec4> texels)
 {
     if (texels.empty() || texels.size() != static_cast<size_t>(width) * height) {
@@ -179,6 +184,8 @@ std::vector<std::byte> encode_float_exr(uint32_t width, uint32_t height, std::sp
     }
     return std::move(stream.bytes);
 }
+
+} // namespace
 
 std::vector<std::byte> encode_exr(uint32_t width, uint32_t height, std::span<const ExrChannel> channels,
                                   ExrNumbers numbers, const std::map<std::string, std::string>& texts)
@@ -237,6 +244,94 @@ ExrFile decode_exr(std::span<const std::byte> bytes, const std::string& name)
         const std::string_view reason = problem.what();
         throw Error(fmt::format("is damaged: {}", reason.substr(0, reason.find('\n'))), name);
     }
+}
+
+namespace {
+
+constexpr const char* geometry_key = "estampe:geometry";
+constexpr const char* settings_key = "estampe:settings";
+constexpr float most_kinds = baked_directional | baked_point | baked_spot;
+constexpr const char* corners_key = "estampe:corners";
+constexpr const char* numbers_key = "estampe:exposure and kinds of lights";
+
+template <class Map>
+typename Map::mapped_type taken(Map& attributes, const char* key, const std::filesystem::path& path)
+{
+    const auto found = attributes.find(key);
+    if (found == attributes.end()) {
+        throw Error("is an OpenEXR picture, but not a lightmap", path.string(),
+                    "estampe bake makes one; a program that writes it anew must keep its header");
+    }
+    return std::move(found->second);
+}
+
+bool is_place(float x)
+{
+    return x >= 0.0F && x <= 1.0F;
+}
+
+} // namespace
+
+void save_lightmap(const Lightmap& map, const std::filesystem::path& path)
+{
+    if (!map.pictures.empty()) {
+        throw Error("is made of pictures that its scene names; only baked lightmaps are saved",
+                    path.string());
+    }
+    ExrFile file{.image = map.light};
+    file.texts[geometry_key] = map.geometry;
+    file.texts[settings_key] = map.settings;
+    file.numbers[numbers_key] = {map.exposure, static_cast<float>(map.baked_lights)};
+    std::vector<float>& corners = file.numbers[corners_key];
+    corners.reserve(2 * map.corners.size());
+    for (const glm::vec2& corner : map.corners) {
+        corners.push_back(corner.x);
+        corners.push_back(corner.y);
+    }
+    write_file_atomically(path, encode_exr(file));
+}
+
+bool is_baked(const ExrFile& file)
+{
+    return file.texts.contains(geometry_key);
+}
+
+Lightmap baked_lightmap(ExrFile file, const std::filesystem::path& path)
+{
+    Lightmap map;
+    map.geometry = taken(file.texts, geometry_key, path);
+    map.settings = taken(file.texts, settings_key, path);
+    const std::vector<float> numbers = taken(file.numbers, numbers_key, path);
+    const std::vector<float> corners = taken(file.numbers, corners_key, path);
+    map.light = std::move(file.image);
+    if (numbers.size() != 2 || !std::isfinite(numbers[0]) || numbers[0] <= 0.0F || !(numbers[1] >= 0.0F) ||
+        numbers[1] > most_kinds || corners.size() % 6 != 0) {
+        throw Error("is a damaged lightmap", path.string(), "bake it again");
+    }
+    map.exposure = numbers[0];
+    map.baked_lights = static_cast<uint32_t>(numbers[1]);
+    for (size_t i = 0; i < corners.size(); i += 2) {
+        if (!is_place(corners[i]) || !is_place(corners[i + 1])) {
+            throw Error("is a damaged lightmap", path.string(), "bake it again");
+        }
+        map.corners.emplace_back(corners[i], corners[i + 1]);
+    }
+    return map;
+}
+
+Lightmap load_lightmap(const std::filesystem::path& path)
+{
+    constexpr uint64_t max_file_bytes = uint64_t{1} << 32;
+    return baked_lightmap(decode_exr(read_file(path, max_file_bytes), path.string()), path);
+}
+
+void save_motion(const Motion& motion, const std::filesystem::path& path)
+{
+    if (motion.pixels.empty()) {
+        throw Error("there is no motion to write", path.string(),
+                    "ask for it in RenderSettings::motion_since");
+    }
+    write_file_atomically(path, encode_float_exr(motion.width, motion.height, motion.pixels));
 }
 
 } // namespace estampe

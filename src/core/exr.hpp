@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// OpenEXR, both ways, and what is in the files of lightmaps and motion.
+
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -25,10 +27,6 @@ struct ExrFile {
 /// bytes. Values are held to what a half can carry. Throws Error when the image is empty.
 [[nodiscard]] std::vector<std::byte> encode_exr(const ExrFile& file);
 
-/// Encodes red, green, blue and alpha as floats, bit for bit. Throws Error when the picture is empty.
-[[nodiscard]] std::vector<std::byte> encode_float_exr(uint32_t width, uint32_t height,
-                                                      std::span<const glm::vec4> texels);
-
 /// One channel of a picture in linear light, by its name: "R", or "layer.R" of a layer.
 struct ExrChannel {
     std::string name;
@@ -49,5 +47,11 @@ struct ExrChannel {
 
 /// Whether the bytes begin as an OpenEXR picture does.
 [[nodiscard]] bool is_exr(std::span<const std::byte> bytes);
+
+/// Whether the header is that of a map which `estampe bake` made.
+[[nodiscard]] bool is_baked(const ExrFile& file);
+
+/// The map in such a picture. Throws Error with `path` as its place when it is none or damaged.
+[[nodiscard]] Lightmap baked_lightmap(ExrFile file, const std::filesystem::path& path);
 
 } // namespace estampe

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/progress_watch.hpp"
+#include "core/long_jobs.hpp"
 
 #include <thread>
 #include <vector>

@@ -33,6 +33,24 @@ std::string in_quotes(std::string_view text)
     return '"' + one_line(text) + '"';
 }
 
+std::string lower_case(std::string_view text)
+{
+    std::string lower(text);
+    for (char& letter : lower) {
+        if (letter >= 'A' && letter <= 'Z') {
+            letter = static_cast<char>(letter - 'A' + 'a');
+        }
+    }
+    return lower;
+}
+
+void replace_all(std::string& text, const std::string& what, const std::string& with)
+{
+    for (size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size())) {
+        text.replace(at, what.size(), with);
+    }
+}
+
 void say(const std::string& text)
 {
     static_cast<void>(std::fputs(text.c_str(), stderr));

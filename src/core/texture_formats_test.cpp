@@ -15,7 +15,7 @@
 
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
-#include "core/ink_colors.hpp"
+#include "core/image_formats.hpp"
 #include "support/folder.hpp"
 
 namespace estampe {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/tiff.hpp"
+#include "core/image_formats.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,8 +18,7 @@
 
 #include <estampe/error.hpp>
 
-#include "core/new_image.hpp"
-#include "core/srgb.hpp"
+#include "core/color.hpp"
 
 namespace estampe {
 namespace {

@@ -5,8 +5,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "features/lighting/light_links.hpp"
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
+
+#include "features/lighting/lighting.hpp"
 #include "scene/static_triangles.hpp"
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"

@@ -3,10 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "gpu/graph/execute.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
 #include "support/gpu_device.hpp"
-#include "techniques/raster/passes.hpp"
+#include "techniques/raster/paths.hpp"
 
 namespace estampe::gpu {
 namespace {

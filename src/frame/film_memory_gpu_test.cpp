@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <estampe/error.hpp>
+#include <estampe/shapes.hpp>
 
-#include "scene/shapes.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
 

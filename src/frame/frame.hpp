@@ -3,7 +3,6 @@
 
 #include "features/common/style_tables.hpp"
 #include "frame/features.hpp"
-#include "frame/linear_page.hpp"
 #include "frame/page.hpp"
 #include "frame/plan.hpp"
 #include "frame/vectors.hpp"

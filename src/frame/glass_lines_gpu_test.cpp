@@ -2,7 +2,8 @@
 // Lines of what stands behind glass that a file calls transmissive.
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
+
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
 

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <estampe/renderer.hpp>
+#include <estampe/shapes.hpp>
 
-#include "scene/shapes.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
 

@@ -4,11 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <estampe/shapes.hpp>
 #include <estampe/vulkan.hpp>
 
 #include "gpu/resources.hpp"
-#include "gpu/upload.hpp"
-#include "scene/shapes.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
 

@@ -8,10 +8,10 @@
 #include <gtest/gtest.h>
 
 #include <estampe/renderer.hpp>
+#include <estampe/shapes.hpp>
 
-#include "core/srgb.hpp"
+#include "core/color.hpp"
 #include "output/layer_files.hpp"
-#include "scene/shapes.hpp"
 #include "support/files.hpp"
 #include "support/gpu_device.hpp"
 #include "support/open_raster.hpp"

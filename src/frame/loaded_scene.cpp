@@ -8,11 +8,11 @@
 
 #include <estampe/error.hpp>
 
-#include "core/at_once.hpp"
+#include "core/long_jobs.hpp"
 #include "features/cloth/moving_cloth.hpp"
 #include "features/common/view.hpp"
 #include "features/terrain/ground_mesh.hpp"
-#include "scene/drawn_size.hpp"
+#include "scene/scene_limits.hpp"
 #include "scene/visibility.hpp"
 
 namespace estampe::frame {
@@ -170,7 +170,8 @@ LoadedScene load_onto_device(gpu::Device& device, const Scene& given, const Ligh
     }
     loaded.scene = without_images(scene);
     hide_invisible(loaded.scene);
-    std::future<pose::MeshData> layout = std::async(at_once, [&] { return layout_of(loaded.scene); });
+    std::future<pose::MeshData> layout =
+        std::async(launch_if_possible, [&] { return layout_of(loaded.scene); });
     const surface::TexturePlan textures = surface::plan_textures(scene, device.limits().maxImageArrayLayers);
     loaded.materials = surface::upload_materials(device, scene, textures);
     loaded.needs = surface::scene_needs(scene, textures);

@@ -12,19 +12,18 @@
 
 #include "features/common/placed_nodes.hpp"
 #include "features/common/surface_map.hpp"
-#include "features/lighting/default_light.hpp"
-#include "features/lighting/light_links.hpp"
+#include "features/lighting/lighting.hpp"
 #include "features/lighting/lightmaps.hpp"
-#include "features/shadows/sun_casters.hpp"
+#include "features/shadows/sun.hpp"
 #include "techniques/light/light.hpp"
-#include "techniques/motion_blur/smear.hpp"
+#include "techniques/motion_blur/motion_blur.hpp"
 #include "techniques/motion_blur/stretch.hpp"
-#include "techniques/occlusion/discs/disc_map.hpp"
+#include "techniques/occlusion/discs/discs.hpp"
 #include "techniques/pose/pose.hpp"
-#include "techniques/raster/clusters/clusters.hpp"
+#include "techniques/raster/raster.hpp"
 #include "techniques/surface/materials.hpp"
 #include "techniques/terrain/terrain_buffers.hpp"
-#include "techniques/terrain/trails/footprints.hpp"
+#include "techniques/terrain/trails/trails.hpp"
 
 namespace estampe::frame {
 

@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What is decided on the processor before a picture is declared, in parts.
+// What is decided on the processor before a picture is declared, in parts; also where its lens is focused.
 
 #include <algorithm>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <estampe/renderer.hpp>
 
-#include "features/common/looks.hpp"
 #include "features/common/style_tables.hpp"
 #include "features/common/view.hpp"
-#include "features/hatching/strokes.hpp"
+#include "features/hatching/hatching.hpp"
 #include "features/ink/flowing_ink.hpp"
 #include "features/motion/motion.hpp"
-#include "features/shadows/ground_shadow.hpp"
-#include "features/shadows/local_shadows.hpp"
+#include "features/shadows/shadows.hpp"
 #include "features/shadows/sun.hpp"
 #include "features/smoke/rising_smoke.hpp"
 #include "frame/loaded_scene.hpp"
 #include "gpu/device.hpp"
 #include "techniques/lens/lens.glsl.h"
+#include "techniques/lens/lens.hpp"
 #include "techniques/light/daylight.hpp"
 #include "techniques/motion_blur/motion_blur.glsl.h"
-#include "techniques/motion_blur/smear.glsl.h"
 #include "techniques/particles/particles.hpp"
 #include "techniques/raster/raster.hpp"
 #include "techniques/sky/clouds/clouds.hpp"
@@ -86,7 +86,7 @@ struct SubsurfacePlan {
 /// How the edges of shadows look.
 struct EdgePlan {
     shared::EdgeLook look; ///< their teeth
-    uint32_t variant = 0;  ///< see shadow/local/edge_look.hpp
+    uint32_t variant = 0;  ///< see shadow/shadow_style.hpp
 };
 
 struct LinePlan {
@@ -188,5 +188,22 @@ struct PlanInputs {
 /// what lines remember are left as they are by default. Throws Error as plan_strokes(). Cost: linear in
 /// draws.
 [[nodiscard]] FramePlan plan_frame(const PlanInputs& in, PlanLists room = {});
+
+struct LensSetting {
+    const LoadedScene& loaded;
+    const ScenePose& pose;
+    const Camera& camera;
+    const features::StyleTables& style;
+    const PagePlan& page;
+    float line_half_px = 1.0F;
+};
+
+/// How far before the eye, along the view, the plane in focus stands: as far as the style says, or the middle
+/// of the objects that it names, or the middle of the scene. Adds a note for a name of nothing.
+[[nodiscard]] double focus_distance_m(const LensSetting& in, std::vector<std::string>& notes);
+
+/// The lens of a picture; none where the style has none, and in parallel projection, which adds a note.
+[[nodiscard]] std::optional<shared::LensConstants> plan_lens(const LensSetting& in,
+                                                             std::vector<std::string>& notes);
 
 } // namespace estampe::frame

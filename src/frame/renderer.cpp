@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "frame/renderer_impl.hpp"
-
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <string>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include <estampe/error.hpp>
 
 #include "core/free_memory.hpp"
-#include "core/progress_watch.hpp"
-#include "gpu/mapped_buffer.hpp"
-#include "scene/extent.hpp"
+#include "core/long_jobs.hpp"
+#include "frame/renderer_impl.hpp"
+#include "gpu/resources.hpp"
+#include "scene/scene_limits.hpp"
 #include "techniques/contour/chains/chains.hpp"
 
 namespace estampe {
@@ -369,6 +371,47 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
                               .edges = impl.features.lines.meshes().edges(),
                               .size_px = plan.page.size_px},
                              plan, hidden == HiddenLines::kept);
+}
+
+// What a renderer tells of the last picture.
+
+const Motion& Renderer::motion() const
+{
+    return impl_->motion;
+}
+
+const std::vector<std::string>& Renderer::notes() const
+{
+    return impl_->notes;
+}
+
+double Renderer::gpu_ms() const
+{
+    return impl_->executor.gpu_ms();
+}
+
+const std::vector<PassTiming>& Renderer::timings() const
+{
+    return impl_->executor.timings();
+}
+
+std::vector<SolverReport> Renderer::solver_reports() const
+{
+    std::vector<SolverReport> reports = impl_->features.smoke.solver_reports();
+    if (const std::optional<SolverReport>& of_ink = impl_->features.ink.solver_report()) {
+        reports.push_back(*of_ink);
+    }
+    return reports;
+}
+
+uint64_t Renderer::device_memory_bytes() const
+{
+    return impl_->device.memory().used_bytes();
+}
+
+std::string Renderer::graph_dot() const
+{
+    return gpu::to_dot(impl_->drawn, gpu::compile(impl_->drawn));
 }
 
 } // namespace estampe

@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include <estampe/error.hpp>
+#include <estampe/shapes.hpp>
 
-#include "core/progress_watch.hpp"
-#include "scene/shapes.hpp"
+#include "core/long_jobs.hpp"
 #include "support/gpu_device.hpp"
 #include "support/image_compare.hpp"
 #include "support/scenes.hpp"

@@ -13,7 +13,7 @@
 #include "frame/loaded_scene.hpp"
 #include "gpu/graph/compile_ahead.hpp"
 #include "gpu/graph/execute.hpp"
-#include "techniques/raster/choose_path.hpp"
+#include "techniques/raster/paths.hpp"
 
 namespace estampe {
 

@@ -14,12 +14,11 @@
 
 #include <estampe/error.hpp>
 
-#include "core/luminance.hpp"
-#include "features/lighting/baked_lights.hpp"
-#include "frame/depth_of_field.hpp"
-#include "gpu/mapped_buffer.hpp"
-#include "gpu/upload.hpp"
-#include "scene/extent.hpp"
+#include "core/color.hpp"
+#include "features/lighting/lightmaps.hpp"
+#include "frame/plan.hpp"
+#include "gpu/resources.hpp"
+#include "scene/scene_limits.hpp"
 #include "techniques/light/daylight.hpp"
 
 namespace estampe {

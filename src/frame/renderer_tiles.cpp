@@ -10,7 +10,7 @@
 #include <estampe/error.hpp>
 
 #include "core/free_memory.hpp"
-#include "frame/tile.hpp"
+#include "frame/page.hpp"
 
 namespace estampe {
 namespace {

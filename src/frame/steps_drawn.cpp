@@ -4,8 +4,8 @@
 
 #include "frame/page.hpp"
 #include "frame/steps.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/read_back.hpp"
+#include "gpu/resources.hpp"
+#include "gpu/transfers.hpp"
 #include "techniques/contour/chains/chains.hpp"
 #include "techniques/motion_blur/stretch.hpp"
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "frame/steps.hpp"
-#include "gpu/imports.hpp"
+#include "gpu/resources.hpp"
 #include "techniques/light/exposure/exposure.hpp"
-#include "techniques/occlusion/discs/disc_map.hpp"
+#include "techniques/occlusion/discs/discs.hpp"
 #include "techniques/occlusion/occlusion.hpp"
-#include "techniques/subsurface/texture/texture.hpp"
+#include "techniques/subsurface/subsurface.hpp"
 
 namespace estampe::frame {
 namespace {

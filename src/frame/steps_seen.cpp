@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
-// From triangles to what is seen at each pixel.
+// From triangles to what is seen at each pixel; what is seen through, thick bodies that blur what lies
+// behind them and see-through surfaces one by one; and how much of each pixel things cover, for a
+// transparent background.
 #include <algorithm>
+#include <vector>
 
 #include "frame/steps.hpp"
-#include "gpu/imports.hpp"
+#include "gpu/resources.hpp"
+#include "techniques/subsurface/subsurface.hpp"
 
 namespace estampe::frame {
 namespace {
@@ -222,6 +226,86 @@ SeenThrough add_transparency(const FrameContext& context, const PosedScene& scen
     return with_backgrounds({.images = transparency::add_transparency(context.graph, inputs),
                              .layers = layers,
                              .is_there = true});
+}
+
+namespace {
+
+/// A visibility lit and painted as what is seen first is, without what lies in things.
+gpu::ImageId add_painted(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
+                         const ShadowMaps& maps, const std::optional<gpu::ImageId>& background)
+{
+    const surface::Surface surface = add_surface(context, scene, visibility);
+    light::LightInputs inputs = light_inputs(context, scene, surface, maps);
+    inputs.has_emissive = context.plan.needs.emissive;
+    return add_paint(context, scene, surface, light::add_light(context.graph, inputs).light, background);
+}
+
+gpu::ImageId add_behind(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
+                        const surface::Surface& surface, const ShadowMaps& maps, gpu::BufferId background,
+                        const Colors& colors)
+{
+    gpu::Graph& graph = context.graph;
+    const SubsurfacePlan& plan = *context.plan.subsurface;
+    raster::View view = eye_view(context);
+    view.cull_back_faces = false;
+    const subsurface::BehindInputs inputs{
+        .common = subsurface_inputs(context, scene, surface),
+        .visibility = visibility,
+        .inside = raster::add_layers(graph, "subsurface/inside", scene.meshes, plan.clear, view,
+                                     subsurface::inside_layers),
+        .background = background,
+        .triangles = scene.meshes.triangles,
+        .posed_vertices = scene.meshes.posed_vertices,
+        .color = surface.color,
+        .painted = add_painted(context, scene, background, maps,
+                               context.plan.page.shows_sky ? std::optional(colors.sky_wash) : std::nullopt)};
+    return subsurface::add_behind(graph, inputs, colors.wash);
+}
+
+} // namespace
+
+Colors add_seen_through(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
+                        const surface::Surface& surface, const ShadowMaps& maps, const SeenThrough& screen,
+                        Colors colors)
+{
+    if (screen.background) {
+        colors.wash = add_behind(context, scene, visibility, surface, maps, *screen.background, colors);
+    }
+    if (!screen.is_there || context.style.transparency.mode != transparency::Mode::sorted) {
+        return colors;
+    }
+    const transparency::TransparencyInputs inputs =
+        transparency_inputs(context, scene, visibility, screen.layers);
+    const std::vector<gpu::BufferId> farthest_first(screen.layers.rbegin(), screen.layers.rend());
+    for (const gpu::BufferId& layer : farthest_first) {
+        const gpu::ImageId painted = add_painted(context, scene, layer, maps, std::nullopt);
+        colors.wash = transparency::add_sheet(context.graph, inputs, layer, painted, colors.wash);
+    }
+    return colors;
+}
+
+std::optional<gpu::ImageId> add_cover(const FrameContext& context, const PosedScene& scene,
+                                      gpu::BufferId visibility, const surface::Surface& surface,
+                                      const haze::HazeLayers& layers, const Colors& colors)
+{
+    const motion_blur::Mode mode = context.style.motion_blur.mode;
+    const bool is_blurred =
+        context.plan.motion_blur && mode != motion_blur::Mode::none && mode != motion_blur::Mode::velocity;
+    const bool has_lens = context.plan.lens && context.style.lens.mode != lens::Mode::circles;
+    if (context.style.paper.transparent != paper::Transparency::background || (!has_lens && !is_blurred)) {
+        return std::nullopt;
+    }
+    const paper::CoverLayers copied =
+        paper::add_cover(context.graph, {.wash = layers.wash, .hatch = layers.hatch, .lines = layers.lines},
+                         context.sample.size_px);
+    const lens::LensLayers focused = add_lens(
+        context, surface, {.wash = copied.wash, .hatch = copied.hatch, .lines = copied.lines}, colors);
+    if (!is_blurred) {
+        return focused.wash;
+    }
+    return add_motion_blur(context, scene, visibility, surface,
+                           {.wash = focused.wash, .hatch = focused.hatch, .lines = focused.lines}, colors)
+        .wash;
 }
 
 } // namespace estampe::frame

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
-#include <estampe/style.hpp>
-
+// The public doors to styles and to tonal art maps.
 #include <cmath>
 #include <optional>
 #include <variant>
 
 #include <estampe/error.hpp>
+#include <estampe/style.hpp>
+#include <estampe/tonal_art_map.hpp>
 
 #include "features/common/style_tables.hpp"
-#include "style/color.hpp"
-#include "style/presets.hpp"
+#include "style/parameter.hpp"
+#include "style/sheet.hpp"
 #include "techniques/light/daylight.hpp"
+#include "techniques/tam/files/map_files.hpp"
+#include "techniques/tam/maker.hpp"
+#include "techniques/tam/tonal_art_map.hpp"
 
 namespace estampe {
 
@@ -158,6 +162,33 @@ std::string Style::about(const std::string& preset)
 std::vector<std::string> Style::presets()
 {
     return style::preset_names();
+}
+
+TonalArtMap draw_tonal_art_map(const Style& style, const Image* stroke)
+{
+    return tam::make_map(style.tables().tam, stroke);
+}
+
+PaintedMap load_tonal_art_map(const std::filesystem::path& path)
+{
+    return tam::read_map(path);
+}
+
+void save_tonal_art_map(const TonalArtMap& map, const std::filesystem::path& path)
+{
+    tam::write_map(map, path);
+}
+
+bool is_map_folder(const std::filesystem::path& path)
+{
+    return tam::is_folder_name(path);
+}
+
+Image map_sheet(const TonalArtMap& map, const Style& style)
+{
+    tam::check_map(map, {});
+    const paper::PaperStyle& page = style.tables().paper;
+    return tam::preview_sheet(map, page.color, page.ink);
 }
 
 } // namespace estampe

@@ -11,11 +11,11 @@
 #include <gtest/gtest.h>
 
 #include <estampe/error.hpp>
+#include <estampe/shapes.hpp>
 
 #include "features/common/style_tables.hpp"
 #include "features/common/view.hpp"
-#include "frame/tile.hpp"
-#include "scene/shapes.hpp"
+#include "frame/page.hpp"
 #include "support/gpu_device.hpp"
 #include "support/image_compare.hpp"
 #include "support/scenes.hpp"

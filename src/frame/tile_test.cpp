@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "frame/tile.hpp"
+#include "frame/page.hpp"
 
 #include <algorithm>
 #include <random>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pictures with transparent paper, from the scene to what they look like on other pictures.
 #include <estampe/renderer.hpp>
+#include <estampe/shapes.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "features/common/style_tables.hpp"
+#include "output/layer_bytes.hpp"
 #include "output/layer_files.hpp"
-#include "output/one_layer.hpp"
-#include "scene/shapes.hpp"
 #include "support/gpu_device.hpp"
 #include "support/open_raster.hpp"
 #include "support/scenes.hpp"

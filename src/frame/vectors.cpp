@@ -12,9 +12,9 @@
 #include <fmt/format.h>
 
 #include "features/common/view.hpp"
-#include "features/lines/page_clip.hpp"
-#include "gpu/read_back.hpp"
-#include "style/color.hpp"
+#include "features/lines/lines.hpp"
+#include "gpu/transfers.hpp"
+#include "style/parameter.hpp"
 #include "techniques/contour/chains/chains.hpp"
 #include "techniques/contour/chains/stroke/line_paths.hpp"
 #include "techniques/hatch/trace/trace.hpp"

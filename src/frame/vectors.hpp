@@ -11,8 +11,8 @@
 
 #include "frame/plan.hpp"
 #include "gpu/resources.hpp"
+#include "techniques/contour/chains/chains.hpp"
 #include "techniques/contour/chains/mesh/edge_mesh.hpp"
-#include "techniques/contour/chains/mesh/line_mesh.hpp"
 #include "techniques/pose/mesh_data.hpp"
 
 namespace estampe::frame {

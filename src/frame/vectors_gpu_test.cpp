@@ -12,10 +12,10 @@
 #include <gtest/gtest.h>
 
 #include <estampe/error.hpp>
+#include <estampe/shapes.hpp>
 
-#include "scene/shapes.hpp"
-#include "scene/subdivision.hpp"
-#include "style/color.hpp"
+#include "scene/smooth_surface.hpp"
+#include "style/parameter.hpp"
 #include "support/folder.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// Physical devices and what they lack, and the one that is opened.
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -75,5 +77,33 @@ private:
         on_validation_message_; ///< stays put for the messenger
     std::unique_ptr<MemoryAllocator> memory_;
 };
+
+/// A physical device and what we think of it.
+struct Candidate {
+    VkPhysicalDevice physical = VK_NULL_HANDLE;
+    DeviceInfo info;
+    bool discrete = false;
+};
+
+/// Picks by "auto" (discrete GPU, other GPU, processor), "cpu" or an index. Throws Error listing what there
+/// is.
+[[nodiscard]] const Candidate& choose(const std::vector<Candidate>& candidates, const std::string& choice);
+
+/// The feature chain we need, to be asked of a device or enabled on it.
+struct Features {
+    Features();
+    Features(const Features&) = delete;
+    Features& operator=(const Features&) = delete;
+
+    VkPhysicalDeviceVulkan13Features v13{};
+    VkPhysicalDeviceVulkan12Features v12{};
+    VkPhysicalDeviceFeatures2 core{};
+};
+
+/// Names of the features that drawing cannot do without and `have` lacks; empty when it lacks none.
+[[nodiscard]] std::string missing_features(const Features& have);
+
+/// Whether words of depth and triangle can be drawn in compute, by an atomic maximum.
+[[nodiscard]] bool offers_compute_raster(const Features& have);
 
 } // namespace estampe::gpu

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "gpu/device_choice.hpp"
+#include "gpu/device.hpp"
 
 #include <gtest/gtest.h>
 

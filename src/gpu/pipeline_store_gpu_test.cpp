@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "gpu/pipeline_store.hpp"
+#include "gpu/pipelines.hpp"
 
 #include <cstdlib>
 #include <cstring>

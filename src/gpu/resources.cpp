@@ -2,6 +2,7 @@
 #include "gpu/resources.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,6 +10,80 @@
 #include <estampe/error.hpp>
 
 namespace estampe::gpu {
+
+StageAccess stage_access(Access access)
+{
+    constexpr VkPipelineStageFlags2 compute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+    constexpr VkPipelineStageFlags2 raster =
+        VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+    switch (access) {
+    case Access::compute_sampled:
+        return {compute, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
+    case Access::compute_storage_read:
+        return {compute, VK_ACCESS_2_SHADER_STORAGE_READ_BIT};
+    case Access::compute_storage_write:
+        return {compute, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+    case Access::compute_storage_modify:
+        return {compute, VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+    case Access::compute_uniform:
+        return {compute, VK_ACCESS_2_UNIFORM_READ_BIT};
+    case Access::raster_sampled:
+        return {raster, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
+    case Access::raster_storage_read:
+        return {raster, VK_ACCESS_2_SHADER_STORAGE_READ_BIT};
+    case Access::raster_uniform:
+        return {raster, VK_ACCESS_2_UNIFORM_READ_BIT};
+    case Access::indirect:
+        return {VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT};
+    case Access::transfer_read:
+        return {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT};
+    case Access::transfer_write:
+        return {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
+    case Access::color_attachment:
+        return {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT, VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT};
+    case Access::color_attachment_modify:
+        return {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+                VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT};
+    case Access::depth_attachment:
+        return {VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
+                VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT |
+                    VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT};
+    case Access::host_read:
+        return {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT};
+    }
+    return {};
+}
+
+StageAccess stage_access(AccessSet accesses)
+{
+    StageAccess all;
+    accesses.for_each([&](Access access) {
+        all.stage |= stage_access(access).stage;
+        all.access |= stage_access(access).access;
+    });
+    return all;
+}
+
+VkImageLayout vulkan_layout(Layout layout)
+{
+    switch (layout) {
+    case Layout::undefined:
+        return VK_IMAGE_LAYOUT_UNDEFINED;
+    case Layout::general:
+        return VK_IMAGE_LAYOUT_GENERAL;
+    case Layout::shader_read:
+        return VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    case Layout::transfer_source:
+        return VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+    case Layout::transfer_target:
+        return VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    case Layout::color:
+        return VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    case Layout::depth:
+        return VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
+    }
+    return VK_IMAGE_LAYOUT_UNDEFINED;
+}
 
 VkFormat vulkan_format(Format format)
 {
@@ -242,6 +317,110 @@ void Image::destroy()
         device_->memory().free(allocation_);
         image_ = VK_NULL_HANDLE;
     }
+}
+
+namespace {
+
+void change_layout(VkCommandBuffer commands, const Image& image, VkImageLayout from, VkImageLayout to)
+{
+    const VkImageMemoryBarrier2 barrier{
+        .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
+        .srcStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+        .srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT,
+        .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+        .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
+        .oldLayout = from,
+        .newLayout = to,
+        .image = image.handle(),
+        .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, image.desc().mips, 0, image.desc().layers}};
+    const VkDependencyInfo dependency{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+                                      .imageMemoryBarrierCount = 1,
+                                      .pImageMemoryBarriers = &barrier};
+    vkCmdPipelineBarrier2(commands, &dependency);
+}
+
+void copy_layer(Device& device, Image& image, uint32_t layer, const LayerPixels& pixels)
+{
+    size_t total = 0;
+    for (const auto& level : pixels.levels) {
+        total += level.size();
+    }
+    const Buffer staging(device, "staging", total, MemoryUse::upload);
+    std::vector<VkBufferImageCopy> regions;
+    size_t offset = 0;
+    for (uint32_t level = 0; level < pixels.levels.size(); ++level) {
+        std::memcpy(staging.mapped().data() + offset, pixels.levels[level].data(),
+                    pixels.levels[level].size());
+        regions.push_back({.bufferOffset = offset,
+                           .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, layer, 1},
+                           .imageExtent = {std::max(1U, image.desc().width >> level),
+                                           std::max(1U, image.desc().height >> level), 1}});
+        offset += pixels.levels[level].size();
+    }
+    run_once(device, [&](VkCommandBuffer commands) {
+        vkCmdCopyBufferToImage(commands, staging.handle(), image.handle(),
+                               VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, static_cast<uint32_t>(regions.size()),
+                               regions.data());
+    });
+}
+
+} // namespace
+
+void run_once(Device& device, const std::function<void(VkCommandBuffer)>& record)
+{
+    const VkCommandPoolCreateInfo pool_info{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                                            .flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT,
+                                            .queueFamilyIndex = device.queue_family()};
+    VkCommandPool pool = VK_NULL_HANDLE;
+    vk_check(vkCreateCommandPool(device.handle(), &pool_info, nullptr, &pool), "vkCreateCommandPool");
+    try {
+        const VkCommandBufferAllocateInfo info{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+                                               .commandPool = pool,
+                                               .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
+                                               .commandBufferCount = 1};
+        VkCommandBuffer commands = VK_NULL_HANDLE;
+        vk_check(vkAllocateCommandBuffers(device.handle(), &info, &commands), "vkAllocateCommandBuffers");
+        const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                                             .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
+        vk_check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
+        record(commands);
+        vk_check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
+        device.submit_and_wait(commands);
+    } catch (...) {
+        vkDestroyCommandPool(device.handle(), pool, nullptr);
+        throw;
+    }
+    vkDestroyCommandPool(device.handle(), pool, nullptr);
+}
+
+Buffer upload_buffer(Device& device, const std::string& name, std::span<const std::byte> bytes)
+{
+    Buffer buffer(device, name, bytes.size(), MemoryUse::device);
+    if (bytes.empty()) {
+        return buffer;
+    }
+    const Buffer staging(device, name + " staging", bytes.size(), MemoryUse::upload);
+    std::memcpy(staging.mapped().data(), bytes.data(), bytes.size());
+    run_once(device, [&](VkCommandBuffer commands) {
+        const VkBufferCopy region{.size = bytes.size()};
+        vkCmdCopyBuffer(commands, staging.handle(), buffer.handle(), 1, &region);
+    });
+    return buffer;
+}
+
+void upload_layers(Device& device, Image& image,
+                   const std::function<LayerPixels(uint32_t layer)>& layer_pixels)
+{
+    run_once(device, [&](VkCommandBuffer commands) {
+        change_layout(commands, image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+    });
+    for (uint32_t layer = 0; layer < image.desc().layers; ++layer) {
+        copy_layer(device, image, layer, layer_pixels(layer));
+    }
+    run_once(device, [&](VkCommandBuffer commands) {
+        change_layout(commands, image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                      VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    });
 }
 
 } // namespace estampe::gpu

@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// Buffers and images: made, filled, and brought into a graph; Vulkan's names for formats, layouts and
+// accesses.
+
+#include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <map>
+#include <ranges>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "gpu/device.hpp"
+#include "gpu/graph/compile.hpp"
 #include "gpu/graph/graph.hpp"
+#include "gpu/vulkan.hpp"
 
 namespace estampe::gpu {
-
-/// Vulkan's name for a format.
-[[nodiscard]] VkFormat vulkan_format(Format format);
-
-/// What the texels of such an image take, with all of its layers and mips; a driver may add to that.
-[[nodiscard]] uint64_t size_bytes(const ImageDesc& desc);
 
 /// A buffer in device or mapped memory. Move-only; the device must outlive it, and no frame may be in flight
 /// when it dies.
@@ -93,5 +96,83 @@ private:
     ImageDesc desc_;
     bool is_array_ = false;
 };
+
+/// All of `buffer`, which must outlive the run of `graph`.
+[[nodiscard]] inline BufferId import_whole(Graph& graph, std::string_view name, Buffer& buffer)
+{
+    return graph.import_buffer(name, buffer, {.size_bytes = buffer.size_bytes()});
+}
+
+/// All of `image`, in the layout that uploads leave it in; it must outlive the run of `graph`.
+[[nodiscard]] inline ImageId import_uploaded(Graph& graph, std::string_view name, Image& image)
+{
+    return graph.import_image(name, image, image.desc(), Layout::shader_read);
+}
+
+/// A host-visible buffer that holds `items`. Without items it has room for one, which is not set.
+template <std::ranges::contiguous_range Items>
+[[nodiscard]] Buffer mapped_buffer(Device& device, const char* name, const Items& items)
+{
+    const auto bytes = std::as_bytes(std::span(std::ranges::data(items), std::ranges::size(items)));
+    const size_t least_bytes = sizeof(std::ranges::range_value_t<Items>);
+    Buffer buffer(device, name, std::max(bytes.size(), least_bytes), MemoryUse::upload);
+    std::ranges::copy(bytes, buffer.mapped().begin());
+    return buffer;
+}
+
+/// Copies `items` into `buffer`, which no running frame may read. Allocates a new buffer only if the size
+/// differs.
+template <std::ranges::contiguous_range Items>
+void upload_items(Device& device, const char* name, const Items& items, Buffer& buffer)
+{
+    const auto bytes = std::as_bytes(std::span(std::ranges::data(items), std::ranges::size(items)));
+    const size_t least_bytes = sizeof(std::ranges::range_value_t<Items>);
+    if (buffer.empty() || buffer.size_bytes() != std::max(bytes.size(), least_bytes)) {
+        buffer = mapped_buffer(device, name, items);
+        return;
+    }
+    std::ranges::copy(bytes, buffer.mapped().begin());
+}
+
+/// Records commands with `record`, runs them, and waits: for uploads and read-backs outside the frame.
+void run_once(Device& device, const std::function<void(VkCommandBuffer)>& record);
+
+/// A device buffer filled with `bytes`. Cost: one staging copy, and a wait.
+[[nodiscard]] Buffer upload_buffer(Device& device, const std::string& name, std::span<const std::byte> bytes);
+
+template <class T>
+[[nodiscard]] Buffer upload_buffer(Device& device, const std::string& name, const std::vector<T>& items)
+{
+    return upload_buffer(device, name, std::as_bytes(std::span(items)));
+}
+
+/// The levels of one layer of an image, finest first, each tightly packed.
+struct LayerPixels {
+    std::vector<std::vector<std::byte>> levels;
+};
+
+/// Fills all layers and levels of `image` and leaves it in the shader-read layout. Layers go through one
+/// staging buffer in turn, so the peak of host memory is one layer.
+void upload_layers(Device& device, Image& image,
+                   const std::function<LayerPixels(uint32_t layer)>& layer_pixels);
+
+struct StageAccess {
+    VkPipelineStageFlags2 stage = VK_PIPELINE_STAGE_2_NONE;
+    VkAccessFlags2 access = VK_ACCESS_2_NONE;
+};
+
+/// Vulkan's pipeline stage and access mask of an access.
+[[nodiscard]] StageAccess stage_access(Access access);
+
+/// The union over a set; nothing at all for the empty set.
+[[nodiscard]] StageAccess stage_access(AccessSet accesses);
+
+[[nodiscard]] VkImageLayout vulkan_layout(Layout layout);
+
+/// Vulkan's name for a format.
+[[nodiscard]] VkFormat vulkan_format(Format format);
+
+/// What the texels of such an image take, with all of its layers and mips; a driver may add to that.
+[[nodiscard]] uint64_t size_bytes(const ImageDesc& desc);
 
 } // namespace estampe::gpu

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a compiled shader declares at its bindings, read from its SPIR-V.
+// What a compiled shader declares at its bindings, read from its SPIR-V; whether passes bind that, and
+// shaders that replace it may stand there.
 
 #include <cstdint>
 #include <map>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "gpu/graph/graph.hpp"
 
@@ -34,17 +36,27 @@ struct Binding {
     bool operator==(const Binding&) const = default;
 };
 
-/// What the shader declares, by number of the binding. Declarations that the compiler found unused are not
-/// there. Throws std::logic_error when the words are no SPIR-V.
-///
-/// Cost    linear in words, some 50 us for a large shader
-/// Source  Khronos, "SPIR-V Specification", version 1.6
-[[nodiscard]] std::map<uint32_t, Binding> bindings_of(const Shader& shader);
+/// Compares passes with their shaders, and remembers what each shader declares.
+class BindingCheck {
+public:
+    /// Throws std::logic_error naming pass, shader and binding, what the pass binds and what the shader
+    /// declares, unless all that its shaders declare is bound, and both agree in kind, count and texels. The
+    /// compiler leaves out declarations that a shader does not use, and shaders that differ little share the
+    /// list of one, so a pass may bind more.
+    void check(const Graph& graph, const PassRecord& pass);
 
-/// What a pass fills a binding with.
-[[nodiscard]] Binding binding_of(const Use& use, const ResourceRecord& resource);
+private:
+    [[nodiscard]] const std::map<uint32_t, Binding>& declared_by(const Shader& shader);
 
-/// "storage image of r16f", "texel buffer of unsigned numbers".
-[[nodiscard]] std::string in_words(const Binding& binding);
+    std::map<const uint32_t*, std::map<uint32_t, Binding>> declared_; ///< by a shader's words
+};
+
+/// From now on all devices draw with these words in place of the shader of that name; empty: with its own
+/// again. Any thread may call it. The words stay for as long as the program runs.
+void replace_shader(const std::string& name, std::vector<uint32_t> spirv);
+
+/// The shader, or what replaces it. Throws Error, once, for a replacement that declares a binding that the
+/// shader does not, in the same words: it is then dropped. Cost: nothing while nothing is replaced.
+[[nodiscard]] Shader current_build(const Shader& shader);
 
 } // namespace estampe::gpu

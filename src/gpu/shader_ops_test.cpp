@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "gpu/shader_ops.hpp"
+#include "gpu/pass_costs.hpp"
 
 #include <initializer_list>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pixels of transparent pictures, laid on papers as programs do: in sRGB-encoded whole numbers.
-#include "output/covering.hpp"
+#include "output/layer_bytes.hpp"
 
 #include <random>
 

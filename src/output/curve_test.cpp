@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/curve.hpp"
+#include "output/stroke_path.hpp"
 
 #include <algorithm>
 #include <cmath>

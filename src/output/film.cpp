@@ -10,7 +10,6 @@
 #include <estampe/error.hpp>
 #include <fmt/format.h>
 
-#include "core/atomic_file.hpp"
 #include "core/file.hpp"
 #include "output/child.hpp"
 

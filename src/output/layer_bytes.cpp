@@ -2,14 +2,122 @@
 #include "output/layer_bytes.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <estampe/error.hpp>
-#include <fmt/format.h>
 
-#include "output/covering.hpp"
+#include "core/color.hpp"
 #include "output/pictures.hpp"
 
 namespace estampe::output {
+namespace {
+
+/// A colour of whole numbers.
+using Numbers = glm::ivec3;
+
+/// What lies at a pixel when the layers up to one have been laid.
+struct Laid {
+    Numbers rounded{0};    ///< as a program shows it that rounds at every layer
+    glm::dvec3 exact{0.0}; ///< as one shows it that works in floats, in the same unit
+};
+
+/// What the next layer is to make of it.
+struct Wanted {
+    Numbers rounded{0};
+    glm::dvec3 exact{0.0};
+};
+
+/// The number nearest to `start` for which `result`, which grows with it, is what is wanted, or as near as
+/// can be.
+template <class Result>
+int tuned(int start, int wanted, int top, const Result& result)
+{
+    while (start < top && result(start) < wanted) {
+        ++start;
+    }
+    while (start > 0 && result(start) > wanted) {
+        --start;
+    }
+    return start;
+}
+
+/// The least share of a layer that can turn `below` into `wanted`, whatever its colour.
+double least_alpha(double below, double wanted, double top)
+{
+    if (wanted > below) {
+        return (wanted - below) / std::max(top - below, wanted - below);
+    }
+    return below > wanted ? (below - wanted) / below : 0.0;
+}
+
+/// The alpha by which a pigment comes nearest to what is wanted; where it differs too little from what is
+/// below to tell, its share of the pixel.
+double pigment_alpha(const Laid& laid, const Wanted& wanted, const glm::dvec3& pigment, double share, int top)
+{
+    const glm::dvec3 way = laid.exact - pigment;
+    const double least_way = 0.02 * top;
+    const double length_2 = glm::dot(way, way);
+    return length_2 > least_way * least_way ? glm::dot(laid.exact - wanted.exact, way) / length_2 : share;
+}
+
+/// Colour and alpha of a layer of ink or paint that turns `laid` into what is wanted, of which `paint` lies
+/// there in linear light: its colour times alpha, and alpha. It keeps that colour wherever some alpha gives
+/// what is wanted, and else takes the colour that does. `laid` becomes what the layer has made of it.
+glm::ivec4 covering(Laid& laid, const Wanted& wanted, const glm::vec4& paint, const Arithmetic& in)
+{
+    if (paint.w <= 0.0F) {
+        return glm::ivec4(0);
+    }
+    const int top = in.top();
+    const glm::dvec3 pigment = in.encoded(glm::vec3(paint) / paint.w);
+    double least = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        least = std::max({least, least_alpha(laid.exact[i], wanted.exact[i], top),
+                          least_alpha(laid.rounded[i], wanted.rounded[i], top)});
+    }
+    const double share =
+        std::max(least, pigment_alpha(laid, wanted, pigment, static_cast<double>(paint.w), top));
+    const int alpha = std::clamp(
+        std::max(static_cast<int>(std::ceil(least * top - 1e-9)), in.nearest(share * top)), 0, top);
+    if (alpha == 0) {
+        return glm::ivec4(0);
+    }
+    glm::ivec4 pixel(0, 0, 0, alpha);
+    for (int i = 0; i < 3; ++i) {
+        const auto result = [&](int color) { return in.over(laid.rounded[i], color, alpha); };
+        const int own = in.nearest(pigment[i]);
+        const bool serves = result(own) == wanted.rounded[i] &&
+                            std::abs(in.over(laid.exact[i], own, alpha) - wanted.exact[i]) <= 0.5;
+        const double ideal = laid.exact[i] + (wanted.exact[i] - laid.exact[i]) * top / alpha;
+        pixel[i] = serves ? own : tuned(in.nearest(ideal), wanted.rounded[i], top, result);
+        laid.exact[i] = in.over(laid.exact[i], pixel[i], alpha);
+        laid.rounded[i] = result(pixel[i]);
+    }
+    return pixel;
+}
+
+} // namespace
+
+glm::ivec4 straight(const glm::vec4& page, const glm::vec3& paper, const Arithmetic& in)
+{
+    const float alpha = std::min(page.w, 1.0F);
+    Wanted wanted{.exact = in.encoded(glm::vec3(page) + (1.0F - alpha) * paper)};
+    Laid laid{.exact = in.encoded(paper)};
+    for (int i = 0; i < 3; ++i) {
+        wanted.rounded[i] = in.nearest(wanted.exact[i]);
+        laid.rounded[i] = in.nearest(laid.exact[i]);
+    }
+    if (page.w >= 1.0F) {
+        return {wanted.rounded, in.top()};
+    }
+    return covering(laid, wanted, page, in);
+}
+
 namespace {
 
 /// Colour and alpha of a layer that multiplies.
@@ -57,8 +165,7 @@ void check_opaque(const PictureLayer& bottom)
     }
 }
 
-} // namespace
-
+/// Throws Error as flattened() does.
 void check_layers(const LayeredImage& image)
 {
     if (image.layers.empty()) {
@@ -72,6 +179,8 @@ void check_layers(const LayeredImage& image)
         }
     }
 }
+
+} // namespace
 
 void check_whole(const LayeredImage& image)
 {
@@ -159,3 +268,91 @@ LinearImage flattened(const LayeredImage& image)
 }
 
 } // namespace estampe
+
+namespace estampe::output {
+namespace {
+
+LinearImage on_white(const LayeredImage& image)
+{
+    return {.width = image.picture.width,
+            .height = image.picture.height,
+            .pixels =
+                std::vector<glm::vec4>(size_t{image.picture.width} * image.picture.height, glm::vec4(1.0F)),
+            .paper = std::nullopt};
+}
+
+/// What lies on white, without the white: what is darker than it hides as little as will do.
+glm::vec4 without_white(const glm::vec3& laid)
+{
+    const float alpha = std::clamp(1.0F - std::min({laid.x, laid.y, laid.z}), 0.0F, 1.0F);
+    return {glm::max(laid - (1.0F - alpha), 0.0F), alpha};
+}
+
+/// The layer or mask on nothing in place of white, which it is then found to lie on.
+void take_white_away(LinearImage& alone, const PictureLayer* layer)
+{
+    for (size_t i = 0; i < alone.pixels.size(); ++i) {
+        const bool has_alpha = layer != nullptr && layer->blend == LayerBlend::normal;
+        alone.pixels[i] = has_alpha ? layer->image.pixels[i] : without_white(glm::vec3(alone.pixels[i]));
+    }
+    alone.paper = glm::vec3(1.0F);
+}
+
+void take_away(LinearImage& white, const PictureMask& mask)
+{
+    for (uint32_t y = 0; y < mask.height; ++y) {
+        for (uint32_t x = 0; x < mask.width; ++x) {
+            const float left = 1.0F - mask.cover[size_t{y} * mask.width + x];
+            white.pixels[size_t{mask.y + y} * white.width + mask.x + x] = glm::vec4(glm::vec3(left), 1.0F);
+        }
+    }
+}
+
+} // namespace
+
+LinearImage one_layer(const LayeredImage& image, const std::string& name)
+{
+    check_layers(image);
+    LinearImage alone = on_white(image);
+    const auto layer = std::ranges::find(image.layers, name, &PictureLayer::name);
+    const auto mask = std::ranges::find(image.masks, name, &PictureMask::name);
+    if (layer != image.layers.end()) {
+        lay(alone, *layer);
+    } else if (mask != image.masks.end()) {
+        take_away(alone, *mask);
+    } else {
+        std::vector<std::string> names;
+        std::ranges::transform(image.layers, std::back_inserter(names), &PictureLayer::name);
+        std::ranges::transform(image.masks, std::back_inserter(names), &PictureMask::name);
+        throw Error(fmt::format("the picture has no layer \"{}\"", name), "",
+                    fmt::format("it has {}; a style may make others", fmt::join(names, ", ")));
+    }
+    if (image.paper) {
+        take_white_away(alone, layer != image.layers.end() ? &*layer : nullptr);
+    }
+    return alone;
+}
+
+Image encoded_bytes(const LinearImage& image)
+{
+    Image bytes{.width = image.width, .height = image.height, .rgba = {}};
+    bytes.rgba.reserve(4 * image.pixels.size());
+    const Arithmetic in(8);
+    for (const glm::vec4& pixel : image.pixels) {
+        if (image.paper) {
+            const glm::ivec4 numbers = straight(pixel, *image.paper, in);
+            for (int channel = 0; channel < 4; ++channel) {
+                bytes.rgba.push_back(static_cast<uint8_t>(numbers[channel]));
+            }
+            continue;
+        }
+        for (int channel = 0; channel < 3; ++channel) {
+            const float encoded = srgb_from_linear(std::clamp(pixel[channel], 0.0F, 1.0F));
+            bytes.rgba.push_back(static_cast<uint8_t>(std::lround(255.0F * encoded)));
+        }
+        bytes.rgba.push_back(255);
+    }
+    return bytes;
+}
+
+} // namespace estampe::output

@@ -9,7 +9,7 @@
 
 #include <estampe/layers.hpp>
 
-#include "core/atomic_file.hpp"
+#include "core/file.hpp"
 
 namespace estampe::output {
 

@@ -16,10 +16,9 @@
 
 #include <estampe/error.hpp>
 
+#include "core/color.hpp"
 #include "core/file.hpp"
-#include "core/srgb.hpp"
 #include "output/layer_bytes.hpp"
-#include "output/one_layer.hpp"
 #include "support/folder.hpp"
 #include "support/open_raster.hpp"
 

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Pictures as the bytes of files.
+// Pictures as the bytes of files, and files of them.
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <vector>
 
+#include <estampe/error.hpp>
 #include <estampe/image.hpp>
 #include <estampe/linear_image.hpp>
+
+#include "core/file.hpp"
 
 namespace estampe::output {
 
@@ -25,5 +29,18 @@ namespace estampe::output {
 
 /// Throws Error when the picture is empty, or its size and number of pixels disagree.
 void check_pixels(const LinearImage& image);
+
+/// Writes the bytes that `encode` makes to `path`, beside it first. What `encode` throws names the file.
+template <class Encode>
+void save_as(const std::filesystem::path& path, const Encode& encode)
+{
+    std::vector<std::byte> bytes;
+    try {
+        bytes = encode();
+    } catch (const Error& error) {
+        throw error.where().empty() ? Error(error.what(), path.string()) : error;
+    }
+    write_file_atomically(path, bytes);
+}
 
 } // namespace estampe::output

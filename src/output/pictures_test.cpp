@@ -23,9 +23,9 @@
 
 #include <estampe/error.hpp>
 
+#include "core/color.hpp"
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
-#include "core/srgb.hpp"
 #include "support/folder.hpp"
 
 namespace estampe {

@@ -8,8 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "output/overlaps.hpp"
-#include "output/pen_order.hpp"
+#include "output/plotter.hpp"
 
 namespace estampe {
 namespace {

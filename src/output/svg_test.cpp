@@ -10,7 +10,7 @@
 
 #include <estampe/error.hpp>
 
-#include "output/stroke_shape.hpp"
+#include "output/stroke_path.hpp"
 #include "support/folder.hpp"
 
 namespace estampe {

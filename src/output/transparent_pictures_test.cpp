@@ -15,8 +15,7 @@
 #include <estampe/vector_drawing.hpp>
 
 #include "core/image_codec.hpp"
-#include "output/covering.hpp"
-#include "output/one_layer.hpp"
+#include "output/layer_bytes.hpp"
 #include "output/svg.hpp"
 #include "support/folder.hpp"
 

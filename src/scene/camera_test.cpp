@@ -9,9 +9,9 @@
 
 #include <estampe/error.hpp>
 #include <estampe/scene.hpp>
+#include <estampe/shapes.hpp>
 
 #include "scene/pose.hpp"
-#include "scene/shapes.hpp"
 
 namespace estampe {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "scene/drawn_size.hpp"
+#include "scene/scene_limits.hpp"
 
 #include <gtest/gtest.h>
 
 #include <estampe/error.hpp>
+#include <estampe/shapes.hpp>
 
-#include "scene/shapes.hpp"
 #include "scene/static_triangles.hpp"
 #include "support/scenes.hpp"
 #include "techniques/pose/mesh_data.hpp"

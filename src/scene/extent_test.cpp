@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/extent.hpp"
+#include "scene/scene_limits.hpp"
 
 #include <functional>
 #include <limits>

@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <estampe/error.hpp>
+#include <estampe/shapes.hpp>
 
 #include "scene/pose.hpp"
-#include "scene/shapes.hpp"
 #include "scene/view_analysis/view_analysis.hpp"
 #include "support/scenes.hpp"
 

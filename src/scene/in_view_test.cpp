@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "scene/in_view.hpp"
+#include "scene/visibility.hpp"
 
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
 
 namespace estampe {
 namespace {

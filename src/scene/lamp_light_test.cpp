@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/lamp_light.hpp"
+#include "scene/light_sources.hpp"
 
 #include <cmath>
 

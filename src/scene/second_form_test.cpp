@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/second_form.hpp"
+#include "scene/smooth_surface.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "scene/shapes.hpp"
 
 #include <array>
 #include <cmath>
@@ -10,6 +9,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
+
+#include <estampe/shapes.hpp>
 
 namespace estampe::shapes {
 namespace {

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "core/hash.hpp"
-#include "scene/drawn_size.hpp"
 #include "scene/pose.hpp"
+#include "scene/scene_limits.hpp"
 #include "scene/visibility.hpp"
 
 namespace estampe {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "scene/subdivision.hpp"
+#include "scene/smooth_surface.hpp"
 
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
 
 namespace estampe {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The sun against published places of it, and against what every almanac says of solstices and equinoxes.
-#include "scene/sun_position.hpp"
+#include "scene/light_sources.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "scene/turn_up.hpp"
+#include "scene/up_axis.hpp"
 
 #include <array>
 
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
+
 #include "support/scenes.hpp"
 
 namespace estampe {

@@ -5,7 +5,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
+
 #include "scene/up_axis.hpp"
 
 namespace estampe {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Views from named sides and bearings: directions, margins, projections, and what is typed for them.
+#include <estampe/shapes.hpp>
 #include <estampe/views.hpp>
 
 #include <array>
@@ -10,7 +11,6 @@
 #include <estampe/error.hpp>
 
 #include "scene/pose.hpp"
-#include "scene/shapes.hpp"
 #include "support/scenes.hpp"
 
 namespace estampe {

@@ -4,7 +4,7 @@
 
 // Draws read as texels of four words, of DRAW_TEXELS_BINDING.
 
-#include "shaders/mesh.glsl.h"
+#include "shaders/scene.glsl.h"
 
 layout(binding = DRAW_TEXELS_BINDING) uniform usamplerBuffer draw_texels;
 

@@ -2,14 +2,14 @@
 #ifndef ESTAMPE_LINES
 #define ESTAMPE_LINES
 
+#include "shaders/hash.glsl"
+
 // Dyadic line hatching: strokes are the iso-lines v = i S of a surface coordinate v, where the spacing S is a
 // power of two of v's unit, chosen from the width on the page and the darkness t so that S t lies between one
 // and two widths. Lines of the coarser spacing have the full width W; those between them, the newborn, carry
 // the rest, t S - W, so that the ink is t at every distance and tilt, lines are only ever added on approach,
 // and darker tone adds lines to those of lighter tone. The idea of nested strokes: Praun et al., "Real-Time
 // Hatching", SIGGRAPH 2001.
-
-#include "shaders/hash.glsl"
 
 // Powers of two by their bits, exact and much cheaper than by exp2 and log2, for x above 0.
 float power_of_two(int exponent)
@@ -256,6 +256,31 @@ float drawn_width(LineField field, LineLook look, DrawnLines drawn, int i, uint 
         profile *= grown_profile(field, look, drawn.lines, identity, drawn.newborn_length);
     }
     return (is_old ? drawn.lines.width : drawn.newborn_width) * profile;
+}
+
+// Ink of one family of lines at a pixel whose darkness is `dark`, box-filtered over the pixel.
+float line_ink(LineField field, LineLook look, float dark, uint seed)
+{
+    float g = max(field.v_per_px, 1e-12f);
+    DrawnLines drawn = drawn_lines(field, look, dark);
+    // The lines that may touch the pixel: no more than four, since they keep apart.
+    float reach =
+        0.5f * drawn.lines.width * (1.0f + drawn.scale.pressure) + g * (1.15f * drawn.scale.wobble_px + 0.5f);
+    int first = int(ceil(2.0f * (field.v - reach) / drawn.lines.spacing));
+    int last = min(int(floor(2.0f * (field.v + reach) / drawn.lines.spacing)), first + 3);
+    float ink = 0.0f;
+    for (int i = first;; ++i) {
+        uint identity = line_identity(field, drawn.lines, i, seed);
+        float width = drawn_width(field, look, drawn, i, identity);
+        float at = 0.5f * float(i) * drawn.lines.spacing + g * wobble(field, drawn.scale, identity);
+        float low = max(at - 0.5f * width, field.v - 0.5f * g);
+        float high = min(at + 0.5f * width, field.v + 0.5f * g);
+        ink += i <= last ? max(high - low, 0.0f) : 0.0f;
+        if (i >= last) {
+            break;
+        }
+    }
+    return dark > 0.0f ? min(ink / g, 1.0f) : 0.0f;
 }
 
 #endif

@@ -4,7 +4,7 @@
 
 // Materials read as texels of four words, of MATERIAL_TEXELS_BINDING, part by part as they are needed.
 
-#include "shaders/material.glsl.h"
+#include "shaders/scene.glsl.h"
 
 layout(binding = MATERIAL_TEXELS_BINDING) uniform usamplerBuffer material_texels;
 

@@ -5,12 +5,12 @@
 // Triangles and posed vertices read as texels of four words, which processors gather several at once.
 // Wanted before: MESH_TEXELS_BINDING, of the triangles; that of the posed vertices comes next.
 
-#include "shaders/mesh.glsl.h"
+#include "shaders/scene.glsl.h"
 
 layout(binding = MESH_TEXELS_BINDING) uniform usamplerBuffer triangle_texels;
 layout(binding = MESH_TEXELS_BINDING + 1) uniform usamplerBuffer posed_vertex_texels;
 
-// Three posed vertices, then the draw and the flags of mesh.glsl.h.
+// Three posed vertices, then the draw and the flags of scene.glsl.h.
 uvec4 triangle_at(uint triangle)
 {
     return texelFetch(triangle_texels, int(triangle));

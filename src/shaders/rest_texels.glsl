@@ -4,7 +4,7 @@
 
 // Vertices as the file has them, read as texels of four words, of REST_TEXELS_BINDING.
 
-#include "shaders/mesh.glsl.h"
+#include "shaders/scene.glsl.h"
 
 layout(binding = REST_TEXELS_BINDING) uniform usamplerBuffer rest_texels;
 

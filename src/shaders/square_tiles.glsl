@@ -2,10 +2,10 @@
 #ifndef ESTAMPE_SQUARE_TILES
 #define ESTAMPE_SQUARE_TILES
 
-// A list of tiles of square pictures, see square_tile.glsl.h, to each a group of 256 threads that take four
+// A list of tiles of square pictures, see tiles.glsl.h, to each a group of 256 threads that take four
 // texels of a row at once. Wanted before: SQUARE_TILES_BINDING.
 
-#include "shaders/square_tile.glsl.h"
+#include "shaders/tiles.glsl.h"
 
 const uint square_tile_rounds = square_tile_texels * square_tile_texels / (4u * 256u);
 

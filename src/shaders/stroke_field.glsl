@@ -4,7 +4,7 @@
 
 // Which coordinate of a surface its strokes are the iso-lines of, layer by layer.
 
-#include "shaders/footprint.glsl"
+#include "shaders/surface_images.glsl"
 #include "shaders/lines.glsl"
 #include "shaders/stroke_kind.glsl.h"
 

@@ -2,7 +2,8 @@
 #ifndef ESTAMPE_SUN_DISC
 #define ESTAMPE_SUN_DISC
 
-// What is seen of the sun, a disc, above a straight horizon.
+// Lights that are discs, the sun foremost: what is seen of one above a straight horizon, and points that fill
+// it.
 
 // The angle from the sun's centre up to a horizon of that slope. Exact also where it is small.
 float above_sun_rad(float horizon_slope, float cos_elevation, float sin_elevation)
@@ -19,6 +20,15 @@ float share_of_disc(float x)
     float h = min(x, 1.0);
     float width = sqrt(1.0 - h * h);
     return (atan(width, h) - h * width) / 3.14159265;
+}
+
+// The i-th of a spiral of points that fill the unit disc (Vogel 1979): evenly for a power of a half, denser
+// about the middle for larger ones.
+vec2 spiral(uint i, uint count, float power)
+{
+    float radius = pow((float(i) + 0.5) / float(count), power);
+    float angle = 2.3999632 * float(i);
+    return radius * vec2(cos(angle), sin(angle));
 }
 
 #endif

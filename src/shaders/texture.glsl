@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_TEXTURE
 #define ESTAMPE_TEXTURE
 
-#include "shaders/material.glsl.h"
+#include "shaders/scene.glsl.h"
 
 // Texture look-up through size classes. The including shader declares `sampler2DArray texture_class_0` to
 // `_4`, and TEXTURE_CLASSES, the specialization bits of those that hold anything: a processor runs every

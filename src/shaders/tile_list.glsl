@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_TILE_LIST
 #define ESTAMPE_TILE_LIST
 
-// A list of tiles to work on, see tile_list.glsl.h. Wanted before: TILE_LIST_BINDING.
+// A list of tiles to work on, see tiles.glsl.h. Wanted before: TILE_LIST_BINDING.
 
-#include "shaders/tile_list.glsl.h"
+#include "shaders/tiles.glsl.h"
 
 layout(scalar, binding = TILE_LIST_BINDING) readonly buffer TileList
 {

@@ -2,10 +2,10 @@
 #ifndef ESTAMPE_TILE_LIST_FILL
 #define ESTAMPE_TILE_LIST_FILL
 
-// A list of tiles that is being made, see tile_list.glsl.h. Wanted before: TILE_LIST_BINDING. Groups may look
+// A list of tiles that is being made, see tiles.glsl.h. Wanted before: TILE_LIST_BINDING. Groups may look
 // at what others have put behind it.
 
-#include "shaders/tile_list.glsl.h"
+#include "shaders/tiles.glsl.h"
 
 layout(scalar, binding = TILE_LIST_BINDING) coherent buffer TileList
 {

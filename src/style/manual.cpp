@@ -5,8 +5,8 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "style/raw.hpp"
 #include "style/sheet.hpp"
+#include "style/toml.hpp"
 
 namespace estampe::style {
 namespace {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// The description of a style's parameters, their values, and the surfaces that may have others.
+
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,9 +15,20 @@
 
 #include <glm/glm.hpp>
 
-#include "style/color.hpp"
-
 namespace estampe::style {
+
+/// The linear colour of an sRGB-encoded one, components 0..1 (IEC 61966-2-1).
+[[nodiscard]] glm::vec3 linear_from_srgb(const glm::dvec3& srgb);
+
+/// The sRGB encoding of a linear colour, components 0..1.
+[[nodiscard]] glm::dvec3 srgb_from_linear(const glm::vec3& linear);
+
+/// The linear colour of 0xrrggbb in sRGB: `glm::vec3 ink = style::srgb(0x1b1a22);`
+[[nodiscard]] glm::vec3 srgb(uint32_t rrggbb);
+
+/// The TOML value of a linear colour: "#rrggbb" in quotes when that says it exactly, else [r, g, b] in sRGB
+/// with as many digits as read back to the same three floats.
+[[nodiscard]] std::string format_color(const glm::vec3& linear);
 
 enum class Kind : uint8_t { number, integer, toggle, color, choice, text, file };
 
@@ -61,9 +75,9 @@ struct Parameter {
 ///     inline const style::Table<HatchStyle>& hatch_table()
 ///     {
 ///         static const auto table = style::Table<HatchStyle>("hatch", "Pen strokes that carry the tone")
-///             .number("width_mm", &HatchStyle::width_mm, {0.02F, 10.0F}, "mm", "Width of a stroke on the
-///             page") .toggle("cross", &HatchStyle::cross, "Draw the layers across each other") .color("ink",
-///             &HatchStyle::ink, "Colour of the ink");
+///             .number("width_mm", &HatchStyle::width_mm, {0.02F, 10.0F}, "mm", "Width of a stroke")
+///             .toggle("cross", &HatchStyle::cross, "Draw the layers across each other")
+///             .color("ink", &HatchStyle::ink, "Colour of the ink");
 ///         return table;
 ///     }
 ///
@@ -212,6 +226,34 @@ private:
     std::string help_;
     Style defaults_{};
     std::vector<Parameter> parameters_;
+};
+
+/// What a part of a style speaks of.
+struct Surfaces {
+    enum class By : uint8_t {
+        all,      ///< the whole picture
+        material, ///< surfaces of the materials that `pattern` names
+        object,   ///< those of the nodes that it names, and of what hangs on them
+    };
+
+    By by = By::all;
+    std::string pattern; ///< as file names in a shell: `brick*`, `pane_?`, `[AB]_wall`
+
+    bool operator==(const Surfaces&) const = default;
+};
+
+/// Whether `name` is one of those that `pattern` names.
+[[nodiscard]] bool matches(const std::string& pattern, const std::string& name);
+
+/// A value that a parameter has on some surfaces, in place of that of the whole picture. Of several for one
+/// surface the last holds.
+struct Override {
+    Surfaces surfaces;
+    std::string section;
+    std::string key;
+    Value value;
+
+    bool operator==(const Override&) const = default;
 };
 
 } // namespace estampe::style

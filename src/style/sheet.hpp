@@ -1,17 +1,25 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// The parameters of a style together: where texts of it come from, and all that is read and written.
+
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "style/parameter.hpp"
-#include "style/surfaces.hpp"
 
 namespace estampe::style {
+
+/// Names of the presets built in: the files presets/*.toml of the source tree, in alphabetical order.
+[[nodiscard]] std::vector<std::string> preset_names();
+
+/// The TOML text of a preset; nothing when there is none of that name.
+[[nodiscard]] std::optional<std::string_view> preset_text(std::string_view name);
 
 /// A style text and the name that errors give it.
 struct Source {
@@ -22,9 +30,6 @@ struct Source {
 /// Finds the text behind a name: a preset or a file. `from` is the Source::name of the text that names it,
 /// empty for the first. Throws Error when there is none.
 using Resolver = std::function<Source(const std::string& name, const std::string& from)>;
-
-/// Reads a style file. Throws Error naming it when it is missing, a folder, unreadable or beyond 1 MiB.
-[[nodiscard]] Source load_source(const std::filesystem::path& path);
 
 /// The usual resolver: a preset of that name, else a file, looked up from the folder of the file that names
 /// it. Throws Error listing the presets when there is neither.

@@ -5,11 +5,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "style/presets.hpp"
-#include "style/raw.hpp"
+#include "style/names.hpp"
 #include "style/sheet.hpp"
 #include "style/style_test_support.hpp"
-#include "style/suggest.hpp"
+#include "style/toml.hpp"
 
 namespace estampe::style::test {
 namespace {

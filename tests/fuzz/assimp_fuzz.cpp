@@ -15,10 +15,10 @@
 #include <estampe/error.hpp>
 #include <estampe/scene.hpp>
 
-#include "scene/assimp/assimp_import.hpp"
 #include "scene/assimp/transfer.hpp"
+#include "scene/importers.hpp"
 #include "scene/mending/mend.hpp"
-#include "scene/mending/turn_outside.hpp"
+#include "scene/mending/repair.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 #include <estampe/error.hpp>
 
-#include "scene/gltf/gltf_import.hpp"
+#include "scene/importers.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {

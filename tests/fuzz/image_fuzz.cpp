@@ -10,7 +10,6 @@
 
 #include "core/exr.hpp"
 #include "core/image_codec.hpp"
-#include "core/lightmap_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {

@@ -8,8 +8,8 @@
 
 #include <estampe/error.hpp>
 
-#include "scene/obj/mtl.hpp"
-#include "scene/obj/obj_import.hpp"
+#include "scene/importers.hpp"
+#include "scene/obj/obj_materials.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {

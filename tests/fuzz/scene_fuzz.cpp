@@ -18,10 +18,10 @@
 #include <estampe/error.hpp>
 
 #include "scene/charts/charts.hpp"
-#include "scene/gltf/gltf_import.hpp"
+#include "scene/importers.hpp"
 #include "scene/static_triangles.hpp"
 #include "scene/view_analysis/view_analysis.hpp"
-#include "techniques/contour/chains/mesh/ridge_chains.hpp"
+#include "techniques/contour/chains/mesh/feature_chains.hpp"
 #include "techniques/form/form.hpp"
 #include "techniques/pose/mesh_data.hpp"
 

@@ -11,10 +11,7 @@
 
 #include <estampe/error.hpp>
 
-#include "techniques/tam/files/dds.hpp"
-#include "techniques/tam/files/folder.hpp"
-#include "techniques/tam/files/images.hpp"
-#include "techniques/tam/files/tam_file.hpp"
+#include "techniques/tam/files/map_files.hpp"
 
 namespace {
 

@@ -12,13 +12,13 @@
 #include <gtest/gtest.h>
 
 #include <estampe/renderer.hpp>
+#include <estampe/shapes.hpp>
 
 #include "golden/golden.hpp"
-#include "scene/shapes.hpp"
 #include "support/folder.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
-#include "techniques/tam/files/tam_file.hpp"
+#include "techniques/tam/files/map_files.hpp"
 #include "techniques/tam/maker.hpp"
 
 namespace estampe {

@@ -25,7 +25,7 @@ for file in share/man/man1/estampe.1.gz share/bash-completion/completions/estamp
 done
 "$prefix/bin/estampe" --version >/dev/null || wrong "the installed program does not start"
 desktop="$prefix/share/applications/estampe.desktop"
-if [[ -f "$root/app/view_command.cpp" ]] && { [[ ! -f "$desktop" ]] || ! "$prefix/bin/estampe" "$(awk '/^Exec=/ { print $2 }' "$desktop")" --help >/dev/null 2>&1; }; then
+if [[ -f "$root/app/viewer/viewer.cpp" ]] && { [[ ! -f "$desktop" ]] || ! "$prefix/bin/estampe" "$(awk '/^Exec=/ { print $2 }' "$desktop")" --help >/dev/null 2>&1; }; then
     wrong "the desktop entry is missing, or opens a command that is none"
 fi
 

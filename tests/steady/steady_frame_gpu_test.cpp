@@ -13,8 +13,8 @@
 #include <gtest/gtest.h>
 
 #include <estampe/renderer.hpp>
+#include <estampe/shapes.hpp>
 
-#include "scene/shapes.hpp"
 #include "steady/counted_heap.hpp"
 
 namespace estampe {

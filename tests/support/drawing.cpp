@@ -6,10 +6,9 @@
 #include <glm/gtc/packing.hpp>
 
 #include "features/common/view.hpp"
-#include "features/hatching/strokes.hpp"
+#include "features/hatching/hatching.hpp"
 #include "features/shadows/sun.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
 #include "support/gpu_device.hpp"
 
 namespace estampe::test {

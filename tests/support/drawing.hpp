@@ -18,9 +18,8 @@
 #include "techniques/pose/pose.hpp"
 #include "techniques/raster/raster.hpp"
 #include "techniques/raster/views/views.hpp"
-#include "techniques/shadow/local/edge_look.hpp"
-#include "techniques/shadow/sun/clipmap.hpp"
-#include "techniques/shadow/sun/sun_view.hpp"
+#include "techniques/shadow/shadow_style.hpp"
+#include "techniques/shadow/sun/sun_map.hpp"
 #include "techniques/surface/materials.hpp"
 #include "techniques/transparency/transparency.hpp"
 
@@ -28,7 +27,7 @@ namespace estampe::test {
 
 /// What the surface pass writes, row by row; meaningless but for draw and depth where nothing is seen.
 struct SurfacePixels {
-    std::vector<uint32_t> draw; ///< as in shaders/draw_word.glsl
+    std::vector<uint32_t> draw; ///< as in shaders/surface_images.glsl
     std::vector<float> depth;
     std::vector<glm::vec3> shading_normal;
     std::vector<glm::vec3> smooth_normal;

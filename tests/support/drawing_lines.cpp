@@ -3,9 +3,8 @@
 
 #include <glm/gtc/packing.hpp>
 
-#include "features/lines/line_brushes.hpp"
-#include "features/lines/line_meshes.hpp"
-#include "gpu/imports.hpp"
+#include "features/lines/lines.hpp"
+#include "gpu/resources.hpp"
 #include "support/drawing.hpp"
 #include "support/gpu_device.hpp"
 #include "techniques/contour/chains/scan/scan.hpp"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "features/shadows/local_shadows.hpp"
+#include "features/shadows/shadows.hpp"
 #include "features/shadows/sun.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
 #include "support/drawing.hpp"
 #include "support/gpu_device.hpp"
 #include "techniques/shadow/sun/warp.hpp"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "gpu/read_back.hpp"
+#include "gpu/transfers.hpp"
 
 namespace estampe::test {
 namespace {

@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 #include <glm/glm.hpp>
 
-#include "core/srgb.hpp"
+#include "core/color.hpp"
 
 namespace estampe::test {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
 
 namespace estampe::test {
 

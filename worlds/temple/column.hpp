@@ -5,7 +5,6 @@
 
 #include <cstdint>
 
-#include "dice.hpp"
 #include "kit.hpp"
 
 namespace temple {

@@ -11,7 +11,7 @@
 
 #include <glm/glm.hpp>
 
-#include "dice.hpp"
+#include "kit.hpp"
 #include "plan.hpp"
 
 namespace temple {

@@ -12,6 +12,7 @@
 #include <estampe/scene.hpp>
 
 #include "demon.hpp"
+#include "kit.hpp"
 #include "plan.hpp"
 #include "sand.hpp"
 #include "site.hpp"

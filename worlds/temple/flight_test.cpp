@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The film's camera: smooth, and nowhere in stone or sand, held against rays that know nothing of its way.
-#include "temple/flight.hpp"
+#include "temple/cameras.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "dice.hpp"
+#include "kit.hpp"
 #include "site.hpp"
 #include "weather.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is said to be out of sight is: held against rays through the temple's triangles.
-#include "temple/sight.hpp"
+#include "temple/prison.hpp"
 
 #include <algorithm>
 #include <random>

@@ -5,19 +5,232 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <estampe/shapes.hpp>
 
-#include "statue.hpp"
-#include "tower.hpp"
 #include "wall.hpp"
 
 namespace temple {
 namespace {
 
 namespace shapes = estampe::shapes;
+
+void add_egg(Kit& kit, const glm::mat4& placed, const glm::vec3& half_m)
+{
+    kit.add(Stuff::marble, shapes::sphere(1.0F, 36, 22), glm::scale(placed, half_m));
+}
+
+void limb(Kit& kit, const glm::vec3& a, const glm::vec3& b, float radius_a, float radius_b)
+{
+    kit.add(Stuff::marble, rod(a, b, radius_a, radius_b, 24));
+}
+
+/// A giant on a throne, broken at the breast, 9 m to the knees' height of a house.
+Kit build_seated(Dice dice)
+{
+    Kit kit;
+    add_block(kit, Stuff::stone, {-3.4F, -4.0F, -4.2F}, {3.4F, 0.9F, 4.6F});
+    add_block(kit, Stuff::marble, {-2.7F, 0.9F, -3.8F}, {2.7F, 4.6F, 0.9F});
+    add_block(kit, Stuff::marble, {-2.7F, 4.6F, -3.8F}, {2.7F, 8.2F + dice.between(-0.6F, 0.6F), -2.9F});
+    for (const float side : {-1.0F, 1.0F}) {
+        const float x = 1.25F * side;
+        limb(kit, {x, 5.3F, -1.6F}, {x, 5.1F, 2.3F}, 1.05F, 0.85F);
+        limb(kit, {x, 4.9F, 2.45F}, {x, 1.5F, 2.6F}, 0.85F, 0.5F);
+        limb(kit, {x, 1.35F, 2.5F}, {x, 1.2F, 4.0F}, 0.42F, 0.32F);
+        add_block(kit, Stuff::marble, {side > 0 ? 2.7F : -3.3F, 0.9F, -3.8F},
+                  {side > 0 ? 3.3F : -2.7F, 6.3F, 1.6F});
+    }
+    // What is left of the trunk, and one forearm on its rest.
+    limb(kit, {0.0F, 5.6F, -1.9F}, {0.0F, 8.0F, -2.1F}, 1.7F, 1.5F);
+    limb(kit, {0.0F, 8.3F, -2.1F}, {0.5F, 9.4F, -2.2F}, 1.55F, 0.9F);
+    limb(kit, {3.0F, 6.75F, -1.2F}, {3.0F, 6.7F, 1.4F}, 0.5F, 0.4F);
+    limb(kit, {3.0F, 6.7F, 1.6F}, {3.0F, 6.6F, 2.2F}, 0.42F, 0.2F);
+    return kit;
+}
+
+/// The giant's head, an egg without a face but for a brow and a nose; its middle on y = 0.
+Kit build_head(float radius_m)
+{
+    Kit kit;
+    const float r = radius_m;
+    add_egg(kit, glm::mat4(1.0F), {0.8F * r, 1.05F * r, 0.88F * r});
+    limb(kit, {0.0F, -0.5F * r, -0.2F * r}, {0.0F, -1.5F * r, -0.25F * r}, 0.44F * r, 0.52F * r);
+    limb(kit, {0.0F, 0.12F * r, 0.83F * r}, {0.0F, -0.26F * r, 0.94F * r}, 0.07F * r, 0.13F * r);
+    for (const float side : {-1.0F, 1.0F}) {
+        limb(kit, {side * 0.1F * r, 0.17F * r, 0.83F * r}, {side * 0.5F * r, 0.12F * r, 0.6F * r}, 0.07F * r,
+             0.06F * r);
+        limb(kit, {side * 0.78F * r, 0.12F * r, -0.05F * r}, {side * 0.77F * r, -0.2F * r, 0.0F}, 0.11F * r,
+             0.08F * r);
+    }
+    limb(kit, {-0.16F * r, -0.5F * r, 0.75F * r}, {0.16F * r, -0.5F * r, 0.75F * r}, 0.055F * r, 0.055F * r);
+    return kit;
+}
+
+/// A hand that reaches up, from the wrist on.
+Kit build_hand(float length_m)
+{
+    Kit kit;
+    const float s = length_m;
+    limb(kit, {0.0F, -0.9F * s, 0.0F}, {0.0F, 0.05F * s, 0.0F}, 0.2F * s, 0.15F * s);
+    glm::mat4 palm = glm::translate(glm::mat4(1.0F), {0.0F, 0.27F * s, 0.0F});
+    add_egg(kit, palm, {0.21F * s, 0.29F * s, 0.1F * s});
+    const std::array<float, 4> lengths{0.36F, 0.44F, 0.41F, 0.3F};
+    for (size_t i = 0; i < lengths.size(); ++i) {
+        const float x = (static_cast<float>(i) - 1.5F) * 0.105F * s;
+        const float fan = (static_cast<float>(i) - 1.5F) * 0.1F;
+        glm::vec3 from{x, 0.46F * s, 0.0F};
+        const std::array<float, 3> bends{0.12F, 0.5F, 0.95F};
+        for (size_t joint = 0; joint < bends.size(); ++joint) {
+            const bool is_lost = i == 3 && joint == 2;
+            if (is_lost) {
+                continue;
+            }
+            const float part = lengths[i] * s * (joint == 0 ? 0.45F : joint == 1 ? 0.32F : 0.23F);
+            const glm::vec3 to =
+                from + part * glm::normalize(glm::vec3(fan, std::cos(bends[joint]), std::sin(bends[joint])));
+            const float thick = s * (0.058F - 0.008F * static_cast<float>(joint));
+            limb(kit, from, to, thick, thick * 0.92F);
+            from = to;
+        }
+    }
+    limb(kit, {0.14F * s, 0.1F * s, 0.02F * s}, {0.3F * s, 0.34F * s, 0.08F * s}, 0.08F * s, 0.062F * s);
+    limb(kit, {0.3F * s, 0.34F * s, 0.08F * s}, {0.31F * s, 0.52F * s, 0.16F * s}, 0.06F * s, 0.05F * s);
+    return kit;
+}
+
+/// A draped figure on a block, without arms, and perhaps without a head.
+Kit build_figure(Dice dice)
+{
+    Kit kit;
+    add_block(kit, Stuff::stone, {-1.1F, -2.0F, -1.1F}, {1.1F, 0.3F, 1.1F});
+    add_block(kit, Stuff::stone, {-0.85F, 0.3F, -0.85F}, {0.85F, 1.7F, 0.85F});
+    add_block(kit, Stuff::stone, {-1.0F, 1.7F, -1.0F}, {1.0F, 1.95F, 1.0F});
+    const std::vector<glm::vec2> robe{{0.0F, 0.0F},  {0.5F, 0.0F},   {0.46F, 0.4F},  {0.38F, 1.1F},
+                                      {0.31F, 1.6F}, {0.34F, 1.95F}, {0.39F, 2.25F}, {0.33F, 2.45F},
+                                      {0.14F, 2.6F}, {0.0F, 2.62F}};
+    estampe::Primitive folds = shapes::lathe(robe, 56, 2.5F);
+    // Its folds fall straight, deeper towards the hem.
+    for (size_t i = 0; i < folds.positions.size(); ++i) {
+        glm::vec3& place = folds.positions[i];
+        const float angle = std::atan2(place.x, place.z);
+        const float depth = 0.16F * (1.0F - glm::smoothstep(0.2F, 2.0F, place.y));
+        const float fold = 1.0F + depth * std::sin(9.0F * angle + 0.6F * place.y);
+        place = {place.x * fold * 1.12F, place.y, place.z * fold * 0.86F};
+        const float lean = 9.0F * depth * std::cos(9.0F * angle + 0.6F * place.y);
+        const glm::vec3 around(std::cos(angle), 0.0F, -std::sin(angle));
+        folds.normals[i] = glm::normalize(folds.normals[i] - 0.55F * lean * around);
+    }
+    const glm::mat4 on_block = at({0.0F, 1.95F, 0.0F}, dice.between(-25.0F, 25.0F));
+    kit.add(Stuff::marble, folds, on_block);
+    Kit upper;
+    limb(upper, {-0.36F, 2.26F, 0.0F}, {-0.42F, 1.95F, 0.02F}, 0.13F, 0.1F);
+    limb(upper, {0.36F, 2.26F, 0.0F}, {0.44F, 1.8F, 0.08F}, 0.13F, 0.09F);
+    limb(upper, {0.44F, 1.8F, 0.08F}, {0.3F, 1.62F, 0.34F}, 0.09F, 0.07F);
+    limb(upper, {0.0F, 2.55F, 0.0F}, {0.0F, 2.72F, 0.02F}, 0.1F, 0.1F);
+    if (dice.chance(0.6F)) {
+        add_egg(upper, glm::translate(glm::mat4(1.0F), {0.0F, 2.98F, 0.04F}), {0.19F, 0.26F, 0.21F});
+    }
+    kit.add(upper, on_block);
+    return kit;
+}
+
+/// Four walls about the y axis.
+void add_shell(Kit& kit, const Wall& side, float half_m, Dice dice)
+{
+    for (int i = 0; i < 4; ++i) {
+        Wall wall = side;
+        if (side.top_m) {
+            wall.top_m = [top = side.top_m, i](float x_m) {
+                return top(x_m + 17.0F * static_cast<float>(i));
+            };
+        }
+        Kit standing = build_wall(wall, lay(wall, dice), dice);
+        const float turn = 90.0F * static_cast<float>(i);
+        kit.add(standing, at({}, turn) * at({-0.5F * side.length_m, 0.0F, half_m}));
+    }
+}
+
+void add_ring(Kit& kit, float radius_m, float foot_m, float height_m, int count)
+{
+    const std::array<glm::vec2, 8> profile{{{0.0F, 0.0F},
+                                            {0.46F, 0.0F},
+                                            {0.46F, 0.25F},
+                                            {0.32F, 0.36F},
+                                            {0.26F, height_m - 0.45F},
+                                            {0.46F, height_m - 0.2F},
+                                            {0.46F, height_m},
+                                            {0.0F, height_m}}};
+    const estampe::Primitive column = shapes::lathe(profile, 12, 0.5F);
+    for (int i = 0; i < count; ++i) {
+        const float angle =
+            2.0F * std::numbers::pi_v<float> * (static_cast<float>(i) + 0.5F) / static_cast<float>(count);
+        kit.add(Stuff::marble, column, at({radius_m * std::sin(angle), foot_m, radius_m * std::cos(angle)}));
+    }
+}
+
+/// A square block of masonry beside the gate, its walls leaning in; in ruin its top has come down.
+Kit build_pylon(float height_m, bool is_ruin, Dice dice)
+{
+    constexpr float half_m = 3.2F;
+    Wall side{.length_m = 2.0F * half_m,
+              .height_m = height_m,
+              .thickness_m = 1.0F,
+              .course_m = 0.85F,
+              .stone_m = 1.6F,
+              .joints = 0.3F};
+    if (is_ruin) {
+        const float phase = 6.0F * dice.share();
+        side.top_m = [=](float x_m) {
+            return height_m * (0.62F + 0.3F * std::sin(0.5F * x_m + phase) + 0.1F * std::sin(1.9F * x_m));
+        };
+    }
+    Kit kit;
+    add_shell(kit, side, half_m - 0.5F, dice);
+    if (!is_ruin) {
+        const float out = half_m + 0.35F;
+        add_block(kit, Stuff::stone, {-out, height_m, -out}, {out, height_m + 0.5F, out});
+        for (int i = 0; i < 4; ++i) {
+            for (const float along : {-2.6F, 0.0F, 2.6F}) {
+                Kit merlon;
+                add_block(merlon, Stuff::stone, {along - 0.65F, height_m + 0.5F, half_m - 0.35F},
+                          {along + 0.65F, height_m + 1.5F, half_m + 0.3F});
+                kit.add(merlon, at({}, 90.0F * static_cast<float>(i)));
+            }
+        }
+    }
+    return kit;
+}
+
+/// A square tower under a ring of columns, 34 m high.
+Kit build_tower(Dice dice)
+{
+    Kit kit;
+    const Wall side{.length_m = 11.0F,
+                    .height_m = 19.0F,
+                    .thickness_m = 1.0F,
+                    .foot_m = -6.0F,
+                    .course_m = 1.0F,
+                    .stone_m = 2.2F,
+                    .arches = {{.x_m = 5.5F, .half_m = 0.8F, .springing_m = 12.0F, .ring_m = 0.5F}},
+                    .joints = 0.14F};
+    add_shell(kit, side, 5.0F, dice);
+    add_block(kit, Stuff::dark, {-4.4F, 2.0F, -4.4F}, {4.4F, 18.5F, 4.4F});
+    add_block(kit, Stuff::stone, {-5.9F, 19.0F, -5.9F}, {5.9F, 19.5F, 5.9F});
+    add_block(kit, Stuff::stone, {-6.4F, 19.5F, -6.4F}, {6.4F, 20.1F, 6.4F});
+    kit.add(Stuff::stone, shapes::cylinder(3.1F, 7.6F, 40), at({0.0F, 20.1F, 0.0F}));
+    add_ring(kit, 4.4F, 20.1F, 6.6F, 14);
+    kit.add(Stuff::stone, shapes::cylinder(5.2F, 0.5F, 48), at({0.0F, 26.7F, 0.0F}));
+    kit.add(Stuff::stone, shapes::cylinder(5.6F, 0.4F, 48), at({0.0F, 27.2F, 0.0F}));
+    kit.add(Stuff::stone, shapes::cylinder(3.2F, 4.0F, 40), at({0.0F, 27.6F, 0.0F}));
+    kit.add(Stuff::stone, shapes::cylinder(3.9F, 0.4F, 40), at({0.0F, 31.6F, 0.0F}));
+    kit.add(Stuff::red, shapes::cone(3.7F, 2.8F, 40), at({0.0F, 32.0F, 0.0F}));
+    return kit;
+}
+
+constexpr int portico_columns = 6;
 
 constexpr float step_run_m = 0.44F;
 constexpr float portico_pitch_m = 4.9F;

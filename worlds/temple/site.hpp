@@ -2,9 +2,11 @@
 #pragma once
 
 // What stands outside of the prison: the court with its arcades, the gate, towers, columns, statues, flags.
+// Towers and statues stand on y = 0, looking towards +z.
 
 #include <vector>
 
+#include "kit.hpp"
 #include "plan.hpp"
 #include "prison.hpp"
 
@@ -46,8 +48,6 @@ struct Site {
 
 /// The columns of portico, court and avenue: the portico's first, from the west.
 [[nodiscard]] std::vector<StandingColumn> stand_columns(uint64_t seed);
-
-inline constexpr int portico_columns = 6;
 
 [[nodiscard]] Site make_site(uint64_t seed);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Smoke over the great halls' fires.
-#include "temple/smoke.hpp"
+#include "temple/lamps.hpp"
 
 #include <algorithm>
 

@@ -6,12 +6,12 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "cameras.hpp"
 #include "lamps.hpp"
 #include "plan.hpp"
 #include "prison.hpp"
 #include "sand.hpp"
 #include "site.hpp"
-#include "viewpoints.hpp"
 
 namespace temple {
 namespace {

@@ -13,7 +13,6 @@
 #include "temple/plan.hpp"
 #include "temple/site.hpp"
 #include "temple/temple.hpp"
-#include "temple/tour.hpp"
 
 namespace temple {
 namespace {

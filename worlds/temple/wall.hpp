@@ -6,7 +6,6 @@
 #include <functional>
 #include <vector>
 
-#include "dice.hpp"
 #include "kit.hpp"
 
 namespace temple {

@@ -4,9 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <string>
 #include <utility>
 
-#include "dice.hpp"
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include "kit.hpp"
 
 namespace temple {
 namespace {
@@ -179,6 +184,285 @@ Weather WeatherTimeline::at(double time_s) const
         weather.hour = static_cast<float>(std::fmod(from + passed, 24.0));
     }
     return weather;
+}
+
+namespace {
+
+using estampe::Index;
+using estampe::Primitive;
+
+constexpr double funnel_m = 46.0; ///< high
+
+constexpr int ring_count = 12; ///< one over the other, the first at the foot
+constexpr uint32_t skin_columns = 40;
+constexpr uint32_t skin_rows = 44;
+constexpr double whole_turn = 2.0 * std::numbers::pi;
+constexpr double hidden_deep_m = 200.0; ///< below the ground, where it is none
+
+/// Where the middle of its trunk is at a share of its height, over its foot; along x and z.
+glm::dvec2 funnel_sway_m(double share, double time_s)
+{
+    const glm::dvec2 ahead(wind_way());
+    const glm::dvec2 aside(-ahead.y, ahead.x);
+    return share * (9.0 * share * ahead + 4.5 * std::sin(0.55 * time_s + 3.6 * share) * aside +
+                    2.6 * std::sin(0.83 * time_s + 5.2 * share) * ahead);
+}
+
+/// How wide it is there, from its middle.
+double funnel_radius_m(double share)
+{
+    // A thin foot, a trunk that widens slowly, and a mouth.
+    return 0.8 + 3.2 * share + 11.0 * std::pow(share, 3.5) + 1.5 * std::exp(-60.0 * share * share);
+}
+
+/// How far it has turned there, clockwise from above.
+double funnel_turn_rad(double share, double time_s)
+{
+    return 2.1 * time_s - 0.9 * share;
+}
+
+double joint_share(int joint)
+{
+    return static_cast<double>(joint) / (ring_count - 1);
+}
+
+/// How far from the middle the skin is, in shares of the radius: strands of sand wind about it, which tear
+/// its upper end.
+double strands_at(double share, double angle)
+{
+    return 1.0 + 0.17 * std::sin(3.0 * angle - 9.0 * share) +
+           0.09 * std::sin(7.0 * angle - 16.0 * share + 1.3) * (0.4 + share) +
+           0.05 * std::sin(11.0 * angle + 23.0 * share);
+}
+
+glm::vec3 skin_at(double share, double angle)
+{
+    const double out_m = funnel_radius_m(share) * strands_at(share, angle);
+    const double torn_m =
+        3.4 * glm::smoothstep(0.8, 1.0, share) * std::sin(5.0 * angle) * std::cos(2.0 * angle + 0.7);
+    return {out_m * std::cos(angle), funnel_m * share + torn_m, out_m * std::sin(angle)};
+}
+
+Primitive trunk(Index material)
+{
+    Primitive part;
+    part.material = material;
+    constexpr double rises_m = 8.0; // of a strand in one turn; strokes meet where the skin closes
+    constexpr double tiny = 1e-3;
+    for (uint32_t row = 0; row <= skin_rows; ++row) {
+        const double share = static_cast<double>(row) / skin_rows;
+        for (uint32_t column = 0; column <= skin_columns; ++column) {
+            const double angle = whole_turn * column / skin_columns;
+            part.positions.emplace_back(skin_at(share, angle));
+            const glm::vec3 around = skin_at(share, angle + tiny) - skin_at(share, angle - tiny);
+            const glm::vec3 up = skin_at(share + tiny, angle) - skin_at(share - tiny, angle);
+            part.normals.push_back(glm::normalize(glm::cross(up, around)));
+            part.uvs[0].emplace_back(4.0 * angle, 0.6 * funnel_m * share - rises_m * angle / whole_turn);
+            const double along = share * (ring_count - 1);
+            const auto below = static_cast<uint16_t>(std::min(static_cast<int>(along), ring_count - 2));
+            const auto part_above = static_cast<float>(along - below);
+            part.joints_0.emplace_back(below, below + 1, 0, 0);
+            part.weights_0.emplace_back(1.0F - part_above, part_above, 0.0F, 0.0F);
+        }
+    }
+    constexpr uint32_t stride = skin_columns + 1;
+    for (uint32_t row = 0; row < skin_rows; ++row) {
+        for (uint32_t column = 0; column < skin_columns; ++column) {
+            const uint32_t low = row * stride + column;
+            const uint32_t high = low + stride;
+            part.indices.insert(part.indices.end(), {low, high, low + 1, low + 1, high, high + 1});
+        }
+    }
+    return part;
+}
+
+/// Where its nodes are, of which `first` is `funnel`; one more than the last of them is the next free node.
+std::vector<estampe::NodePlace> funnel_places(Index first, const Tornado& tornado, double ground_m,
+                                              double time_s)
+{
+    std::vector<estampe::NodePlace> places;
+    const auto strength = static_cast<double>(tornado.strength);
+    const bool is_there = strength > 0.03;
+    // It comes down from above as a thread, and goes as one.
+    const double grown = glm::smoothstep(0.0, 1.0, strength);
+    const double lifted_m = is_there ? 0.5 * funnel_m * (1.0 - grown) : -hidden_deep_m;
+    places.push_back({first,
+                      {.translation = {tornado.foot_m.x, ground_m - 0.6 + lifted_m, tornado.foot_m.y},
+                       .rotation = {1.0, 0.0, 0.0, 0.0},
+                       .scale = glm::dvec3(is_there ? 1.0 : 1e-3)}});
+    Index node = first + 1;
+    for (int joint = 0; joint < ring_count; ++joint) {
+        const double share = joint_share(joint);
+        const glm::dvec2 sway_m = funnel_sway_m(share, time_s);
+        const double wide = std::max(grown, 0.05) * (1.0 + 0.06 * std::sin(1.7 * time_s + 7.0 * share));
+        places.push_back(
+            {node++,
+             {.translation = {sway_m.x, funnel_m * share, sway_m.y},
+              .rotation = glm::angleAxis(-funnel_turn_rad(share, time_s), glm::dvec3(0.0, 1.0, 0.0)),
+              .scale = {wide, 1.0, wide}}});
+    }
+    places.push_back({node, {.translation = {}, .rotation = {1.0, 0.0, 0.0, 0.0}, .scale = glm::dvec3(1.0)}});
+    return places;
+}
+
+/// Adds `funnel`, its joints, and its skinned mesh, whose material comes after those that are there. It
+/// stands nowhere until it is moved.
+void add_funnel(estampe::Scene& scene)
+{
+    const auto sand = static_cast<Index>(scene.materials.size());
+    scene.materials.push_back(
+        {.name = "funnel", .base_color = {0.26F, 0.19F, 0.115F, 1.0F}, .metallic = 0.0F});
+    scene.materials.back().double_sided = true;
+    const auto root = static_cast<Index>(scene.nodes.size());
+    scene.roots.push_back(root);
+    scene.nodes.emplace_back().name = "funnel";
+    estampe::Skin skin{.name = "funnel", .joints = {}, .joint_from_bind = {}};
+    const auto add = [&](const std::string& name) -> estampe::Node& {
+        scene.nodes[root].children.push_back(static_cast<Index>(scene.nodes.size()));
+        estampe::Node& node = scene.nodes.emplace_back();
+        node.name = name;
+        node.parent = root;
+        return node;
+    };
+    for (int joint = 0; joint < ring_count; ++joint) {
+        skin.joints.push_back(static_cast<Index>(scene.nodes.size()));
+        const auto height_m = static_cast<float>(funnel_m * joint_share(joint));
+        skin.joint_from_bind.push_back(glm::translate(glm::mat4(1.0F), {0.0F, -height_m, 0.0F}));
+        add("turn");
+    }
+    estampe::Node& body = add("body of funnel");
+    body.mesh = static_cast<Index>(scene.meshes.size());
+    body.skin = static_cast<Index>(scene.skins.size());
+    scene.meshes.push_back({.name = "funnel", .primitives = {trunk(sand)}});
+    scene.skins.push_back(std::move(skin));
+    for (const estampe::NodePlace& place : funnel_places(root, {}, 0.0, 0.0)) {
+        scene.nodes[place.node].transform = place.transform;
+    }
+}
+
+constexpr int sand_side = 7; ///< of the square of emitters about the eye
+constexpr double sand_cell_m = 11.0;
+constexpr int whirls = 26; ///< of sand about the tornado's foot, and on its skin
+constexpr int skirts = 14; ///< of these about its foot
+constexpr int murks = 8;   ///< of ink
+
+/// Turns +y that way.
+glm::dquat towards(const glm::dvec3& way)
+{
+    const glm::dvec3 unit = glm::normalize(way);
+    const glm::dvec3 axis = glm::cross(glm::dvec3(0.0, 1.0, 0.0), unit);
+    return glm::length(axis) > 1e-9 ? glm::angleAxis(std::acos(unit.y), glm::normalize(axis))
+                                    : glm::dquat(1.0, 0.0, 0.0, 0.0);
+}
+
+/// 0 to 1, of a cell of the ground.
+double chance_of(int64_t x, int64_t z, uint64_t which)
+{
+    return static_cast<double>(Dice(static_cast<uint64_t>(x * 73'856'093 ^ z * 19'349'663), which).share());
+}
+
+estampe::NodePlace sand_at(estampe::Index node, int column, int row, const Weather& weather,
+                           const AirView& view)
+{
+    // Each has the cell of its own number, counted round, that is nearest to the eye: when the eye goes on,
+    // cells that fall behind come again in front.
+    const auto nearest = [](double eye_m, int number) {
+        const double cell = eye_m / sand_cell_m;
+        return number + sand_side * static_cast<int64_t>(std::llround((cell - number) / sand_side));
+    };
+    const int64_t x = nearest(view.eye_m.x, column);
+    const int64_t z = nearest(view.eye_m.z, row);
+    const glm::dvec2 place = sand_cell_m * (glm::dvec2(static_cast<double>(x), static_cast<double>(z)) +
+                                            0.8 * (glm::dvec2(chance_of(x, z, 1), chance_of(x, z, 2)) - 0.5));
+    const double most_m = 0.5 * sand_side * sand_cell_m;
+    const double away_m = std::max(std::abs(place.x - view.eye_m.x), std::abs(place.y - view.eye_m.z));
+    // Gusts wander over the ground.
+    const double waves =
+        0.5 + 0.5 * std::sin(0.9 * view.time_s - 0.16 * glm::dot(place, glm::dvec2(wind_way())) +
+                             6.0 * chance_of(x / 3, z / 3, 3));
+    const double often =
+        static_cast<double>(weather.gusts) * (0.45 + 0.55 * waves) + 0.9 * static_cast<double>(weather.dust);
+    const double gives = std::clamp((often - 0.75 * chance_of(x, z, 4)) / 0.3, 0.0, 1.0);
+    const bool is_none = gives <= 0.02 || away_m > most_m - 0.2 || view.is_roofed(glm::vec2(place));
+    const glm::dvec3 blows(wind_way().x, 0.25, wind_way().y);
+    const double size = (0.55 + 0.45 * gives) * (1.0 + 0.8 * static_cast<double>(weather.dust));
+    return {node,
+            {.translation = {place.x, static_cast<double>(view.ground_m(glm::vec2(place))) + 0.25, place.y},
+             .rotation = towards(blows),
+             .scale = glm::dvec3(is_none ? 0.0 : size)}};
+}
+
+/// Beside the funnel's skin, so far off and turning with it.
+estampe::NodePlace whirl_at(estampe::Index node, double share, double angle, double off_m, double size,
+                            const Weather& weather, const AirView& view)
+{
+    const auto strength = static_cast<double>(weather.tornado.strength);
+    const double turned = angle - funnel_turn_rad(share, view.time_s);
+    const glm::dvec2 out(std::cos(turned), std::sin(turned));
+    const glm::dvec2 place = glm::dvec2(weather.tornado.foot_m) + funnel_sway_m(share, view.time_s) +
+                             (strength * funnel_radius_m(share) + off_m) * out;
+    const double lifted_m = 0.5 * funnel_m * (1.0 - glm::smoothstep(0.0, 1.0, strength));
+    const double height_m = static_cast<double>(view.ground_m(weather.tornado.foot_m)) + 0.5 +
+                            funnel_m * share + (share > 0.1 ? lifted_m : 0.0);
+    const glm::dvec3 blows(out.y, share > 0.1 ? 0.35 : 0.12, -out.x);
+    return {node,
+            {.translation = {place.x, height_m, place.y},
+             .rotation = towards(blows),
+             .scale = glm::dvec3(strength < 0.03 ? 0.0 : size * (0.4 + 0.6 * strength))}};
+}
+
+} // namespace
+
+void add_air(estampe::Scene& scene)
+{
+    const auto add = [&](const std::string& name, int count) {
+        for (int i = 0; i < count; ++i) {
+            scene.roots.push_back(static_cast<estampe::Index>(scene.nodes.size()));
+            estampe::Node& node = scene.nodes.emplace_back();
+            node.name = name + " " + std::to_string(i);
+            node.transform.scale = glm::dvec3(0.0);
+        }
+    };
+    add("sand", sand_side * sand_side);
+    add("whirl", whirls);
+    add("murk", murks);
+    add("eddy", 1);
+    add_funnel(scene);
+}
+
+std::vector<estampe::NodePlace> air_places(estampe::Index first, const Weather& weather, const AirView& view)
+{
+    std::vector<estampe::NodePlace> places;
+    estampe::Index node = first;
+    for (int row = 0; row < sand_side; ++row) {
+        for (int column = 0; column < sand_side; ++column) {
+            places.push_back(sand_at(node++, column, row, weather, view));
+        }
+    }
+    constexpr double golden = std::numbers::pi * 0.7639320225;
+    for (int i = 0; i < whirls; ++i) {
+        const double angle = 2.0 * golden * i;
+        const bool is_skirt = i < skirts;
+        const double part = is_skirt ? (i + 0.5) / skirts : (i - skirts + 0.5) / (whirls - skirts);
+        places.push_back(is_skirt ? whirl_at(node++, 0.03 * part, angle, 1.0 + 7.0 * part, 1.0, weather, view)
+                                  : whirl_at(node++, 0.1 + 0.9 * part, angle, 0.6 + 4.0 * part * part,
+                                             0.22 + 0.2 * part, weather, view));
+    }
+    for (int i = 0; i < murks; ++i) {
+        const double part = (i + 0.5) / murks;
+        places.push_back(whirl_at(node++, part, 2.0 + 2.0 * golden * i, 0.8 + 2.0 * part, 0.5 + 0.5 * part,
+                                  weather, view));
+    }
+    const auto strength = static_cast<double>(weather.tornado.strength);
+    const glm::vec2 foot = weather.tornado.foot_m;
+    places.push_back(
+        {node++,
+         {.translation = {foot.x, static_cast<double>(view.ground_m(foot)) + 0.4 * funnel_m, foot.y},
+          .scale = glm::dvec3(0.5 * funnel_m * strength)}});
+    const auto trunk =
+        funnel_places(node, weather.tornado, static_cast<double>(view.ground_m(foot)), view.time_s);
+    places.insert(places.end(), trunk.begin(), trunk.end());
+    return places;
 }
 
 } // namespace temple

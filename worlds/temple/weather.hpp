@@ -3,15 +3,20 @@
 
 // The temple's weather and its time of day, as a line of time that chance lays out: one wind for sand, flags
 // and ink, gusts, storms of sand that rise, close the view and pass, tornadoes that walk by, clouds, and a
-// sun that goes on.
+// sun that goes on. And what the wind carries: sand over the ground and in storms, and a tornado's trunk.
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <glm/glm.hpp>
+
+#include <estampe/renderer.hpp>
+#include <estampe/scene.hpp>
 
 namespace temple {
 
@@ -79,5 +84,22 @@ private:
     uint64_t seed_;
     WeatherChoice choice_;
 };
+
+/// Adds `sand N`, `whirl N` and `murk N`, which give particles, and `eddy N`, which turns ink; all of
+/// no size until they are moved; and the funnel of a tornado.
+void add_air(estampe::Scene& scene);
+
+/// Who is in it.
+struct AirView {
+    glm::dvec3 eye_m{0.0};
+    double time_s = 0.0;
+    std::function<float(const glm::vec2&)> ground_m;
+    std::function<bool(const glm::vec2&)> is_roofed; ///< no sand rises there
+};
+
+/// Where they are in a weather, for Renderer::place(); `first` is the scene's node `sand 0`. Those that give
+/// nothing have no size.
+[[nodiscard]] std::vector<estampe::NodePlace> air_places(estampe::Index first, const Weather& weather,
+                                                         const AirView& view);
 
 } // namespace temple

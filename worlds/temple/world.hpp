@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The temple alive: its demons, its weather and its light, brought to a moment and shown.
+// The temple alive: its demons, its weather and its light, brought to a moment and shown; and how what lives
+// and what burns is drawn, over any style.
 
 #include <cstdint>
 #include <memory>
@@ -9,16 +10,18 @@
 #include <string>
 #include <vector>
 
+#include <glm/glm.hpp>
+
 #include <estampe/renderer.hpp>
 #include <estampe/scene.hpp>
 #include <estampe/style.hpp>
 
 #include "demons.hpp"
-#include "ending.hpp"
+#include "lamps.hpp"
 #include "plan.hpp"
 #include "sand.hpp"
 #include "site.hpp"
-#include "smoke.hpp"
+#include "visit.hpp"
 #include "weather.hpp"
 #include "world/registry.hpp"
 #include "world/world.hpp"

@@ -7,7 +7,7 @@
 #include <estampe/error.hpp>
 #include <gtest/gtest.h>
 
-#include "temple/viewpoints.hpp"
+#include "temple/cameras.hpp"
 
 namespace temple {
 namespace {

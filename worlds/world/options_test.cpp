@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "options.hpp"
+#include "registry.hpp"
 
 #include <stdexcept>
 #include <tuple>

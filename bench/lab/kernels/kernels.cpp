@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "lab/kernels/kernels.hpp"
 
-#include <ctime>
-
 #include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <estampe/error.hpp>
-#include <fmt/format.h>
 
+#include "common/command_line.hpp"
 #include "gpu/graph/execute.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/read_back.hpp"
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
+#include "gpu/transfers.hpp"
+#include "lab/commands.hpp"
+#include "lab/tables.hpp"
 
 namespace estampe::lab::kernels {
 namespace {
@@ -226,4 +231,128 @@ const std::vector<Entry>& all_experiments()
     return entries;
 }
 
+namespace {
+
+size_t widest_name(const KernelsResult& result)
+{
+    size_t widest = 0;
+    for (const ExperimentResult& experiment : result.experiments) {
+        for (const KernelResult& kernel : experiment.kernels) {
+            widest = std::max(widest, kernel.name.size());
+        }
+    }
+    return widest;
+}
+
+} // namespace
+
+std::string text_of(const KernelsResult& result)
+{
+    const size_t width = widest_name(result);
+    std::string text = fmt::format(
+        "{}, {}\n{} of {} rounds in turn: median, and quartiles of the ratio to the row that has none\n",
+        result.device, result.driver, result.software ? "Processor time" : "GPU time", result.rounds);
+    for (const ExperimentResult& experiment : result.experiments) {
+        text += fmt::format("\n{}: {}\n{:<{}} {:>9} {:>7} {:>7} {:>7}\n", experiment.name, experiment.about,
+                            "", width, "ms", "ratio", "low", "high");
+        for (const KernelResult& kernel : experiment.kernels) {
+            text += fmt::format("{:<{}} {:>9.3f}", kernel.name, width, kernel.ms.median);
+            text += kernel.name == kernel.against
+                        ? std::string("\n")
+                        : fmt::format(" {:>7.2f} {:>7.2f} {:>7.2f}\n", kernel.ratio.median, kernel.ratio.low,
+                                      kernel.ratio.high);
+        }
+    }
+    return text;
+}
+
+std::string json_of(const KernelsResult& result)
+{
+    nlohmann::ordered_json json{{"device", result.device},
+                                {"driver", result.driver},
+                                {"software", result.software},
+                                {"rounds", result.rounds},
+                                {"experiments", nlohmann::ordered_json::array()}};
+    for (const ExperimentResult& experiment : result.experiments) {
+        nlohmann::ordered_json kernels = nlohmann::ordered_json::array();
+        for (const KernelResult& kernel : experiment.kernels) {
+            kernels.push_back({{"name", kernel.name},
+                               {"against", kernel.against},
+                               {"ms", spread_json(kernel.ms)},
+                               {"ratio", spread_json(kernel.ratio)}});
+        }
+        json["experiments"].push_back(
+            {{"name", experiment.name}, {"about", experiment.about}, {"kernels", std::move(kernels)}});
+    }
+    return json.dump(2) + "\n";
+}
+
+std::string csv_of(const KernelsResult& result)
+{
+    std::string text = "experiment,kernel,against,ms,ms_low,ms_high,ratio,ratio_low,ratio_high\n";
+    for (const ExperimentResult& experiment : result.experiments) {
+        for (const KernelResult& kernel : experiment.kernels) {
+            text += fmt::format("{},\"{}\",\"{}\",{},{},{},{},{},{}\n", experiment.name, kernel.name,
+                                kernel.against, kernel.ms.median, kernel.ms.low, kernel.ms.high,
+                                kernel.ratio.median, kernel.ratio.low, kernel.ratio.high);
+        }
+    }
+    return text;
+}
+
 } // namespace estampe::lab::kernels
+
+namespace estampe::lab {
+namespace {
+
+struct KernelsOptions {
+    std::vector<std::string> names; ///< of experiments; empty: all
+    uint32_t rounds = 9;
+    std::string device = "auto";
+    ResultFiles files;
+};
+
+std::string kernels_footer()
+{
+    return R"(Examples:
+  estampe_lab kernels
+  estampe_lab kernels reads order --rounds 25 --json here.json
+
+Each experiment does one thing in several ways, in turn, and checks what each leaves. docs/laboratory.md
+explains what they show.
+
+Experiments:
+)" + list_of(kernels::all_experiments());
+}
+
+void run_kernels(const KernelsOptions& options)
+{
+    options.files.check();
+    const kernels::KernelsResult result = kernels::run_experiments(
+        options.device, chosen(kernels::all_experiments(), options.names), options.rounds,
+        [](const kernels::Entry& entry) { fmt::print(stderr, "{}: {}\n", entry.name, entry.about); });
+    fmt::print("{}", text_of(result));
+    options.files.write(result);
+}
+
+} // namespace
+
+Job add_kernels(CLI::App& command)
+{
+    const auto options = std::make_shared<KernelsOptions>();
+    command.footer(kernels_footer());
+    command.add_option("NAME", options->names, "Experiments to run, see below [all]")
+        ->type_name("NAME")
+        ->check(bench::one_of("experiment", names_of(kernels::all_experiments())));
+    command
+        .add_option("--rounds", options->rounds, "How often each kernel is run, of which the median counts")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(bench::up_to(10000));
+    bench::add_no_cache_flag(command);
+    bench::add_device_option(command, options->device);
+    options->files.add_to(command);
+    return [options] { run_kernels(*options); };
+}
+
+} // namespace estampe::lab

@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_LAB
 #define ESTAMPE_LAB
 
-// What all kernels of the laboratory share. lab.hpp has the same functions for the processor, which checks by
-// them.
+// What all kernels of the laboratory share. kernels.hpp has the same functions for the processor, which
+// checks by them.
 
 layout(push_constant, scalar) uniform Constants
 {

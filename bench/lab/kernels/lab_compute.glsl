@@ -5,7 +5,7 @@
 // A kernel of one thread an item, that leaves one word each.
 
 #include "lab.glsl"
-#include "shaders/items.glsl"
+#include "shaders/loops.glsl"
 
 layout(local_size_x = 64) in;
 

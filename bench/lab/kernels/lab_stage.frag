@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "lab_stage.glsl"
+#include "lab_pixels.glsl"
 
 layout(binding = 0) uniform usampler2D from;
 

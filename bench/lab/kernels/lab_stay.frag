@@ -6,7 +6,7 @@
 
 layout(constant_id = 0) const uint variant = 0u;
 
-#include "lab_stay.glsl"
+#include "lab_pixels.glsl"
 
 layout(location = 0) out uint result;
 

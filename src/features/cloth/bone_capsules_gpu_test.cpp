@@ -6,9 +6,8 @@
 #include <filesystem>
 #include <functional>
 
-#include "features/cloth/bone_capsules.hpp"
-#include "features/cloth/seen_bodies.hpp"
-#include "gpu/upload.hpp"
+#include "features/cloth/cloth_solids.hpp"
+#include "gpu/resources.hpp"
 #include "set_ups.hpp"
 #include "techniques/cloth/cloth_test_support.hpp"
 

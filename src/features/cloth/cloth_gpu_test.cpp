@@ -4,7 +4,7 @@
 
 #include <estampe/error.hpp>
 
-#include "core/progress_watch.hpp"
+#include "core/long_jobs.hpp"
 #include "set_ups.hpp"
 #include "support/gpu_device.hpp"
 

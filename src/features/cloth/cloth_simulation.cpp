@@ -8,9 +8,8 @@
 
 #include <estampe/error.hpp>
 
-#include "gpu/imports.hpp"
-#include "gpu/read_back.hpp"
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
+#include "gpu/transfers.hpp"
 
 namespace estampe::features {
 

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "shaders/mesh.glsl.h"
+#include "shaders/scene.glsl.h"
 
 namespace estampe::features {
 namespace {

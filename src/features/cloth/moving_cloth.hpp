@@ -10,9 +10,7 @@
 
 #include <estampe/renderer.hpp>
 
-#include "features/cloth/bone_capsules.hpp"
-#include "features/cloth/seen_bodies.hpp"
-#include "features/cloth/solid_grids.hpp"
+#include "features/cloth/cloth_solids.hpp"
 #include "features/common/style_tables.hpp"
 #include "techniques/cloth/cloth.hpp"
 #include "techniques/pose/mesh_data.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "features/cloth/solid_grids.hpp"
+#include "features/cloth/cloth_solids.hpp"
 
 #include <gtest/gtest.h>
 

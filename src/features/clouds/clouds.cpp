@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "features/clouds/clouds.hpp"
 
-#include "gpu/mapped_buffer.hpp"
+#include "gpu/resources.hpp"
 
 namespace estampe::features {
 

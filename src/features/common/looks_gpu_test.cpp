@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <estampe/error.hpp>
+#include <estampe/shapes.hpp>
 
-#include "scene/shapes.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "features/common/looks.hpp"
+#include "features/common/style_tables.hpp"
 
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
+
 #include "support/scenes.hpp"
 
 namespace estampe::features {

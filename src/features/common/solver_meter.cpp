@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "gpu/read_back.hpp"
+#include "gpu/transfers.hpp"
 
 namespace estampe::features {
 namespace {

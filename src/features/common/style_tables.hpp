@@ -1,29 +1,36 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// Every parameter of a style, and where single materials and objects are drawn otherwise than the rest.
+
+#include <cstdint>
+#include <string>
 #include <vector>
+
+#include <estampe/scene.hpp>
 
 #include "style/sheet.hpp"
 #include "techniques/bleed/bleed.hpp"
-#include "techniques/cloth/air/wind_style.hpp"
+#include "techniques/cloth/cloth_style.hpp"
 #include "techniques/contour/contour.hpp"
 #include "techniques/focus/focus.hpp"
 #include "techniques/hatch/hatch.hpp"
 #include "techniques/haze/haze.hpp"
 #include "techniques/ink/ink_style.hpp"
-#include "techniques/lens/lens_style.hpp"
-#include "techniques/light/light_style.hpp"
-#include "techniques/light/sun_style.hpp"
+#include "techniques/lens/lens.hpp"
+#include "techniques/light/daylight.hpp"
+#include "techniques/light/light.hpp"
 #include "techniques/lightmap/lightmap.hpp"
-#include "techniques/motion_blur/motion_blur_style.hpp"
-#include "techniques/occlusion/occlusion_style.hpp"
+#include "techniques/motion_blur/motion_blur.hpp"
+#include "techniques/occlusion/occlusion.hpp"
 #include "techniques/paper/paper.hpp"
 #include "techniques/particles/particle_style.hpp"
+#include "techniques/pose/mesh_data.hpp"
 #include "techniques/shadow/shadow_style.hpp"
-#include "techniques/sky/clouds/cloud_style.hpp"
+#include "techniques/sky/clouds/clouds.hpp"
 #include "techniques/sky/sky.hpp"
 #include "techniques/smoke/smoke_style.hpp"
-#include "techniques/subsurface/subsurface_style.hpp"
+#include "techniques/subsurface/subsurface.hpp"
 #include "techniques/tam/tam_style.hpp"
 #include "techniques/terrain/drift/drift.hpp"
 #include "techniques/transparency/transparency.hpp"
@@ -74,5 +81,30 @@ struct StyleTables {
 
 /// The readers and writers of `tables`, which must outlive the sheet.
 [[nodiscard]] style::Sheet sheet_of(StyleTables& tables);
+
+/// The styles that occur in a picture, and which surface has which.
+struct LookPlan {
+    std::vector<StyleTables> styles;    ///< the first is that of the picture
+    std::vector<uint32_t> look_of_draw; ///< numbers of `styles`; empty where there is but one
+    /// What is to be found of lines, for whichever look: kinds have the width of their widest.
+    contour::ContourStyle lines;
+
+    [[nodiscard]] bool has_several() const { return styles.size() > 1; }
+};
+
+/// Draws of which the same overrides speak share a look. The list of styles takes `room`. Cost: linear in
+/// draws times overrides.
+[[nodiscard]] LookPlan plan_looks(const pose::MeshData& meshes, const Scene& scene, const StyleTables& style,
+                                  std::vector<StyleTables> room = {});
+
+/// The look of each node by itself, as `styles` of them: what hangs on a node is meant with it. Cost: linear
+/// in nodes times overrides.
+[[nodiscard]] LookPlan looks_of_nodes(const Scene& scene, const StyleTables& style);
+
+/// Of the patterns of the style's overrides those that name nothing in the scene, a line each.
+[[nodiscard]] std::vector<std::string> idle_overrides(const Scene& scene, const StyleTables& style);
+
+/// Whether a pattern of a style speaks of a node, or of one that it belongs to.
+[[nodiscard]] bool is_named(const Scene& scene, Index node, const std::string& pattern);
 
 } // namespace estampe::features

@@ -8,7 +8,7 @@
 
 #include <estampe/error.hpp>
 
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
 #include "scene/charts/charts.hpp"
 
 namespace estampe::features {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <estampe/error.hpp>
+#include <estampe/shapes.hpp>
 
-#include "scene/shapes.hpp"
 #include "support/scenes.hpp"
 
 namespace estampe::features {

@@ -1,10 +1,270 @@
 // SPDX-License-Identifier: MIT
 #include "features/hatching/hatching.hpp"
 
-#include "features/hatching/form_strokes.hpp"
-#include "gpu/upload.hpp"
+#include <algorithm>
+#include <map>
+#include <string_view>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include <estampe/error.hpp>
+
+#include "core/file.hpp"
+#include "core/hash.hpp"
+#include "gpu/resources.hpp"
+#include "shaders/stroke_kind.glsl.h"
+#include "style/names.hpp"
+#include "style/sheet.hpp"
+#include "style/toml.hpp"
+#include "techniques/form/form.hpp"
+#include "techniques/tam/files/map_files.hpp"
+#include "techniques/tam/maker.hpp"
 
 namespace estampe::features {
+namespace {
+
+constexpr const char* materials_key = "hatch.materials";
+
+/// The kind that `hatch.coordinates` calls `name`.
+uint32_t kind_named(const std::string& name)
+{
+    const auto& parameters = hatch::hatch_table().parameters();
+    const auto wanted = std::find_if(parameters.begin(), parameters.end(),
+                                     [](const auto& parameter) { return parameter.key == "coordinates"; });
+    if (std::find(wanted->choices.begin(), wanted->choices.end(), name) == wanted->choices.end()) {
+        throw Error(fmt::format("strokes cannot follow {}", style::in_quotes(name)), materials_key,
+                    fmt::format("allowed: {}", style::allowed(*wanted)));
+    }
+    hatch::HatchStyle style;
+    wanted->set(&style, style::Value(name));
+    return static_cast<uint32_t>(style.coordinates);
+}
+
+/// What single materials follow, by their number.
+std::map<Index, uint32_t> kinds_of_materials(const std::vector<Material>& materials, std::string_view text)
+{
+    std::map<Index, uint32_t> kinds;
+    if (text.empty()) {
+        return kinds;
+    }
+    for (const style::Assignment& part :
+         style::assignments(text, materials_key, "material=kind", "Skin=form, Sea=wind")) {
+        const uint32_t kind = kind_named(part.value);
+        std::vector<std::string> names;
+        bool is_known = false;
+        for (Index i = 0; i < materials.size(); ++i) {
+            names.push_back(materials[i].name);
+            if (materials[i].name == part.name) {
+                kinds[i] = kind;
+                is_known = true;
+            }
+        }
+        if (!is_known) {
+            style::fail_unknown("the scene has no material", part.name, materials_key, names);
+        }
+    }
+    return kinds;
+}
+
+enum class GroundForm : uint8_t { no, level, dunes };
+
+uint32_t possible(uint32_t wanted, const shared::DrawRecord& draw, GroundForm ground)
+{
+    const bool has_uv = (draw.flags & shared::draw_has_uv) != 0;
+    const bool usable_uv = (draw.flags & shared::draw_follows_uv) != 0;
+    const uint32_t without_uv = ground == GroundForm::dunes ? shared::strokes_slope : shared::strokes_solid;
+    switch (wanted) {
+    case shared::strokes_automatic:
+        return usable_uv ? shared::strokes_uv : without_uv;
+    case shared::strokes_uv:
+        return has_uv ? wanted : without_uv;
+    case shared::strokes_form:
+        return ground == GroundForm::no ? wanted : without_uv;
+    default:
+        return wanted;
+    }
+}
+
+GroundForm ground_of(const pose::MeshData& meshes, size_t draw)
+{
+    if (meshes.foreign_vertex && meshes.draw_of_vertex[*meshes.foreign_vertex] == draw) {
+        return GroundForm::dunes;
+    }
+    return draw == meshes.sources.size() ? GroundForm::level : GroundForm::no;
+}
+
+const StyleTables& look_of(const LookPlan& looks, size_t draw)
+{
+    return looks.has_several() ? looks.styles[looks.look_of_draw[draw]] : looks.styles.front();
+}
+
+} // namespace
+
+StrokePlan plan_strokes(const pose::MeshData& meshes, const std::vector<Material>& materials,
+                        const LookPlan& looks, std::vector<uint32_t> room)
+{
+    const std::map<Index, uint32_t> kinds =
+        kinds_of_materials(materials, looks.styles.front().hatch.materials);
+    StrokePlan plan{.kind_of_draw = std::move(room)};
+    plan.kind_of_draw.clear();
+    plan.kind_of_draw.reserve(meshes.draws.size());
+    for (const shared::DrawRecord& draw : meshes.draws) {
+        const auto own = kinds.find(draw.material);
+        const auto of_look =
+            static_cast<uint32_t>(look_of(looks, plan.kind_of_draw.size()).hatch.coordinates);
+        const uint32_t wanted = own != kinds.end() ? own->second : of_look;
+        const uint32_t kind = possible(wanted, draw, ground_of(meshes, plan.kind_of_draw.size()));
+        plan.kind_of_draw.push_back(kind);
+        plan.present |= 1U << kind;
+    }
+    return plan;
+}
+
+std::optional<shadow::HatchedLines> hatched_lines(const hatch::HatchStyle& style,
+                                                  const glm::vec3& towards_light, const StrokePlan& strokes)
+{
+    if (!style.drawn || style.strokes != hatch::Strokes::lines) {
+        return std::nullopt;
+    }
+    const hatch::FirstLayer layer = hatch::first_layer(style);
+    return shadow::HatchedLines{.width_mm = layer.width_mm,
+                                .darkness = layer.darkness,
+                                .seed = layer.seed,
+                                .flat_axis = layer.flat_axis,
+                                .wind = layer.wind,
+                                .ground_wind = strokes.ground_wind,
+                                .towards_light = towards_light,
+                                .has_directions = strokes.has_directions()};
+}
+
+namespace {
+
+/// Triangles of one draw, and where they stand among all.
+struct DrawTriangles {
+    std::vector<uint32_t> indices; ///< into the vertices of the draw
+    std::vector<size_t> numbers;
+};
+
+} // namespace
+
+std::vector<glm::vec2> form_coordinates(const pose::MeshData& meshes, const StrokePlan& plan)
+{
+    std::map<uint32_t, DrawTriangles> draws;
+    for (size_t i = 0; i < meshes.triangles.size(); ++i) {
+        const glm::uvec4& triangle = meshes.triangles[i];
+        const uint32_t draw = triangle.w & shared::triangle_draw_mask;
+        if (plan.kind_of_draw[draw] == shared::strokes_form) {
+            DrawTriangles& own = draws[draw];
+            for (int k = 0; k < 3; ++k) {
+                own.indices.push_back(triangle[k] - meshes.draws[draw].first_posed_vertex);
+            }
+            own.numbers.push_back(i);
+        }
+    }
+    std::vector<glm::vec2> coordinates(3 * meshes.triangles.size());
+    const auto unit_m = static_cast<float>(meshes.stroke_unit_m);
+    for (const auto& [index, own] : draws) {
+        const shared::DrawRecord& draw = meshes.draws[index];
+        std::vector<glm::vec3> positions_m;
+        for (uint32_t i = 0; i < draw.vertex_count; ++i) {
+            positions_m.push_back(meshes.stroke_coordinates[draw.first_posed_vertex + i] * unit_m);
+        }
+        const form::FormField field =
+            form::follow_form(positions_m, own.indices, {.period_m = 0.25F * unit_m});
+        for (size_t i = 0; i < own.numbers.size(); ++i) {
+            std::copy(field.corners[i].begin(), field.corners[i].end(),
+                      coordinates.begin() + static_cast<std::ptrdiff_t>(3 * own.numbers[i]));
+        }
+    }
+    return coordinates;
+}
+
+namespace {
+
+tam::TonalArtMap drawn_or_kept(const tam::TamStyle& style)
+{
+    const std::filesystem::path path = kept_map(style);
+    std::error_code missing;
+    if (!path.empty() && std::filesystem::exists(path, missing)) {
+        try {
+            return tam::load_tam(path);
+        } catch (const Error&) {
+            // Damaged: drawn and kept anew below.
+        }
+    }
+    tam::TonalArtMap map = tam::make_map(style);
+    if (!path.empty()) {
+        try {
+            std::filesystem::create_directories(path.parent_path());
+            tam::save_tam(map, path);
+        } catch (const std::exception&) {
+            // A full or read-only disk costs a second the next time, and nothing else.
+        }
+    }
+    return map;
+}
+
+} // namespace
+
+MapChoice map_choice(const StyleTables& style)
+{
+    return {.file = style.hatch.map,
+            .drawn = style.tam,
+            .tone = style.hatch.map_tone,
+            .contrast = style.hatch.map_contrast};
+}
+
+std::filesystem::path kept_map(const tam::TamStyle& style)
+{
+    const std::filesystem::path folder = user_cache_folder();
+    if (folder.empty()) {
+        return {};
+    }
+    tam::TamStyle values = style;
+    style::Sheet sheet;
+    sheet.bind(tam::tam_table(), values);
+    Hash hash;
+    hash.add_text(sheet.to_toml());
+    return folder / "estampe" / fmt::format("map-{}-{:016x}.tam", tam::drawing_version, hash.value());
+}
+
+hatch::MapData load_map(const MapChoice& choice)
+{
+    tam::TonalArtMap map = choice.file.empty() ? drawn_or_kept(choice.drawn) : tam::read_map(choice.file).map;
+    std::vector<std::vector<uint8_t>> thresholds = tam::threshold_levels(map);
+    return {.size_px = map.size_px,
+            .level_of_tone = std::move(map.level_of_tone),
+            .threshold_of_level = std::move(thresholds)};
+}
+
+void TonalMaps::ensure(gpu::Device& device, const std::vector<StyleTables>& looks)
+{
+    place_of_look_.assign(looks.size(), std::nullopt);
+    std::vector<Loaded> wanted;
+    for (size_t look = 0; look < looks.size(); ++look) {
+        const hatch::HatchStyle& hatch = looks[look].hatch;
+        if (!hatch.drawn || hatch.strokes != hatch::Strokes::map) {
+            continue;
+        }
+        MapChoice choice = map_choice(looks[look]);
+        const auto is_choice = [&](const Loaded& loaded) { return loaded.choice == choice; };
+        const auto ready = std::ranges::find_if(wanted, is_choice);
+        place_of_look_[look] = static_cast<size_t>(ready - wanted.begin());
+        if (ready != wanted.end()) {
+            continue;
+        }
+        if (const auto kept = std::ranges::find_if(maps_, is_choice); kept != maps_.end()) {
+            wanted.push_back(std::move(*kept));
+            maps_.erase(kept);
+        } else {
+            hatch::MapImages images =
+                hatch::upload_map(device, load_map(choice), choice.tone, choice.contrast);
+            wanted.push_back({std::move(choice), std::move(images)});
+        }
+    }
+    maps_ = std::move(wanted);
+}
 
 void Hatching::invalidate(Event event)
 {

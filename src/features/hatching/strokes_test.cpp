@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "features/hatching/strokes.hpp"
+#include "features/hatching/hatching.hpp"
 
 #include <gtest/gtest.h>
 
 #include <estampe/error.hpp>
+#include <estampe/shapes.hpp>
 
-#include "features/hatching/form_strokes.hpp"
-#include "scene/shapes.hpp"
 #include "shaders/stroke_kind.glsl.h"
 #include "support/scenes.hpp"
 

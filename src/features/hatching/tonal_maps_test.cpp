@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "features/hatching/tonal_maps.hpp"
+#include "features/hatching/hatching.hpp"
 
 #include <cstdlib>
 #include <fstream>

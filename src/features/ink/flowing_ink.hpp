@@ -1,22 +1,92 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Ink that flows from picture to picture: what it is in, and from where it was seen.
+// Ink that flows from picture to picture: what it is in, and from where it was seen; what single objects
+// have to do with it, which give it and which drive it; and the water on the page that it stirs, whose
+// eddies carry it.
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <estampe/renderer.hpp>
+#include <estampe/scene.hpp>
 
 #include "features/common/feature.hpp"
 #include "features/common/style_tables.hpp"
 #include "features/common/view.hpp"
-#include "features/ink/ink_water.hpp"
+#include "gpu/graph/execute.hpp"
+#include "shaders/frame.glsl.h"
+#include "techniques/ink/ink.glsl.h"
 #include "techniques/ink/ink.hpp"
 #include "techniques/pose/mesh_data.hpp"
 
+namespace estampe::fluid {
+class Fluid;
+} // namespace estampe::fluid
+
 namespace estampe::features {
+
+/// One word a draw, 1 where the patterns between commas name its object or one that it hangs on; the blank
+/// ground is named by none. Empty where the patterns name all there is, "*". Patterns that name nothing go
+/// into `notes`.
+[[nodiscard]] std::vector<uint32_t> ink_mask(const pose::MeshData& meshes, const Scene& scene,
+                                             std::string_view patterns, std::vector<std::string>& notes);
+
+/// Where objects stand on the page.
+struct ZoneView {
+    const Scene& scene;
+    const ScenePose& pose;
+    glm::dvec3 anchor{0.0};
+    const shared::FrameGlobals& page;
+};
+
+/// Zones as `text` has them: "Fan*=blow:20, Well=give:1 turn:90 amount:0". A zone is as large as a ball of
+/// one metre in the space of its node. What is behind the eye has none, nor have more than `most_ink_zones`.
+/// Throws Error for words that mean nothing; patterns that name nothing go into `notes`.
+[[nodiscard]] std::vector<shared::InkZone> ink_zones(const ZoneView& view, std::string_view text,
+                                                     std::vector<std::string>& notes);
+
+/// What of the water the next picture of a film takes from this one.
+struct KeptWater {
+    double time_s = 0.0;
+    std::vector<float> velocity; ///< two numbers a cell
+};
+
+class InkWater {
+public:
+    InkWater();
+    ~InkWater();
+    InkWater(const InkWater&) = delete;
+    InkWater& operator=(const InkWater&) = delete;
+
+    /// Stirs for the time that passes for the ink, and tells the stream function after it as
+    /// ink::add_stream() takes it. Water that is not that of `time.from_s` starts at rest, some seconds
+    /// before. With `is_measured` solver_report() tells of it. Cost: a step of some 2,000 cells for each 24th
+    /// of a second.
+    [[nodiscard]] std::vector<float> stirred(gpu::Device& device, gpu::Executor& executor,
+                                             const ink::InkStyle& style, const ink::Page& page,
+                                             const ink::Time& time, const std::vector<shared::InkZone>& zones,
+                                             bool is_measured = false);
+
+    /// Of the last time that stirred() measured steps; none where it did not since.
+    [[nodiscard]] const std::optional<SolverReport>& solver_report() const { return solver_report_; }
+
+    void forget();
+
+    [[nodiscard]] std::optional<KeptWater> kept(gpu::Device& device, gpu::Executor& executor);
+
+    /// The next picture may go on from that, where its page is as large.
+    void recall(KeptWater kept);
+
+private:
+    std::unique_ptr<fluid::Fluid> fluid_; ///< none until it is asked for
+    std::optional<KeptWater> recalled_;
+    std::optional<SolverReport> solver_report_;
+    double time_s_ = 0.0;
+};
 
 /// What a picture's ink is planned from.
 struct FlowingInkInputs {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "features/ink/ink_water.hpp"
+#include "features/ink/flowing_ink.hpp"
 
 #include <cmath>
 

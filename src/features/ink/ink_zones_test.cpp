@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What single objects have to do with ink, by their names.
-#include "features/ink/ink_zones.hpp"
+#include "features/ink/flowing_ink.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <estampe/error.hpp>
+#include <estampe/shapes.hpp>
 
 #include "features/common/view.hpp"
-#include "scene/shapes.hpp"
 #include "support/scenes.hpp"
 
 namespace estampe::features {

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <estampe/renderer.hpp>
+#include <estampe/shapes.hpp>
 
-#include "scene/shapes.hpp"
 #include "scene/view_analysis/view_analysis.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"

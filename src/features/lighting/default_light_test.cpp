@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "features/lighting/default_light.hpp"
+#include "features/lighting/lighting.hpp"
 
 #include <cmath>
 
+#include <estampe/shapes.hpp>
 #include <estampe/terrain.hpp>
 #include <gtest/gtest.h>
 
 #include "features/terrain/ground_mesh.hpp"
-#include "scene/shapes.hpp"
 #include "support/scenes.hpp"
 #include "techniques/light/light.hpp"
 #include "techniques/terrain/graph/compile.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "features/lighting/light_links.hpp"
+#include "features/lighting/lighting.hpp"
 
 #include <limits>
 #include <vector>

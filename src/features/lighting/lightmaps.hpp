@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// From lightmaps as files have them to lightmaps as triangles wear them.
+// From lightmaps as files have them to lightmaps as triangles wear them, and lights whose light they hold
+// already.
 
 #include <optional>
 
 #include <estampe/lightmap.hpp>
 #include <estampe/scene.hpp>
 
+#include "techniques/light/light.hpp"
 #include "techniques/lightmap/lightmap.hpp"
 #include "techniques/pose/mesh_data.hpp"
 
@@ -31,5 +33,14 @@ struct WornLight {
 /// Uploads worn_map() of a map, if there is one. Throws Error as that, and as lightmap::upload_maps().
 [[nodiscard]] std::optional<WornLight> upload_baked(gpu::Device& device, const Lightmap* map,
                                                     const Scene& scene, const pose::MeshData& meshes);
+
+/// The bit of a light's kind, of BakedLights.
+[[nodiscard]] uint32_t kind_of(const shared::LightRecord& record);
+
+/// Makes room for a map, if there is one, in the light of a frame: leaves out lights of the kinds that it
+/// holds already, and dims the others, where the style wants that. Returns what the map is to be multiplied
+/// by.
+[[nodiscard]] float make_room(light::Lighting& lighting, const std::optional<WornLight>& worn,
+                              const lightmap::LightmapStyle& style);
 
 } // namespace estampe::features

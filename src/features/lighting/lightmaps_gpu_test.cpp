@@ -8,9 +8,9 @@
 
 #include <estampe/error.hpp>
 #include <estampe/renderer.hpp>
+#include <estampe/shapes.hpp>
 
 #include "features/lighting/lightmap_test_support.hpp"
-#include "scene/shapes.hpp"
 #include "scene/static_triangles.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"

@@ -4,10 +4,10 @@
 
 #include <estampe/error.hpp>
 #include <estampe/renderer.hpp>
+#include <estampe/shapes.hpp>
 
 #include "features/lighting/lightmap_test_support.hpp"
 #include "features/lighting/lightmaps.hpp"
-#include "scene/shapes.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
 

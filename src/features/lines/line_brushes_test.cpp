@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "features/lines/line_brushes.hpp"
+#include "features/lines/lines.hpp"
 
 #include <fstream>
 #include <numeric>

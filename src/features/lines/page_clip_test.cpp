@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "features/lines/page_clip.hpp"
+#include "features/lines/lines.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "gpu/read_back.hpp"
+#include "gpu/transfers.hpp"
 
 namespace estampe::features {
 

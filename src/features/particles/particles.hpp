@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Which nodes of a scene give particles, and where those are on the page.
+// Which nodes of a scene give particles, and where those are on the page; and the puff of smoke that they
+// may show, worked out once by the solver and kept as frames: what section 6.5 of the thesis calls a mixed
+// technique, one small simulation shown on dozens of sprites.
 
 #include <functional>
 #include <string>
@@ -16,6 +18,10 @@
 #include "techniques/pose/mesh_data.hpp"
 
 namespace estampe::features {
+
+/// 6 x 6 frames of 64 x 64 pixels over four seconds: a warm puff that rises, rolls up and thins. The same on
+/// the same device. Cost: 240 steps of the solver.
+[[nodiscard]] particles::SheetImage smoke_sheet(gpu::Device& device, gpu::Executor& executor);
 
 /// The nodes that the patterns between commas name, in their order; those with a mesh give no particles.
 [[nodiscard]] std::vector<size_t> emitting_nodes(const Scene& scene, const std::string& patterns);

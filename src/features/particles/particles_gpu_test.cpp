@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Particles and clouds in whole pictures.
 #include "features/particles/particles.hpp"
-#include "features/particles/smoke_sheet.hpp"
 
 #include <gtest/gtest.h>
 
 #include <estampe/error.hpp>
+#include <estampe/shapes.hpp>
 
-#include "scene/shapes.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
 

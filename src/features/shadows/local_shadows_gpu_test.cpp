@@ -2,12 +2,12 @@
 // Which shadow maps of local lights are drawn when.
 #include <algorithm>
 
+#include <estampe/shapes.hpp>
 #include <estampe/style.hpp>
 #include <gtest/gtest.h>
 
-#include "features/shadows/local_maps.hpp"
-#include "gpu/upload.hpp"
-#include "scene/shapes.hpp"
+#include "features/shadows/shadows.hpp"
+#include "gpu/resources.hpp"
 #include "support/drawing.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "features/shadows/local_shadows.hpp"
+#include "features/shadows/shadows.hpp"
 
 #include <cmath>
 

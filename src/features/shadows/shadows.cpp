@@ -2,13 +2,310 @@
 #include "features/shadows/shadows.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 
 #include <fmt/format.h>
 
-#include "gpu/mapped_buffer.hpp"
-#include "techniques/shadow/local/edge_look.hpp"
+#include "core/color.hpp"
+#include "gpu/resources.hpp"
+#include "techniques/raster/views/views.hpp"
+#include "techniques/shadow/shadow_style.hpp"
 
 namespace estampe::features {
+
+GroundShadowPlan plan_ground_shadow(const GroundShadowScene& scene, const shadow::ShadowStyle& style)
+{
+    constexpr double texel_m = 0.125; // a power of two, or patterns that repeat would have others far off
+    constexpr uint32_t small_page_px = 540;
+    const uint32_t size = scene.page_height_px <= small_page_px ? 256 : 512;
+    const glm::dvec3& eye = scene.camera.eye;
+    return {.is_thrown = scene.is_thrown,
+            .towards_sun = scene.towards_sun,
+            .sun_radius_rad = glm::radians(style.sun_radius_deg),
+            .size = size,
+            .levels = shadow::ground_levels_about({eye.x, eye.z}, {scene.anchor.x, scene.anchor.z},
+                                                  scene.towards_sun, size, texel_m),
+            .method = scene.execution.sweeps() ? shadow::HeightMethod::sweep : shadow::HeightMethod::pyramid,
+            .relief_m = scene.relief_m};
+}
+
+void GroundShadow::ensure(gpu::Device& device, const GroundShadowPlan& plan)
+{
+    const uint64_t size_bytes = sizeof(uint32_t) * shared::ground_levels * plan.size * plan.size;
+    if (kept_.empty() || kept_.size_bytes() != size_bytes) {
+        kept_ = gpu::Buffer(device, "ground shadow", size_bytes, gpu::MemoryUse::device);
+        held_.reset();
+    }
+}
+
+bool GroundShadow::is_held(const GroundShadowPlan& plan, uint32_t level, uint64_t form) const
+{
+    return stands(plan, level) && !is_in_part_ && held_->form == form &&
+           held_->plan.towards_sun == plan.towards_sun && held_->plan.sun_radius_rad == plan.sun_radius_rad;
+}
+
+bool GroundShadow::stands(const GroundShadowPlan& plan, uint32_t level) const
+{
+    return held_ && held_->plan.levels[level].origin_m == plan.levels[level].origin_m;
+}
+
+gpu::ImageId GroundShadow::add_share(gpu::Graph& graph, terrain::TerrainBuffers& terrain,
+                                     const GroundShadowInputs& in)
+{
+    const GroundShadowPlan& plan = in.plan;
+    gpu::BufferId kept = gpu::import_whole(graph, "ground shadow", kept_);
+    shadow::LevelNumbers stale;
+    terrain::HeightFields fields;
+    bool changes = held_ && (held_->form != terrain.form() || held_->plan.towards_sun != plan.towards_sun);
+    for (uint32_t number = 0; number < shared::ground_levels; ++number) {
+        if (!is_held(plan, number, terrain.form())) {
+            changes = changes && stands(plan, number);
+            stale.push_back(number);
+            fields.push_back(
+                {.origin_m = plan.levels[number].origin_m, .texel_m = plan.levels[number].texel_m});
+        }
+    }
+    if (!stale.empty()) {
+        is_in_part_ = changes && in.clip_from_anchor && plan.method == shadow::HeightMethod::pyramid;
+        shared::FieldSector wanted{};
+        if (is_in_part_) {
+            wanted = shadow::seen_sector({.clip_from_anchor = *in.clip_from_anchor,
+                                          .towards_sun = plan.towards_sun,
+                                          .relief_m = plan.relief_m},
+                                         plan.levels, stale);
+        }
+        const gpu::ImageId height = terrain.add_heights(graph, fields, glm::uvec2(plan.size), in.texels,
+                                                        shadow::sunward_of(wanted, plan.towards_sun));
+        kept = shadow::add_ground_fields(graph,
+                                         {.height = height,
+                                          .numbers = stale,
+                                          .levels = plan.levels,
+                                          .size = plan.size,
+                                          .method = plan.method,
+                                          .wanted = wanted,
+                                          .sun_radius_rad = plan.sun_radius_rad},
+                                         plan.towards_sun, kept);
+    }
+    return shadow::add_ground_share(graph, {.frame = in.frame,
+                                            .depth = in.depth,
+                                            .kept = kept,
+                                            .levels = plan.levels,
+                                            .size = plan.size,
+                                            .towards_sun = plan.towards_sun,
+                                            .sun_radius_rad = plan.sun_radius_rad,
+                                            .size_px = in.size_px});
+}
+
+void GroundShadow::drawn(const GroundShadowPlan& plan, const terrain::TerrainBuffers& terrain)
+{
+    held_ = {.plan = plan, .form = terrain.form()};
+}
+
+namespace {
+
+constexpr float range_steps = 4.0F; // to a doubling
+
+bool is_spot(const shared::LightRecord& record)
+{
+    return (record.type & shared::light_type_mask) >= shared::light_spot;
+}
+
+glm::vec3 any_side(const glm::vec3& beam)
+{
+    const glm::vec3 helper = std::abs(beam.y) < 0.9F ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+    return glm::normalize(glm::cross(beam, helper));
+}
+
+bool reaches(const shadow::LocalLight& light, const Bounds& place)
+{
+    const glm::dvec3 position(light.position);
+    const glm::dvec3 gap = glm::max(glm::max(place.min - position, position - place.max), glm::dvec3(0.0));
+    return glm::length(gap) <= static_cast<double>(light.range_m);
+}
+
+} // namespace
+
+void add_views(std::vector<shared::RasterView>& list, const shadow::LocalLight& light,
+               const shared::LocalShadow& shadow)
+{
+    for (const shadow::LocalView& view : shadow::local_views(light, shadow)) {
+        list.push_back({.clip_from_anchor = view.clip_from_anchor,
+                        .eye_anchor = light.position,
+                        .reach_m = light.range_m,
+                        .first_texel = view.first_texel,
+                        .size_px = shadow.size,
+                        .origin_px = glm::uvec2(0),
+                        .groups = light.casters});
+    }
+}
+
+shadow::LocalLight local_light(const shared::LightRecord& record)
+{
+    shadow::LocalLight light{.position = record.position,
+                             .range_m =
+                                 std::exp2(std::ceil(std::log2(record.range_m) * range_steps) / range_steps),
+                             .casters = record.groups >> 16U};
+    if (is_spot(record)) {
+        const bool has_side = glm::dot(record.side, record.side) > 0.5F;
+        light.beam = record.direction;
+        light.side = has_side ? record.side : any_side(record.direction);
+        light.half_angle_rad = std::acos(std::clamp(-record.cone_offset / record.cone_scale, -1.0F, 1.0F));
+    }
+    return light;
+}
+
+float radius_of(const shared::LightRecord& record, const shadow::ShadowStyle& style)
+{
+    return record.radius_m >= 0.0F ? record.radius_m : style.lamp_radius_m;
+}
+
+shadow::AtlasRequest atlas_request(const shared::LightRecord& record, const shadow::LocalLight& light,
+                                   const PageView& page, const shadow::ShadowStyle& style)
+{
+    const uint32_t half_page = std::bit_ceil(std::max(page.longer_side_px, 2U)) / 2;
+    const uint32_t largest = style.local_size > 0 ? static_cast<uint32_t>(style.local_size)
+                             : light.is_cube()    ? std::clamp(half_page, 256U, 1024U)
+                                                  : std::clamp(2 * half_page, 512U, 2048U);
+    // What stands half as far as the light reaches, or the scene, tells how fine its shadow is seen.
+    const float distance_m = std::max(glm::distance(light.position, page.eye_anchor), 1e-6F);
+    const float throw_m = 0.5F * std::min(light.range_m, page.scene_radius_m);
+    const float side_m = 2.0F * throw_m * (light.is_cube() ? 1.0F : std::tan(light.half_angle_rad));
+    const float reach_share = std::min(light.range_m / distance_m, 1.0F);
+    return {.map_count = light.map_count(),
+            .wanted_size = side_m / page.pixel.at(std::max(distance_m, throw_m)),
+            .largest_size = largest,
+            .importance = reach_share * reach_share * luminance(record.color)};
+}
+
+const LocalShadowPlan& LocalShadows::plan(light::Lighting& lighting, std::span<const Bounds> moved,
+                                          const PageView& page, const shadow::ShadowStyle& style,
+                                          const CasterKinds& casters)
+{
+    LocalShadowPlan& plan = plan_;
+    plan.shadows.clear();
+    plan.views.clear();
+    plan.without = 0;
+    const std::span records = std::span(lighting.records).subspan(lighting.directional_count);
+    lights_.clear();
+    requests_.clear();
+    for (shared::LightRecord& record : records) {
+        record.shadow = 0;
+        lights_.push_back(local_light(record));
+        const bool throws_shadows = lights_.back().casters != 0 && luminance(record.color) > 0.0F;
+        requests_.push_back(throws_shadows ? atlas_request(record, lights_.back(), page, style)
+                                           : shadow::AtlasRequest{});
+    }
+    const auto budget_texels = static_cast<uint64_t>(style.local_megatexels * 1e6F);
+    const std::vector<shadow::Allotment>& lots =
+        atlas_.allot(requests_, {.texels = budget_texels, .lights = static_cast<size_t>(style.local_lights)});
+    kept_.resize(records.size());
+    const bool has_layers = casters.moving && casters.still;
+    for (size_t i = 0; i < records.size(); ++i) {
+        const shadow::Allotment& lot = lots[i];
+        if (lot.size == 0) {
+            plan.without += requests_[i].map_count > 0 ? 1U : 0U;
+            kept_[i] = {};
+            continue;
+        }
+        plan.shadows.push_back(
+            shadow::local_shadow(lights_[i], lot.size, lot.first_texel, radius_of(records[i], style)));
+        records[i].shadow = static_cast<uint32_t>(plan.shadows.size());
+        const bool stands = kept_[i].light == lights_[i] && kept_[i].allotment == lot;
+        const bool is_kept = stands && std::ranges::none_of(moved, [&](const Bounds& place) {
+                                 return reaches(lights_[i], place);
+                             });
+        if (is_kept) {
+            continue;
+        }
+        const bool in_layers = stands && has_layers;
+        if (in_layers && !kept_[i].has_layer) {
+            add_views(plan.views.still, lights_[i], plan.shadows.back());
+        }
+        add_views(in_layers ? plan.views.moving : plan.views.whole, lights_[i], plan.shadows.back());
+        kept_[i] = {lights_[i], lot, in_layers};
+    }
+    raster::place_views(plan.views.whole);
+    raster::place_views(plan.views.still);
+    raster::place_views(plan.views.moving);
+    plan.texel_count = atlas_.end_texel();
+    return plan;
+}
+
+namespace {
+
+bool counts(const pose::CasterRun& run, Casters which)
+{
+    return which == Casters::all || run.moves == (which == Casters::moving);
+}
+
+} // namespace
+
+void list_casters(const pose::MeshData& layout, Groups groups, Casters which,
+                  std::vector<raster::Batch>& batches)
+{
+    batches.clear();
+    for (const pose::CasterRun& run : layout.casters) {
+        if ((run.groups & groups) != 0 && counts(run, which)) {
+            batches.push_back({.first_triangle = run.range.first,
+                               .triangle_count = run.range.count,
+                               .masked = run.masked,
+                               .plain = run.range.plain,
+                               .groups = run.groups});
+        }
+    }
+}
+
+std::vector<raster::Batch> caster_batches(const pose::MeshData& layout, Groups groups, Casters which)
+{
+    std::vector<raster::Batch> batches;
+    list_casters(layout, groups, which, batches);
+    return batches;
+}
+
+CasterKinds caster_kinds(const pose::MeshData& layout)
+{
+    const auto& runs = layout.casters;
+    return {.moving = std::ranges::any_of(runs, [](const auto& run) { return run.moves; }),
+            .still = std::ranges::any_of(runs, [](const auto& run) { return !run.moves; })};
+}
+
+gpu::BufferId add_local_maps(gpu::Graph& graph, const LocalMapInputs& in, LocalShadowBuffers& buffers)
+{
+    auto maps = gpu::import_whole(graph, "local shadows", buffers.maps);
+    if (in.views.empty()) {
+        return maps;
+    }
+    const auto depth_views = [&](const std::vector<shared::RasterView>& list, const char* name,
+                                 gpu::Buffer& records) {
+        return raster::DepthViews{.list = list,
+                                  .records = gpu::import_whole(graph, name, records),
+                                  .bounds = *in.cluster_bounds,
+                                  .path = in.path,
+                                  .tuning = in.tuning};
+    };
+    const auto draw = [&](const char* name, Casters which, const raster::DepthViews& views,
+                          gpu::BufferId target) {
+        return raster::add_depth_views(graph, name, in.raster, caster_batches(in.layout, all_groups, which),
+                                       views, target);
+    };
+    if (!in.views.whole.empty()) {
+        maps = draw("local shadows", Casters::all,
+                    depth_views(in.views.whole, "local views", buffers.views.whole), maps);
+    }
+    if (!in.views.moving.empty()) {
+        auto layers = gpu::import_whole(graph, "local layers", buffers.layers);
+        if (!in.views.still.empty()) {
+            layers = draw("local shadows/still", Casters::still,
+                          depth_views(in.views.still, "local views/still", buffers.views.still), layers);
+        }
+        const raster::DepthViews views =
+            depth_views(in.views.moving, "local views/moving", buffers.views.moving);
+        maps = draw("local shadows/moving", Casters::moving, views, maps);
+        maps = raster::add_merged_views(graph, "local shadows/merge", views, layers, maps);
+    }
+    return maps;
+}
 
 void Shadows::invalidate(Event event)
 {

@@ -1,24 +1,43 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The shadow map of the sun: what it is to be, what it holds, and how it is drawn.
+// The shadow map of the sun: what it is to be, what it holds, how it is drawn, and which of what stands
+// still throws its shadow into a piece of it.
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <estampe/renderer.hpp>
+#include <estampe/scene.hpp>
 
 #include "features/common/style_tables.hpp"
 #include "features/common/view.hpp"
-#include "features/shadows/sun_casters.hpp"
 #include "gpu/graph/graph.hpp"
 #include "gpu/resources.hpp"
+#include "techniques/pose/mesh_data.hpp"
 #include "techniques/raster/raster.glsl.h"
 #include "techniques/raster/raster.hpp"
-#include "techniques/shadow/sun/clipmap.hpp"
-#include "techniques/shadow/sun/sun_view.hpp"
+#include "techniques/shadow/sun/sun_map.hpp"
 
 namespace estampe::features {
+
+/// A draw that throws shadows and stands still for ever.
+struct StillCaster {
+    pose::Range range;
+    Bounds place; ///< in the world
+    bool masked = false;
+    Groups groups = all_groups;
+};
+
+/// Those of a scene, in the order of their triangles. Cost: linear in nodes and triangles.
+[[nodiscard]] std::vector<StillCaster> still_casters(const pose::MeshData& layout, const Scene& scene);
+
+/// Adds what of `still` may be seen in a piece, as at most `most` batches or one for each kind: short gaps
+/// between them are drawn too. Cost: linear in draws.
+void add_casters_within(const shadow::Piece& piece, const shadow::Clipmap& clipmap, const glm::dvec3& anchor,
+                        std::span<const StillCaster> still, Groups groups, size_t most,
+                        std::vector<raster::Batch>& batches);
 
 /// What decides how the sun's shadow is kept.
 struct SunScene {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "features/shadows/sun_casters.hpp"
+#include "features/shadows/sun.hpp"
 
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
 
 namespace estampe::features {
 namespace {

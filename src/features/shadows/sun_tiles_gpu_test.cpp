@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "features/shadows/local_maps.hpp"
+#include <estampe/shapes.hpp>
+
+#include "features/shadows/shadows.hpp"
 #include "features/shadows/sun.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
-#include "scene/shapes.hpp"
+#include "gpu/resources.hpp"
 #include "support/drawing.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"

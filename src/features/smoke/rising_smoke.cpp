@@ -8,15 +8,13 @@
 
 #include <fmt/format.h>
 
-#include "core/luminance.hpp"
+#include "core/color.hpp"
 #include "features/common/solver_meter.hpp"
 #include "features/smoke/smoke_air.hpp"
-#include "features/smoke/smoke_obstacles.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
-#include "style/raw.hpp"
-#include "style/surfaces.hpp"
-#include "techniques/fluid/read_fields.hpp"
+#include "gpu/resources.hpp"
+#include "style/parameter.hpp"
+#include "style/toml.hpp"
+#include "techniques/fluid/fluid.hpp"
 
 namespace estampe::features {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Smoke in whole pictures and films, through the public header.
 #include <estampe/renderer.hpp>
+#include <estampe/shapes.hpp>
 
 #include <array>
 
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The air in a box of smoke: what a style asks of the fluid there.
+// The air in a box of smoke: what a style asks of the fluid there, and what it flows around, the cells that
+// a scene's surfaces go through.
 
 #include <cstdint>
 #include <vector>
 
 #include <glm/glm.hpp>
+
+#include <estampe/scene.hpp>
 
 #include "techniques/fluid/fluid.hpp"
 #include "techniques/smoke/smoke.hpp"
@@ -47,5 +50,11 @@ inline constexpr float smoke_ignition = 0.2F;
 /// What air carries at the start, as fluid::Fluid takes it: no more than the air outside. Empty where that is
 /// nothing.
 [[nodiscard]] std::vector<float> clean_air(const smoke::Box& box, const smoke::SmokeStyle& style);
+
+/// A flag for each cell of the box, row by row and layer by layer, that a triangle of a rigid mesh touches,
+/// as the scene stands. Source: Akenine-Moeller, "Fast 3D Triangle-Box Overlap Testing", 2001. Cost: linear
+/// in triangles, and in the cells about each.
+[[nodiscard]] std::vector<uint8_t> standing_cells(const Scene& scene, const ScenePose& pose,
+                                                  const glm::dvec3& anchor, const smoke::Box& box);
 
 } // namespace estampe::features

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "support/gpu_device.hpp"
-#include "techniques/fluid/read_fields.hpp"
+#include "techniques/fluid/fluid.hpp"
 
 namespace estampe::features {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where smoke's box stands, and what of it is solid.
-#include "features/smoke/smoke_obstacles.hpp"
+#include "features/smoke/smoke_air.hpp"
 
 #include <algorithm>
 #include <random>

@@ -6,9 +6,9 @@
 #include <thread>
 
 #include <estampe/error.hpp>
+#include <estampe/shapes.hpp>
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
 

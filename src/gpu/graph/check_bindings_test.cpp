@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "gpu/graph/check_bindings.hpp"
+#include "gpu/shader_bindings.hpp"
 
 #include <stdexcept>
 #include <tuple>

@@ -11,10 +11,10 @@
 
 #include <estampe/renderer.hpp>
 
-#include "gpu/graph/check_bindings.hpp"
 #include "gpu/graph/compile.hpp"
 #include "gpu/pipelines.hpp"
 #include "gpu/resources.hpp"
+#include "gpu/shader_bindings.hpp"
 
 namespace estampe::gpu {
 

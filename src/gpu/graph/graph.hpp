@@ -14,23 +14,127 @@
 //     pass.push(HatchParams{...}).dispatch_over(w, h);
 //     return ink;
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <memory>
+#include <new>
 #include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
-
-#include "gpu/graph/name.hpp"
-#include "gpu/graph/recording.hpp"
 
 namespace estampe::gpu {
 
 class Image;    // a device image owned outside the graph
 class Buffer;   // a device buffer owned outside the graph
 class Recorder; // what a custom pass records into
+
+/// The name of a pass or a resource while it is put together: frames are declared anew all the time, and
+/// should not ask the heap for that. Cut off after 119 characters.
+class Name {
+public:
+    Name(std::string_view text) { *this += text; } // NOLINT(google-explicit-constructor): names are texts
+
+    Name(const char* text) : Name(std::string_view(text)) {} // NOLINT(google-explicit-constructor)
+
+    Name(const std::string& text) : Name(std::string_view(text)) {} // NOLINT(google-explicit-constructor)
+
+    Name& operator+=(std::string_view more)
+    {
+        const size_t added = std::min(more.size(), text_.size() - size_);
+        std::copy_n(more.data(), added, text_.data() + size_);
+        size_ += added;
+        return *this;
+    }
+
+    [[nodiscard]] friend Name operator+(Name name, std::string_view more) { return name += more; }
+
+    [[nodiscard]] std::string_view view() const { return {text_.data(), size_}; }
+
+    operator std::string_view() const { return view(); } // NOLINT(google-explicit-constructor)
+
+private:
+    std::array<char, 119> text_;
+    size_t size_ = 0;
+};
+
+/// What a custom pass records: a callable of one Recorder&, or nothing. As std::function, but what it holds
+/// on to stands within it, up to 256 bytes, and not on the heap.
+class Recording {
+public:
+    Recording() = default;
+
+    template <class Callable>
+
+    requires(!std::is_same_v<std::remove_cvref_t<Callable>, Recording>)
+        Recording(Callable&& callable) // NOLINT: implicit, and of no recordings
+    {
+        using Held = std::remove_cvref_t<Callable>;
+        static_assert(sizeof(Held) <= room_bytes && alignof(Held) <= alignof(std::max_align_t));
+        new (room_.data()) Held(std::forward<Callable>(callable));
+        acts_ = &acts_of<Held>;
+    }
+
+    Recording(const Recording& other) : acts_(other.acts_)
+    {
+        if (acts_ != nullptr) {
+            acts_->copy(other.room_.data(), room_.data());
+        }
+    }
+
+    Recording& operator=(const Recording& other)
+    {
+        if (this != &other) {
+            clear();
+            if (other.acts_ != nullptr) {
+                other.acts_->copy(other.room_.data(), room_.data());
+            }
+            acts_ = other.acts_;
+        }
+        return *this;
+    }
+
+    ~Recording() { clear(); }
+
+    void clear()
+    {
+        if (acts_ != nullptr) {
+            acts_->destroy(room_.data());
+            acts_ = nullptr;
+        }
+    }
+
+    explicit operator bool() const { return acts_ != nullptr; }
+
+    void operator()(Recorder& recorder) const { acts_->call(room_.data(), recorder); }
+
+private:
+    static constexpr size_t room_bytes = 256;
+
+    struct Acts {
+        void (*call)(const std::byte* held, Recorder& recorder);
+        void (*copy)(const std::byte* held, std::byte* to);
+        void (*destroy)(std::byte* held);
+    };
+
+    template <class Held>
+    static constexpr Acts acts_of{
+        [](const std::byte* held, Recorder& recorder) {
+            (*std::launder(reinterpret_cast<const Held*>(held)))(recorder);
+        },
+        [](const std::byte* held, std::byte* to) {
+            new (to) Held(*std::launder(reinterpret_cast<const Held*>(held)));
+        },
+        [](std::byte* held) { std::destroy_at(std::launder(reinterpret_cast<Held*>(held))); }};
+
+    alignas(std::max_align_t) std::array<std::byte, room_bytes> room_;
+    const Acts* acts_ = nullptr;
+};
 
 enum class Format : uint8_t {
     r32ui,
@@ -256,7 +360,7 @@ public:
     void dispatch_over(uint32_t width, uint32_t height, uint32_t layers = 1);
     /// The same in groups of 8 x 32: a GPU takes long to start as many as a page has of 8 x 8.
     void dispatch_over_page(uint32_t width, uint32_t height, uint32_t layers = 1);
-    /// One thread an item, in groups of 64; shaders number items by item_index() of shaders/items.glsl.
+    /// One thread an item, in groups of 64; shaders number items by item_index() of shaders/loops.glsl.
     void dispatch_items(uint32_t count);
     void dispatch(uint32_t groups_x, uint32_t groups_y = 1, uint32_t groups_z = 1);
     void dispatch_indirect(BufferId arguments, uint64_t offset_bytes = 0);

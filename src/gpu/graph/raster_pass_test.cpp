@@ -2,9 +2,9 @@
 // Raster passes without a device: what they declare, the barriers around attachments, and misuse.
 #include <gtest/gtest.h>
 
-#include "gpu/graph/access.hpp"
 #include "gpu/graph/compile.hpp"
 #include "gpu/graph/graph_test_support.hpp"
+#include "gpu/resources.hpp"
 
 namespace estampe::gpu {
 namespace {

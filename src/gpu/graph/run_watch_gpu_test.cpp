@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "gpu/graph/run_watch.hpp"
+#include "gpu/pass_costs.hpp"
 
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "gpu/fills.hpp"
 #include "gpu/graph/execute.hpp"
-#include "gpu/read_back.hpp"
+#include "gpu/transfers.hpp"
 #include "support/gpu_device.hpp"
 #include "support/validation_gate.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/assimp/assimp_import.hpp"
+#include "scene/importers.hpp"
 
 #include <filesystem>
 #include <fstream>

@@ -11,7 +11,7 @@
 
 #include <estampe/error.hpp>
 
-#include "scene/assimp/assimp_import.hpp"
+#include "scene/importers.hpp"
 #include "support/folder.hpp"
 
 namespace estampe {

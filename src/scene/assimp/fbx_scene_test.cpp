@@ -9,8 +9,8 @@
 
 #include <estampe/error.hpp>
 
-#include "scene/assimp/assimp_import.hpp"
 #include "scene/assimp/fbx/test_file.hpp"
+#include "scene/importers.hpp"
 #include "support/folder.hpp"
 
 namespace estampe {

@@ -13,7 +13,7 @@
 
 #include <estampe/error.hpp>
 
-#include "scene/assimp/assimp_import.hpp"
+#include "scene/importers.hpp"
 #include "scene/pose.hpp"
 #include "support/folder.hpp"
 

@@ -10,7 +10,7 @@
 
 #include <estampe/scene.hpp>
 
-#include "scene/pictures/load_pictures.hpp"
+#include "scene/pictures/picture_files.hpp"
 
 namespace estampe {
 

@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <estampe/error.hpp>
+#include <estampe/shapes.hpp>
 
 #include "scene/mending/mend.hpp"
-#include "scene/shapes.hpp"
 
 namespace estampe {
 namespace {

@@ -9,9 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <estampe/error.hpp>
-
-#include "scene/charts/overlap_grid.hpp"
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
 
 namespace estampe::charts {
 namespace {

@@ -2,17 +2,85 @@
 #include "scene/gltf/data.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <map>
+#include <span>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <meshoptimizer.h>
+
+#include <estampe/error.hpp>
 
 #include "core/file.hpp"
 #include "core/free_memory.hpp"
-#include "scene/gltf/meshopt.hpp"
-#include "scene/gltf/uri.hpp"
 
 namespace estampe::gltf {
 namespace {
+
+/// What EXT_meshopt_compression says of a buffer view.
+struct MeshoptLayout {
+    uint64_t count = 0;
+    uint64_t stride = 0;
+    std::string mode;   ///< ATTRIBUTES, TRIANGLES or INDICES
+    std::string filter; ///< NONE, OCTAHEDRAL, QUATERNION or EXPONENTIAL
+};
+
+/// The decoders assert what is checked here.
+void check_layout(const MeshoptLayout& layout)
+{
+    bool good = false;
+    if (layout.mode == "ATTRIBUTES") {
+        good = layout.stride % 4 == 0 && layout.stride <= 256;
+    } else {
+        good = (layout.stride == 2 || layout.stride == 4) && layout.filter == "NONE" &&
+               (layout.mode == "INDICES" || layout.count % 3 == 0);
+    }
+    if (layout.filter == "OCTAHEDRAL") {
+        good = good && (layout.stride == 4 || layout.stride == 8);
+    } else if (layout.filter == "QUATERNION") {
+        good = good && layout.stride == 8;
+    }
+    if (!good) {
+        throw Error(fmt::format("{} elements of {} bytes do not go with mode {} and filter {}", layout.count,
+                                layout.stride, layout.mode, layout.filter));
+    }
+}
+
+/// count * stride bytes. Throws Error without a place when layout and data do not fit together or the data is
+/// damaged.
+std::vector<std::byte> decode_meshopt(std::span<const std::byte> source, const MeshoptLayout& layout)
+{
+    check_layout(layout);
+    std::vector<std::byte> decoded(layout.count * layout.stride);
+    const auto* bytes = reinterpret_cast<const unsigned char*>(source.data());
+    int failure = 0;
+    if (layout.mode == "ATTRIBUTES") {
+        failure =
+            meshopt_decodeVertexBuffer(decoded.data(), layout.count, layout.stride, bytes, source.size());
+    } else if (layout.mode == "TRIANGLES") {
+        failure =
+            meshopt_decodeIndexBuffer(decoded.data(), layout.count, layout.stride, bytes, source.size());
+    } else {
+        failure =
+            meshopt_decodeIndexSequence(decoded.data(), layout.count, layout.stride, bytes, source.size());
+    }
+    if (failure != 0) {
+        throw Error("the compressed data is damaged", {}, "fetch or export the file again");
+    }
+    if (layout.filter == "OCTAHEDRAL") {
+        meshopt_decodeFilterOct(decoded.data(), layout.count, layout.stride);
+    } else if (layout.filter == "QUATERNION") {
+        meshopt_decodeFilterQuat(decoded.data(), layout.count, layout.stride);
+    } else if (layout.filter == "EXPONENTIAL") {
+        meshopt_decodeFilterExp(decoded.data(), layout.count, layout.stride);
+    }
+    return decoded;
+}
 
 constexpr uint64_t budget_base_bytes = uint64_t{64} << 20;
 constexpr uint64_t budget_factor = 256;

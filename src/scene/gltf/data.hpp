@@ -1,20 +1,87 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// A glTF file before it is a scene: its container, its document, and its bytes with every access checked.
+
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <tiny_gltf.h>
 
 #include <estampe/error.hpp>
 #include <estampe/scene.hpp>
 
-#include "scene/gltf/document.hpp"
-
 namespace estampe::gltf {
+
+/// The two parts of a glTF file: the JSON text, and for .glb the binary chunk.
+struct Container {
+    std::string_view json;
+    std::optional<std::span<const std::byte>> binary;
+    bool is_binary = false;
+    size_t json_offset = 0; ///< where the JSON text begins in the file
+};
+
+/// The bytes of a glTF file, and none of what lies behind: its first bytes are looked at before the rest is
+/// read, so that a large file of something else is refused at once. Throws Error as open_container() does.
+[[nodiscard]] std::vector<std::byte> read_gltf_bytes(const std::filesystem::path& path);
+
+/// Takes a file apart without copying; the result points into `bytes`. Throws Error with a byte offset when
+/// it is empty, truncated, of another version, or no glTF at all, and when the JSON is nested deeper than 256
+/// levels.
+[[nodiscard]] Container open_container(std::span<const std::byte> bytes, const std::string& file);
+
+[[nodiscard]] bool is_data_uri(std::string_view uri);
+
+/// The bytes of "data:...;base64,..."; nothing when it is not base64 or damaged.
+[[nodiscard]] std::optional<std::vector<std::byte>> decode_data_uri(std::string_view uri);
+
+/// The file name in a relative URI, percent-decoded; nothing for an absolute path, another scheme, or a zero
+/// byte.
+[[nodiscard]] std::optional<std::string> decode_relative_uri(std::string_view uri);
+
+/// Where a buffer's bytes are. Kept out of tinygltf's model, which would read them unasked.
+struct BufferSource {
+    std::string uri; ///< empty: the binary chunk, or a fallback that nobody reads
+    uint64_t byte_length = 0;
+};
+
+/// Where an image is: a data URI, a relative path, or a buffer view.
+struct ImageSource {
+    std::string name;
+    std::string uri;
+    int view = -1;
+};
+
+struct Document {
+    tinygltf::Model model; ///< without buffers, images, and the indices of primitives
+    std::vector<BufferSource> buffers;
+    std::vector<ImageSource> images;
+
+    /// The index accessor of each primitive of each mesh, or -1. tinygltf refuses one without a buffer view,
+    /// which glTF allows.
+    std::vector<std::vector<int>> indices;
+
+    /// Names of the material variants (KHR_materials_variants). tinygltf drops those without a name.
+    std::vector<std::string> variants;
+};
+
+/// Parses and checks the JSON. Afterwards every index in the model is inside its array and every number is in
+/// range. Throws Error with a JSON pointer, a line and column, or a byte.
+[[nodiscard]] Document read_document(const Container& container, const std::string& file);
+
+/// Checks the parsed JSON of a glTF file against what the importer relies on: every property it reads has its
+/// type and range, what is required is there, and every index points into its array. Numbers with a zero
+/// fraction where an integer belongs become integers.
+///
+/// Throws Error with `file#/json/pointer`. After it, reading a property can neither fail nor overflow.
+void check_document(nlohmann::json& document, const std::string& file);
 
 /// Under which the extras of an object have what only this library reads.
 inline constexpr const char* our_key = "estampe";

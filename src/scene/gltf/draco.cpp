@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/gltf/draco.hpp"
+#include "scene/gltf/convert.hpp"
 
 #include <algorithm>
 #include <memory>

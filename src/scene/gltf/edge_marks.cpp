@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/gltf/edge_marks.hpp"
+#include "scene/gltf/convert.hpp"
 
 #include <algorithm>
 #include <array>

@@ -10,6 +10,9 @@
 
 #include <fmt/ranges.h>
 
+#include "core/text.hpp"
+#include "scene/gltf/convert.hpp"
+
 namespace estampe::gltf {
 
 std::string owner_at(const Data& data, const std::string& pointer)
@@ -53,21 +56,13 @@ namespace {
 
 constexpr int group_count = 16;
 
-std::string in_small_letters(std::string text)
-{
-    for (char& letter : text) {
-        letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    }
-    return text;
-}
-
 /// true and false, and what Blender's custom properties make of them: 1, 0, "true", "0".
 std::optional<bool> boolean_of(const tinygltf::Value& value)
 {
     if (value.IsBool()) {
         return value.Get<bool>();
     }
-    const std::string word = value.IsString() ? in_small_letters(value.Get<std::string>()) : std::string();
+    const std::string word = value.IsString() ? lower_case(value.Get<std::string>()) : std::string();
     const std::optional<double> number = number_of(value);
     if (word == "true" || number == 1.0) {
         return true;
@@ -152,8 +147,7 @@ public:
     {
         const std::string wanted = fmt::format("should be one of: {}", fmt::join(words, ", "));
         return take(key, wanted, [&](const tinygltf::Value& value) -> std::optional<size_t> {
-            const std::string word =
-                value.IsString() ? in_small_letters(value.Get<std::string>()) : std::string();
+            const std::string word = value.IsString() ? lower_case(value.Get<std::string>()) : std::string();
             const auto found = std::find(words.begin(), words.end(), word);
             return found == words.end() ? std::nullopt
                                         : std::optional(static_cast<size_t>(found - words.begin()));
@@ -340,6 +334,104 @@ void read_collider_extras(Data& data, const tinygltf::Value& extras, const std::
     const Reader reader(data, extras, pointer);
     if (const auto shape = reader.choice("collider", shapes)) {
         collider = static_cast<ClothCollider>(*shape);
+    }
+}
+
+namespace {
+
+/// "cloth", or that with something behind it that is no letter: "cloth_flag", "Cloth.001".
+bool names_cloth(const std::string& name)
+{
+    constexpr std::string_view word = "cloth";
+    for (size_t i = 0; i < word.size(); ++i) {
+        if (i >= name.size() || (name[i] | 0x20) != word[i]) {
+            return false;
+        }
+    }
+    return name.size() == word.size() || std::isalpha(static_cast<unsigned char>(name[word.size()])) == 0;
+}
+
+/// The red of a texture at a place, between its four nearest texels.
+float red_at(const Texture& texture, glm::vec2 uv)
+{
+    const auto wrapped = [](int at, int size, Wrap wrap) {
+        if (wrap == Wrap::clamp) {
+            return std::clamp(at, 0, size - 1);
+        }
+        const int period = wrap == Wrap::mirror ? 2 * size : size;
+        const int within = (at % period + period) % period;
+        return within < size ? within : period - 1 - within;
+    };
+    const glm::ivec2 size(texture.image.width, texture.image.height);
+    const glm::vec2 place = glm::clamp(uv, -1e4F, 1e4F) * glm::vec2(size) - 0.5F;
+    const glm::ivec2 corner(glm::floor(place));
+    const glm::vec2 share = place - glm::vec2(corner);
+    const auto red = [&](int x, int y) {
+        const auto column = static_cast<size_t>(wrapped(corner.x + x, size.x, texture.wrap_u));
+        const auto row = static_cast<size_t>(wrapped(corner.y + y, size.y, texture.wrap_v));
+        return static_cast<float>(texture.image.rgba.at(4 * (row * static_cast<size_t>(size.x) + column)));
+    };
+    return glm::mix(glm::mix(red(0, 0), red(1, 0), share.x), glm::mix(red(0, 1), red(1, 1), share.x),
+                    share.y) /
+           255.0F;
+}
+
+/// By a texture if it says so and has UVs, else by its vertices' colours.
+void hold(Primitive& primitive, const Scene& scene, Index texture)
+{
+    if (texture != no_index && !primitive.uvs[0].empty()) {
+        primitive.held.clear();
+        for (const glm::vec2& uv : primitive.uvs[0]) {
+            primitive.held.push_back(red_at(scene.textures[texture], uv));
+        }
+        return;
+    }
+    if (!primitive.colors.empty()) {
+        for (const glm::vec4& color : primitive.colors) {
+            primitive.held.push_back(glm::clamp(color.x, 0.0F, 1.0F));
+        }
+        primitive.colors.clear();
+    }
+}
+
+} // namespace
+
+void import_cloth(Data& data, const std::map<Index, Index>& held_textures, Scene& scene)
+{
+    const auto& sources = data.model();
+    for (size_t i = 0; i < scene.materials.size(); ++i) {
+        Material& material = scene.materials[i];
+        if (names_cloth(material.name)) {
+            material.cloth = Cloth{};
+        }
+        if (i < sources.materials.size()) {
+            read_cloth_extras(data, sources.materials[i].extras, fmt::format("/materials/{}", i),
+                              material.cloth);
+        }
+    }
+    for (size_t i = 0; i < scene.nodes.size(); ++i) {
+        Node& node = scene.nodes[i];
+        const std::string pointer = fmt::format("/nodes/{}", i);
+        read_collider_extras(data, sources.nodes[i].extras, pointer, node.collider);
+        if (names_cloth(node.name) && node.mesh != no_index) {
+            node.cloth = Cloth{};
+        }
+        read_cloth_extras(data, sources.nodes[i].extras, pointer, node.cloth);
+        if (node.mesh == no_index) {
+            continue;
+        }
+        const auto of_node = held_texture(data, sources.nodes[i].extras, pointer);
+        for (Primitive& primitive : scene.meshes[node.mesh].primitives) {
+            if (cloth_of(scene, node, primitive) == nullptr) {
+                continue;
+            }
+            const bool has_material = primitive.material < sources.materials.size();
+            const auto texture = of_node || !has_material
+                                     ? of_node
+                                     : held_texture(data, sources.materials[primitive.material].extras,
+                                                    fmt::format("/materials/{}", primitive.material));
+            hold(primitive, scene, texture ? held_textures.at(*texture) : no_index);
+        }
     }
 }
 

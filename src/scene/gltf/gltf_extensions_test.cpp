@@ -5,7 +5,7 @@
 #include <estampe/error.hpp>
 
 #include "core/image_codec.hpp"
-#include "scene/gltf/extensions.hpp"
+#include "scene/gltf/convert.hpp"
 #include "scene/gltf/test_file.hpp"
 
 namespace estampe::gltf {

@@ -11,8 +11,8 @@
 #include <estampe/image.hpp>
 
 #include "core/file.hpp"
+#include "scene/gltf/data.hpp"
 #include "scene/gltf/test_file.hpp"
-#include "scene/gltf/uri.hpp"
 #include "support/folder.hpp"
 
 namespace estampe::gltf {

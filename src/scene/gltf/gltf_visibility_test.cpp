@@ -5,8 +5,8 @@
 #include <estampe/default_light.hpp>
 #include <estampe/error.hpp>
 
-#include "scene/drawn_size.hpp"
 #include "scene/gltf/test_file.hpp"
+#include "scene/scene_limits.hpp"
 #include "scene/static_triangles.hpp"
 #include "scene/visibility.hpp"
 

@@ -9,10 +9,10 @@
 
 #include <fmt/ranges.h>
 
+#include "core/color.hpp"
+#include "core/exr.hpp"
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
-#include "core/lightmap_file.hpp"
-#include "core/srgb.hpp"
 #include "scene/gltf/extras.hpp"
 
 namespace estampe {

@@ -2,12 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/progress_watch.hpp"
+#include "core/long_jobs.hpp"
 #include "scene/gltf/convert.hpp"
-#include "scene/gltf/draco.hpp"
-#include "scene/gltf/edge_marks.hpp"
-#include "scene/gltf/geometry.hpp"
-#include "scene/gltf/variants.hpp"
 #include "scene/mending/mend.hpp"
 
 namespace estampe::gltf {

@@ -12,7 +12,7 @@
 
 #include <estampe/scene.hpp>
 
-#include "scene/gltf/gltf_import.hpp"
+#include "scene/importers.hpp"
 
 namespace estampe::gltf {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/gltf/texture.hpp"
+#include "scene/gltf/convert.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -8,9 +8,8 @@
 #include <thread>
 
 #include "core/image_codec.hpp"
-#include "core/progress_watch.hpp"
-#include "scene/gltf/extensions.hpp"
-#include "scene/gltf/uri.hpp"
+#include "core/long_jobs.hpp"
+#include "scene/gltf/data.hpp"
 
 namespace estampe::gltf {
 namespace {

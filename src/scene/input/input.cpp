@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <system_error>
 
@@ -14,9 +15,36 @@
 
 #include <estampe/error.hpp>
 
-#include "core/progress_watch.hpp"
+#include "core/long_jobs.hpp"
 
 namespace estampe {
+
+double number_of_word(std::string_view word)
+{
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    if (word.starts_with('+'))
+        word.remove_prefix(1);
+    double value = nan;
+    const char* const end = word.data() + word.size();
+    const auto [stopped, error] = std::from_chars(word.data(), end, value);
+    if (error == std::errc::result_out_of_range && stopped == end) {
+        const bool is_tiny = word.find("e-") != std::string_view::npos ||
+                             word.find("E-") != std::string_view::npos ||
+                             word.find_first_of("eE") == std::string_view::npos;
+        return is_tiny ? 0.0 : std::numeric_limits<double>::infinity();
+    }
+    if (error == std::errc() && stopped == end)
+        return value;
+    // Programs that write in the language of their user put a comma before the fraction.
+    const size_t comma = word.find(',');
+    if (comma == std::string_view::npos || comma + 1 == word.size() ||
+        word.find('.') != std::string_view::npos)
+        return nan;
+    std::string with_point(word);
+    with_point[comma] = '.';
+    return with_point.find(',') == std::string::npos ? number_of_word(with_point) : nan;
+}
+
 namespace {
 
 constexpr size_t block_bytes = size_t{1} << 18;
@@ -232,6 +260,51 @@ bool Input::next_line(std::string_view& line)
 std::string Input::place() const
 {
     return fmt::format("{}:{}", name_, line_number_);
+}
+
+namespace {
+
+constexpr double most_m = 1e15;           ///< as the mending of meshes has it
+constexpr double furthest_of_file = 16.0; ///< distance from zero by extent
+constexpr double furthest_of_object = 1024.0;
+
+double largest(const glm::dvec3& v)
+{
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+/// Zero, or a whole number near the centre when that is further than `furthest` extents from `origin`.
+glm::dvec3 origin_of(const Bounds& bounds, const glm::dvec3& origin, double furthest)
+{
+    if (bounds.empty())
+        return origin;
+    const glm::dvec3 center = bounds.center();
+    if (!(largest(center - origin) > furthest * largest(bounds.max - bounds.min)))
+        return origin;
+    // What is smaller than a unit keeps its fractions: its centre is rounded to a power of two below its
+    // size.
+    const double extent = largest(bounds.max - bounds.min);
+    const double step = extent > 0.0 && extent < 1.0 ? std::exp2(std::floor(std::log2(extent))) : 1.0;
+    return glm::round(center / step) * step;
+}
+
+} // namespace
+
+glm::dvec3 file_origin(const Bounds& bounds)
+{
+    return origin_of(bounds, glm::dvec3(0.0), furthest_of_file);
+}
+
+glm::dvec3 object_origin(const Bounds& bounds, const glm::dvec3& file)
+{
+    return origin_of(bounds, file, furthest_of_object);
+}
+
+bool is_usable(const glm::dvec3& position)
+{
+    // Written so that NaN fails.
+    return largest(position) < most_m && position.x == position.x && position.y == position.y &&
+           position.z == position.z;
 }
 
 } // namespace estampe

@@ -9,8 +9,6 @@
 
 #include <estampe/error.hpp>
 
-#include "scene/input/origin.hpp"
-#include "scene/input/scanner.hpp"
 #include "support/folder.hpp"
 
 namespace estampe {

@@ -13,9 +13,7 @@
 
 #include <estampe/error.hpp>
 
-#include "scene/obj/obj_import.hpp"
-#include "scene/ply/ply_import.hpp"
-#include "scene/stl/stl_import.hpp"
+#include "scene/importers.hpp"
 
 namespace estampe {
 namespace {

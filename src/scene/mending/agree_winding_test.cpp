@@ -7,8 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <estampe/shapes.hpp>
+
 #include "scene/mending/mend.hpp"
-#include "scene/shapes.hpp"
 
 namespace estampe {
 namespace {

@@ -3,16 +3,170 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <meshoptimizer.h>
 
-#include "scene/gltf/geometry.hpp"
+#include <estampe/error.hpp>
+
+#include "core/long_jobs.hpp"
 
 namespace estampe {
+
+std::vector<uint32_t> places_of_vertices(const Primitive& primitive, size_t* count)
+{
+    // Negative zero equals zero but has other bytes, and vertices are compared by bytes.
+    std::vector<glm::vec3> positions = primitive.positions;
+    for (glm::vec3& position : positions) {
+        position += 0.0F;
+    }
+    std::vector<uint32_t> places(positions.size());
+    const size_t found = meshopt_generateVertexRemap(places.data(), nullptr, positions.size(),
+                                                     positions.data(), positions.size(), sizeof(glm::vec3));
+    if (count != nullptr) {
+        *count = found;
+    }
+    return places;
+}
+
+void turn_triangle(Primitive& primitive, size_t triangle)
+{
+    std::swap(primitive.indices[3 * triangle + 1], primitive.indices[3 * triangle + 2]);
+    if (!primitive.edge_marks.empty()) {
+        uint8_t& marks = primitive.edge_marks[triangle];
+        // The first edge has become the last, and the other way about.
+        marks = static_cast<uint8_t>((marks & ~5U) | (marks & 1U) << 2U | (marks >> 2U & 1U));
+    }
+}
+
 namespace {
 
-constexpr float most_m = 1e15F; ///< beyond it, squares of lengths leave the range of floats
+class Check {
+public:
+    explicit Check(const std::string& where) : where_(where) {}
+
+    void that(bool holds, const char* what) const
+    {
+        if (!holds)
+            throw Error(fmt::format("is damaged: {}", what), where_,
+                        "check that the file opens in other programs, or convert it to glTF");
+    }
+
+    void index(Index value, size_t size, const char* what) const
+    {
+        that(value == no_index || value < size, what);
+    }
+
+private:
+    const std::string& where_;
+};
+
+template <typename Matrix>
+bool finite(const Matrix& matrix)
+{
+    for (int column = 0; column < Matrix::length(); ++column)
+        for (int row = 0; row < Matrix::length(); ++row)
+            if (!std::isfinite(matrix[column][row]))
+                return false;
+    return true;
+}
+
+void check_tree(const Scene& scene, const Check& check)
+{
+    std::vector<bool> seen(scene.nodes.size(), false);
+    std::vector<std::pair<Index, Index>> pending;
+    for (const Index root : scene.roots)
+        pending.emplace_back(root, no_index);
+    size_t count = 0;
+    while (!pending.empty()) {
+        const auto [index, parent] = pending.back();
+        pending.pop_back();
+        check.that(index < scene.nodes.size() && !seen[index] && scene.nodes[index].parent == parent,
+                   "its nodes do not form a tree");
+        seen[index] = true;
+        ++count;
+        for (const Index child : scene.nodes[index].children)
+            pending.emplace_back(child, index);
+    }
+    check.that(count == scene.nodes.size(), "its nodes do not form a tree");
+}
+
+void check_nodes(const Scene& scene, const Check& check)
+{
+    for (const Node& node : scene.nodes) {
+        check.index(node.mesh, scene.meshes.size(), "a node names a mesh that is not there");
+        check.index(node.skin, scene.skins.size(), "a node names a skin that is not there");
+        check.index(node.camera, scene.cameras.size(), "a node names a camera that is not there");
+        check.index(node.light, scene.lights.size(), "a node names a light that is not there");
+        check.that(finite(node.matrix ? *node.matrix : node.transform.matrix()),
+                   "the place of a node is not finite");
+    }
+    for (const Skin& skin : scene.skins) {
+        check.that(skin.joints.size() == skin.joint_from_bind.size(), "a skin lacks matrices");
+        for (const Index joint : skin.joints)
+            check.that(joint < scene.nodes.size(), "a skin names a node that is not there");
+        for (const glm::mat4& matrix : skin.joint_from_bind)
+            check.that(finite(matrix), "a matrix of a skin is not finite");
+    }
+}
+
+void check_influences(const Scene& scene, const Check& check)
+{
+    for (const Node& node : scene.nodes) {
+        if (node.skin == no_index || node.mesh == no_index)
+            continue;
+        const size_t joints = scene.skins[node.skin].joints.size();
+        for (const Primitive& primitive : scene.meshes[node.mesh].primitives)
+            for (const auto* set : {&primitive.joints_0, &primitive.joints_1})
+                for (const glm::u16vec4& four : *set)
+                    check.that(std::max({four.x, four.y, four.z, four.w}) < joints,
+                               "a vertex hangs on no joint");
+    }
+}
+
+bool finite_numbers(const std::vector<float>& numbers)
+{
+    return std::all_of(numbers.begin(), numbers.end(), [](float number) { return std::isfinite(number); });
+}
+
+void check_animations(const Scene& scene, const Check& check)
+{
+    for (const Animation& animation : scene.animations) {
+        check.that(std::isfinite(animation.duration_s), "an animation has no end");
+        for (const AnimationChannel& channel : animation.channels) {
+            const size_t each = channel.path == AnimatedPath::rotation ? 4 : 3;
+            check.that(channel.node < scene.nodes.size(), "an animation names a node that is not there");
+            check.that(channel.values.size() == each * channel.times_s.size(), "an animation lacks values");
+            check.that(finite_numbers(channel.times_s) && finite_numbers(channel.values),
+                       "an animation has numbers that are not finite");
+            check.that(std::is_sorted(channel.times_s.begin(), channel.times_s.end()),
+                       "an animation runs backwards");
+        }
+    }
+}
+
+} // namespace
+
+void check_structure(const Scene& scene, const std::string& where)
+{
+    const Check check(where);
+    check_tree(scene, check);
+    check_nodes(scene, check);
+    check_influences(scene, check);
+    check_animations(scene, check);
+    for (const Material& material : scene.materials)
+        check.index(material.base_color_texture.texture, scene.textures.size(),
+                    "a material names a texture that is not there");
+    for (const Mesh& mesh : scene.meshes)
+        for (const Primitive& primitive : mesh.primitives)
+            check.that(primitive.material < scene.materials.size(),
+                       "a mesh names a material that is not there");
+}
+
+namespace {
+
+constexpr float farthest_vertex_m = 1e15F; ///< beyond it, squares of lengths leave the range of floats
 
 size_t corners_of(Topology topology)
 {
@@ -22,7 +176,8 @@ size_t corners_of(Topology topology)
 bool usable(const glm::vec3& position)
 {
     // Written so that NaN fails.
-    return std::abs(position.x) < most_m && std::abs(position.y) < most_m && std::abs(position.z) < most_m;
+    return std::abs(position.x) < farthest_vertex_m && std::abs(position.y) < farthest_vertex_m &&
+           std::abs(position.z) < farthest_vertex_m;
 }
 
 void drop_bad_elements(Primitive& primitive, const std::string& name, std::vector<std::string>& warnings)
@@ -144,6 +299,66 @@ void mend_primitive(Primitive& primitive, const std::string& name, std::vector<s
             warnings.push_back(fmt::format("mesh \"{}\": {} bad normals replaced", name, repaired));
     }
     share_vertices(primitive);
+}
+
+namespace {
+
+// Shares of a load between which meshes are mended: files are read before.
+constexpr double mending_from = 0.4;
+constexpr double mending_to = 0.85;
+
+} // namespace
+
+void mend_meshes(Scene& scene, const std::string& where)
+{
+    if (scene.materials.empty()) {
+        scene.materials.emplace_back();
+        scene.materials.front().double_sided = true;
+    }
+    size_t elements = 0;
+    size_t done = 0;
+    for (Mesh& mesh : scene.meshes) {
+        size_t targets = 0;
+        for (Primitive& primitive : mesh.primitives) {
+            if (primitive.material >= scene.materials.size())
+                primitive.material = 0;
+            mend_primitive(primitive, mesh.name, scene.warnings);
+            targets = std::max(targets, primitive.morph_targets.size());
+        }
+        std::erase_if(mesh.primitives, [](const Primitive& primitive) { return primitive.indices.empty(); });
+        mesh.morph_weights.assign(targets, 0.0F);
+        elements += mesh.primitives.size();
+        report_progress(std::lerp(mending_from, mending_to,
+                                  static_cast<double>(++done) / static_cast<double>(scene.meshes.size())));
+    }
+    if (elements == 0)
+        throw Error(scene.warnings.empty() ? std::string("has no triangles, lines or points")
+                                           : fmt::format("has nothing to draw ({})", scene.warnings.back()),
+                    where, "give a file with meshes");
+}
+
+namespace {
+
+/// Computes the tangents of primitives whose material has a picture of normals.
+void make_needed_tangents(Scene& scene)
+{
+    for (Mesh& mesh : scene.meshes) {
+        for (Primitive& primitive : mesh.primitives) {
+            const TextureRef& normals = scene.materials[primitive.material].normal_texture;
+            if (normals.texture != no_index && primitive.topology == Topology::triangles &&
+                !primitive.uvs[normals.uv_set].empty())
+                gltf::make_tangents(primitive, normals.uv_set);
+        }
+    }
+}
+
+} // namespace
+
+void finish_import(Scene& scene, const std::string& where)
+{
+    mend_meshes(scene, where);
+    check_structure(scene, where);
+    make_needed_tangents(scene);
 }
 
 } // namespace estampe

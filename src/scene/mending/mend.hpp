@@ -1,11 +1,45 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
-#include <span>
-#include <string>
+// Makes primitives and scenes fit to draw: indices, normals, tangents, weights, shared vertices.
 
+#include <cstdint>
+#include <new>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <estampe/error.hpp>
 #include <estampe/scene.hpp>
+
+namespace estampe::gltf {
+
+/// Turns strips, fans and loops into lists. `mode` is glTF's (0 points ... 6 triangle fan). Triangles of a
+/// strip or fan that use a vertex twice are left out, and so is an incomplete last one.
+[[nodiscard]] std::vector<uint32_t> list_indices(int mode, const std::vector<uint32_t>& indices);
+
+/// Keeps the vertices at `order`, in that order, of every array of the primitive, morph targets included.
+void pick_vertices(Primitive& primitive, const std::vector<uint32_t>& order);
+
+/// Drops vertices that no index names, when they are most of them.
+void drop_unused_vertices(Primitive& primitive);
+
+/// Gives every triangle vertices and a normal of its own: what glTF asks for when a file has no normals.
+void make_flat_normals(Primitive& primitive);
+
+/// Replaces normals that are zero or not finite by the average of the faces around them, and makes all of
+/// them unit length. Returns how many were replaced.
+[[nodiscard]] size_t repair_normals(Primitive& primitive);
+
+/// Tangents along +u of UV set `uv_set`, averaged over the faces at each vertex and orthogonal to its normal.
+void make_tangents(Primitive& primitive, uint32_t uv_set);
+
+/// Makes the weights sum to one; joints without weight become joint 0. Returns how many vertices had no
+/// usable weight and now hang on their first joint.
+[[nodiscard]] size_t normalise_weights(Primitive& primitive);
+
+} // namespace estampe::gltf
 
 namespace estampe {
 
@@ -49,5 +83,27 @@ void share_vertices(Primitive& primitive);
 /// Checks that every index of the scene is in range, that nodes form a forest, and that animations are well
 /// formed. Throws Error with `where` as its place.
 void check_structure(const Scene& scene, const std::string& where);
+
+/// Makes the meshes of a scene fit to draw: primitives without a material get the first one, which is made if
+/// there is none; each is mended as mend_primitive() does; those that have nothing to draw are removed.
+/// Throws Error with `where` as its place when nothing is left.
+void mend_meshes(Scene& scene, const std::string& where);
+
+/// What every reader does in the end: mends the meshes, turns what is inside out, computes the tangents that
+/// materials need. Throws Error with `where` as its place when there is nothing to draw.
+void finish_import(Scene& scene, const std::string& where);
+
+/// Calls `read`, and throws Error where it runs out of memory.
+template <typename Read>
+Scene within_memory(const std::string& where, Read read)
+{
+    try {
+        return read();
+    } catch (const std::bad_alloc&) {
+        throw Error("does not fit into memory", where);
+    } catch (const std::length_error&) {
+        throw Error("does not fit into memory", where);
+    }
+}
 
 } // namespace estampe

@@ -8,8 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <estampe/error.hpp>
-
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
 
 namespace estampe {
 namespace {

@@ -4,6 +4,8 @@
 // What files of real tools get wrong in a way that can be told from the data, whatever their format. Each
 // function changes a loaded scene in place; load_scene calls all of them.
 
+#include <string>
+
 #include <estampe/scene.hpp>
 
 namespace estampe {
@@ -26,5 +28,11 @@ void leave_out_outline_hulls(Scene& scene);
 /// stay blended, and Material::has_clear_parts says whether they end at the edges of their surfaces. Cost:
 /// linear in triangles of such materials, at most half a million samples per material.
 void find_cut_out_materials(Scene& scene);
+
+/// Turns over what a file has inside out: two-sided pieces of meshes that are closed and wound one way all
+/// over, with their backs to the outside. What is one-sided stays, since its winding says what may be seen. A
+/// piece with other things inside, but for such as it is itself, is a room and stays. Adds a line to
+/// Scene::warnings for each mesh. Cost: about 0.01 s for 70,000 triangles that are all right.
+void turn_outside(Scene& scene);
 
 } // namespace estampe

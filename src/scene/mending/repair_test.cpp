@@ -3,7 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
+
 #include "support/scenes.hpp"
 
 namespace estampe {

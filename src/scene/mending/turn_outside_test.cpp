@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "scene/mending/turn_outside.hpp"
+#include "scene/mending/repair.hpp"
 
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
 
 namespace estampe {
 namespace {

@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "scene/obj/mtl.hpp"
+#include "scene/obj/obj_materials.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <unordered_map>
 
-#include "scene/input/scanner.hpp"
+#include "core/text.hpp"
+#include "scene/input/input.hpp"
 
 namespace estampe::obj {
 namespace {
-
-std::string lower_case(std::string_view text)
-{
-    std::string lower(text);
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    return lower;
-}
 
 /// "1 0.5 0", or one number for all three; nothing for spectral curves and CIE colours, which are rare.
 std::optional<glm::vec3> color_of(Scanner words)

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "core/image_codec.hpp"
-#include "scene/obj/mtl.hpp"
-#include "scene/obj/obj_import.hpp"
+#include "scene/importers.hpp"
+#include "scene/obj/obj_materials.hpp"
 #include "support/folder.hpp"
 #include "support/imported.hpp"
 

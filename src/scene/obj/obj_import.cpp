@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "scene/obj/obj_import.hpp"
+#include "scene/importers.hpp"
 
 #include <algorithm>
 #include <numeric>
 
 #include <fmt/format.h>
 
-#include "scene/gltf/geometry.hpp"
-#include "scene/input/finish.hpp"
-#include "scene/input/origin.hpp"
+#include "scene/input/input.hpp"
 #include "scene/mending/mend.hpp"
 #include "scene/obj/obj_materials.hpp"
 #include "scene/obj/obj_parse.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/obj/obj_import.hpp"
+#include "scene/importers.hpp"
 
 #include <chrono>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/pictures/file_finder.hpp"
+#include "scene/pictures/picture_files.hpp"
 
 #include <fstream>
 

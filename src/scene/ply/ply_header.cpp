@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/ply/ply_header.hpp"
+#include "scene/ply/ply_parse.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,22 +10,14 @@
 
 #include <estampe/error.hpp>
 
-#include "scene/input/scanner.hpp"
+#include "core/text.hpp"
+#include "scene/input/input.hpp"
 
 namespace estampe::ply {
 namespace {
 
 constexpr size_t longest_line = 65536;
 constexpr uint64_t most_lines = 100000;
-
-std::string lower_case(std::string_view text)
-{
-    std::string lower(text);
-    for (char& letter : lower)
-        if (letter >= 'A' && letter <= 'Z')
-            letter = static_cast<char>(letter - 'A' + 'a');
-    return lower;
-}
 
 std::optional<Type> type_of(std::string_view word)
 {

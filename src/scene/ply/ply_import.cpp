@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "scene/ply/ply_import.hpp"
+#include "scene/importers.hpp"
 
 #include <numeric>
 
-#include "scene/input/finish.hpp"
-#include "scene/input/origin.hpp"
-#include "scene/pictures/load_pictures.hpp"
-#include "scene/ply/ply_data.hpp"
+#include "scene/input/input.hpp"
+#include "scene/mending/mend.hpp"
+#include "scene/pictures/picture_files.hpp"
+#include "scene/ply/ply_parse.hpp"
 
 namespace estampe {
 namespace {

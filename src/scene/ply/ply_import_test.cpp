@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/ply/ply_import.hpp"
+#include "scene/importers.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -9,10 +9,9 @@
 
 #include <estampe/error.hpp>
 
-#include "core/srgb.hpp"
+#include "core/color.hpp"
 #include "scene/mending/triangulate.hpp"
-#include "scene/ply/ply_data.hpp"
-#include "scene/ply/ply_rows.hpp"
+#include "scene/ply/ply_parse.hpp"
 
 namespace estampe::ply {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/stl/stl_import.hpp"
+#include "scene/importers.hpp"
 
 #include <algorithm>
 #include <cmath>

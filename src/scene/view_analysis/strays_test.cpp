@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What a picture of a scene is about: not far strays; and who is looked in the eye.
-#include "scene/view_analysis/strays.hpp"
+#include "scene/view_analysis/subject.hpp"
 
 #include <cmath>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
-#include "scene/view_analysis/subject.hpp"
+#include <estampe/shapes.hpp>
+
 #include "scene/view_analysis/view_analysis.hpp"
 #include "support/scenes.hpp"
 

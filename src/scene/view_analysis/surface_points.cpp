@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "scene/pose.hpp"
-#include "scene/view_analysis/strays.hpp"
+#include "scene/view_analysis/subject.hpp"
 
 namespace estampe {
 namespace {
@@ -116,6 +116,195 @@ SurfaceCloud surface_cloud(const Scene& scene, const ScenePose& pose, uint32_t c
         });
     }
     return cloud;
+}
+
+namespace {
+
+struct Cell {
+    int column = -1;
+    int row = -1;
+    float depth_m = 0.0F;
+
+    [[nodiscard]] bool inside() const
+    {
+        return column >= 0 && row >= 0 && column < SeenGrid::side && row < SeenGrid::side;
+    }
+
+    [[nodiscard]] size_t index() const
+    {
+        return static_cast<size_t>(row) * SeenGrid::side + static_cast<size_t>(column);
+    }
+};
+
+/// A parallel view of a frame, in single precision, for many points.
+class ParallelView {
+public:
+    ParallelView(const ViewAxes& axes, const glm::dvec3& centre, double radius_m)
+        : right_(axes.right), up_(axes.up), forward_(axes.forward), centre_(centre),
+          cells_per_m_(static_cast<float>(0.5 * SeenGrid::side / radius_m))
+    {
+    }
+
+    [[nodiscard]] Cell cell(const glm::vec3& position) const
+    {
+        const glm::vec3 v = position - centre_;
+        constexpr float middle = 0.5F * SeenGrid::side;
+        return {static_cast<int>(std::floor(middle + cells_per_m_ * glm::dot(v, right_))),
+                static_cast<int>(std::floor(middle - cells_per_m_ * glm::dot(v, up_))),
+                glm::dot(v, forward_)};
+    }
+
+    [[nodiscard]] glm::vec3 forward() const { return forward_; }
+
+    [[nodiscard]] float cell_m() const { return 1.0F / cells_per_m_; }
+
+private:
+    glm::vec3 right_, up_, forward_, centre_;
+    float cells_per_m_;
+};
+
+/// Sums over the neighbours of cells.
+struct Lines {
+    double edges = 0.0; ///< between something and nothing
+    double steps = 0.0; ///< one thing before another
+    double bends = 0.0; ///< the surface turns
+
+    void add(const SurfaceCloud& cloud, const SeenGrid& seen, size_t a, size_t b)
+    {
+        if (seen.nearest[a] == SeenGrid::nothing || seen.nearest[b] == SeenGrid::nothing) {
+            edges += seen.nearest[a] != seen.nearest[b] ? 1.0 : 0.0;
+            return;
+        }
+        if (std::abs(seen.depth_m[a] - seen.depth_m[b]) > 4.0F * seen.cell_m) {
+            steps += 1.0;
+            return;
+        }
+        const float cosine =
+            glm::dot(cloud.points[seen.nearest[a]].normal, cloud.points[seen.nearest[b]].normal);
+        bends += static_cast<double>(std::clamp(1.5F * (1.0F - cosine), 0.0F, 1.0F));
+    }
+};
+
+/// Closes holes of one cell, where no point happened to fall on what is nearest: three of its four neighbours
+/// are clearly nearer.
+void close_holes(SeenGrid& seen)
+{
+    const SeenGrid open = seen;
+    constexpr size_t side = SeenGrid::side;
+    for (size_t cell = side; cell < side * (side - 1); ++cell) {
+        const bool is_empty = open.nearest[cell] == SeenGrid::nothing;
+        int nearer = 0;
+        size_t donor = cell;
+        for (const size_t neighbour : {cell - side, cell + side, cell - 1, cell + 1}) {
+            const bool is_nearer =
+                is_empty || open.depth_m[neighbour] + 4.0F * open.cell_m < open.depth_m[cell];
+            if (open.nearest[neighbour] == SeenGrid::nothing || !is_nearer)
+                continue;
+            ++nearer;
+            donor = neighbour;
+        }
+        if (nearer >= 3) {
+            seen.nearest[cell] = open.nearest[donor];
+            seen.depth_m[cell] = open.depth_m[donor];
+        }
+    }
+}
+
+} // namespace
+
+SeenGrid see_from_afar(const SurfaceCloud& cloud, const ViewAxes& axes, const Bounds& frame, bool all_sides)
+{
+    SeenGrid seen;
+    const ParallelView view(axes, frame.center() - cloud.origin, std::max(frame.radius(), 1e-12));
+    seen.cell_m = view.cell_m();
+    for (size_t i = 0; i < cloud.points.size(); ++i) {
+        const SurfacePoint& point = cloud.points[i];
+        if (!all_sides && !point.two_sided && glm::dot(point.normal, view.forward()) > 0.0F)
+            continue;
+        const Cell cell = view.cell(point.position);
+        if (!cell.inside())
+            continue;
+        const size_t index = cell.index();
+        if (seen.nearest[index] == SeenGrid::nothing || cell.depth_m < seen.depth_m[index]) {
+            seen.nearest[index] = static_cast<uint32_t>(i);
+            seen.depth_m[index] = cell.depth_m;
+        }
+    }
+    close_holes(seen);
+    return seen;
+}
+
+std::vector<uint32_t> seen_points(const SeenGrid& seen)
+{
+    std::vector<uint32_t> points;
+    std::copy_if(seen.nearest.begin(), seen.nearest.end(), std::back_inserter(points),
+                 [](uint32_t point) { return point != SeenGrid::nothing; });
+    return points;
+}
+
+void mark_shown(const SurfaceCloud& cloud, const ViewAxes& axes, std::vector<bool>& shown)
+{
+    const SeenGrid seen = see_from_afar(cloud, axes, cloud.bounds, true);
+    const ParallelView view(axes, cloud.bounds.center() - cloud.origin,
+                            std::max(cloud.bounds.radius(), 1e-12));
+    for (size_t i = 0; i < cloud.points.size(); ++i) {
+        const Cell cell = view.cell(cloud.points[i].position);
+        if (!cell.inside() || shown[i])
+            continue;
+        const float cosine = -glm::dot(cloud.points[i].normal, view.forward());
+        if (cosine <= 0.0F)
+            continue;
+        // A surface seen at a grazing angle spans more depth within a cell.
+        const float slack_m = seen.cell_m * (1.0F + 1.5F / std::max(cosine, 0.2F));
+        shown[i] = cell.depth_m < seen.depth_m[cell.index()] + slack_m;
+    }
+}
+
+double interest(const SurfaceCloud& cloud, const SeenGrid& seen)
+{
+    Lines lines;
+    double cells = 0.0;
+    double detail = 0.0;
+    for (int row = 1; row < SeenGrid::side; ++row)
+        for (int column = 1; column < SeenGrid::side; ++column) {
+            const auto here = static_cast<size_t>(row) * SeenGrid::side + static_cast<size_t>(column);
+            lines.add(cloud, seen, here, here - 1);
+            lines.add(cloud, seen, here, here - SeenGrid::side);
+            if (seen.nearest[here] != SeenGrid::nothing) {
+                cells += 1.0;
+                detail += static_cast<double>(
+                    std::min(1.0F, 0.5F * seen.cell_m * cloud.points[seen.nearest[here]].detail));
+            }
+        }
+    constexpr double page = SeenGrid::side * SeenGrid::side;
+    constexpr double outline = 8.0 * SeenGrid::side;
+    return 0.6 * cells / page + 0.5 * detail / page +
+           (0.5 * lines.edges + lines.steps + lines.bends) / outline;
+}
+
+double lit_share(const SurfaceCloud& cloud, std::span<const uint32_t> points, const ViewAxes& from_eye,
+                 const glm::dvec3& towards_light)
+{
+    const double azimuth = std::atan2(towards_light.x, towards_light.z);
+    const double elevation = std::asin(std::clamp(towards_light.y, -0.999, 0.999));
+    const ViewAxes axes = look_from(azimuth, elevation);
+    const SeenGrid from_light = see_from_afar(cloud, axes, cloud.bounds, true);
+    const ParallelView view(axes, cloud.bounds.center() - cloud.origin,
+                            std::max(cloud.bounds.radius(), 1e-12));
+    const glm::vec3 light(towards_light);
+    const glm::vec3 away(from_eye.forward);
+    size_t lit = 0;
+    for (const uint32_t index : points) {
+        const SurfacePoint& point = cloud.points[index];
+        const float side = glm::dot(point.normal, away) > 0.0F ? -1.0F : 1.0F;
+        const Cell cell = view.cell(point.position);
+        const float cosine = side * glm::dot(point.normal, light);
+        const float slack_m = from_light.cell_m * (1.5F + 1.0F / std::max(cosine, 0.1F));
+        lit += cosine > 0.05F && cell.inside() && cell.depth_m < from_light.depth_m[cell.index()] + slack_m
+                   ? 1U
+                   : 0U;
+    }
+    return points.empty() ? 1.0 : static_cast<double>(lit) / static_cast<double>(points.size());
 }
 
 } // namespace estampe

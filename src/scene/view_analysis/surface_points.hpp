@@ -1,15 +1,51 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A scene as a cloud of points on its surfaces: enough to judge a view, a room or a shadow in a millisecond,
-// however many triangles there are.
+// A scene as a cloud of points on its surfaces, and what a view of 64 x 64 cells shows of it: enough to judge
+// a view, a room or a shadow in a millisecond, however many triangles there are.
 
+#include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
+
+#include <glm/glm.hpp>
 
 #include <estampe/scene.hpp>
 
 namespace estampe {
+
+/// The directions of a view. A point as the camera sees it from the origin: to the right, upwards, away.
+struct ViewAxes {
+    glm::dvec3 right;
+    glm::dvec3 up;
+    glm::dvec3 forward;
+
+    [[nodiscard]] glm::dvec3 of(const glm::dvec3& point) const
+    {
+        return {glm::dot(right, point), glm::dot(up, point), glm::dot(forward, point)};
+    }
+
+    [[nodiscard]] glm::dvec3 world(const glm::dvec3& v) const
+    {
+        return right * v.x + up * v.y + forward * v.z;
+    }
+};
+
+/// Where a bearing and a height above the horizon lie: 0 is +z, a quarter turn +x.
+inline glm::dvec3 bearing(double azimuth_rad, double elevation_rad)
+{
+    return {std::sin(azimuth_rad) * std::cos(elevation_rad), std::sin(elevation_rad),
+            std::cos(azimuth_rad) * std::cos(elevation_rad)};
+}
+
+/// The view of an eye that stands at a bearing and looks at the origin; not straight from above or below.
+inline ViewAxes look_from(double azimuth_rad, double elevation_rad)
+{
+    const glm::dvec3 forward = -bearing(azimuth_rad, elevation_rad);
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0.0, 1.0, 0.0)));
+    return {right, glm::cross(right, forward), forward};
+}
 
 /// One of many points on a surface.
 struct SurfacePoint {
@@ -31,5 +67,35 @@ struct SurfaceCloud {
 /// area, half in equal parts to every primitive, so that a vast floor does not take them all. Cost: two
 /// visits of all vertices and triangles.
 [[nodiscard]] SurfaceCloud surface_cloud(const Scene& scene, const ScenePose& pose, uint32_t count = 32768);
+
+struct SeenGrid {
+    static constexpr int side = 64;
+    static constexpr uint32_t nothing = 0xffffffffU;
+
+    std::vector<uint32_t> nearest = std::vector<uint32_t>(side * side, nothing); ///< into the cloud's points
+    std::vector<float> depth_m = std::vector<float>(side * side, 0.0F);          ///< along the view
+    float cell_m = 1.0F;
+};
+
+/// What a parallel view shows of the points within `frame` (world space). Single-sided surfaces are seen from
+/// their front alone, unless `all_sides`. Cost: linear in points.
+[[nodiscard]] SeenGrid see_from_afar(const SurfaceCloud& cloud, const ViewAxes& axes, const Bounds& frame,
+                                     bool all_sides = false);
+
+/// The points that a grid shows, one a cell.
+[[nodiscard]] std::vector<uint32_t> seen_points(const SeenGrid& seen);
+
+/// Marks the points that a parallel view of the whole cloud shows from their front. Cost: two visits of
+/// all points.
+void mark_shown(const SurfaceCloud& cloud, const ViewAxes& axes, std::vector<bool>& shown);
+
+/// How much there is to draw in a view, about 0 to 1: edges against the paper, steps in depth and bends of
+/// the surface, finely meshed parts, and area.
+[[nodiscard]] double interest(const SurfaceCloud& cloud, const SeenGrid& seen);
+
+/// Which of the `points` (into the cloud's) a parallel light from `towards_light` reaches and faces, as a
+/// share of them. Cost: linear in the cloud's points.
+[[nodiscard]] double lit_share(const SurfaceCloud& cloud, std::span<const uint32_t> points,
+                               const ViewAxes& from_eye, const glm::dvec3& towards_light);
 
 } // namespace estampe

@@ -9,10 +9,8 @@
 
 #include <estampe/default_light.hpp>
 
-#include "scene/view_analysis/room.hpp"
-#include "scene/view_analysis/seen_grid.hpp"
 #include "scene/view_analysis/subject.hpp"
-#include "scene/view_analysis/view_axes.hpp"
+#include "scene/view_analysis/surface_points.hpp"
 #include "scene/visibility.hpp"
 
 namespace estampe {

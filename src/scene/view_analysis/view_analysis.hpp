@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How a person would take a scene: from which side, what of it, and whether a sun can light it at all. All of
-// it follows from a cloud of points on the surfaces at rest, so it is the same at every moment and cheap.
+// How a person would take a scene: from which side, what of it, whether one is inside of it, where to stand
+// then and where its lamp hangs, and whether a sun can light it at all. All of it follows from a cloud of
+// points on the surfaces at rest, so it is the same at every moment and cheap.
 
+#include <array>
 #include <optional>
 
 #include "scene/view_analysis/surface_points.hpp"
-#include "scene/view_analysis/walls.hpp"
 
 namespace estampe {
 
@@ -64,5 +65,48 @@ struct ViewAnalysis {
 
 /// The shelter around an eye, when nearly every direction above it is closed.
 [[nodiscard]] std::optional<Shelter> shelter_around(const SurfaceCloud& cloud, const glm::dvec3& eye);
+
+/// The room seen through the side at `azimuth_rad`; daylight comes in unless that side is `walled`.
+[[nodiscard]] Shelter room_behind(const SurfaceCloud& cloud, double azimuth_rad, bool walled);
+
+/// The shelter that a view from outside shows, when hardly a tenth of what is seen lies in the sun.
+[[nodiscard]] std::optional<Shelter> shade_below(const SurfaceCloud& cloud, const Bounds& subject,
+                                                 const ViewAxes& axes, const glm::dvec3& towards_sun);
+
+/// Where to stand in a scene that hides most of itself and is hollow.
+struct CornerView {
+    glm::dvec3 eye{0.0};
+    double azimuth_rad = 0.0; ///< of the eye, seen from the middle of the room
+    double elevation_rad = 0.0;
+    Bounds room; ///< what the eye sees
+};
+
+/// Whether a scene that is closed all around holds a space where a person could stand: 1.6 to 25 m high, and
+/// at least 1.6 m wide and deep. Cost: seven visits of all points.
+[[nodiscard]] bool could_stand_inside(const SurfaceCloud& cloud);
+
+/// None when views from all around show most of the surface, when nobody could stand inside, when there is
+/// nothing to see inside, neither things nor windows, as in an empty box, or when there is no free view.
+/// Cost: a dozen visits of all points, of which most scenes need four.
+[[nodiscard]] std::optional<CornerView> corner_view(const SurfaceCloud& cloud);
+
+/// What the outermost surfaces show to the middle of the scene, along -x, +x, -y, +y, -z, +z.
+struct Walls {
+    std::array<bool, 6> inward{};    ///< a wall of a room: at the side of the box, it faces the middle alone
+    std::array<bool, 6> closed{};    ///< something stands there, whichever way it faces
+    std::array<bool, 6> two_sided{}; ///< what stands there is seen from both sides
+
+    /// At least four of the six sides face inwards, as a room's do and a model's skin does not.
+    [[nodiscard]] bool room() const;
+
+    /// Whether one of the four upright sides is open, as a stage's or a doll's house's is.
+    [[nodiscard]] bool has_opening() const;
+
+    /// The side of the four upright ones to look in through: an open one, +z first, else +z.
+    [[nodiscard]] size_t opening() const;
+};
+
+/// Cost: linear in points.
+[[nodiscard]] Walls find_walls(const SurfaceCloud& cloud);
 
 } // namespace estampe

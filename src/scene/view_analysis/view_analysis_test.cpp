@@ -8,11 +8,10 @@
 #include <gtest/gtest.h>
 
 #include <estampe/default_light.hpp>
+#include <estampe/shapes.hpp>
 
-#include "scene/shapes.hpp"
-#include "scene/view_analysis/seen_grid.hpp"
 #include "scene/view_analysis/subject.hpp"
-#include "scene/view_analysis/view_axes.hpp"
+#include "scene/view_analysis/surface_points.hpp"
 #include "support/scenes.hpp"
 
 namespace estampe {

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
+
 #include "scene/static_triangles.hpp"
 #include "support/folder.hpp"
 #include "support/scenes.hpp"

@@ -10,9 +10,9 @@
 
 #include "gpu/graph/graph.hpp"
 #include "gpu/resources.hpp"
-#include "techniques/cloth/air/wind_style.hpp"
-#include "techniques/cloth/sheet/structure.hpp"
-#include "techniques/cloth/solids/colliders.hpp"
+#include "techniques/cloth/cloth_style.hpp"
+#include "techniques/cloth/sheet/sheet.hpp"
+#include "techniques/cloth/solids/solids.hpp"
 
 namespace estampe::cloth {
 

@@ -6,7 +6,7 @@
 
 #include <estampe/error.hpp>
 
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
 #include "techniques/cloth/cloth.hpp"
 
 namespace estampe::cloth {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "gpu/imports.hpp"
+#include "gpu/resources.hpp"
 #include "support/gpu_device.hpp"
 #include "techniques/cloth/cloth.hpp"
 

@@ -6,8 +6,8 @@
 
 layout(local_size_x = 64) in;
 
-#include "shaders/mesh.glsl.h"
-#include "shaders/octahedral.glsl"
+#include "shaders/scene.glsl.h"
+#include "shaders/unit.glsl"
 #include "techniques/cloth/cloth_data.glsl"
 
 layout(binding = 12) uniform samplerBuffer place_texels;

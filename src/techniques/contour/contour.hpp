@@ -1,14 +1,155 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// Lines drawn in screen space, and what a style says of lines of either sort.
+
+#include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "gpu/execution_profile.hpp"
 #include "gpu/graph/graph.hpp"
 #include "shaders/shared.hpp"
-#include "techniques/contour/contour_style.hpp"
+#include "style/parameter.hpp"
+#include "techniques/contour/chains/chains.glsl.h"
 
 namespace estampe::contour {
+
+enum class Lines : uint8_t { chains, page };
+
+enum class Silhouettes : uint8_t { smooth, edges };
+
+enum class BrushFit : uint8_t { repeat, stretch };
+
+enum class PressureFrom : uint8_t { light, turn, both };
+
+enum class Joints : uint8_t { round, mitre };
+
+enum class Hidden : uint8_t { none, dashed };
+
+struct ContourStyle {
+    bool drawn = true;
+    Lines lines = Lines::chains;
+    Silhouettes silhouettes = Silhouettes::smooth;
+    glm::vec3 ink = style::srgb(0x141318);
+    float outline_mm = 0.58F; ///< on the page; see line_kind_keys for what a kind of line has
+    float boundary_mm = 0.24F;
+    float crease_mm = 0.2F;
+    float crease_deg = 60.0F;
+    float marked_mm = 0.24F;
+    float ridge_mm = 0.0F;
+    float valley_mm = 0.0F;
+    float ridge_deg = 15.0F;
+    float suggestive_mm = 0.0F;
+    float suggestive_growth = 15.0F;
+    float suggestive_deg = 20.0F;
+    float crest_mm = 0.3F;
+    float crest_deg = 3.0F;
+    float intersection_mm = 0.24F;
+    float shadow_mm = 0.0F;
+    float depth_step = 1.0F;
+    std::string brush = "pen";
+    std::string outline_brush; ///< empty for `brush`, as those below
+    std::string boundary_brush;
+    std::string crease_brush;
+    std::string marked_brush;
+    std::string ridge_brush;
+    std::string valley_brush;
+    std::string suggestive_brush;
+    std::string crest_brush;
+    std::string intersection_brush;
+    std::string shadow_brush;
+    BrushFit brush_fit = BrushFit::repeat;
+    float brush_mm = 0.0F;
+    float outline_m = 0.0F; ///< in the scene, in place of that on the page where it is not 0
+    float boundary_m = 0.0F;
+    float crease_m = 0.0F;
+    float marked_m = 0.0F;
+    float ridge_m = 0.0F;
+    float valley_m = 0.0F;
+    float suggestive_m = 0.0F;
+    float crest_m = 0.0F;
+    float intersection_m = 0.0F;
+    float shadow_m = 0.0F;
+    Joints joints = Joints::round;
+    float pressure = 0.65F;
+    PressureFrom pressure_from = PressureFrom::light;
+    float distance_thinning = 0.7F;
+    float taper_mm = 6.0F;
+    float overshoot_mm = 0.0F;
+    float wobble_mm = 0.0F;
+    int strokes = 1;
+    float retrace_mm = 0.5F;
+    float jitter_ends_mm = 0.0F;
+    float jitter_offset_mm = 0.0F;
+    float jitter_width = 0.0F;
+    Hidden hidden = Hidden::none;
+    float hidden_mm = 0.2F;
+    float hidden_dash_mm = 1.6F;
+    float hidden_gap_mm = 1.2F;
+    int seed = 1;
+};
+
+/// What each kind of line has of its own.
+struct LineKindKeys {
+    const char* name;  ///< that its keys begin with
+    const char* place; ///< in words, for the manual
+    float ContourStyle::*width_mm;
+    float ContourStyle::*width_m;
+    std::string ContourStyle::*brush;
+};
+
+/// By shared::line_silhouette and so on.
+inline constexpr std::array<LineKindKeys, shared::line_kind_count> line_kind_keys{{
+    {"outline", "around objects", &ContourStyle::outline_mm, &ContourStyle::outline_m,
+     &ContourStyle::outline_brush},
+    {"outline", "where surfaces end", &ContourStyle::outline_mm, &ContourStyle::outline_m,
+     &ContourStyle::outline_brush},
+    {"boundary", "between materials", &ContourStyle::boundary_mm, &ContourStyle::boundary_m,
+     &ContourStyle::boundary_brush},
+    {"crease", "along sharp folds", &ContourStyle::crease_mm, &ContourStyle::crease_m,
+     &ContourStyle::crease_brush},
+    {"marked", "along marked edges", &ContourStyle::marked_mm, &ContourStyle::marked_m,
+     &ContourStyle::marked_brush},
+    {"ridge", "along rounded folds outwards", &ContourStyle::ridge_mm, &ContourStyle::ridge_m,
+     &ContourStyle::ridge_brush},
+    {"valley", "along rounded folds inwards", &ContourStyle::valley_mm, &ContourStyle::valley_m,
+     &ContourStyle::valley_brush},
+    {"suggestive", "where a surface would soon turn away", &ContourStyle::suggestive_mm,
+     &ContourStyle::suggestive_m, &ContourStyle::suggestive_brush},
+    {"crest", "along crests of the ground", &ContourStyle::crest_mm, &ContourStyle::crest_m,
+     &ContourStyle::crest_brush},
+    {"intersection", "where surfaces run into each other", &ContourStyle::intersection_mm,
+     &ContourStyle::intersection_m, &ContourStyle::intersection_brush},
+    {"shadow", "along edges of shadows", &ContourStyle::shadow_mm, &ContourStyle::shadow_m,
+     &ContourStyle::shadow_brush},
+}};
+
+/// Whether a style has lines of a kind: they have a width, on the page or in the scene.
+[[nodiscard]] inline bool has_lines(const ContourStyle& style, uint32_t kind)
+{
+    const LineKindKeys& keys = line_kind_keys.at(kind);
+    return style.*keys.width_mm > 0.0F || style.*keys.width_m > 0.0F;
+}
+
+/// Width of a kind of line on the page, for what widths of the scene do not go into: hidden lines, and how
+/// long a brush is. That of a usual line if the style has only one in the scene; 0 if it has none.
+[[nodiscard]] inline float width_on_page_mm(const ContourStyle& style, uint32_t kind)
+{
+    constexpr float usual_mm = 0.3F;
+    const float width_mm = style.*line_kind_keys.at(kind).width_mm;
+    return width_mm > 0.0F || !has_lines(style, kind) ? width_mm : usual_mm;
+}
+
+/// Brushes that are known by name; any other is the path of a picture.
+inline const std::vector<std::string>& brush_names()
+{
+    static const std::vector<std::string> names{"pen", "pencil", "charcoal", "brush"};
+    return names;
+}
+
+[[nodiscard]] const style::Table<ContourStyle>& contour_table();
 
 struct BrushImages;
 

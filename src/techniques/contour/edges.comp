@@ -4,10 +4,9 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shaders/draw_word.glsl"
+#include "shaders/surface_images.glsl"
 #include "shaders/frame.glsl.h"
-#include "shaders/mesh.glsl.h"
-#include "shaders/octahedral.glsl"
+#include "shaders/scene.glsl.h"
 #include "shaders/unit.glsl"
 #include "techniques/contour/contour.glsl.h"
 

@@ -6,9 +6,8 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/camera.glsl"
-#include "shaders/draw_word.glsl"
-#include "shaders/material.glsl.h"
-#include "shaders/mesh.glsl.h"
+#include "shaders/surface_images.glsl"
+#include "shaders/scene.glsl.h"
 #include "shaders/noise.glsl"
 #include "shaders/visibility.glsl"
 #include "techniques/contour/contour.glsl.h"

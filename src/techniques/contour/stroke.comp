@@ -4,9 +4,8 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shaders/draw_word.glsl"
-#include "shaders/material.glsl.h"
-#include "shaders/mesh.glsl.h"
+#include "shaders/surface_images.glsl"
+#include "shaders/scene.glsl.h"
 #include "techniques/contour/contour.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;

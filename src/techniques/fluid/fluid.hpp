@@ -6,14 +6,13 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "gpu/graph/execute.hpp"
 #include "gpu/resources.hpp"
 #include "techniques/fluid/grid.hpp"
 #include "techniques/fluid/matter/matter.hpp"
-#include "techniques/fluid/matter/shapes.hpp"
-#include "techniques/fluid/motion/advection.hpp"
-#include "techniques/fluid/motion/forces.hpp"
+#include "techniques/fluid/motion/motion.hpp"
 #include "techniques/fluid/pressure/projection.hpp"
 
 namespace estampe::fluid {
@@ -107,5 +106,18 @@ private:
     bool are_standing_ = false;
     bool is_spectral_right_ = true;
 };
+
+// Fields of a fluid for the processor: tests and measurements read them.
+
+/// Leaves an image as later graphs take it in, by gpu::import_uploaded.
+void hand_on(gpu::Graph& graph, gpu::ImageId image);
+
+/// Adds a copy of all layers of `image`, one after the other, and leaves the image as later graphs take it
+/// in.
+[[nodiscard]] gpu::BufferId add_layers_copy(gpu::Graph& graph, gpu::ImageId image);
+
+/// The same, read after a run of `graph`.
+[[nodiscard]] std::vector<float> run_and_read(gpu::Device& device, gpu::Executor& executor, gpu::Graph& graph,
+                                              gpu::ImageId image);
 
 } // namespace estampe::fluid

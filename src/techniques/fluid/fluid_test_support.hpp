@@ -10,7 +10,6 @@
 
 #include "support/gpu_device.hpp"
 #include "techniques/fluid/fluid.hpp"
-#include "techniques/fluid/read_fields.hpp"
 
 namespace estampe::fluid {
 

@@ -6,10 +6,8 @@
 #include <future>
 #include <numbers>
 
-#include "core/at_once.hpp"
-#include "techniques/form/direction.hpp"
+#include "core/long_jobs.hpp"
 #include "techniques/form/form_mesh.hpp"
-#include "techniques/form/stripes.hpp"
 
 namespace estampe::form {
 namespace {
@@ -75,8 +73,8 @@ FormField follow_form(std::span<const glm::vec3> positions_m, std::span<const ui
     const double smoothing =
         std::isfinite(options.smoothing) ? std::clamp<double>(options.smoothing, 0.05, 100.0) : 1.0;
     const Directions directions = find_directions(mesh, unit_or_y(options.up), smoothing * period);
-    auto along =
-        std::async(at_once, [&] { return find_stripes(mesh, directions, 0.0, period, options.seed + 1); });
+    auto along = std::async(launch_if_possible,
+                            [&] { return find_stripes(mesh, directions, 0.0, period, options.seed + 1); });
     const Stripes a = find_stripes(mesh, directions, 0.5 * std::numbers::pi, period, options.seed);
     const Stripes b = along.get();
     if (!is_finite(a) || !is_finite(b)) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A mesh made fit for fields: welded, cleaned, cut along creases, with angles about each vertex.
+// A mesh made fit for fields: welded, cleaned, cut along creases, with angles about each vertex; and the
+// fields over it: the direction of strokes, a smooth line field along the greatest curvature, and stripes a
+// constant distance apart along it, continuous all over but for isolated branch points.
 
 #include <array>
 #include <cstdint>
@@ -9,6 +11,8 @@
 #include <vector>
 
 #include <glm/glm.hpp>
+
+#include "techniques/form/form.hpp"
 
 namespace estampe::form {
 
@@ -77,5 +81,31 @@ inline uint32_t previous_corner(uint32_t half_edge)
 {
     return half_edge % 3 == 0 ? half_edge + 2 : half_edge - 1;
 }
+
+struct Directions {
+    std::vector<double> angles; ///< one a vertex: in its tangent plane, radians
+    std::vector<uint8_t>
+        turns; ///< one an edge: 1 where the angle at its end points the other way than at its start
+    std::vector<uint8_t> link_turns; ///< the same for each link over a crease
+};
+
+/// Angles whose lines have nearly the least change; signs are such that few edges turn.
+/// `reach` is how far the curvature of a place is heard, in radii of the mesh. Cost: linear.
+[[nodiscard]] Directions find_directions(const Mesh& mesh, const glm::dvec3& up, double reach);
+
+/// Index of the line field in a triangle: a multiple of 1/2, other than 0 where it is singular.
+[[nodiscard]] double singularity(const Mesh& mesh, const Directions& directions, uint32_t triangle);
+
+struct Stripes {
+    std::vector<std::array<double, 3>> corners; ///< one a triangle: phase in periods
+    std::vector<int32_t> branches; ///< one a triangle: lines that begin in it less those that end in it
+};
+
+/// Phases that grow by one for each `period` (in radii of the mesh) in the direction of the line field turned
+/// by `turn_rad`. Where a triangle holds a branch point or a singularity of the field its phases fit its
+/// neighbours' on two edges only. Phases of neighbouring triangles differ by a whole number, nearly
+/// everywhere 0, and by a sign where the field cannot have the one sense all over. Cost: linear.
+[[nodiscard]] Stripes find_stripes(const Mesh& mesh, const Directions& directions, double turn_rad,
+                                   double period, uint32_t seed);
 
 } // namespace estampe::form

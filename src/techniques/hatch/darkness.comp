@@ -10,7 +10,7 @@
 
 #include "shaders/camera.glsl"
 #include "shaders/color.glsl"
-#include "shaders/draw_word.glsl"
+#include "shaders/surface_images.glsl"
 #include "shaders/tone.glsl"
 #include "techniques/hatch/hatch.glsl.h"
 

@@ -9,9 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "features/common/view.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
-#include "shaders/mesh.glsl.h"
+#include "gpu/resources.hpp"
+#include "shaders/scene.glsl.h"
 #include "support/gpu_device.hpp"
 #include "techniques/hatch/hatch_test_canvas.hpp"
 

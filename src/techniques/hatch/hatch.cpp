@@ -7,8 +7,8 @@
 
 #include <glm/trigonometric.hpp>
 
-#include "gpu/fills.hpp"
-#include "gpu/imports.hpp"
+#include "gpu/resources.hpp"
+#include "gpu/transfers.hpp"
 #include "shaders/darkness_comp.hpp"
 #include "shaders/dots_comp.hpp"
 #include "shaders/lines_comp.hpp"
@@ -16,7 +16,6 @@
 #include "shaders/overrun_comp.hpp"
 #include "style/parameter.hpp"
 #include "techniques/hatch/hatch.glsl.h"
-#include "techniques/hatch/line_pass.hpp"
 
 namespace estampe::hatch {
 namespace {

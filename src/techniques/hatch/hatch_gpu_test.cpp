@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <estampe/renderer.hpp>
+#include <estampe/shapes.hpp>
 
-#include "core/srgb.hpp"
-#include "scene/shapes.hpp"
+#include "core/color.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
 

@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
 #include "support/gpu_device.hpp"
 #include "support/layers.hpp"
 #include "techniques/hatch/hatch.hpp"

@@ -5,10 +5,9 @@
 #extension GL_KHR_shader_subgroup_vote : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shaders/draw_word.glsl"
-#include "shaders/footprint.glsl"
-#include "shaders/line_ink.glsl"
-#include "shaders/octahedral.glsl"
+#include "shaders/surface_images.glsl"
+#include "shaders/lines.glsl"
+#include "shaders/unit.glsl"
 #include "shaders/stroke_field.glsl"
 #include "techniques/hatch/hatch.glsl.h"
 

@@ -6,8 +6,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shaders/draw_word.glsl"
-#include "shaders/footprint.glsl"
+#include "shaders/surface_images.glsl"
 #include "techniques/hatch/hatch.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;

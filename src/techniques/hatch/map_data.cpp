@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/hatch/map_data.hpp"
+#include "techniques/hatch/hatch.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <functional>
 #include <numeric>
 
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
 #include "techniques/hatch/hatch.glsl.h"
 
 namespace estampe::hatch {

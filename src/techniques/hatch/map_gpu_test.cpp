@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "features/hatching/tonal_maps.hpp"
+#include "features/hatching/hatching.hpp"
 #include "shaders/stroke_kind.glsl.h"
 #include "techniques/hatch/hatch_test_canvas.hpp"
 

@@ -2,7 +2,7 @@
 // Strokes run over the edge of what they are drawn on, by lines and by maps alike.
 #include <gtest/gtest.h>
 
-#include "features/hatching/tonal_maps.hpp"
+#include "features/hatching/hatching.hpp"
 #include "shaders/stroke_kind.glsl.h"
 #include "techniques/hatch/hatch_test_canvas.hpp"
 

@@ -9,12 +9,11 @@
 #include <gtest/gtest.h>
 
 #include <estampe/renderer.hpp>
+#include <estampe/shapes.hpp>
 #include <estampe/terrain.hpp>
 
 #include "features/common/view.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
-#include "scene/shapes.hpp"
+#include "gpu/resources.hpp"
 #include "support/gpu_device.hpp"
 #include "support/layers.hpp"
 #include "support/scenes.hpp"

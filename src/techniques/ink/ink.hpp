@@ -157,7 +157,7 @@ struct Inputs {
     gpu::ImageId draw;                  ///< r32ui
     gpu::ImageId depth;                 ///< r32f, reversed
     gpu::ImageId coordinate;            ///< rgba32f, of strokes
-    gpu::ImageId footprint;             ///< rgba32ui, see shaders/footprint.glsl
+    gpu::ImageId footprint;             ///< rgba32ui, see shaders/surface_images.glsl
     std::optional<gpu::ImageId> motion; ///< where the plan's view has any
 };
 

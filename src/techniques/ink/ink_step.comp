@@ -5,7 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shaders/rounds.glsl"
+#include "shaders/loops.glsl"
 #include "techniques/ink/flow/flow.glsl"
 #include "techniques/ink/ink.glsl.h"
 
@@ -111,7 +111,7 @@ vec2 ink_at(vec2 grid)
 vec3 direction_before(vec3 direction, int not_negative)
 {
     vec3 drift = vec3(0.0);
-    for (int i = 0; i < rounds(2, not_negative); ++i) {
+    for (int i = 0; i < loop_rounds(2, not_negative); ++i) {
         vec3 middle = normalize(direction - 0.5 * drift);
         vec3 gradient = vec3(0.0);
         for (int wave = 0; wave < int(ink_wave_count); ++wave) {

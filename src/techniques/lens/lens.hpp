@@ -4,12 +4,32 @@
 // Depth of field: what is before or behind the plane in focus is drawn as through a thin lens.
 
 #include <optional>
+#include <string>
 
 #include "gpu/graph/graph.hpp"
+#include "style/parameter.hpp"
 #include "techniques/lens/lens.glsl.h"
-#include "techniques/lens/lens_style.hpp"
 
 namespace estampe::lens {
+
+enum class Mode : uint8_t { none, gather, separable, mips, sums, circles };
+enum class ActsOn : uint8_t { picture, wash, strokes };
+
+struct LensStyle {
+    Mode mode = Mode::none;
+    ActsOn acts_on = ActsOn::picture;
+    float focal_mm = 50.0F;
+    float f_number = 2.8F;
+    float focus_m = 0.0F;
+    std::string focus_on;
+    float largest_mm = 10.0F;
+    int blades = 0;
+    float blade_turn_deg = 0.0F;
+    float widen = 1.0F;
+    float pale = 0.6F;
+};
+
+[[nodiscard]] const style::Table<LensStyle>& lens_table();
 
 /// Diameter on the sensor of the circle that a thin lens, focused at one distance, makes of a point at
 /// another, in millimetres. An infinite distance is allowed; a focus within the focal length is none.
@@ -62,7 +82,7 @@ struct LensLayers {
 
 /// What strokes are drawn by where they become wider and fewer out of focus.
 ///
-/// Writes  rgba32ui: the footprints of shaders/footprint.glsl, larger
+/// Writes  rgba32ui: the footprints of shaders/surface_images.glsl, larger
 /// Cost    one full-screen dispatch
 [[nodiscard]] gpu::ImageId add_wider_strokes(gpu::Graph& graph, gpu::ImageId depth, gpu::ImageId footprint,
                                              glm::uvec2 size_px, const shared::LensConstants& lens);

@@ -5,7 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shaders/rounds.glsl"
+#include "shaders/loops.glsl"
 #include "techniques/lens/lens.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -56,7 +56,7 @@ void main()
     wanted = min(wanted, float(lens_levels));
     LayerSample sum = no_sample;
     float weights = 0.0;
-    for (int level = 0; level < rounds(int(lens_levels) + 1, pixel.x); ++level) {
+    for (int level = 0; level < loop_rounds(int(lens_levels) + 1, pixel.x); ++level) {
         float near = clamp(1.0 - abs(wanted - float(level)), 0.0, 1.0);
         float weight = is_sum ? clamp(wanted - float(level) + 1.0, 0.0, 1.0) * float(1 << level) : near;
         LayerSample there = level == 0 ? own.layers : level_at(max(level, 1), pixel);

@@ -29,6 +29,6 @@ void main()
     float wider = 1.0 + constants.widening_per_px * max(min(radius, constants.most_px) - lens_sharp_px, 0.0);
     uvec4 footprint = texelFetch(footprint_image, pixel, 0);
     footprint.w =
-        floatBitsToUint(uintBitsToFloat(footprint.w) * wider); // its scale, see shaders/footprint.glsl
+        floatBitsToUint(uintBitsToFloat(footprint.w) * wider); // its scale, see shaders/surface_images.glsl
     imageStore(out_footprint, pixel, footprint);
 }

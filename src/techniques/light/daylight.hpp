@@ -1,14 +1,35 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The light of an hour: sun, dusk and moon over a place.
+// The light of an hour: sun, dusk and moon over a place, as the style's sun says.
 
 #include <optional>
+#include <string>
 
+#include "style/parameter.hpp"
 #include "techniques/light/light.hpp"
-#include "techniques/light/sun_style.hpp"
 
 namespace estampe::light {
+
+enum class SunBy : uint8_t { direction, place };
+
+enum class Clock : uint8_t { sundial, zone };
+
+struct SunStyle {
+    SunBy by = SunBy::direction;
+    float latitude_deg = 44.84F;
+    float longitude_deg = 11.62F;
+    std::string date = "2026-06-21";
+    float hour = 17.0F;
+    Clock clock = Clock::sundial;
+    float utc_offset_hours = 1.0F;
+    float north_deg = 180.0F;
+    float haze = 0.06F;
+    float warmth = 0.6F;
+    float moon = 0.45F;
+};
+
+[[nodiscard]] const style::Table<SunStyle>& sun_table();
 
 struct Daylight {
     double elevation_rad = 0.0;            ///< of the sun as it is seen; below 0 when it is night

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The light of an hour: where it comes from, how strong it is, and what it leaves alone.
-#include "core/luminance.hpp"
+#include "core/color.hpp"
 #include "techniques/light/daylight.hpp"
 
 #include <cmath>

@@ -2,7 +2,8 @@
 // Light in, light out: what analysis says of simple places.
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
+
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"
 

@@ -6,10 +6,10 @@
 #include <tuple>
 #include <utility>
 
-#include "core/luminance.hpp"
-#include "scene/lamp_light.hpp"
+#include "core/color.hpp"
+#include "scene/light_sources.hpp"
 #include "scene/pose.hpp"
-#include "scene/view_analysis/view_axes.hpp"
+#include "scene/view_analysis/surface_points.hpp"
 #include "techniques/light/light.hpp"
 
 namespace estampe::light {

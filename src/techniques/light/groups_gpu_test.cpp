@@ -2,7 +2,8 @@
 // Who lights what, who throws shadows in whose light, and who takes them.
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
+
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"
 

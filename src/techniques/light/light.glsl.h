@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_LIGHT_GLSL_H
 #define ESTAMPE_LIGHT_GLSL_H
+// What the shaders of light and exposure share with C++.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
@@ -50,9 +51,26 @@ struct ListTiles {
     uint tile_px;
 };
 
+SHARED_CONSTANT uint exposure_bins = 256U;
+SHARED_CONSTANT float exposure_bins_per_stop = 8.0F;
+SHARED_CONSTANT float exposure_darkest_stops = -16.0F; // where the first bin begins
+
+// What is remembered of a page's brightness from frame to frame.
+struct ExposureState {
+    float stops;   // that the page is brightened by
+    uint is_known; // 0 before the first frame
+    uint bins[exposure_bins];
+};
+
+struct AdaptConstants {
+    float compensation_stops;
+    float most_change_stops; // from the frame before; negative: any
+};
+
 #ifdef __cplusplus
 static_assert(sizeof(LightRecord) == 80);
 static_assert(sizeof(LightGlobals) == 52);
+static_assert(sizeof(ExposureState) == 1032);
 } // namespace estampe::shared
 #endif
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Light that arrives at each pixel: the sun with its shadow, and any number of local lights, found per tile.
+// Light that arrives at each pixel: the sun with its shadow, and any number of local lights, found per tile;
+// what the style says of it, and of how light becomes tone.
 
 #include <optional>
 #include <vector>
@@ -11,10 +12,55 @@
 #include "gpu/graph/graph.hpp"
 #include "scene/view_analysis/view_analysis.hpp"
 #include "shaders/tone.glsl.h"
+#include "style/parameter.hpp"
 #include "techniques/light/light.glsl.h"
-#include "techniques/light/light_style.hpp"
 
 namespace estampe::light {
+
+enum class LightSource : uint8_t { automatic, scene, sun };
+
+/// What sets the exposure: the lights that there are, what is on the page, or the style.
+enum class Metering : uint8_t { lights, page, manual };
+
+struct LightStyle {
+    LightSource source = LightSource::automatic;
+    float sun_azimuth_deg = house_sun_azimuth_deg;
+    float sun_elevation_deg = house_sun_elevation_deg;
+    bool turn_sun = true;
+    Metering metering = Metering::lights;
+    float exposure_stops = 0.0F;
+    float ev100 = 10.0F;
+    float adapt_stops_per_s = 0.0F;
+    float ambient = 0.15F;
+    float fill = 0.2F;
+    float falloff = 0.62F;
+    float paling = 0.5F;
+    bool shadows = true;
+    int shadow_size = 0;
+    std::string lights;
+    std::string objects;
+};
+
+[[nodiscard]] const style::Table<LightStyle>& light_table();
+
+enum class ToneCurve : uint8_t {
+    gamma = shared::tone_gamma,
+    linear = shared::tone_linear,
+    filmic = shared::tone_filmic
+};
+
+struct ToneStyle {
+    ToneCurve curve = ToneCurve::gamma;
+    float exposure = 1.14F;
+    float gamma = 0.8F;
+    float contrast = 1.05F;
+    float floor = 0.12F;
+    float ceiling = 0.97F;
+    float local_value = 0.3F;
+    float occlusion = 1.0F;
+};
+
+[[nodiscard]] const style::Table<ToneStyle>& tone_table();
 
 /// The lights of a frame: directional ones first, the strongest first of all, because it throws the shadow.
 struct Lighting {
@@ -79,12 +125,12 @@ struct LightInputs {
     gpu::BufferId draws;
     gpu::BufferId materials;
     gpu::BufferId sun_map;    ///< reversed depth, row by row
-    gpu::BufferId sun_shadow; ///< SunShadow, see shadow/sun/sun.glsl.h
+    gpu::BufferId sun_shadow; ///< SunShadow, see shadow/shadow.glsl.h
     gpu::ImageId coordinate;
     gpu::ImageId footprint;
-    gpu::BufferId edge_look;     ///< EdgeLook, see shadow/local/edge.glsl.h
-    uint32_t shadow_variant = 0; ///< see shadow/local/edge_look.hpp
-    gpu::BufferId local_shadows; ///< LocalShadow, see shadow/local/local.glsl.h
+    gpu::BufferId edge_look;     ///< EdgeLook, see shadow/shadow.glsl.h
+    uint32_t shadow_variant = 0; ///< see shadow/shadow_style.hpp
+    gpu::BufferId local_shadows; ///< LocalShadow, see shadow/shadow.glsl.h
     gpu::BufferId local_maps;    ///< near distance over distance, of all maps of local lights
     bool has_local_shadows = false;
     std::optional<gpu::ImageId> lightmap;  ///< light known ahead: takes the place of ambient where alpha is 1
@@ -94,7 +140,7 @@ struct LightInputs {
     std::optional<gpu::ImageId> thrown;    ///< ambient light that what occludes throws back, as a share
     std::optional<gpu::ImageId> points;    ///< places in anchor space to light, in place of what depths say;
                                            ///< at every light
-    std::optional<gpu::BufferId> tiles;    ///< to light, see shaders/tile_list.glsl.h; elsewhere nothing is
+    std::optional<gpu::BufferId> tiles;    ///< to light, see shaders/tiles.glsl.h; elsewhere nothing is
                                            ///< written
     bool has_shadow = false;
     uint32_t local_count = 0; ///< point and spot lights, after the directional ones

@@ -5,8 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <estampe/shapes.hpp>
+
 #include "scene/pose.hpp"
-#include "scene/shapes.hpp"
 #include "support/scenes.hpp"
 #include "techniques/light/light.hpp"
 

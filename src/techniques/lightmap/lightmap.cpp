@@ -8,8 +8,7 @@
 #include <fmt/format.h>
 #include <glm/gtc/packing.hpp>
 
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
 #include "shaders/lightmap_comp.hpp"
 #include "style/parameter.hpp"
 

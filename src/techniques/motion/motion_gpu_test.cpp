@@ -14,9 +14,9 @@
 #include <gtest/gtest.h>
 
 #include <estampe/renderer.hpp>
+#include <estampe/shapes.hpp>
 
 #include "scene/pose.hpp"
-#include "scene/shapes.hpp"
 #include "support/embree_scene.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"

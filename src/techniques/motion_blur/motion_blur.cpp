@@ -1,25 +1,201 @@
 // SPDX-License-Identifier: MIT
-// Blur spread over the longest way of tiles: McGuire, Hennessy, Bukowski and Osman, "A Reconstruction Filter
-// for Plausible Motion Blur", I3D 2012; along two ways: Guertin, McGuire and Nowrouzezahrai, "A Fast and
-// Stable Feature-Aware Motion Blur Filter", HPG 2014; before and behind apart: Jimenez, "Next Generation Post
-// Processing in Call of Duty", SIGGRAPH 2014.
 #include "techniques/motion_blur/motion_blur.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
-#include "gpu/fills.hpp"
+#include "core/hash.hpp"
+#include "gpu/resources.hpp"
+#include "gpu/transfers.hpp"
 #include "shaders/blur_gather_comp.hpp"
 #include "shaders/blur_own_comp.hpp"
 #include "shaders/blur_pack_comp.hpp"
 #include "shaders/blur_reach_comp.hpp"
 #include "shaders/blur_tiles_comp.hpp"
 #include "shaders/blur_tiles_wide_comp.hpp"
+#include "shaders/scene.glsl.h"
+#include "shaders/smear_lists_comp.hpp"
+#include "shaders/smear_seeds_comp.hpp"
+#include "shaders/smear_strokes_comp.hpp"
+#include "shaders/smear_thin_comp.hpp"
 #include "shaders/speed_lines_comp.hpp"
 #include "shaders/speed_seeds_comp.hpp"
 #include "shaders/speed_tiles_comp.hpp"
+#include "style/parameter.hpp"
 
 namespace estampe::motion_blur {
+
+const style::Table<MotionBlurStyle>& motion_blur_table()
+{
+    static const auto table =
+        style::Table<MotionBlurStyle>("motion_blur", "What moves while the shutter is open")
+            .choice("mode", &MotionBlurStyle::mode,
+                    {{"none", Mode::none},
+                     {"tiles", Mode::tiles},
+                     {"own", Mode::own},
+                     {"stretched", Mode::stretched},
+                     {"velocity", Mode::velocity}},
+                    "None; spread over what it passes (tiles); blurred within its outline alone, from "
+                    "velocity to velocity (own), or within the shape that it is stretched to along its way "
+                    "(stretched); or velocities as colours, red to the right and green upwards")
+            .number("shutter_deg", &MotionBlurStyle::shutter_deg, {0.0F, 360.0F}, "deg",
+                    "How much of the time from one frame to the next the shutter is open: 360 is all")
+            .number("frames_per_s", &MotionBlurStyle::frames_per_s, {1.0F, 1000.0F}, "/s",
+                    "Frames a second of a still; a film has its own")
+            .number("largest_mm", &MotionBlurStyle::largest_mm, {0.1F, 60.0F}, "mm",
+                    "Longest way on the page that is blurred or smeared over")
+            .toggle("lines", &MotionBlurStyle::lines, "Draw speed lines behind what is fast")
+            .number("lines_length", &MotionBlurStyle::lines_length, {0.1F, 20.0F}, "",
+                    "Length of speed lines, as a share of the way that is gone while the shutter is open; 30 "
+                    "mm at most")
+            .number("lines_spacing_mm", &MotionBlurStyle::lines_spacing_mm, {0.5F, 50.0F}, "mm",
+                    "From one speed line to the next, about")
+            .number("lines_width_mm", &MotionBlurStyle::lines_width_mm, {0.05F, 5.0F}, "mm",
+                    "Width of a speed line where it begins")
+            .number("lines_from_mm", &MotionBlurStyle::lines_from_mm, {0.0F, 60.0F}, "mm",
+                    "What goes less far than this while the shutter is open has no speed lines")
+            .color("lines_ink", &MotionBlurStyle::lines_ink, "Ink of the speed lines")
+            .toggle("smear", &MotionBlurStyle::smear,
+                    "Draw strokes of a dry brush from the edge that what moves draws after it")
+            .number("smear_length", &MotionBlurStyle::smear_length, {0.1F, 20.0F}, "",
+                    "Length of the longest smear strokes, as a share of the way that is gone while the "
+                    "shutter is open, of which largest_mm is the most")
+            .number("smear_spacing_mm", &MotionBlurStyle::smear_spacing_mm, {0.2F, 50.0F}, "mm",
+                    "From one smear stroke to the next, about, across their way")
+            .number("smear_width_mm", &MotionBlurStyle::smear_width_mm, {0.05F, 10.0F}, "mm",
+                    "Width of the broadest smear strokes where they begin")
+            .number("smear_from_mm", &MotionBlurStyle::smear_from_mm, {0.0F, 60.0F}, "mm",
+                    "What goes less far than this while the shutter is open has no smear strokes")
+            .color("smear_ink", &MotionBlurStyle::smear_ink, "Ink of the smear strokes")
+            .integer("seed", &MotionBlurStyle::seed, {0, 1000000}, "", "Another number, another hand");
+    return table;
+}
+
+// Strokes are kept as in a hard-core process: Matérn, "Spatial Variation", 1960, the second of his ways to
+// thin out points, which asks each point for those about it alone.
+
+namespace {
+
+constexpr uint32_t least_of_draw = 4;
+constexpr uint32_t most_of_scene = 4 * smear_seed_count;
+
+float unit_float(uint32_t bits)
+{
+    return static_cast<float>(bits >> 8U) / 16777216.0F;
+}
+
+/// One seed in each part of the area of `of_draw`, which are numbers of triangles.
+void spread_over(std::span<const uint32_t> of_draw, std::span<const glm::uvec4> triangles,
+                 std::span<const glm::vec3> places, uint32_t count, std::vector<shared::SmearSeed>& seeds)
+{
+    std::vector<float> area_up_to;
+    float area = 0.0F;
+    for (const uint32_t number : of_draw) {
+        const glm::uvec4& corners = triangles[number];
+        const glm::vec3 a = places[corners.x];
+        area += glm::length(glm::cross(places[corners.y] - a, places[corners.z] - a));
+        area_up_to.push_back(area);
+    }
+    for (uint32_t i = 0; i < count && area > 0.0F; ++i) {
+        const auto number = static_cast<uint32_t>(seeds.size());
+        const uint32_t random = hash(number + 1U);
+        const float wanted = area * (static_cast<float>(i) + unit_float(random)) / static_cast<float>(count);
+        const auto found = std::ranges::upper_bound(area_up_to, wanted);
+        const auto at = std::min(static_cast<size_t>(found - area_up_to.begin()), of_draw.size() - 1);
+        glm::vec2 weight(unit_float(hash(random)), unit_float(hash(random + 1U)));
+        weight = weight.x + weight.y > 1.0F ? 1.0F - weight : weight;
+        seeds.push_back({.triangle = of_draw[at], .weight = weight, .number = number});
+    }
+}
+
+} // namespace
+
+std::vector<shared::SmearSeed> spread_seeds(std::span<const uint32_t> of,
+                                            std::span<const glm::uvec4> triangles,
+                                            std::span<const glm::vec3> places)
+{
+    std::map<uint32_t, std::vector<uint32_t>> draws;
+    for (const uint32_t number : of) {
+        draws[triangles[number].w & shared::triangle_draw_mask].push_back(number);
+    }
+    const auto draw_count = std::max(static_cast<uint32_t>(draws.size()), 1U);
+    const uint32_t count = std::max(smear_seed_count / draw_count, least_of_draw);
+    std::vector<shared::SmearSeed> seeds;
+    for (const auto& [draw, of_draw] : draws) {
+        if (seeds.size() + count <= most_of_scene) {
+            spread_over(of_draw, triangles, places, count, seeds);
+        }
+    }
+    return seeds;
+}
+
+SmearSeeds upload_seeds(gpu::Device& device, const std::vector<shared::SmearSeed>& seeds)
+{
+    SmearSeeds made{.count = static_cast<uint32_t>(seeds.size()), .is_made = true};
+    if (!seeds.empty()) {
+        made.places = gpu::upload_buffer(device, "smear seeds", seeds);
+    }
+    return made;
+}
+
+shared::SmearConstants smear_constants_of(const MotionBlurStyle& style, float scale, float most_px,
+                                          float pixels_per_mm)
+{
+    return {.scale = scale,
+            .most_px = most_px,
+            .length_share = 2.0F * style.smear_length,
+            .spacing_px = style.smear_spacing_mm * pixels_per_mm,
+            .width_px = style.smear_width_mm * pixels_per_mm,
+            .from_px = 0.5F * style.smear_from_mm * pixels_per_mm,
+            .seed = static_cast<uint32_t>(style.seed),
+            .ink = style.smear_ink};
+}
+
+gpu::ImageId add_smear(gpu::Graph& graph, const SmearScene& scene, const SmearPage& page, gpu::ImageId lines,
+                       shared::SmearConstants constants)
+{
+    if (scene.seeds->count == 0) {
+        return lines;
+    }
+    constants.clip_from_anchor_before = scene.clip_from_anchor_before;
+    constants.size_px = page.size_px;
+    constants.count = scene.seeds->count;
+    const gpu::BufferDesc strokes_desc{.size_bytes = sizeof(shared::SmearStroke) * constants.count};
+    auto find = graph.compute("smear/seeds", shaders::smear_seeds_comp);
+    find.uniform(scene.frame).sample(gpu::import_whole(graph, "smear seeds", scene.seeds->places));
+    find.sample(scene.triangles).sample(scene.posed_vertices).sample(scene.posed_vertices_before);
+    find.sample(page.page).sample(page.owner_depth);
+    const gpu::BufferId found = find.write(graph.buffer("smear/found", strokes_desc));
+    find.push(constants).dispatch_items(constants.count);
+
+    auto thin = graph.compute("smear/thin", shaders::smear_thin_comp);
+    thin.sample(found);
+    const gpu::BufferId kept = thin.write(graph.buffer("smear/kept", strokes_desc));
+    thin.push(constants).dispatch_items(constants.count);
+
+    const glm::uvec2 blocks = (page.size_px + shared::smear_block_px - 1U) / shared::smear_block_px;
+    const uint32_t block_count = blocks.x * blocks.y;
+    auto list = graph.compute("smear/lists", shaders::smear_lists_comp);
+    list.sample(kept);
+    const gpu::BufferId lists = list.write(graph.buffer(
+        "smear/lists",
+        {.size_bytes = sizeof(uint32_t) * (shared::most_smear_strokes + 1U) * uint64_t{block_count}}));
+    list.push(constants).dispatch_items(block_count);
+
+    auto draw = graph.compute("smear", shaders::smear_strokes_comp);
+    draw.sample(kept).sample(lists, gpu::Format::r32ui);
+    draw.sample(page.page).sample(page.owner_depth).sample(page.depth);
+    const gpu::ImageId drawn = draw.modify(lines);
+    draw.push(constants).dispatch_over(page.size_px.x, page.size_px.y);
+    return drawn;
+}
+
+// Blur spread over the longest way of tiles: McGuire, Hennessy, Bukowski and Osman, "A Reconstruction Filter
+// for Plausible Motion Blur", I3D 2012; along two ways: Guertin, McGuire and Nowrouzezahrai, "A Fast and
+// Stable Feature-Aware Motion Blur Filter", HPG 2014; before and behind apart: Jimenez, "Next Generation Post
+// Processing in Call of Duty", SIGGRAPH 2014.
+
 namespace {
 
 constexpr float longest_line_mm = 30.0F;
@@ -56,7 +232,7 @@ Packed add_pack(gpu::Graph& graph, const MotionBlurInputs& in, uint32_t variant,
 /// The longest ways that reach tiles, and the tiles to draw.
 struct Reach {
     gpu::ImageId ways;
-    gpu::BufferId tiles; ///< see shaders/tile_list.glsl.h
+    gpu::BufferId tiles; ///< see shaders/tiles.glsl.h
 };
 
 Reach add_reach(gpu::Graph& graph, const MotionBlurInputs& in, gpu::ImageId page, uint32_t variant,

@@ -1,16 +1,93 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What moves while the shutter is open is blurred along its way, or drawn with speed lines or smear strokes.
+// What moves while the shutter is open is blurred along its way, or drawn with speed lines or smear strokes:
+// strokes of a dry brush behind it, as animators and comic artists draw it.
 
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "gpu/graph/graph.hpp"
+#include "gpu/resources.hpp"
+#include "style/parameter.hpp"
 #include "techniques/motion_blur/motion_blur.glsl.h"
-#include "techniques/motion_blur/motion_blur_style.hpp"
-#include "techniques/motion_blur/smear.hpp"
 
 namespace estampe::motion_blur {
+
+enum class Mode : uint8_t { none, tiles, own, stretched, velocity };
+
+struct MotionBlurStyle {
+    Mode mode = Mode::none;
+    float shutter_deg = 180.0F;
+    float frames_per_s = 24.0F;
+    float largest_mm = 12.0F;
+    bool lines = false;
+    float lines_length = 5.0F;
+    float lines_spacing_mm = 3.0F;
+    float lines_width_mm = 0.3F;
+    float lines_from_mm = 1.5F;
+    glm::vec3 lines_ink = style::srgb(0x1c1a20);
+    bool smear = false;
+    float smear_length = 5.0F;
+    float smear_spacing_mm = 3.0F;
+    float smear_width_mm = 2.5F;
+    float smear_from_mm = 1.0F;
+    glm::vec3 smear_ink = style::srgb(0x1c1a20);
+    int seed = 1;
+};
+
+[[nodiscard]] const style::Table<MotionBlurStyle>& motion_blur_table();
+
+/// A scene has about that many seeds, shared alike by its draws; and each draw four at least, up to four
+/// times that many in all.
+inline constexpr uint32_t smear_seed_count = 2048;
+
+/// Places on the triangles (three vertices and a draw) whose numbers are in `of`, spread by area in the pose
+/// of `places` over each draw. The same for the same triangles. Cost: linear.
+[[nodiscard]] std::vector<shared::SmearSeed> spread_seeds(std::span<const uint32_t> of,
+                                                          std::span<const glm::uvec4> triangles,
+                                                          std::span<const glm::vec3> places);
+
+/// The same on the device, made when a style first asks for it.
+struct SmearSeeds {
+    gpu::Buffer places;
+    uint32_t count = 0;
+    bool is_made = false;
+};
+
+[[nodiscard]] SmearSeeds upload_seeds(gpu::Device& device, const std::vector<shared::SmearSeed>& seeds);
+
+/// Of the scene.
+struct SmearScene {
+    gpu::BufferId frame;
+    gpu::BufferId triangles;
+    gpu::BufferId posed_vertices;
+    gpu::BufferId posed_vertices_before;
+    glm::mat4 clip_from_anchor_before; ///< shifted within a pixel as the frame's
+    SmearSeeds* seeds;
+};
+
+/// Of the page.
+struct SmearPage {
+    gpu::ImageId page;        ///< rgba32ui: in its last word the way of half the exposure
+    gpu::ImageId owner_depth; ///< r32f: of what a line belongs to
+    gpu::ImageId depth;       ///< r32f
+    glm::uvec2 size_px{0};
+};
+
+/// What all passes share, `size_px`, the seeds and the camera before aside.
+[[nodiscard]] shared::SmearConstants smear_constants_of(const MotionBlurStyle& style, float scale,
+                                                        float most_px, float pixels_per_mm);
+
+/// Draws smear strokes into `lines`. Where nothing moves, or the scene has nothing to move, they keep their
+/// bits.
+///
+/// Cost    one thread a seed that goes to the edge of its body; one a seed that is compared with all others
+///         where it gave a stroke; lists of 64 x 64 pixels; a pass over the page, of 63 strokes a pixel at
+///         most
+[[nodiscard]] gpu::ImageId add_smear(gpu::Graph& graph, const SmearScene& scene, const SmearPage& page,
+                                     gpu::ImageId lines, shared::SmearConstants constants);
 
 /// How long the shutter is open, in seconds.
 [[nodiscard]] double exposure_s(const MotionBlurStyle& style);

@@ -7,11 +7,10 @@
 
 #include "shaders/camera.glsl"
 #include "shaders/hash.glsl"
-#include "shaders/items.glsl"
+#include "shaders/loops.glsl"
 #define MESH_TEXELS_BINDING 2
 #include "shaders/mesh_texels.glsl"
 #include "techniques/motion_blur/motion_blur.glsl.h"
-#include "techniques/motion_blur/smear.glsl.h"
 
 layout(local_size_x = 64) in;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/motion_blur/smear.hpp"
+#include "techniques/motion_blur/motion_blur.hpp"
 
 #include <array>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 // Smear strokes read as texels. Wanted before: SMEAR_TEXELS_BINDING.
 
-#include "techniques/motion_blur/smear.glsl.h"
+#include "techniques/motion_blur/motion_blur.glsl.h"
 
 layout(binding = SMEAR_TEXELS_BINDING) uniform usamplerBuffer stroke_texels;
 

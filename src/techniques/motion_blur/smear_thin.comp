@@ -5,7 +5,7 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/hash.glsl"
-#include "shaders/items.glsl"
+#include "shaders/loops.glsl"
 #define SMEAR_TEXELS_BINDING 0
 #include "techniques/motion_blur/smear_texels.glsl"
 

@@ -4,9 +4,9 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shaders/items.glsl"
-#include "shaders/mesh.glsl.h"
-#include "shaders/octahedral.glsl"
+#include "shaders/loops.glsl"
+#include "shaders/scene.glsl.h"
+#include "shaders/unit.glsl"
 #include "techniques/motion_blur/motion_blur.glsl.h"
 
 layout(local_size_x = 64) in;

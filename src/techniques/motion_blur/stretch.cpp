@@ -5,9 +5,8 @@
 #include <numeric>
 #include <tuple>
 
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
-#include "shaders/mesh.glsl.h"
+#include "gpu/resources.hpp"
+#include "shaders/scene.glsl.h"
 #include "shaders/stretch_comp.hpp"
 
 namespace estampe::motion_blur {

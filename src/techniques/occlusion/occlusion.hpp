@@ -7,9 +7,36 @@
 
 #include "gpu/graph/graph.hpp"
 #include "shaders/shared.hpp"
-#include "techniques/occlusion/occlusion_style.hpp"
+#include "style/parameter.hpp"
 
 namespace estampe::occlusion {
+
+/// How it is found: from the depths on the page, between all vertices, by pixels or by texels from all
+/// vertices, or as a mask of depth.
+enum class Method : uint8_t { horizon, discs, splats, uv, unsharp };
+
+/// Whether there is a disc at each vertex.
+[[nodiscard]] constexpr bool has_discs(Method method)
+{
+    return method == Method::discs || method == Method::splats || method == Method::uv;
+}
+
+/// What occlusion is let into: light from everywhere, all light, or nothing but its own mask.
+enum class Feeds : uint8_t { ambient, tone, layer };
+
+struct OcclusionStyle {
+    bool drawn = false;
+    Method method = Method::horizon;
+    Feeds feeds = Feeds::ambient;
+    float radius_m = 0.0F;
+    float reach_mm = 25.0F;
+    float thickness = 0.5F;
+    float strength = 1.0F;
+    float bleeding = 0.0F;
+    uint32_t texels = 512;
+};
+
+[[nodiscard]] const style::Table<OcclusionStyle>& occlusion_table();
 
 struct OcclusionInputs {
     gpu::BufferId frame; ///< FrameGlobals
@@ -52,5 +79,18 @@ struct OpenPage {
 /// Source  Luft, Colditz and Deussen, "Image Enhancement by Unsharp Masking the Depth Buffer", SIGGRAPH 2006
 [[nodiscard]] gpu::ImageId add_unsharp(gpu::Graph& graph, const OcclusionInputs& in,
                                        const OcclusionStyle& style);
+
+/// Pixel `i` is pixel 2 * (from_half + i) of the page: the same pixels of it whatever tile is drawn.
+struct HalfPage {
+    glm::uvec2 from_half{0};
+    glm::uvec2 half_px{1};
+};
+
+[[nodiscard]] inline HalfPage half_page(const OcclusionInputs& in)
+{
+    const glm::uvec2 from_half = (in.from_px + 1U) / 2U;
+    const glm::uvec2 last_half = (in.from_px + in.size_px - 1U) / 2U;
+    return {.from_half = from_half, .half_px = glm::max(last_half + 1U, from_half + 1U) - from_half};
+}
 
 } // namespace estampe::occlusion

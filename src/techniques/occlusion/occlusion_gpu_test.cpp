@@ -9,8 +9,8 @@
 
 #include <estampe/layers.hpp>
 #include <estampe/renderer.hpp>
+#include <estampe/shapes.hpp>
 
-#include "scene/shapes.hpp"
 #include "support/effect_pictures.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"

@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "features/common/view.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
 #include "support/drawing.hpp"
 #include "support/embree_scene.hpp"
 #include "support/gpu_device.hpp"

@@ -8,8 +8,7 @@
 #include "shaders/camera.glsl"
 #include "shaders/color.glsl"
 #include "shaders/noise.glsl"
-#include "shaders/rounds.glsl"
-#include "shaders/straight_alpha.glsl"
+#include "shaders/loops.glsl"
 #include "techniques/paper/paper.glsl.h"
 
 // A warp writes a whole line of memory, which is what a bus to the host wants.
@@ -151,7 +150,7 @@ void main()
         return;
     }
     vec2 page_mm = page_place(frame, vec2(pixel) + 0.5) / frame.pixels_per_mm;
-    Paper paper = paper_at(page_mm, rounds(has_margin ? 7 : 5, pixel.x));
+    Paper paper = paper_at(page_mm, loop_rounds(has_margin ? 7 : 5, pixel.x));
     float relief = paper.relief;
     float beyond_mm = has_margin ? from_window_mm(page_mm) + edge_stray_mm * paper.stray : -1.0;
     float within = clamp(0.5 - beyond_mm * frame.pixels_per_mm, 0.0, 1.0);

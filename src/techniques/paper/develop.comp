@@ -6,7 +6,6 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/color.glsl"
-#include "shaders/straight_alpha.glsl"
 #include "techniques/paper/paper.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 32) in;

@@ -117,7 +117,7 @@ struct Developed {
 /// Adds a frame to `sums` (rgba32f, as large as the picture where it has several samples) and, with the last
 /// one, writes `pixels`: the mean, sRGB-encoded in four bytes a pixel, or as it is in four floats. Bytes are
 /// opaque, or where the picture was laid on `transparent` paper of a colour, straight: see
-/// shaders/straight_alpha.glsl; floats have that paper taken off them, and are multiplied by alpha. Cost: one
+/// shaders/color.glsl; floats have that paper taken off them, and are multiplied by alpha. Cost: one
 /// full-screen dispatch.
 [[nodiscard]] Developed add_develop(gpu::Graph& graph, gpu::ImageId picture, gpu::ImageId sums,
                                     gpu::BufferId pixels, glm::uvec2 size_px,

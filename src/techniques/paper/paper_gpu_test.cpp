@@ -12,9 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "features/common/view.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
-#include "style/color.hpp"
+#include "gpu/resources.hpp"
+#include "style/parameter.hpp"
 #include "support/gpu_device.hpp"
 #include "support/layers.hpp"
 

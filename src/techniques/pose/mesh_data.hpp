@@ -11,7 +11,7 @@
 
 #include <estampe/scene.hpp>
 
-#include "shaders/mesh.glsl.h"
+#include "shaders/scene.glsl.h"
 
 namespace estampe::pose {
 
@@ -79,7 +79,7 @@ struct MeshData {
     Bounds bounds; ///< of the rest pose
 };
 
-/// A unit vector as shaders/octahedral.glsl has it, and back.
+/// A unit vector as shaders/unit.glsl has it, and back.
 [[nodiscard]] uint32_t pack_normal(glm::vec3 normal);
 [[nodiscard]] glm::vec3 unpack_normal(uint32_t packed);
 
@@ -98,8 +98,8 @@ struct MeshData {
 /// Builds the mesh data of `scene`. Strokes follow UVs where `uvs_are_usable` of a primitive says so,
 /// otherwise the place in the rest pose, so that they stick to skinned and morphing bodies. Draws a ground of
 /// material `ground_material` under the scene, as a range of its own. Throws Error when the scene is
-/// larger than `check_drawn_size` lets through, or has an extent or place that scene/extent.hpp refuses.
-/// `foreign`, where there is one, is the last of the opaque ones. Cost: linear in vertices drawn.
+/// larger than `check_drawn_size` lets through, or has an extent or place that scene/scene_limits.hpp
+/// refuses. `foreign`, where there is one, is the last of the opaque ones. Cost: linear in vertices drawn.
 [[nodiscard]] MeshData build_meshes(const Scene& scene, Index ground_material,
                                     const ForeignMesh* foreign = nullptr);
 

@@ -10,9 +10,10 @@
 #include <glm/gtc/packing.hpp>
 #include <gtest/gtest.h>
 
-#include "gpu/imports.hpp"
+#include <estampe/shapes.hpp>
+
+#include "gpu/resources.hpp"
 #include "scene/pose.hpp"
-#include "scene/shapes.hpp"
 #include "support/drawing.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/pose/runs.hpp"
+#include "techniques/pose/pose.hpp"
 
 #include <gtest/gtest.h>
 
+#include <estampe/shapes.hpp>
+
 #include "scene/pose.hpp"
-#include "scene/shapes.hpp"
 #include "support/scenes.hpp"
 
 namespace estampe::pose {

@@ -6,7 +6,8 @@
 #include <glm/gtc/random.hpp>
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
+
 #include "techniques/pose/mesh_data.hpp"
 
 namespace estampe::pose {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/raster/choose_path.hpp"
+#include "techniques/raster/paths.hpp"
 
 #include <gtest/gtest.h>
 

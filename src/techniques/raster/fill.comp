@@ -3,7 +3,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-#include "shaders/items.glsl"
+#include "shaders/loops.glsl"
 
 layout(local_size_x = 64) in;
 

@@ -2,7 +2,7 @@
 // Alpha masks: whether the texture leaves a pixel of a triangle standing. MASK_BINDING is the first of eight
 // bindings; CLIP_FROM_ANCHOR and PICTURE_PX name the view.
 
-#include "shaders/material.glsl.h"
+#include "shaders/scene.glsl.h"
 #include "shaders/barycentric.glsl"
 
 #define DRAW_TEXELS_BINDING MASK_BINDING

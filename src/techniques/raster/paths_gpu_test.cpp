@@ -7,11 +7,12 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
+
 #include "support/drawing.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
-#include "techniques/raster/choose_path.hpp"
+#include "techniques/raster/paths.hpp"
 
 namespace estampe::raster {
 namespace {

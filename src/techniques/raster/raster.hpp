@@ -14,7 +14,9 @@
 
 #include "gpu/execution_profile.hpp"
 #include "gpu/graph/graph.hpp"
+#include "gpu/resources.hpp"
 #include "shaders/shared.hpp"
+#include "techniques/raster/raster.glsl.h"
 
 namespace estampe::raster {
 
@@ -82,7 +84,8 @@ struct View {
     /// large as the one that is peeled.
     std::optional<glm::uvec2> second_from = std::nullopt;
 
-    std::optional<gpu::BufferId> cluster_bounds = std::nullopt; ///< of all triangles, see clusters.hpp
+    std::optional<gpu::BufferId> cluster_bounds =
+        std::nullopt; ///< of all triangles, see add_cluster_bounds()
 
     /// Of the picture that is drawn.
     [[nodiscard]] glm::uvec2 drawn_px() const
@@ -111,7 +114,7 @@ struct View {
                                                     View view, uint32_t count);
 
 /// The tiles of 8 x 8 pixels in which a visibility buffer of `size_px` sees anything, see
-/// shaders/tile_list.glsl.h: a processor pays for pixels that see nothing as for all others. Cost: a small
+/// shaders/tiles.glsl.h: a processor pays for pixels that see nothing as for all others. Cost: a small
 /// clear and a dispatch of a thread a tile.
 [[nodiscard]] gpu::BufferId add_seen_tiles(gpu::Graph& graph, const gpu::Name& name, gpu::BufferId visibility,
                                            glm::uvec2 size_px);
@@ -134,5 +137,43 @@ struct DepthPart {
                                             std::span<const Batch> batches, const View& view,
                                             const std::vector<DepthPart>& parts, uint32_t row_texels,
                                             gpu::BufferId map);
+
+// Runs of 64 triangles, with a box about each: what a view cannot show is left out by these.
+
+/// Boxes about runs of 64 triangles, one for each run of a list of `triangle_count`.
+[[nodiscard]] uint64_t cluster_bounds_bytes(uint64_t triangle_count);
+
+/// Finds the boxes anew, for triangles whose vertices have moved.
+///
+/// Writes  `bounds`: ClusterBounds, of cluster_bounds_bytes()
+/// Cost    one dispatch: a thread per triangle, or per cluster with Tuning::threads_bound_clusters
+[[nodiscard]] gpu::BufferId add_cluster_bounds(gpu::Graph& graph, const RasterInputs& in,
+                                               uint32_t triangle_count, gpu::BufferId bounds,
+                                               const Tuning& tuning = {});
+
+/// The boxes of a scene, kept for as long as it stands as it did.
+class ClusterBoxes {
+public:
+    /// Vertices have moved, or triangles are others.
+    void forget() { are_found_ = false; }
+
+    /// Finds them where they are not known. Cost: nothing, or that of add_cluster_bounds().
+    [[nodiscard]] gpu::BufferId add(gpu::Graph& graph, gpu::Device& device, const RasterInputs& in,
+                                    uint32_t triangle_count, const Tuning& tuning = {});
+
+private:
+    gpu::Buffer bounds_;
+    bool are_found_ = false;
+};
+
+/// The clusters of a batch that the page may show, a workgroup to each: a list as shaders/tiles.glsl.h
+/// has it. None where `view` does not ask for it, see Tuning::clusters_from. Not of peels, nor of masked
+/// batches.
+[[nodiscard]] std::optional<gpu::BufferId> add_seen_clusters(gpu::Graph& graph, const gpu::Name& name,
+                                                             const Batch& batch, const View& view,
+                                                             const shared::RasterConstants& constants);
+
+/// How many clusters the triangles of a batch lie in.
+[[nodiscard]] uint32_t cluster_count(const Batch& batch);
 
 } // namespace estampe::raster

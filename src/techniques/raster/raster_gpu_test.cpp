@@ -4,10 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
+
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"
-#include "techniques/raster/passes.hpp"
+#include "techniques/raster/paths.hpp"
 #include "techniques/raster/raster_test_support.hpp"
 
 namespace estampe::raster {

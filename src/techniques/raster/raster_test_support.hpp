@@ -12,12 +12,10 @@
 
 #include <gtest/gtest.h>
 
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
-#include "shaders/mesh.glsl.h"
+#include "gpu/resources.hpp"
+#include "shaders/scene.glsl.h"
 #include "support/gpu_device.hpp"
 #include "support/page_raster.hpp"
-#include "techniques/raster/clusters/clusters.hpp"
 #include "techniques/raster/raster.hpp"
 
 namespace estampe::raster {

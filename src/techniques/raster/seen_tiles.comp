@@ -6,7 +6,7 @@
 #extension GL_KHR_shader_subgroup_vote : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shaders/rounds.glsl"
+#include "shaders/loops.glsl"
 #include "shaders/shared.glsl"
 #include "shaders/visibility.glsl"
 
@@ -35,7 +35,7 @@ void main()
         is_seen =
             is_seen || sees_triangle(texelFetch(visibility_texels, int(pixel.y * size_px.x + pixel.x)).xy);
         ++i;
-    } while (subgroupAny(!is_seen && i < rounds(64, int(tile.x))));
+    } while (subgroupAny(!is_seen && i < loop_rounds(64, int(tile.x))));
     if (is_on_page && is_seen) {
         list_tile(tile);
     }

@@ -6,9 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
-#include "shaders/tile_list.glsl.h"
+#include "gpu/resources.hpp"
+#include "shaders/tiles.glsl.h"
 #include "support/gpu_device.hpp"
 #include "techniques/raster/raster.hpp"
 

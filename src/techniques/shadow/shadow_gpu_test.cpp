@@ -4,7 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
+
 #include "support/drawing.hpp"
 #include "support/embree_scene.hpp"
 #include "support/scenes.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gpu/fills.hpp"
+#include "gpu/transfers.hpp"
 #include "shaders/sky_comp.hpp"
 #include "style/parameter.hpp"
 #include "techniques/sky/sky.glsl.h"

@@ -5,7 +5,7 @@
 // Strokes on the sky. The includer has `frame`.
 
 #include "shaders/camera.glsl"
-#include "shaders/line_ink.glsl"
+#include "shaders/lines.glsl"
 
 // By a point far off: of one near the eye, what the two places have in common would use up the digits.
 vec3 direction_at(vec2 position_px)

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "gpu/fills.hpp"
-#include "gpu/imports.hpp"
+#include "gpu/resources.hpp"
+#include "gpu/transfers.hpp"
 #include "shaders/light_variant.glsl.h"
 #include "shaders/smoke_ink_comp.hpp"
 #include "shaders/smoke_light_comp.hpp"

@@ -6,8 +6,8 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/frame.glsl.h"
-#include "shaders/line_ink.glsl"
-#include "shaders/rounds.glsl"
+#include "shaders/lines.glsl"
+#include "shaders/loops.glsl"
 #include "shaders/stroke_field.glsl"
 #include "techniques/smoke/smoke.glsl.h"
 #include "techniques/smoke/smoke_ray.glsl"
@@ -75,7 +75,7 @@ float distance_to_end(ivec2 pixel, float surface_m, float own_depth, float pixel
     const float steep = 3.0;
     float nearest = 1e9;
     int reach = int(ceil(1.5 * ink.line_px)) + 1;
-    for (int i = 0; i < rounds(ways * reach, pixel.x); ++i) {
+    for (int i = 0; i < loop_rounds(ways * reach, pixel.x); ++i) {
         float angle = 6.2831853 * (float(i % ways) + 0.5) / float(ways);
         ivec2 aside = ivec2(round(float(1 + i / ways) * vec2(cos(angle), sin(angle))));
         vec4 there = smoke_at(pixel + aside);
@@ -93,7 +93,7 @@ float left_by_scene(ivec2 pixel, float own_depth)
 {
     float line = texelFetch(line_image, pixel, 0).a;
     float nearest = 0.0;
-    for (int i = 0; i < rounds(16, pixel.x); ++i) {
+    for (int i = 0; i < loop_rounds(16, pixel.x); ++i) {
         float angle = 6.2831853 * float(i & 7) / 8.0;
         float reach = (i < 8 ? 0.5 : 1.0) * (ink.scene_line_px + 1.0);
         nearest = max(nearest, depth_at(pixel + ivec2(round(reach * vec2(cos(angle), sin(angle))))));

@@ -8,8 +8,7 @@
 
 #include "shaders/frame.glsl.h"
 #include "shaders/light_variant.glsl.h"
-#include "techniques/shadow/local/local.glsl.h"
-#include "techniques/shadow/sun/sun.glsl.h"
+#include "techniques/shadow/shadow.glsl.h"
 #include "techniques/smoke/smoke.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;

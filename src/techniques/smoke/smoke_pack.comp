@@ -5,7 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shaders/rounds.glsl"
+#include "shaders/loops.glsl"
 #include "techniques/smoke/smoke.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -64,7 +64,7 @@ void main()
     ivec3 low = ivec3(gl_GlobalInvocationID.xy, gl_WorkGroupID.z * smoke_brick);
     float most = 0.0;
     vec2 here = vec2(shape_at(low), light_at(low));
-    for (int i = 0; i < rounds(int(smoke_brick), low.x); ++i) {
+    for (int i = 0; i < loop_rounds(int(smoke_brick), low.x); ++i) {
         ivec3 cell = low + ivec3(0, 0, i);
         ivec3 above = cell + ivec3(0, 0, 1);
         vec2 there = vec2(shape_at(above), light_at(above));

@@ -6,7 +6,7 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/hash.glsl"
-#include "shaders/items.glsl"
+#include "shaders/loops.glsl"
 #include "techniques/smoke/smoke.glsl.h"
 
 layout(local_size_x = 64) in;

@@ -5,7 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shaders/rounds.glsl"
+#include "shaders/loops.glsl"
 #include "techniques/smoke/smoke.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -55,7 +55,7 @@ float depth_in_puffs(vec3 place)
     ivec3 size = knots.last - knots.first + 1;
     ivec3 aside = knots.first;
     float deepest = -1e3;
-    for (int i = 0; i < rounds(size.x * size.y * size.z, int(place.x)); ++i) {
+    for (int i = 0; i < loop_rounds(size.x * size.y * size.z, int(place.x)); ++i) {
         ivec3 knot = clamp(home + aside, ivec3(0), counts - 1);
         vec4 puff = texelFetch(puff_texels, (knot.z * counts.y + knot.y) * counts.x + knot.x);
         deepest = max(deepest, puff.w > 0.0 ? puff.w - length(place - puff.xyz) : -1e3);

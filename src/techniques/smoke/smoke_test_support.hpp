@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "features/common/view.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
 #include "support/gpu_device.hpp"
 #include "support/layers.hpp"
 #include "techniques/smoke/smoke.hpp"

@@ -6,7 +6,7 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/camera.glsl"
-#include "shaders/draw_word.glsl"
+#include "shaders/surface_images.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

@@ -7,8 +7,8 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/camera.glsl"
-#include "shaders/draw_word.glsl"
-#include "shaders/octahedral.glsl"
+#include "shaders/surface_images.glsl"
+#include "shaders/unit.glsl"
 #include "shaders/visibility.glsl"
 
 layout(local_size_x = 8, local_size_y = 32) in;
@@ -45,7 +45,6 @@ layout(push_constant, scalar) uniform Constants
 };
 
 #include "techniques/subsurface/scatter.glsl"
-#include "techniques/subsurface/thickness.glsl"
 
 const float least_through = 1.0 / 4096.0; // a white light sixteen times as bright changes no pixel by it
 

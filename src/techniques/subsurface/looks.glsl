@@ -2,7 +2,7 @@
 // The look of what a pixel sees. Wanted before: LOOKS_BINDING, of the looks as texels; the number of each
 // draw's comes next. HAS_LOOKS says whether there is more than one.
 
-#include "shaders/draw_word.glsl"
+#include "shaders/surface_images.glsl"
 #include "techniques/subsurface/subsurface.glsl.h"
 
 layout(binding = LOOKS_BINDING) uniform samplerBuffer look_texels;

@@ -2,12 +2,21 @@
 #ifndef ESTAMPE_SCATTER
 #define ESTAMPE_SCATTER
 
-// The half page that light spreads over, and Burley's profile as a mixture of the blurs of it. Wanted before:
-// `frame`, a FrameGlobals, and `constants`, ScatterConstants.
+// How far the eye's ray runs within what it enters, the half page that light spreads over, and Burley's
+// profile as a mixture of the blurs of it. Wanted before: `frame`, a FrameGlobals, and `constants`,
+// ScatterConstants.
 
 #include "shaders/camera.glsl"
 #include "techniques/subsurface/profile.glsl"
 #include "techniques/subsurface/subsurface.glsl.h"
+
+// What has no far side, whose depth is its own then, is a sheet.
+float thickness_m(vec2 middle_px, float near_side, float far_side, float sheet_m)
+{
+    vec3 front = anchor_at(frame, middle_px, max(near_side, 1e-9));
+    vec3 back = anchor_at(frame, middle_px, max(far_side, 1e-9));
+    return far_side == near_side ? sheet_m : distance(front, back);
+}
 
 // By how much the way to every second pixel and back blurs.
 const float half_page_variance_px2 = 0.85;

@@ -9,8 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "features/common/view.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
 #include "support/gpu_device.hpp"
 #include "support/layers.hpp"
 

@@ -47,7 +47,6 @@ layout(push_constant, scalar) uniform Constants
 #include "shaders/tile_list_fill.glsl"
 
 #include "techniques/subsurface/scatter.glsl"
-#include "techniques/subsurface/thickness.glsl"
 
 const float most_light = 65504.0; // that half floats hold
 

@@ -4,15 +4,60 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gpu/fills.hpp"
+#include "gpu/transfers.hpp"
+#include "shaders/behind_halve_comp.hpp"
+#include "shaders/behind_inside_comp.hpp"
+#include "shaders/behind_lay_comp.hpp"
 #include "shaders/exit_comp.hpp"
 #include "shaders/scatter_blur_comp.hpp"
 #include "shaders/scatter_blur_tile_comp.hpp"
 #include "shaders/scatter_page_comp.hpp"
 #include "shaders/scatter_source_comp.hpp"
-#include "shaders/tile_list.glsl.h"
+#include "shaders/texture_blur_comp.hpp"
+#include "shaders/texture_page_comp.hpp"
+#include "shaders/texture_source_comp.hpp"
+#include "shaders/texture_surface_comp.hpp"
+#include "shaders/tiles.glsl.h"
+#include "style/parameter.hpp"
 
 namespace estampe::subsurface {
+
+const style::Table<SubsurfaceStyle>& subsurface_table()
+{
+    static const auto table =
+        style::Table<SubsurfaceStyle>("subsurface", "Light that goes into things: skin, wax, leaves")
+            .toggle("drawn", &SubsurfaceStyle::drawn, "Whether any does")
+            .number("scatter_m", &SubsurfaceStyle::scatter_m, {0.0F, 1e4F}, "m",
+                    "Measure of how far light spreads under the surface: half of it comes out within one "
+                    "and a half of this; 0: where it went in")
+            .color("scatter_color", &SubsurfaceStyle::scatter_color,
+                   "How far each colour spreads, its channels times that")
+            .number("depth_m", &SubsurfaceStyle::depth_m, {0.0F, 1e4F}, "m",
+                    "Thickness that leaves the tint of white light from behind; 0: none comes through")
+            .color("tint", &SubsurfaceStyle::tint, "What is left of white light at that thickness")
+            .number("strength", &SubsurfaceStyle::strength, {0.0F, 8.0F}, "",
+                    "Of the light that comes through; 1 is as much as falls on the other side")
+            .number("sheet_m", &SubsurfaceStyle::sheet_m, {0.0F, 1e4F}, "m",
+                    "How thick sheets are, which have no far side")
+            .number("behind", &SubsurfaceStyle::behind, {0.0F, 1.0F}, "",
+                    "How much is seen of what lies behind: 0 nothing, 1 all that the tint lets through")
+            .number("behind_blur", &SubsurfaceStyle::behind_blur, {0.0F, 8.0F}, "",
+                    "How much thickness blurs what lies behind: the blur's deviation in the scene by the "
+                    "thickness of all that is looked through")
+            .toggle(
+                "transmission", &SubsurfaceStyle::transmission,
+                "Whether what the file says is seen through (glTF's transmission and volume) is, where the "
+                "style has no behind for it")
+            .number("reach_mm", &SubsurfaceStyle::reach_mm, {0.1F, 200.0F}, "mm",
+                    "How far light may spread on the page; what would go farther spreads less")
+            .choice("space", &SubsurfaceStyle::space, {{"page", Space::page}, {"texture", Space::texture}},
+                    "Where it spreads: on the page, between what is seen; or in a map that lies on all "
+                    "surfaces, also from what is not seen")
+            .integer("texels", &SubsurfaceStyle::texels, {64, 4096}, "texels", "Of texture: the map's side")
+            .by_surface_but({"reach_mm", "space", "texels"});
+    return table;
+}
+
 namespace {
 
 /// Tangent by which glass of roughness 1 throws what is behind it about, at a refraction of 1.5.
@@ -236,6 +281,151 @@ gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::Ima
     pass.variant(variant | bind_looks(pass, in));
     const gpu::ImageId result = pass.modify(light);
     pass.read(listed).push(constants).dispatch_indirect(listed);
+    return result;
+}
+
+namespace {
+
+/// The background, and itself in halves, quarters and so on.
+std::vector<gpu::ImageId> add_halves(gpu::Graph& graph, const BehindInputs& in)
+{
+    std::vector<gpu::ImageId> levels{in.painted};
+    glm::uvec2 size_px = in.common.size_px;
+    for (size_t i = 1; i < shared::behind_levels; ++i) {
+        size_px = glm::max((size_px + 1U) / 2U, glm::uvec2(1));
+        auto pass = graph.compute("subsurface/halve", shaders::behind_halve_comp);
+        pass.sample(levels.back());
+        levels.push_back(pass.write(graph.image(
+            "subsurface/halves", {.width = size_px.x, .height = size_px.y, .format = gpu::Format::rgba16f})));
+        pass.dispatch_over(size_px.x, size_px.y);
+    }
+    return levels;
+}
+
+} // namespace
+
+gpu::ImageId add_behind(gpu::Graph& graph, const BehindInputs& in, gpu::ImageId wash)
+{
+    const SubsurfaceInputs& common = in.common;
+    auto inside = graph.compute("subsurface/clear", shaders::behind_inside_comp);
+    inside.uniform(common.frame).sample(common.draw);
+    inside.sample(common.looks, gpu::Format::rgba32f);
+    inside.sample(common.look_of_draw.value_or(common.looks), gpu::Format::r32ui);
+    inside.sample(in.triangles).sample(in.posed_vertices);
+    inside.sample(in.background, gpu::Format::rg32ui);
+    for (size_t i = 0; i < inside_layers; ++i) {
+        inside.sample(in.inside[std::min(i, in.inside.size() - 1)], gpu::Format::rg32ui);
+    }
+    inside.sample(in.color);
+    const gpu::ImageId clear = inside.write(
+        graph.image("subsurface/clear",
+                    {.width = common.size_px.x, .height = common.size_px.y, .format = gpu::Format::rgba32f}));
+    const gpu::ImageId share = inside.write(
+        graph.image("subsurface/share",
+                    {.width = common.size_px.x, .height = common.size_px.y, .format = gpu::Format::r16f}));
+    inside.variant(common.look_of_draw ? shared::subsurface_has_looks : 0U);
+    inside.dispatch_over(common.size_px.x, common.size_px.y);
+
+    const std::vector<gpu::ImageId> levels = add_halves(graph, in);
+    auto lay = graph.compute("subsurface/behind", shaders::behind_lay_comp);
+    lay.sample(clear).sample(share);
+    for (const gpu::ImageId level : levels) {
+        lay.sample(level, gpu::Sampling::linear);
+    }
+    const gpu::ImageId laid = lay.modify(wash);
+    lay.push(common.reach_mm * common.pixels_per_mm / 3.0F);
+    lay.dispatch_over(common.size_px.x, common.size_px.y);
+    return laid;
+}
+
+namespace {
+
+/// The d of the profile, in texels, whose tail the widest of so many blurs holds.
+float most_spread_tx(uint32_t levels)
+{
+    return 0.25F * static_cast<float>(std::sqrt((std::exp2(2.0 * levels) - 1.0) / 3.0));
+}
+
+uint32_t levels_for(float spread_tx)
+{
+    uint32_t levels = 1;
+    while (levels < shared::most_texture_levels && most_spread_tx(levels) < spread_tx) {
+        ++levels;
+    }
+    return levels;
+}
+
+shared::TextureConstants texture_constants(const TextureInputs& in)
+{
+    return {
+        .size = in.size, .most_tx = most_spread_tx(levels_for(in.most_spread_tx)), .level = 0, .is_last = 0U};
+}
+
+gpu::ImageId map_image(gpu::Graph& graph, const TextureInputs& in, const char* name, gpu::Format format)
+{
+    return graph.image(name, {.width = in.size, .height = in.size, .format = format});
+}
+
+} // namespace
+
+TextureSurface add_texture_surface(gpu::Graph& graph, const TextureInputs& in)
+{
+    auto pass = graph.compute("subsurface/texels", shaders::texture_surface_comp);
+    pass.sample(in.map_texels).sample(in.map_corners, gpu::Format::rg32ui);
+    pass.sample(in.triangles).sample(in.posed_vertices).sample(in.draws).sample(in.materials);
+    const gpu::ImageId draw = pass.write(map_image(graph, in, "subsurface/map draw", gpu::Format::r32ui));
+    const gpu::ImageId normal =
+        pass.write(map_image(graph, in, "subsurface/map normal", gpu::Format::rg32ui));
+    const gpu::ImageId points = pass.write(map_image(graph, in, "subsurface/points", gpu::Format::rgba32f));
+    pass.push(texture_constants(in)).dispatch_over(in.size, in.size);
+    return {draw, normal, points};
+}
+
+TextureLight add_texture_scatter(gpu::Graph& graph, const TextureInputs& in, const TextureSurface& surface,
+                                 gpu::ImageId light)
+{
+    shared::TextureConstants constants = texture_constants(in);
+    const uint32_t levels = levels_for(in.most_spread_tx);
+    const auto image = [&](const char* name) { return map_image(graph, in, name, gpu::Format::rgba32f); };
+    auto source = graph.compute("subsurface/map source", shaders::texture_source_comp);
+    source.sample(surface.draw).sample(surface.points).sample(light);
+    source.sample(in.looks, gpu::Format::rgba32f);
+    source.sample(in.look_of_draw.value_or(in.looks), gpu::Format::r32ui);
+    source.variant(in.look_of_draw ? shared::subsurface_has_looks : 0U);
+    gpu::ImageId blurred = source.write(image("subsurface/map light"));
+    const gpu::ImageId spread = source.write(image("subsurface/map spread"));
+    gpu::ImageId sum = source.write(image("subsurface/map sum"));
+    source.push(constants).dispatch_over(in.size, in.size);
+    for (uint32_t level = 0; level < levels; ++level) {
+        constants.level = static_cast<int>(level);
+        constants.is_last = level + 1 == levels ? 1U : 0U;
+        for (const bool is_upright : {false, true}) {
+            auto pass = graph.compute(is_upright ? "subsurface/map columns" : "subsurface/map rows",
+                                      shaders::texture_blur_comp);
+            pass.sample(spread).sample(surface.points).sample(blurred).sample(sum);
+            pass.variant(is_upright ? shared::subsurface_is_upright : 0U);
+            blurred = pass.write(image("subsurface/map blurred"));
+            const gpu::ImageId next_sum = pass.write(
+                is_upright ? image("subsurface/map sum")
+                           : graph.image("subsurface/no map sum",
+                                         {.width = 1, .height = 1, .format = gpu::Format::rgba32f}));
+            pass.push(constants).dispatch_over(in.size, in.size);
+            sum = is_upright ? next_sum : sum;
+        }
+    }
+    return {spread, sum};
+}
+
+gpu::ImageId add_texture_page(gpu::Graph& graph, const TextureInputs& in, const TextureLight& spread,
+                              gpu::BufferId frame, gpu::BufferId visibility, gpu::ImageId light,
+                              glm::uvec2 size_px)
+{
+    auto pass = graph.compute("subsurface/map page", shaders::texture_page_comp);
+    pass.uniform(frame).sample(visibility, gpu::Format::rg32ui);
+    pass.sample(in.triangles).sample(in.posed_vertices).sample(in.map_corners, gpu::Format::rg32ui);
+    pass.sample(spread.spread).sample(spread.sum);
+    const gpu::ImageId result = pass.modify(light);
+    pass.push(texture_constants(in)).dispatch_over(size_px.x, size_px.y);
     return result;
 }
 

@@ -7,7 +7,7 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/camera.glsl"
-#include "shaders/rounds.glsl"
+#include "shaders/loops.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -54,7 +54,7 @@ void main()
         ivec2 pixel = min(ivec2(from_px) + ivec2(i & 7, i >> 3), last_px);
         is_far = is_far || texelFetch(depth_image, pixel, 0).x <= limit;
         ++i;
-    } while (subgroupAny(!is_far && i < rounds(64, int(tile.x))));
+    } while (subgroupAny(!is_far && i < loop_rounds(64, int(tile.x))));
     if (is_on_page && is_far) {
         list_tile(tile);
     }

@@ -5,9 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "features/common/view.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
-#include "shaders/tile_list.glsl.h"
+#include "gpu/resources.hpp"
+#include "shaders/tiles.glsl.h"
 #include "support/gpu_device.hpp"
 #include "support/layers.hpp"
 #include "techniques/surface/surface.hpp"

@@ -8,9 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "core/srgb.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
+#include "core/color.hpp"
+#include "gpu/resources.hpp"
 #include "techniques/surface/mips.hpp"
 
 namespace estampe::surface {

@@ -11,7 +11,7 @@
 #include <estampe/scene.hpp>
 
 #include "gpu/resources.hpp"
-#include "shaders/material.glsl.h"
+#include "shaders/scene.glsl.h"
 #include "techniques/surface/surface.hpp"
 
 namespace estampe::surface {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/at_once.hpp"
+#include "core/long_jobs.hpp"
 
 #if defined(__GNUC__)
 #pragma GCC diagnostic push
@@ -74,7 +74,7 @@ void MipQueue::start(uint32_t layer)
 {
     static const Image white{.width = 1, .height = 1, .rgba = {255, 255, 255, 255}};
     const Image& image = layers_.empty() ? white : scene_.textures[layers_[layer]].image;
-    pending_[layer] = std::async(at_once, make_mips, std::cref(image), side_);
+    pending_[layer] = std::async(launch_if_possible, make_mips, std::cref(image), side_);
 }
 
 gpu::LayerPixels MipQueue::take(uint32_t layer)

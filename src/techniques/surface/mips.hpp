@@ -6,7 +6,7 @@
 
 #include <estampe/scene.hpp>
 
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
 
 namespace estampe::surface {
 

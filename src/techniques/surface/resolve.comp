@@ -10,11 +10,9 @@
 #include "shaders/barycentric.glsl"
 #include "shaders/camera.glsl"
 #include "shaders/color.glsl"
-#include "shaders/draw_word.glsl"
-#include "shaders/footprint.glsl"
-#include "shaders/material.glsl.h"
-#include "shaders/mesh.glsl.h"
-#include "shaders/octahedral.glsl"
+#include "shaders/surface_images.glsl"
+#include "shaders/scene.glsl.h"
+#include "shaders/unit.glsl"
 #include "techniques/surface/resolve_variant.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 32) in;
@@ -59,7 +57,7 @@ layout(binding = 11) uniform sampler2DArray texture_class_1;
 layout(binding = 12) uniform sampler2DArray texture_class_2;
 layout(binding = 13) uniform sampler2DArray texture_class_3;
 layout(binding = 14) uniform sampler2DArray texture_class_4;
-layout(binding = 15, r32ui) writeonly uniform uimage2D out_draw;    // see shaders/draw_word.glsl
+layout(binding = 15, r32ui) writeonly uniform uimage2D out_draw;    // see shaders/surface_images.glsl
 layout(binding = 16, r32f) writeonly uniform image2D out_depth;     // reversed, 0 for nothing
 layout(binding = 17, rg32ui) writeonly uniform uimage2D out_normal; // packed: shading, smooth geometric
 layout(binding = 18, rgba8) writeonly uniform image2D out_color;    // square root of linear colour; occlusion

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/surface/surface.hpp"
 
+#include "gpu/transfers.hpp"
+#include "shaders/far_tiles_comp.hpp"
 #include "shaders/resolve_comp.hpp"
 #include "shaders/stroke_kind.glsl.h"
 #include "techniques/surface/resolve_variant.glsl.h"
@@ -38,6 +40,17 @@ Surface add_resolve(gpu::Graph& graph, const ResolveInputs& in)
                  (needs.occlusion ? shared::resolve_has_occlusion : 0U));
     pass.push(in.strokes_per_m).dispatch_over_page(in.size_px.x, in.size_px.y);
     return {draw, depth, normal, color, coordinate, footprint};
+}
+
+gpu::BufferId add_far_tiles(gpu::Graph& graph, const FarInputs& in, float from_m)
+{
+    const glm::uvec2 tiles = (in.size_px + 7U) / 8U;
+    const gpu::BufferId none = gpu::add_empty_tile_list(graph, "far tiles", in.size_px);
+    auto pass = graph.compute("surface/far tiles", shaders::far_tiles_comp);
+    pass.uniform(in.frame).sample(in.depth);
+    const gpu::BufferId listed = pass.modify(none);
+    pass.push(from_m).dispatch_over(tiles.x, tiles.y);
+    return listed;
 }
 
 } // namespace estampe::surface

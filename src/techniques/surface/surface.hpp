@@ -48,7 +48,7 @@ struct Surface {
     gpu::ImageId color;  ///< rgba8: square root of linear colour; share of the light that occlusion lets by
     gpu::ImageId
         coordinate; ///< rgba32f: what strokes follow: two numbers and 0, or the place in the rest pose
-    gpu::ImageId footprint; ///< rgba32ui: its change over a pixel, see shaders/footprint.glsl
+    gpu::ImageId footprint; ///< rgba32ui: its change over a pixel, see shaders/surface_images.glsl
 };
 
 /// Cost    one full-screen dispatch; 52 bytes written a pixel
@@ -65,7 +65,7 @@ struct FarInputs {
 /// Lists the tiles of 8 x 8 pixels that sky may show in: where nothing is seen somewhere, or something
 /// `from_m` or farther from the eye. None other has such a pixel. In parallel projection all are listed.
 ///
-/// Writes  a list of tiles, see shaders/tile_list.glsl.h
+/// Writes  a list of tiles, see shaders/tiles.glsl.h
 /// Cost    a thread a tile, which stops at the first such pixel
 [[nodiscard]] gpu::BufferId add_far_tiles(gpu::Graph& graph, const FarInputs& in, float from_m);
 

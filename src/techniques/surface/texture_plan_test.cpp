@@ -2,7 +2,8 @@
 // Where textures go when a class has fewer layers than there are textures of its size.
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
+
 #include "support/scenes.hpp"
 #include "techniques/surface/materials.hpp"
 

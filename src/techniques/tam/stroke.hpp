@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// A stroke, the brush that it is drawn with, and the random numbers of both.
+
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <glm/glm.hpp>
 
-#include "techniques/tam/brush.hpp"
+#include <estampe/image.hpp>
+
+#include "core/hash.hpp"
+#include "techniques/tam/tam_style.hpp"
 
 namespace estampe::tam {
 
@@ -39,11 +45,103 @@ struct Mark {
     uint16_t ink = 0;   ///< 0 to 65535
 };
 
+/// A texel as a stroke sees it.
+struct Touch {
+    float along = 0.0F;     ///< 0 at the start of the stroke, 1 at its end
+    float across_px = 0.0F; ///< from the middle of the stroke, signed
+    float half_px = 1.0F;   ///< half the width here
+    float tooth = 0.0F;     ///< height of the paper, 0 to 1
+    float hairs = 1.0F;     ///< how many times finer than usual those of a brush are
+    bool on_middle = false; ///< the line in the middle of the stroke runs through this texel
+};
+
+/// Height of the paper at each texel of a level, 0 to 1; it wraps. `cell_px` is the size of its bumps.
+[[nodiscard]] std::vector<float> paper_tooth(uint32_t size_px, uint32_t cell_px, uint32_t seed);
+
+/// The ink of a picture of a stroke from left to right, 0 to 1, row by row from the top: its alpha, or where
+/// it is opaque throughout, its darkness. Throws Error with `where` as its place when the picture is empty or
+/// has no ink.
+[[nodiscard]] std::vector<float> stroke_of(const Image& picture, size_t columns, size_t rows,
+                                           const std::string& where = {});
+
+/// What leaves the ink: a pen, pencil, charcoal, burin or brush that is a formula, or the picture of one.
+/// The line in the middle of a stroke is always more than half ink, so that a stroke that is ink in one level
+/// is ink in the next; but not of a picture, which may have gaps.
+class Brush {
+public:
+    /// Of a picture, its alpha (or, where it is opaque throughout, its darkness) is the ink of a stroke that
+    /// runs from its left to its right side. Throws Error when the picture is empty or has no ink.
+    explicit Brush(const TamStyle& style, const Image* picture = nullptr);
+
+    /// Ink at a texel, 0 to 1. `seed` tells strokes apart.
+    [[nodiscard]] float ink(const Touch& touch, uint32_t seed) const;
+
+    /// Width at `along` as a share of the full width, from the pressure of the hand; tapers not counted.
+    [[nodiscard]] float pressure(float along, uint32_t seed) const;
+
+    /// Side of the bumps of the paper, in pixels; 0 when the tool feels none.
+    [[nodiscard]] uint32_t tooth_cell_px() const;
+
+private:
+    [[nodiscard]] float formula(const Touch& touch, uint32_t seed) const;
+    [[nodiscard]] float grained(const Touch& touch, float roughness) const;
+    [[nodiscard]] float hairs(const Touch& touch, uint32_t seed) const;
+    [[nodiscard]] float pictured(const Touch& touch) const;
+
+    Tool tool_;
+    float opacity_;
+    float grain_;
+    float pressure_;
+    float width_px_;
+    std::vector<float> picture_; ///< rows of `picture_columns` across the stroke; empty for a formula
+    size_t picture_rows_ = 0;
+};
+
 /// Fills `marks` with what `stroke` leaves on a level of `size_px`, each texel once (twice where a stroke
 /// overlaps itself across the wrap). `tooth` is the paper of that level, or empty.
 ///
 /// Cost    about 30 ns a texel near the stroke
 void draw_stroke(const Stroke& stroke, const Nib& nib, const Brush& brush, const std::vector<float>& tooth,
                  uint32_t size_px, std::vector<Mark>& marks);
+
+using estampe::hash;
+
+[[nodiscard]] constexpr uint32_t hash(uint32_t x, uint32_t y)
+{
+    return hash(x ^ hash(y));
+}
+
+/// Uniform in [0, 1), from the top 24 bits.
+[[nodiscard]] constexpr float unit_float(uint32_t bits)
+{
+    return static_cast<float>(bits >> 8U) * (1.0F / 16777216.0F);
+}
+
+/// Smooth noise in [-1, 1] over a line, knots at the whole numbers.
+[[nodiscard]] constexpr float line_noise(uint32_t seed, float x)
+{
+    const auto knot = static_cast<int32_t>(x) - (x < 0.0F ? 1 : 0);
+    const float t = x - static_cast<float>(knot);
+    const float a = unit_float(hash(seed, static_cast<uint32_t>(knot)));
+    const float b = unit_float(hash(seed, static_cast<uint32_t>(knot + 1)));
+    return 2.0F * (a + (b - a) * t * t * (3.0F - 2.0F * t)) - 1.0F;
+}
+
+/// A stream of numbers that is the same on every machine; the distributions of the standard library are not.
+class Random {
+public:
+    explicit Random(uint32_t seed) : state_(hash(seed)) {}
+
+    [[nodiscard]] uint32_t bits() { return hash(state_ += 0x9E3779B9U); }
+
+    /// Uniform in [0, 1).
+    [[nodiscard]] float unit() { return unit_float(bits()); }
+
+    /// Uniform in [-1, 1).
+    [[nodiscard]] float sign() { return 2.0F * unit() - 1.0F; }
+
+private:
+    uint32_t state_;
+};
 
 } // namespace estampe::tam

@@ -7,7 +7,7 @@
 
 namespace estampe::tam {
 
-/// What draws the strokes, see brush.hpp.
+/// What draws the strokes, see stroke.hpp.
 enum class Tool : uint8_t { pen, pencil, charcoal, burin, brush };
 
 /// Lengths in pixels are those of every level: a stroke is as wide in the coarsest as in the finest.

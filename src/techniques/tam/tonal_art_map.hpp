@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// Tonal art maps: what is asked of one, its levels and thresholds, and all its images on one sheet.
+
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include <glm/glm.hpp>
+
+#include <estampe/image.hpp>
 #include <estampe/tonal_art_map.hpp>
 
 namespace estampe::tam {
@@ -43,5 +48,9 @@ void check_map(const TonalArtMap& map, const std::string& where);
 
 /// The thresholds of one level, from its tones alone.
 [[nodiscard]] Gray8 interpolated_thresholds(const TonalArtMap& map, size_t level);
+
+/// All images of a map on one sheet: a column a tone, the lightest at the left; in each the finest level on
+/// top and the coarser ones below it, from left to right. Colours are linear.
+[[nodiscard]] Image preview_sheet(const TonalArtMap& map, const glm::vec3& paper, const glm::vec3& ink);
 
 } // namespace estampe::tam

@@ -6,8 +6,6 @@
 #include <estampe/error.hpp>
 #include <gtest/gtest.h>
 
-#include "techniques/tam/preview.hpp"
-
 namespace estampe::tam {
 namespace {
 

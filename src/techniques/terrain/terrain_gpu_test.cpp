@@ -5,12 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
-#include "shaders/mesh.glsl.h"
+#include "gpu/resources.hpp"
+#include "shaders/scene.glsl.h"
 #include "support/gpu_device.hpp"
 #include "techniques/pose/mesh_data.hpp"
-#include "techniques/terrain/graph/evaluate.hpp"
+#include "techniques/terrain/graph/program.hpp"
 #include "techniques/terrain/graph/test_graphs.hpp"
 #include "techniques/terrain/terrain_buffers.hpp"
 

@@ -7,8 +7,7 @@
 #include "shaders/barycentric.glsl"
 #include "shaders/camera.glsl"
 #include "shaders/color.glsl"
-#include "shaders/material.glsl.h"
-#include "shaders/mesh.glsl.h"
+#include "shaders/scene.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

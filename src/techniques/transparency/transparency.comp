@@ -10,8 +10,7 @@
 #include "shaders/camera.glsl"
 #include "shaders/color.glsl"
 #include "shaders/hash.glsl"
-#include "shaders/material.glsl.h"
-#include "shaders/mesh.glsl.h"
+#include "shaders/scene.glsl.h"
 #include "techniques/transparency/transparency_variant.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;

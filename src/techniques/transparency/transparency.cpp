@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "gpu/fills.hpp"
+#include "gpu/transfers.hpp"
 #include "shaders/sheet_comp.hpp"
 #include "shaders/transparency_comp.hpp"
 #include "style/parameter.hpp"

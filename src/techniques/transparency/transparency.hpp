@@ -41,7 +41,7 @@ struct TransparencyInputs {
     std::array<gpu::ImageId, 5> textures;
     uint32_t texture_classes = 0;
     std::optional<gpu::BufferId> tiles; ///< in which the first layer sees anything, see
-                                        ///< shaders/tile_list.glsl.h
+                                        ///< shaders/tiles.glsl.h
     glm::uvec2 size_px{0};
 };
 

@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 
 #include <estampe/renderer.hpp>
+#include <estampe/shapes.hpp>
 
-#include "scene/shapes.hpp"
 #include "support/drawing.hpp"
 #include "support/gpu_device.hpp"
 #include "support/image_compare.hpp"

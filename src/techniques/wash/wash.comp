@@ -8,9 +8,8 @@
 
 #include "shaders/camera.glsl"
 #include "shaders/color.glsl"
-#include "shaders/draw_word.glsl"
-#include "shaders/material.glsl.h"
-#include "shaders/mesh.glsl.h"
+#include "shaders/surface_images.glsl"
+#include "shaders/scene.glsl.h"
 #include "shaders/noise.glsl"
 #include "shaders/tone.glsl"
 #include "techniques/wash/wash.glsl.h"

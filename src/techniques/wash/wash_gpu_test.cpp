@@ -8,12 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/luminance.hpp"
+#include "core/color.hpp"
 #include "features/common/view.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
-#include "shaders/material.glsl.h"
-#include "shaders/mesh.glsl.h"
+#include "gpu/resources.hpp"
+#include "shaders/scene.glsl.h"
 #include "support/gpu_device.hpp"
 #include "support/layers.hpp"
 
@@ -21,7 +19,7 @@ namespace estampe::wash {
 namespace {
 
 constexpr glm::uvec2 size_px(48, 32);
-constexpr uint32_t paper_bit = 1U << 31U; // DRAW_PAPER of shaders/draw_word.glsl
+constexpr uint32_t paper_bit = 1U << 31U; // DRAW_PAPER of shaders/surface_images.glsl
 constexpr glm::vec3 red(0.6F, 0.1F, 0.05F);
 const Camera camera{.eye = {0.0, 0.0, 4.0}, .vertical_fov_rad = 0.7};
 

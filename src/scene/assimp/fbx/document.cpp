@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 namespace estampe::fbx {
 namespace {
 
@@ -78,6 +80,13 @@ Properties with_template(const Element& object, const Templates& templates, std:
     const auto found = templates.find(name);
     return {.own = properties_of(object.children),
             .defaults = found == templates.end() ? nullptr : found->second};
+}
+
+/// Seconds of a time in FBX's own unit.
+double seconds_of(double fbx_time)
+{
+    constexpr double units_per_s = 46186158000.0;
+    return fbx_time / units_per_s;
 }
 
 void add_object(Document& document, const Element& object, const Templates& templates)
@@ -190,12 +199,6 @@ std::string Properties::text(std::string_view name) const
     return text == nullptr ? std::string() : *text;
 }
 
-double seconds_of(double fbx_time)
-{
-    constexpr double units_per_s = 46186158000.0;
-    return fbx_time / units_per_s;
-}
-
 Document read_document(const Tree& tree)
 {
     Document document;
@@ -220,6 +223,222 @@ void hide_pivots(const Tree& tree, std::span<char> file)
     for (const Element& object : children_of(tree.elements, "Objects"))
         if (object.name == "Model")
             hide_pivots_of(object.children, file);
+}
+
+namespace {
+
+constexpr int order_xyz = 0;
+
+/// `order` counts as FBX does: XYZ turns about x first.
+glm::dquat turn(const glm::dvec3& degrees, int order)
+{
+    constexpr std::array<std::array<int, 3>, 6> orders{
+        {{0, 1, 2}, {0, 2, 1}, {1, 2, 0}, {1, 0, 2}, {2, 0, 1}, {2, 1, 0}}};
+    glm::dquat rotation(1.0, 0.0, 0.0, 0.0);
+    for (const int axis : orders[order >= 0 && order < 6 ? static_cast<size_t>(order) : 0]) {
+        glm::dvec3 about{0.0};
+        about[axis] = 1.0;
+        rotation = glm::angleAxis(glm::radians(degrees[axis]), about) * rotation;
+    }
+    return rotation;
+}
+
+glm::dmat4 moved(const glm::dvec3& by)
+{
+    return glm::translate(glm::dmat4(1.0), by);
+}
+
+/// An axis of the file: 0 to 2 with a sign.
+glm::dvec3 axis_of(const Properties& settings, const std::string& name, double fallback)
+{
+    const double axis = settings.number(name).value_or(fallback);
+    glm::dvec3 direction{0.0};
+    if (axis == 0.0 || axis == 1.0 || axis == 2.0)
+        direction[static_cast<int>(axis)] = settings.number(name + "Sign").value_or(1.0) < 0.0 ? -1.0 : 1.0;
+    return direction;
+}
+
+/// Rows are the file's axes to the right, up and to the front.
+glm::dmat3 axes_of(const Properties& settings)
+{
+    const glm::dmat3 axes(axis_of(settings, "CoordAxis", 0.0), axis_of(settings, "UpAxis", 1.0),
+                          axis_of(settings, "FrontAxis", 2.0));
+    return std::abs(glm::determinant(axes)) == 1.0 ? glm::transpose(axes) : glm::dmat3(1.0);
+}
+
+} // namespace
+
+glm::dmat4 Parts::matrix() const
+{
+    return moved(translation) * before_rotation * glm::mat4_cast(rotation) * before_scale *
+           glm::scale(glm::dmat4(1.0), scale) * after_scale;
+}
+
+bool Parts::is_plain() const
+{
+    const glm::dmat4 none(1.0);
+    return before_rotation == none && before_scale == none && after_scale == none;
+}
+
+Parts parts_of(const Properties& model)
+{
+    const glm::dvec3 zero{0.0};
+    const auto vector = [&](const char* name) { return model.vector(name).value_or(zero); };
+    const bool turns_freely = model.number("RotationActive").value_or(1.0) != 0.0 &&
+                              model.number("RotationSpaceForLimitOnly").value_or(0.0) == 0.0;
+    const int order =
+        turns_freely ? static_cast<int>(model.number("RotationOrder").value_or(order_xyz)) : order_xyz;
+    const glm::dvec3 rotation_pivot = vector("RotationPivot");
+    const glm::dvec3 scaling_pivot = vector("ScalingPivot");
+    Parts parts;
+    parts.translation = vector("Lcl Translation");
+    parts.rotation = turn(vector("Lcl Rotation"), order);
+    parts.scale = model.vector("Lcl Scaling").value_or(glm::dvec3(1.0));
+    parts.before_rotation = moved(vector("RotationOffset") + rotation_pivot);
+    parts.before_scale = moved(vector("ScalingOffset") + scaling_pivot - rotation_pivot);
+    if (turns_freely) {
+        parts.before_rotation *= glm::mat4_cast(turn(vector("PreRotation"), order_xyz));
+        parts.before_scale =
+            glm::mat4_cast(glm::conjugate(turn(vector("PostRotation"), order_xyz))) * parts.before_scale;
+    }
+    parts.after_scale = moved(-scaling_pivot);
+    parts.geometry = glm::scale(moved(vector("GeometricTranslation")) *
+                                    glm::mat4_cast(turn(vector("GeometricRotation"), order_xyz)),
+                                model.vector("GeometricScaling").value_or(glm::dvec3(1.0)));
+    return parts;
+}
+
+glm::dmat4 world_from_file(const Properties& settings)
+{
+    return glm::scale(glm::dmat4(1.0), glm::dvec3(unit_m(settings))) * glm::dmat4(axes_of(settings));
+}
+
+glm::dvec3 up_of_file(const Properties& settings)
+{
+    return glm::transpose(axes_of(settings)) * glm::dvec3(0.0, 1.0, 0.0);
+}
+
+double unit_m(const Properties& settings)
+{
+    const double centimetres = settings.number("UnitScaleFactor").value_or(1.0);
+    return 0.01 * (centimetres > 0.0 ? centimetres : 1.0);
+}
+
+namespace {
+
+constexpr double inch_mm = 25.4;
+
+// Values of the enumerations in FBX files.
+enum class ApertureMode { both, horizontal, vertical, focal_length };
+enum class GateFit { none, vertical, horizontal, fill, overscan, stretch };
+enum class AspectMode { window, fixed_ratio, fixed_resolution, fixed_width, fixed_height };
+
+template <typename Enum>
+Enum enum_of(const Properties& camera, const char* name, Enum fallback, Enum last)
+{
+    const double value = camera.number(name).value_or(static_cast<double>(fallback));
+    return value >= 0.0 && value <= static_cast<double>(last) ? static_cast<Enum>(static_cast<int>(value))
+                                                              : fallback;
+}
+
+double positive(const Properties& camera, const char* name, double fallback)
+{
+    const double value = camera.number(name).value_or(fallback);
+    return value > 0.0 ? value : fallback;
+}
+
+/// Width by height of the picture. 320 by 200 is what FBX takes where a file says nothing.
+double picture_aspect(const Properties& camera)
+{
+    const double width = positive(camera, "AspectWidth", positive(camera, "AspectW", 320.0));
+    const double height = positive(camera, "AspectHeight", positive(camera, "AspectH", 200.0));
+    const double pixel = positive(camera, "PixelAspectRatio", 1.0);
+    switch (enum_of(camera, "AspectRatioMode", AspectMode::window, AspectMode::fixed_height)) {
+    case AspectMode::fixed_width:
+        return pixel / height;
+    case AspectMode::fixed_height:
+        return pixel * width;
+    default:
+        return pixel * width / height;
+    }
+}
+
+/// How the film's gate is fitted to the picture where the two have different proportions.
+GateFit fit_of(const Properties& camera, double aspect, double film_aspect)
+{
+    const GateFit fit = enum_of(camera, "GateFit", GateFit::none, GateFit::stretch);
+    if (fit == GateFit::fill)
+        return aspect > film_aspect ? GateFit::horizontal : GateFit::vertical;
+    if (fit == GateFit::overscan)
+        return aspect < film_aspect ? GateFit::horizontal : GateFit::vertical;
+    return fit;
+}
+
+double vertical_of(double horizontal_deg, double aspect)
+{
+    return 2.0 * std::atan(std::tan(0.5 * glm::radians(horizontal_deg)) / aspect);
+}
+
+/// Radians from top to bottom, or nothing sensible where the file says nothing sensible.
+double vertical_fov(const Properties& camera, double aspect)
+{
+    // 0.816 by 0.612 inches is the film of 35 mm television, FBX's default.
+    const double film_width = positive(camera, "FilmWidth", 0.816);
+    const double film_height =
+        positive(camera, "FilmHeight", 0.612) * positive(camera, "FilmSqueezeRatio", 1.0);
+    const double focal_mm = camera.number("FocalLength").value_or(0.0);
+    const double fov_deg = camera.number("FieldOfView").value_or(0.0);
+    ApertureMode mode = enum_of(camera, "ApertureMode", ApertureMode::vertical, ApertureMode::focal_length);
+    const bool has_focal = focal_mm > 0.0 && (camera.sets("FocalLength") || !(fov_deg > 0.0));
+    if (mode == ApertureMode::focal_length && !has_focal)
+        mode = ApertureMode::horizontal;
+    else if (mode != ApertureMode::focal_length && !(fov_deg > 0.0) && !camera.number("FieldOfViewY"))
+        mode = ApertureMode::focal_length;
+    switch (mode) {
+    case ApertureMode::both:
+        if (const double fov_y_deg = camera.number("FieldOfViewY").value_or(0.0); fov_y_deg > 0.0)
+            return glm::radians(fov_y_deg);
+        return vertical_of(fov_deg, aspect);
+    case ApertureMode::horizontal:
+        return vertical_of(fov_deg, aspect);
+    case ApertureMode::vertical:
+        return glm::radians(fov_deg);
+    case ApertureMode::focal_length:
+        break;
+    }
+    const bool by_width = fit_of(camera, aspect, film_width / film_height) == GateFit::horizontal;
+    const double height_mm = inch_mm * (by_width ? film_width / aspect : film_height);
+    return 2.0 * std::atan2(0.5 * height_mm, focal_mm);
+}
+
+/// A zoom of 1 spans 30 units of the file; Blender writes metres.
+double orthographic_half_height_m(const Properties& camera, const Document& document, double aspect)
+{
+    constexpr double units_at_zoom_1 = 30.0;
+    const bool blender = document.creator.starts_with("Blender");
+    const double span_m =
+        positive(camera, "OrthoZoom", 1.0) * (blender ? 1.0 : units_at_zoom_1 * unit_m(document.settings));
+    const double film_aspect = positive(camera, "FilmWidth", 0.816) / positive(camera, "FilmHeight", 0.612);
+    const bool by_width = fit_of(camera, aspect, film_aspect) == GateFit::horizontal;
+    return 0.5 * (by_width ? span_m / aspect : span_m);
+}
+
+} // namespace
+
+SceneCamera lens_of(const Properties& camera, const Document& document)
+{
+    constexpr double nearest_m = 1e-4;
+    SceneCamera lens;
+    const double aspect = std::clamp(picture_aspect(camera), 0.01, 100.0);
+    const double fov_rad = vertical_fov(camera, aspect);
+    if (fov_rad > 0.02 && fov_rad < 3.0)
+        lens.vertical_fov_rad = fov_rad;
+    lens.orthographic = camera.number("CameraProjectionType").value_or(0.0) == 1.0;
+    if (lens.orthographic)
+        lens.half_height_m = orthographic_half_height_m(camera, document, aspect);
+    if (const std::optional<double> near_units = camera.number("NearPlane"))
+        lens.near_m = std::max(*near_units * unit_m(document.settings), nearest_m);
+    return lens;
 }
 
 } // namespace estampe::fbx

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What an FBX file says of its nodes, cameras, lights and settings, by name of property.
+// What an FBX file says of its nodes, cameras, lights and settings, by name of property; the places of nodes
+// and the lenses of cameras that follow.
 
 #include <map>
 #include <memory>
@@ -11,6 +12,9 @@
 #include <vector>
 
 #include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include <estampe/scene.hpp>
 
 #include "scene/assimp/fbx/tree.hpp"
 
@@ -61,9 +65,6 @@ struct Document {
     std::map<std::string, TimeRange> ranges; ///< of animations, by name
 };
 
-/// Seconds of a time in FBX's own unit.
-[[nodiscard]] double seconds_of(double fbx_time);
-
 /// Objects of a form that is not known are left out.
 [[nodiscard]] Document read_document(const Tree& tree);
 
@@ -72,5 +73,38 @@ struct Document {
 /// more: it applies some of these properties the wrong way round, and hands others on to children. Names keep
 /// their length.
 void hide_pivots(const Tree& tree, std::span<char> file);
+
+/// The parts of a node's place, in the order in which they are multiplied:
+/// translation, before_rotation, rotation, before_scale, scale, after_scale. Animations move the translation,
+/// rotation and scale; the others hold pivots and fixed turns.
+struct Parts {
+    glm::dvec3 translation{0.0};
+    glm::dmat4 before_rotation{1.0};
+    glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
+    glm::dmat4 before_scale{1.0};
+    glm::dvec3 scale{1.0};
+    glm::dmat4 after_scale{1.0};
+    glm::dmat4 geometry{1.0}; ///< places what the node shows, but not its children
+
+    [[nodiscard]] glm::dmat4 matrix() const;
+
+    /// Whether translation, rotation and scale say it all.
+    [[nodiscard]] bool is_plain() const;
+};
+
+[[nodiscard]] Parts parts_of(const Properties& model);
+
+/// From the axes and the unit of the file to right-handed metres with y up.
+[[nodiscard]] glm::dmat4 world_from_file(const Properties& settings);
+
+/// Upward direction in the file's own axes.
+[[nodiscard]] glm::dvec3 up_of_file(const Properties& settings);
+
+/// How many metres a unit of the file is.
+[[nodiscard]] double unit_m(const Properties& settings);
+
+/// The lens of a camera of the file: field of view as its aperture mode and gate fit make it, or the height
+/// of a parallel projection, and the near plane, in metres. `name` is not set.
+[[nodiscard]] SceneCamera lens_of(const Properties& camera, const Document& document);
 
 } // namespace estampe::fbx

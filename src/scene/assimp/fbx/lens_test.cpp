@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/assimp/fbx/lens.hpp"
+#include "scene/assimp/fbx/document.hpp"
 
 #include <cmath>
 

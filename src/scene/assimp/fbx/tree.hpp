@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <variant>
@@ -34,5 +35,8 @@ struct Tree {
 /// connected; everything else is skipped. Throws Error without a place when the file is damaged. Memory stays
 /// within a multiple of the file's size, and the depth of nesting is limited.
 [[nodiscard]] Tree read_tree(std::span<const char> file);
+
+/// Throws Error naming the file when it says that it is of a version before 7.1, which has another structure.
+void check_version(const std::filesystem::path& path);
 
 } // namespace estampe::fbx

@@ -4,7 +4,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
 #include "techniques/cloth/cloth_test_support.hpp"
 
 namespace estampe::cloth {

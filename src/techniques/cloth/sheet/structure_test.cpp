@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/cloth/sheet/structure.hpp"
+#include "techniques/cloth/sheet/sheet.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include <estampe/error.hpp>
 
-#include "techniques/cloth/solids/colliders.hpp"
+#include "techniques/cloth/solids/solids.hpp"
 
 namespace estampe::cloth {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "gpu/upload.hpp"
-#include "shaders/mesh.glsl.h"
+#include "gpu/resources.hpp"
+#include "shaders/scene.glsl.h"
 #include "techniques/cloth/cloth_test_support.hpp"
 
 namespace estampe::cloth {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/cloth/solids/solid_grid.hpp"
+#include "techniques/cloth/solids/solids.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
 #include "techniques/cloth/cloth_test_support.hpp"
 
 namespace estampe::cloth {

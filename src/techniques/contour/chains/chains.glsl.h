@@ -1,19 +1,78 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_CHAINS_GLSL_H
 #define ESTAMPE_CHAINS_GLSL_H
-// Lines strung along the surface. An item is what may hold a piece of a line that is found from view to view:
-// of the outline a triangle, or after all triangles a loose edge; after those, of a suggestive contour, a
-// triangle again; then, of lines that are found on the page, a cell of that. A slot is a chain: first those
-// of features, then one for each segment found, of which only the one that stands for its whole chain is not
-// empty.
-#include "techniques/contour/chains/line_kinds.glsl.h"
-#include "techniques/contour/chains/mesh/neighbors.glsl.h"
+// Lines strung along the surface: kinds of line, neighbours of triangles, variants of the shaders, and all
+// lists. An item is what may hold a piece of a line that is found from view to view: of the outline a
+// triangle, or after all triangles a loose edge; after those, of a suggestive contour, a triangle again;
+// then, of lines that are found on the page, a cell of that. A slot is a chain: first those of features, then
+// one for each segment found, of which only the one that stands for its whole chain is not empty.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
 #else
 #include "shaders/shared.glsl"
 #endif
+
+// What lines stand for. Four bits hold a kind.
+
+SHARED_CONSTANT uint line_silhouette = 0U;
+SHARED_CONSTANT uint line_border = 1U;
+SHARED_CONSTANT uint line_boundary = 2U;
+SHARED_CONSTANT uint line_crease = 3U;
+SHARED_CONSTANT uint line_marked = 4U;
+SHARED_CONSTANT uint line_ridge = 5U;
+SHARED_CONSTANT uint line_valley = 6U;
+SHARED_CONSTANT uint line_suggestive = 7U;
+SHARED_CONSTANT uint line_crest = 8U;
+SHARED_CONSTANT uint line_intersection = 9U;
+SHARED_CONSTANT uint line_shadow = 10U;
+SHARED_CONSTANT uint line_kind_count = 11U;
+SHARED_CONSTANT uint line_first_of_page = line_intersection; // this and those after it are found on the page
+
+// What an edge mesh says of a triangle: the three sides that face its own, or no_side; then flags.
+
+SHARED_CONSTANT uint no_side = 0xffffffffU;
+
+// The triangle runs against the sense of its shell, which is that of most normals; which of its sides are
+// smooth, where shading goes on; the normals of the smooth piece it is of point to the back, in the sense of
+// the shell; and from this bit on the number of its shell, from 1, or 0 where it has no lines.
+SHARED_CONSTANT uint neighbor_is_turned = 1U;
+SHARED_CONSTANT uint neighbor_smooth_shift = 1U;
+SHARED_CONSTANT uint neighbor_is_inside_out = 16U;
+SHARED_CONSTANT uint neighbor_shell_shift = 5U;
+
+// What is asked of the shaders of chains, shader by shader.
+
+// Outlines run along the edges of the mesh, not through its triangles.
+SHARED_CONSTANT uint mark_along_edges = 1U << 0U;
+
+SHARED_CONSTANT uint emit_has_loose_edges = 1U << 0U;
+SHARED_CONSTANT uint emit_along_edges = 1U << 1U; // outlines run along those alone
+
+// Some points lie between vertices, and some pieces within triangles.
+SHARED_CONSTANT uint order_features_leave_edges = 1U << 0U;
+
+SHARED_CONSTANT uint split_wants_hidden = 1U << 0U; // lines that are not seen
+
+SHARED_CONSTANT uint shape_has_own_outlines = 1U << 0U; // that some material brings
+SHARED_CONSTANT uint shape_recalls_frame = 1U << 1U;    // there was one before this
+SHARED_CONSTANT uint shape_is_remembered = 1U << 2U;    // there will be one after it
+SHARED_CONSTANT uint shape_has_brushes = 1U << 3U;
+SHARED_CONSTANT uint shape_has_sway = 1U << 4U;
+SHARED_CONSTANT uint shape_has_jitter = 1U << 5U;   // the hand strays, or draws a line again
+SHARED_CONSTANT uint shape_has_widths_m = 1U << 6U; // some widths are those of the scene
+SHARED_CONSTANT uint shape_swells_in_turns = 1U << 7U;
+SHARED_CONSTANT uint shape_is_even_in_shade = 1U << 8U; // strokes do not swell where it is dark
+SHARED_CONSTANT uint shape_is_hidden = 1U << 9U;        // these are hidden lines
+SHARED_CONSTANT uint shape_stretches = 1U << 10U;       // brushes go from end to end of a stroke
+SHARED_CONSTANT uint shape_has_looks = 1U << 11U;       // surfaces differ
+
+SHARED_CONSTANT uint joints_has_brushes = 1U << 0U; // whose corners stay as they are
+
+SHARED_CONSTANT uint ink_layer_has_own_outlines = 1U << 0U; // that some material brings
+SHARED_CONSTANT uint ink_layer_has_looks = 1U << 1U;        // surfaces differ
+
+// Chains, and all lists on the way to them and from them.
 
 SHARED_CONSTANT uint cell_px = 2U;              // from point to point of the page's lattice
 SHARED_CONSTANT uint grid_cell_px = 4U;         // of the grid in which samples find each other

@@ -11,10 +11,11 @@
 
 #include <gtest/gtest.h>
 
-#include "features/lines/line_meshes.hpp"
+#include <estampe/shapes.hpp>
+
+#include "features/lines/lines.hpp"
 #include "scene/pose.hpp"
-#include "scene/shapes.hpp"
-#include "scene/subdivision.hpp"
+#include "scene/smooth_surface.hpp"
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"
 #include "techniques/contour/chains/chains_test_scene.hpp"

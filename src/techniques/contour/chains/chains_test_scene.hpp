@@ -7,7 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
+
 #include "support/scenes.hpp"
 #include "techniques/contour/contour.hpp"
 

@@ -8,10 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "gpu/fills.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/read_back.hpp"
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
+#include "gpu/transfers.hpp"
 #include "shaders/fluid_claim_comp.hpp"
 #include "shaders/fluid_gather_comp.hpp"
 #include "shaders/fluid_scatter_comp.hpp"

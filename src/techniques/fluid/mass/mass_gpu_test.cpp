@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "gpu/imports.hpp"
+#include "gpu/resources.hpp"
 #include "techniques/fluid/fluid_test_support.hpp"
 
 namespace estampe::fluid {

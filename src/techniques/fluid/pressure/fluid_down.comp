@@ -30,7 +30,6 @@ layout(push_constant, scalar) uniform Constants
 };
 
 #include "techniques/fluid/pressure/fluid_tile.glsl"
-#include "techniques/fluid/pressure/fluid_red_black.glsl"
 
 // What is left of the equation of a slot.
 float residual(int i)

@@ -26,7 +26,6 @@ layout(push_constant, scalar) uniform Constants
 };
 
 #include "techniques/fluid/pressure/fluid_tile.glsl"
-#include "techniques/fluid/pressure/fluid_red_black.glsl"
 
 float corrected(ivec2 cell)
 {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "gpu/fills.hpp"
+#include "gpu/transfers.hpp"
 #include "shaders/fluid_jacobi_comp.hpp"
 #include "shaders/fluid_jacobi_volume_comp.hpp"
-#include "techniques/fluid/pressure/levels.hpp"
 #include "techniques/fluid/pressure/solvers.hpp"
 
 namespace estampe::fluid {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "gpu/graph/execute.hpp"
 #include "techniques/fluid/grid.hpp"
 
 namespace estampe::fluid {
@@ -77,5 +78,11 @@ struct ProjectionInput {
 /// Of each cell, what flows out of it, in metres a second: divergence times the side of a cell.
 [[nodiscard]] gpu::BufferId add_divergence(gpu::Graph& graph, const Grid& grid, gpu::ImageId velocity,
                                            const Solids& solids, const char* name = "fluid/divergence");
+
+/// What one solve of a solver leaves of the equations of a random divergence without obstacles, over that
+/// divergence, root mean squares in double precision. Cost: a solve, and a wait; meant for the start of a
+/// program.
+[[nodiscard]] double measured_residual(gpu::Device& device, gpu::Executor& executor, const Grid& grid,
+                                       const ProjectionStyle& style);
 
 } // namespace estampe::fluid

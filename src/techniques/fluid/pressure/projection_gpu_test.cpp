@@ -7,10 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
 #include "techniques/fluid/fluid_test_support.hpp"
-#include "techniques/fluid/pressure/residual.hpp"
 #include "techniques/fluid/pressure/solvers.hpp"
 
 namespace estampe::fluid {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The solvers of the pressure's equation: from what flows out of each cell the pressure of each cell, such
-// that the sum over a cell's open faces of pressure there less pressure here is what flows out.
+// The solvers of the pressure's equation, and the ever coarser levels of a grid that multigrid goes through.
+
+#include <vector>
 
 #include "gpu/resources.hpp"
 #include "techniques/fluid/grid.hpp"
@@ -10,6 +11,17 @@
 
 namespace estampe::fluid {
 
+/// The levels of a grid from the finest on, each of half the cells along each axis, to the first that one
+/// workgroup can take with all after it.
+[[nodiscard]] std::vector<shared::FluidLevel> levels_of(const Grid& grid);
+
+[[nodiscard]] inline uint32_t cell_count(const shared::FluidLevel& level)
+{
+    return level.width * level.height;
+}
+
+/// The pressure's equation: from what flows out of each cell the pressure of each cell, such that the sum
+/// over a cell's open faces of pressure there less pressure here is what flows out.
 struct Equation {
     gpu::BufferId divergence;
     Solids solids;

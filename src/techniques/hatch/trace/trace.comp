@@ -6,13 +6,11 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shaders/draw_word.glsl"
-#include "shaders/footprint.glsl"
+#include "shaders/surface_images.glsl"
 #include "shaders/lines.glsl"
-#include "shaders/octahedral.glsl"
+#include "shaders/unit.glsl"
 #include "shaders/stroke_field.glsl"
 #include "techniques/hatch/hatch.glsl.h"
-#include "techniques/hatch/trace/trace.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

@@ -10,7 +10,7 @@
 
 #include "gpu/graph/execute.hpp"
 #include "shaders/trace_comp.hpp"
-#include "techniques/hatch/line_pass.hpp"
+#include "techniques/hatch/hatch.hpp"
 
 namespace estampe::hatch {
 namespace {

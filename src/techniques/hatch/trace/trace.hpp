@@ -9,8 +9,8 @@
 
 #include <glm/glm.hpp>
 
+#include "techniques/hatch/hatch.glsl.h"
 #include "techniques/hatch/hatch.hpp"
-#include "techniques/hatch/trace/trace.glsl.h"
 
 namespace estampe::hatch {
 

@@ -5,7 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "techniques/light/exposure/exposure.glsl.h"
+#include "techniques/light/light.glsl.h"
 
 layout(local_size_x = 1) in;
 

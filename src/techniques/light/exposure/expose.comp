@@ -4,8 +4,8 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shaders/draw_word.glsl"
-#include "techniques/light/exposure/exposure.glsl.h"
+#include "shaders/surface_images.glsl"
+#include "techniques/light/light.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/light/exposure/exposure.hpp"
 
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
 #include "shaders/adapt_comp.hpp"
 #include "shaders/expose_comp.hpp"
 #include "shaders/meter_comp.hpp"

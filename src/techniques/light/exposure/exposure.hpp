@@ -7,8 +7,8 @@
 
 #include "gpu/graph/graph.hpp"
 #include "gpu/resources.hpp"
-#include "techniques/light/exposure/exposure.glsl.h"
-#include "techniques/light/light_style.hpp"
+#include "techniques/light/light.glsl.h"
+#include "techniques/light/light.hpp"
 
 namespace estampe::light {
 

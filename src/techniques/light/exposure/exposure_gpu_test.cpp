@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
 #include "support/gpu_device.hpp"
 #include "support/layers.hpp"
 #include "techniques/light/exposure/exposure.hpp"

@@ -5,8 +5,7 @@
 #extension GL_KHR_shader_subgroup_vote : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shaders/items.glsl"
-#include "shaders/octahedral.glsl"
+#include "shaders/loops.glsl"
 #include "shaders/unit.glsl"
 #include "techniques/occlusion/discs/discs.glsl.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Occlusion by discs at the texels of a map: the formula summed in double precision, kept, and seen on pages.
-#include "techniques/occlusion/discs/disc_map.hpp"
+#include "techniques/occlusion/discs/discs.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -11,11 +11,10 @@
 
 #include <estampe/layers.hpp>
 #include <estampe/renderer.hpp>
+#include <estampe/shapes.hpp>
 
 #include "features/common/surface_map.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
-#include "scene/shapes.hpp"
+#include "gpu/resources.hpp"
 #include "support/drawing.hpp"
 #include "support/effect_pictures.hpp"
 #include "support/embree_scene.hpp"

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
+// Discs are put in order, taken together into a tree, and summed up at vertices, pixels or texels.
 #include "techniques/occlusion/discs/discs.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <numeric>
 
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
 #include "shaders/disc_gather_comp.hpp"
 #include "shaders/disc_leaves_comp.hpp"
+#include "shaders/disc_map_gather_comp.hpp"
+#include "shaders/disc_map_page_comp.hpp"
 #include "shaders/disc_nodes_comp.hpp"
 #include "shaders/disc_page_comp.hpp"
 #include "shaders/disc_splats_comp.hpp"
-#include "techniques/occlusion/discs/disc_passes.hpp"
 
 namespace estampe::occlusion {
 namespace {
@@ -44,8 +45,7 @@ void sort_by_place(std::span<uint32_t> vertices, std::span<const glm::vec3> plac
     sort_by_place(vertices.subspan(half), places);
 }
 
-} // namespace
-
+/// The tree's levels, and what the style asks of them.
 shared::DiscConstants constants_of(uint32_t disc_count, const DiscSettings& settings)
 {
     shared::DiscConstants constants{.counts = {disc_count}, .level_count = 1};
@@ -58,6 +58,39 @@ shared::DiscConstants constants_of(uint32_t disc_count, const DiscSettings& sett
     constants.apart = settings.apart;
     return constants;
 }
+
+/// Places the discs on posed vertices, and takes them together level by level. Returns the tree.
+gpu::BufferId add_disc_tree(gpu::Graph& graph, DiscBuffers& buffers, gpu::BufferId posed_vertices,
+                            shared::DiscConstants constants)
+{
+    const uint64_t node_count =
+        std::accumulate(std::begin(constants.counts), std::end(constants.counts), 0ULL);
+    auto leaves = graph.compute("occlusion/discs", shaders::disc_leaves_comp);
+    leaves.sample(posed_vertices).read(gpu::import_whole(graph, "discs", buffers.vertices));
+    gpu::BufferId discs =
+        leaves.write(graph.buffer("occlusion/tree", {.size_bytes = sizeof(shared::Disc) * node_count}));
+    leaves.push(constants).dispatch_items(constants.counts[0]);
+    for (constants.level = 1; constants.level < constants.level_count; ++constants.level) {
+        auto nodes = graph.compute("occlusion/nodes", shaders::disc_nodes_comp);
+        discs = nodes.modify(discs);
+        nodes.push(constants).dispatch_items(constants.counts[constants.level]);
+    }
+    return discs;
+}
+
+/// Binds what a pass over pixels writes, and says so in its variant.
+OpenPage write_page(gpu::Graph& graph, gpu::Pass& pass, glm::uvec2 size_px, bool throws)
+{
+    const glm::uvec2 thrown_px = throws ? size_px : glm::uvec2(1);
+    const gpu::ImageId open = pass.write(graph.image(
+        "occlusion/open", {.width = size_px.x, .height = size_px.y, .format = gpu::Format::r16f}));
+    const gpu::ImageId thrown = pass.write(graph.image(
+        "occlusion/thrown", {.width = thrown_px.x, .height = thrown_px.y, .format = gpu::Format::rgba16f}));
+    pass.variant(throws ? shared::discs_throw : 0U);
+    return {.open = open, .thrown = throws ? std::optional(thrown) : std::nullopt};
+}
+
+} // namespace
 
 DiscList list_discs(std::span<const glm::vec3> places, float unit_m, std::span<const glm::uvec4> triangles)
 {
@@ -128,35 +161,6 @@ DiscBuffers upload_discs(gpu::Device& device, const DiscList& list, uint32_t ver
     return buffers;
 }
 
-OpenPage write_page(gpu::Graph& graph, gpu::Pass& pass, glm::uvec2 size_px, bool throws)
-{
-    const glm::uvec2 thrown_px = throws ? size_px : glm::uvec2(1);
-    const gpu::ImageId open = pass.write(graph.image(
-        "occlusion/open", {.width = size_px.x, .height = size_px.y, .format = gpu::Format::r16f}));
-    const gpu::ImageId thrown = pass.write(graph.image(
-        "occlusion/thrown", {.width = thrown_px.x, .height = thrown_px.y, .format = gpu::Format::rgba16f}));
-    pass.variant(throws ? shared::discs_throw : 0U);
-    return {.open = open, .thrown = throws ? std::optional(thrown) : std::nullopt};
-}
-
-gpu::BufferId add_disc_tree(gpu::Graph& graph, DiscBuffers& buffers, gpu::BufferId posed_vertices,
-                            shared::DiscConstants constants)
-{
-    const uint64_t node_count =
-        std::accumulate(std::begin(constants.counts), std::end(constants.counts), 0ULL);
-    auto leaves = graph.compute("occlusion/discs", shaders::disc_leaves_comp);
-    leaves.sample(posed_vertices).read(gpu::import_whole(graph, "discs", buffers.vertices));
-    gpu::BufferId discs =
-        leaves.write(graph.buffer("occlusion/tree", {.size_bytes = sizeof(shared::Disc) * node_count}));
-    leaves.push(constants).dispatch_items(constants.counts[0]);
-    for (constants.level = 1; constants.level < constants.level_count; ++constants.level) {
-        auto nodes = graph.compute("occlusion/nodes", shaders::disc_nodes_comp);
-        discs = nodes.modify(discs);
-        nodes.push(constants).dispatch_items(constants.counts[constants.level]);
-    }
-    return discs;
-}
-
 OpenVertices add_discs(gpu::Graph& graph, DiscBuffers& buffers, gpu::BufferId posed_vertices,
                        const DiscSettings& settings)
 {
@@ -214,6 +218,55 @@ OpenPage add_disc_splats(gpu::Graph& graph, DiscBuffers& buffers, gpu::BufferId 
     pass.sample(gpu::import_whole(graph, "colors of discs", buffers.colors), gpu::Format::rgba32f);
     const OpenPage page = write_page(graph, pass, in.size_px, throws);
     pass.push(constants).dispatch_over(in.size_px.x, in.size_px.y);
+    return page;
+}
+
+DiscMapBuffers make_disc_map(gpu::Device& device, uint32_t size)
+{
+    DiscMapBuffers map;
+    map.found =
+        gpu::Buffer(device, "open of texels", sizeof(glm::vec4) * size * size, gpu::MemoryUse::device);
+    map.size = size;
+    return map;
+}
+
+gpu::BufferId add_disc_map(gpu::Graph& graph, DiscBuffers& discs, DiscMapBuffers& map,
+                           const DiscMapInputs& in, const DiscSettings& settings)
+{
+    const gpu::BufferId found = gpu::import_whole(graph, "open of texels", map.found);
+    if (map.is_found && map.radius_m == settings.radius_m && (map.has_thrown || !settings.throws)) {
+        return found;
+    }
+    const shared::DiscConstants constants = constants_of(discs.disc_count, settings);
+    const gpu::BufferId tree = add_disc_tree(graph, discs, in.posed_vertices, constants);
+    auto gather = graph.compute("occlusion/texels", shaders::disc_map_gather_comp);
+    gather.sample(in.map_texels).sample(in.triangles).sample(in.posed_vertices);
+    gather.sample(tree, gpu::Format::rgba32f);
+    gather.sample(gpu::import_whole(graph, "colors of discs", discs.colors), gpu::Format::rgba32f);
+    const gpu::BufferId written = gather.write(found);
+    gather.variant(settings.throws ? shared::discs_throw : 0U);
+    gather.push(constants).dispatch_items(map.size * map.size);
+    map.is_found = true;
+    map.has_thrown = settings.throws;
+    map.radius_m = settings.radius_m;
+    return written;
+}
+
+OpenPage add_disc_map_page(gpu::Graph& graph, const DiscMapPageInputs& in, const OcclusionStyle& style)
+{
+    struct Constants {
+        float strength;
+        float bleeding;
+        int32_t size;
+    };
+
+    auto pass = graph.compute("occlusion/page", shaders::disc_map_page_comp);
+    pass.uniform(in.frame).sample(in.visibility, gpu::Format::rg32ui);
+    pass.sample(in.triangles).sample(in.posed_vertices);
+    pass.sample(in.map_corners, gpu::Format::rg32ui).sample(in.found, gpu::Format::rgba32f);
+    const OpenPage page = write_page(graph, pass, in.size_px, in.throws);
+    pass.push(Constants{style.strength, style.bleeding, static_cast<int32_t>(in.map_size)});
+    pass.dispatch_over(in.size_px.x, in.size_px.y);
     return page;
 }
 

@@ -7,8 +7,8 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shaders/octahedral.glsl"
-#include "shaders/rounds.glsl"
+#include "shaders/unit.glsl"
+#include "shaders/loops.glsl"
 #include "techniques/occlusion/horizon/horizon.glsl.h"
 #include "techniques/occlusion/horizon/horizon.glsl"
 
@@ -111,7 +111,7 @@ void main()
                                 slice_light_whole(-n, up / share, -aside / share));
         uvec4 hidden = uvec4(0u);
         vec2 fronts = vec2(1.0); // of the step before, on both sides; 1 is the surface's own horizon
-        for (int i = 0; i < rounds(2 * int(horizon_steps), pixel.x); ++i) {
+        for (int i = 0; i < loop_rounds(2 * int(horizon_steps), pixel.x); ++i) {
             float side = (i & 1) == 0 ? 1.0 : -1.0;
             float way = (float(i >> 1) + ahead) / float(horizon_steps);
             vec2 offset = side * along_px * max(way * sqrt(way) * radius_px, 1.0);

@@ -5,7 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
+
 #include "support/scenes.hpp"
 #include "techniques/occlusion/test_support.hpp"
 

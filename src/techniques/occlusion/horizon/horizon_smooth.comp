@@ -6,7 +6,7 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/frame.glsl.h"
-#include "shaders/octahedral.glsl"
+#include "shaders/unit.glsl"
 #include "techniques/occlusion/horizon/horizon.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -3,7 +3,6 @@
 
 #include "shaders/unsharp_blur_comp.hpp"
 #include "shaders/unsharp_page_comp.hpp"
-#include "techniques/occlusion/half_page.hpp"
 #include "techniques/occlusion/occlusion.hpp"
 
 namespace estampe::occlusion {

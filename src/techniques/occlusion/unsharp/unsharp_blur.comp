@@ -7,7 +7,7 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/frame.glsl.h"
-#include "shaders/rounds.glsl"
+#include "shaders/loops.glsl"
 #include "techniques/occlusion/unsharp/unsharp.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -54,7 +54,7 @@ void main()
     vec2 along = vec2(1.0 - float(is_upright), float(is_upright));
     float step_px = max(0.5 * constants.reach_px / float(unsharp_taps), 1.0);
     vec2 sum = vec2(depth_at(half_pixel), 1.0);
-    for (int i = 1; i <= rounds(int(unsharp_taps), half_pixel.x); ++i) {
+    for (int i = 1; i <= loop_rounds(int(unsharp_taps), half_pixel.x); ++i) {
         ivec2 offset = ivec2(round(float(i) * step_px * along));
         ivec2 before = half_pixel - offset;
         ivec2 after = half_pixel + offset;

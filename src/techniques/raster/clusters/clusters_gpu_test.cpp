@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "shaders/tile_list.glsl.h"
+#include "shaders/tiles.glsl.h"
 #include "techniques/raster/raster_test_support.hpp"
 
 namespace estampe::raster {

@@ -6,18 +6,17 @@
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 #extension GL_EXT_shader_atomic_int64 : require
 
-#include "shaders/items.glsl"
+#include "shaders/loops.glsl"
 #include "techniques/raster/compute/raster.glsl"
-#include "techniques/raster/compute/raster_small_part.glsl"
 
 layout(local_size_x = cluster_triangles) in;
 
 #ifdef RASTER_LISTED
-#include "shaders/tile_list.glsl.h"
+#include "shaders/tiles.glsl.h"
 
 layout(scalar, binding = 6) readonly buffer Clusters
 {
-    uint clusters[]; // a list as tile_list.glsl.h has it: a workgroup takes one
+    uint clusters[]; // a list as tiles.glsl.h has it: a workgroup takes one
 };
 
 // Within the batch; beyond its end where there is none for this thread.

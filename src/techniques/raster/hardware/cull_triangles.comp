@@ -5,7 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shaders/items.glsl"
+#include "shaders/loops.glsl"
 #include "techniques/raster/hardware/draw.glsl"
 
 layout(local_size_x = 64) in;

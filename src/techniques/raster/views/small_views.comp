@@ -8,7 +8,6 @@
 #extension GL_EXT_shader_atomic_int64 : require
 
 #include "techniques/raster/compute/raster.glsl"
-#include "techniques/raster/compute/raster_small_part.glsl"
 #include "techniques/raster/clusters/view_cull.glsl"
 
 layout(local_size_x = cluster_triangles) in;

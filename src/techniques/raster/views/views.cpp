@@ -19,7 +19,7 @@
 #include "shaders/small_views_masked_comp.hpp"
 #include "shaders/tile_views_comp.hpp"
 #include "shaders/tile_views_masked_comp.hpp"
-#include "techniques/raster/passes.hpp"
+#include "techniques/raster/paths.hpp"
 
 namespace estampe::raster {
 namespace {

@@ -7,13 +7,12 @@
 #include <optional>
 #include <vector>
 
-#include "techniques/raster/clusters/clusters.hpp"
 #include "techniques/raster/raster.glsl.h"
 #include "techniques/raster/raster.hpp"
 
 namespace estampe::raster {
 
-/// Tiles of views, as shaders/square_tile.glsl.h has them, for views whose sides are multiples of its size.
+/// Tiles of views, as shaders/tiles.glsl.h has them, for views whose sides are multiples of its size.
 struct ViewTiles {
     gpu::BufferId list;
     uint32_t count = 0; ///< one or more, at most 65535

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "support/glsl.hpp"
-#include "techniques/shadow/local/edge_look.hpp"
+#include "techniques/shadow/shadow_style.hpp"
 
 namespace estampe {
 namespace teeth {

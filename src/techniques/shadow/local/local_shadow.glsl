@@ -5,8 +5,8 @@
 // Looks a local light up in its maps. Who includes this declares `LocalShadow local_shadows[]` and the texels
 // of all maps, `samplerBuffer local_maps`.
 
-#include "shaders/spiral.glsl"
-#include "techniques/shadow/local/local.glsl.h"
+#include "shaders/sun_disc.glsl"
+#include "techniques/shadow/shadow.glsl.h"
 
 // A point as a map sees it.
 struct MapPlace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow/local/local_view.hpp"
+#include "techniques/shadow/atlas.hpp"
 
 #include <cmath>
 #include <random>

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
+
+#include "gpu/resources.hpp"
 #include "support/drawing.hpp"
 #include "support/embree_scene.hpp"
 #include "support/gpu_device.hpp"

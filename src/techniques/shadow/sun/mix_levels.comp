@@ -7,8 +7,7 @@
 
 #define SQUARE_TILES_BINDING 2
 #include "shaders/square_tiles.glsl"
-#include "techniques/shadow/sun/clipmap.glsl.h"
-#include "techniques/shadow/sun/sun.glsl.h"
+#include "techniques/shadow/shadow.glsl.h"
 
 layout(local_size_x = 256) in;
 

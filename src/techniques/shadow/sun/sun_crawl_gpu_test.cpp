@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "gpu/imports.hpp"
+#include "gpu/resources.hpp"
 #include "support/drawing.hpp"
 #include "support/embree_scene.hpp"
 #include "support/gpu_device.hpp"

@@ -7,7 +7,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
+
 #include "support/crawl.hpp"
 #include "support/drawing.hpp"
 #include "support/embree_scene.hpp"

@@ -7,8 +7,8 @@
 // whether the map is a clipmap, `has_sun_levels`, or in perspective, `has_sun_warp`, and whether the sun has
 // breadth, `has_soft_sun`.
 
-#include "shaders/spiral.glsl"
-#include "techniques/shadow/sun/sun.glsl.h"
+#include "shaders/sun_disc.glsl"
+#include "techniques/shadow/shadow.glsl.h"
 
 // A place in the map, and the plane of the surface there.
 struct SunPlace {

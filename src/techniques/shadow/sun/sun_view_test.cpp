@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow/sun/sun_view.hpp"
+#include "techniques/shadow/sun/sun_map.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "shaders/frame.glsl.h"
-#include "techniques/shadow/sun/sun_view.hpp"
+#include "techniques/shadow/sun/sun_map.hpp"
 
 namespace estampe::shadow {
 

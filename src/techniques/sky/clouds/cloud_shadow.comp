@@ -5,8 +5,8 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/camera.glsl"
-#include "shaders/rounds.glsl"
-#include "techniques/sky/clouds/clouds.glsl.h"
+#include "shaders/loops.glsl"
+#include "techniques/sky/sky.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -56,7 +56,7 @@ void main()
     float share = has_share ? texelFetch(share_image, pixel, 0).x : 1.0;
     if (depth > 0.0 && clouds.towards_sun.y > lowest_sun) {
         vec3 from_eye = in_wind(anchor_at(frame, vec2(pixel) + 0.5, depth) - frame.eye_anchor);
-        for (int i = 0; i < rounds(int(clouds.puff_layer_count), pixel.x); ++i) {
+        for (int i = 0; i < loop_rounds(int(clouds.puff_layer_count), pixel.x); ++i) {
             PuffLayer layer = clouds.puffs[i];
             layer.base_m -= from_eye.y;
             layer.eye += from_eye * layer.per_m;

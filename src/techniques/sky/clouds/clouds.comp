@@ -8,8 +8,8 @@
 #extension GL_KHR_shader_subgroup_vote : require
 
 #include "shaders/frame.glsl.h"
-#include "shaders/rounds.glsl"
-#include "techniques/sky/clouds/clouds.glsl.h"
+#include "shaders/loops.glsl"
+#include "techniques/sky/sky.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -52,7 +52,57 @@ const float lowest_way = 0.012; // of a direction: below, clouds are too far
 
 #include "techniques/sky/clouds/puffs.glsl"
 #include "techniques/sky/clouds/puffs_of_group.glsl"
-#include "techniques/sky/clouds/streaks.glsl"
+
+// White strokes on a plane high above, along the wind.
+
+#include "shaders/lines.glsl"
+
+// Where a ray meets the plane, in cells: along the strokes, which bend to and fro, and across them.
+vec2 streak_place(StreakLayer layer, vec3 d)
+{
+    vec2 at = layer.eye + d.xz * (layer.base_m / (max(d.y, 1e-3) * layer.cell_m));
+    float turns = 2.0 / float(layer.cells); // whole ones on the tile
+    at.y += 0.35 * wave(at.x * turns) + 0.05 * wave(4.0 * turns * at.x + turns * at.y);
+    return at;
+}
+
+float density_at(StreakLayer layer, vec2 at)
+{
+    int mask = int(layer.cells) - 1;
+    vec2 corner = floor(at);
+    ivec2 low = ivec2(corner) & mask;
+    ivec2 high = (low + 1) & mask;
+    int cells = int(layer.cells);
+    vec2 f = at - corner;
+    float near = mix(texelFetch(streak_texels, low.y * cells + low.x).x,
+                     texelFetch(streak_texels, low.y * cells + high.x).x, f.x);
+    float far = mix(texelFetch(streak_texels, high.y * cells + low.x).x,
+                    texelFetch(streak_texels, high.y * cells + high.x).x, f.x);
+    return mix(near, far, f.y);
+}
+
+// How much of a pixel streaks cover; `right` and `down` are the directions of its neighbours.
+float streaks_along(StreakLayer layer, vec3 d, vec3 right, vec3 down)
+{
+    vec2 here = streak_place(layer, d);
+    vec2 to_right = streak_place(layer, right) - here;
+    vec2 to_down = streak_place(layer, down) - here;
+    vec2 gradient = vec2(to_right.y, to_down.y);
+    LineField field;
+    field.v = here.y;
+    field.v_per_px = length(gradient);
+    vec2 along = vec2(-gradient.y, gradient.x) / max(field.v_per_px, 1e-12);
+    field.u = here.x;
+    field.u_per_px = abs(to_right.x * along.x + to_down.x * along.y);
+    field.wander = here;
+    field.wraps = false;
+    float pen = layer.width_px;
+    float away_m = layer.base_m / max(d.y, 1e-3);
+    float dark = density_at(layer, here) * (1.0 - smoothstep(0.8, 2.5, away_m / clouds.reach_m));
+    return line_ink(field, LineLook(pen, 0.6 * pen, 10.0 * pen, 90.0 * pen, 120.0 * pen, 0.6, 0.0), dark,
+                    91u);
+}
+
 #include "techniques/sky/vault.glsl"
 
 // Along the wind, up and across.
@@ -120,7 +170,7 @@ void main()
     vec3 in_layer = in_wind(d);
     float pixel_rad = 0.5 * (distance(d, right) + distance(d, down));
     float hatched = 0.0;
-    for (int i = rounds(int(clouds.puff_layer_count), pixel.x) - 1; i >= 0; --i) {
+    for (int i = loop_rounds(int(clouds.puff_layer_count), pixel.x) - 1; i >= 0; --i) {
         SeenPuffs seen = by_groups ? puffs_of_group(clouds.puffs[i], in_layer, pixel_rad, is_open)
                                    : puffs_along(clouds.puffs[i], in_layer, pixel_rad);
         wash = mix(wash, tone_of(seen.shade), seen.cover);

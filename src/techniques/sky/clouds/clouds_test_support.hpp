@@ -8,8 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
+#include "gpu/resources.hpp"
 #include "support/gpu_device.hpp"
 #include "support/layers.hpp"
 #include "techniques/sky/clouds/clouds.hpp"

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "core/pcg.hpp"
+#include "core/hash.hpp"
 
 namespace estampe::sky {
 namespace {

@@ -9,7 +9,7 @@
 
 #include <glm/glm.hpp>
 
-#include "techniques/sky/clouds/clouds.glsl.h"
+#include "techniques/sky/sky.glsl.h"
 
 namespace estampe::sky {
 

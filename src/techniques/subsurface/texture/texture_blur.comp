@@ -26,7 +26,7 @@ layout(push_constant, scalar) uniform Constants
 layout(constant_id = 0) const uint variant = 0u;
 const bool is_upright = (variant & subsurface_is_upright) != 0u;
 
-#include "techniques/subsurface/texture/texture.glsl"
+#include "techniques/subsurface/profile.glsl"
 
 void main()
 {

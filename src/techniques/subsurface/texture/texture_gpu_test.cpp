@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Light that spreads in a map of the surface: the profile's integral, energy, seams, and pictures beside
 // those in which it spreads on the page.
-#include "techniques/subsurface/texture/texture.hpp"
+#include "techniques/subsurface/subsurface.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -9,11 +9,10 @@
 #include <gtest/gtest.h>
 
 #include <estampe/renderer.hpp>
+#include <estampe/shapes.hpp>
 
 #include "features/common/surface_map.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
-#include "scene/shapes.hpp"
+#include "gpu/resources.hpp"
 #include "support/drawing.hpp"
 #include "support/effect_pictures.hpp"
 #include "support/gpu_device.hpp"

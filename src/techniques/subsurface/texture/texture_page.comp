@@ -36,7 +36,7 @@ layout(push_constant, scalar) uniform Constants
     TextureConstants constants;
 };
 
-#include "techniques/subsurface/texture/texture.glsl"
+#include "techniques/subsurface/profile.glsl"
 
 void main()
 {

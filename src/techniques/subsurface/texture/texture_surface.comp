@@ -4,9 +4,8 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shaders/draw_word.glsl"
-#include "shaders/material.glsl.h"
-#include "shaders/octahedral.glsl"
+#include "shaders/surface_images.glsl"
+#include "shaders/scene.glsl.h"
 #include "shaders/unit.glsl"
 #include "techniques/subsurface/subsurface.glsl.h"
 
@@ -27,7 +26,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #define MATERIAL_TEXELS_BINDING 5
 #include "shaders/material_texels.glsl"
 
-layout(binding = 6, r32ui) writeonly uniform uimage2D out_draw;    // see shaders/draw_word.glsl
+layout(binding = 6, r32ui) writeonly uniform uimage2D out_draw;    // see shaders/surface_images.glsl
 layout(binding = 7, rg32ui) writeonly uniform uimage2D out_normal; // packed, twice
 layout(binding = 8, rgba32f) writeonly uniform image2D out_point;  // in anchor space; what a texel spans
 

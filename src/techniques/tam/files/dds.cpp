@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The DDS container of uncompressed images. Debian packages no library that both reads and writes arrays with
 // mip levels of one's own, and the part that is needed here is a header and a loop.
-#include "techniques/tam/files/dds.hpp"
+#include "techniques/tam/files/map_files.hpp"
 
 #include <algorithm>
 #include <array>

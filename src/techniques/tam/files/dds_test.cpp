@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/tam/files/dds.hpp"
+#include "techniques/tam/files/map_files.hpp"
 
 #include <gtest/gtest.h>
 
-#include "techniques/tam/random.hpp"
+#include "techniques/tam/stroke.hpp"
 #include "techniques/tam/test_support.hpp"
 
 namespace estampe::tam {

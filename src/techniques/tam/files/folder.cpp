@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/tam/files/folder.hpp"
+#include "techniques/tam/files/map_files.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -10,13 +10,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "core/atomic_file.hpp"
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
-#include "techniques/tam/files/dds.hpp"
-#include "techniques/tam/files/images.hpp"
-#include "techniques/tam/files/tam_file.hpp"
-#include "techniques/tam/painted/derive_levels.hpp"
+#include "techniques/tam/painted/painted_strokes.hpp"
 
 namespace estampe::tam {
 namespace {

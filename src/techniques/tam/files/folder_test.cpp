@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/tam/files/folder.hpp"
+#include "techniques/tam/files/map_files.hpp"
 
 #include <fstream>
 
@@ -8,8 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "core/file.hpp"
-#include "techniques/tam/files/dds.hpp"
-#include "techniques/tam/files/images.hpp"
 #include "techniques/tam/test_support.hpp"
 
 namespace estampe::tam {

@@ -1,19 +1,175 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/tam/files/tam_file.hpp"
-
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
 #include <memory>
+#include <optional>
 
-#include <estampe/error.hpp>
 #include <fmt/format.h>
 #include <zip.h>
+
+#include <estampe/error.hpp>
 
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
 #include "core/zip_writer.hpp"
-#include "techniques/tam/files/images.hpp"
+#include "style/toml.hpp"
+#include "techniques/tam/files/map_files.hpp"
 
 namespace estampe::tam {
+namespace {
+
+/// A number of the header of a PNG, which begins at byte 16 with width and height, most significant byte
+/// first.
+uint32_t header_number(std::span<const std::byte> png, size_t at)
+{
+    uint32_t value = 0;
+    for (size_t i = 0; i < 4; ++i) {
+        value = value << 8U | std::to_integer<uint32_t>(png[at + i]);
+    }
+    return value;
+}
+
+} // namespace
+
+Image picture_of(const Gray8& coverage, uint32_t size_px)
+{
+    Image picture{.width = size_px, .height = size_px, .rgba = {}};
+    picture.rgba.reserve(coverage.size() * 4);
+    for (const uint8_t texel : coverage) {
+        const auto grey = static_cast<uint8_t>(255 - texel);
+        picture.rgba.insert(picture.rgba.end(), {grey, grey, grey, 255});
+    }
+    return picture;
+}
+
+Gray8 coverage_of(const Image& picture)
+{
+    Gray8 coverage;
+    coverage.reserve(picture.rgba.size() / 4);
+    for (size_t i = 0; i + 3 < picture.rgba.size(); i += 4) {
+        const uint32_t light = (2U * picture.rgba[i] + 5U * picture.rgba[i + 1] + picture.rgba[i + 2]) / 8U;
+        coverage.push_back(static_cast<uint8_t>(((255U - light) * picture.rgba[i + 3] + 127U) / 255U));
+    }
+    return coverage;
+}
+
+Square decode_square(std::span<const std::byte> png, const std::string& name)
+{
+    constexpr std::array<uint8_t, 8> signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+    constexpr size_t header_end = 24;
+    const bool is_png =
+        png.size() >= header_end &&
+        std::equal(signature.begin(), signature.end(), png.begin(),
+                   [](uint8_t wanted, std::byte found) { return std::byte{wanted} == found; });
+    if (!is_png) {
+        throw Error("is not a PNG image", name);
+    }
+    const uint32_t width = header_number(png, 16);
+    const uint32_t height = header_number(png, 20);
+    if (width != height || !std::has_single_bit(width) || width > max_size_px) {
+        throw Error(fmt::format("is {} x {} pixels", width, height), name,
+                    fmt::format("a level is square, its side a power of two up to {}", max_size_px));
+    }
+    return {width, coverage_of(decode_image(png, name))};
+}
+
+namespace {
+
+constexpr int64_t format_version = 1;
+
+[[noreturn]] void refuse(const style::Entry& entry, const std::string& remedy)
+{
+    throw Error(fmt::format("{}.{} = {} cannot be", entry.section, entry.key, entry.raw.shown),
+                entry.value_where, remedy);
+}
+
+int64_t whole(const style::Entry& entry, int64_t least, int64_t most)
+{
+    const auto* value = std::get_if<int64_t>(&entry.raw.value);
+    if (value == nullptr || *value < least || *value > most) {
+        refuse(entry, fmt::format("allowed: {} to {}", least, most));
+    }
+    return *value;
+}
+
+void read_map_entry(const style::Entry& entry, Manifest& manifest, bool& versioned)
+{
+    if (entry.key == "version") {
+        static_cast<void>(whole(entry, format_version, format_version));
+        versioned = true;
+    } else if (entry.key == "size_px") {
+        manifest.size_px = static_cast<uint32_t>(whole(entry, min_size_px, max_size_px));
+        if (!std::has_single_bit(manifest.size_px)) {
+            refuse(entry, "a power of two is wanted");
+        }
+    } else if (entry.key == "thresholds") {
+        const auto* value = std::get_if<bool>(&entry.raw.value);
+        if (value == nullptr) {
+            refuse(entry, "allowed: true or false");
+        }
+        manifest.has_thresholds = *value;
+    } else {
+        refuse(entry, "known keys are version, size_px and thresholds");
+    }
+}
+
+void read_darkness(const style::Entry& entry, Manifest& manifest)
+{
+    const std::string wanted = fmt::format("tone{}", manifest.darkness.size() + 1);
+    if (entry.key != wanted || manifest.darkness.size() >= max_tones) {
+        refuse(entry, fmt::format("{} is wanted here, of at most {}", wanted, max_tones));
+    }
+    const auto* real = std::get_if<double>(&entry.raw.value);
+    const float last = manifest.darkness.empty() ? 0.0F : manifest.darkness.back();
+    if (real == nullptr || !(static_cast<float>(*real) > last && static_cast<float>(*real) < 1.0F)) {
+        refuse(entry, "darkness must rise from tone to tone, between 0 and 1");
+    }
+    manifest.darkness.push_back(static_cast<float>(*real));
+}
+
+} // namespace
+
+std::string image_name(size_t tone, size_t level)
+{
+    return fmt::format("tone{}_level{}.png", tone + 1, level);
+}
+
+std::string manifest_of(const TonalArtMap& map)
+{
+    std::string text = fmt::format(
+        "# A tonal art map: strokes that nest from tone to tone and from level to level. Black is ink.\n"
+        "[map]\nversion = {}\nsize_px = {}\nthresholds = {}\n\n"
+        "[darkness] # mean ink of each tone\n",
+        format_version, map.size_px, !map.threshold_of_level.empty());
+    for (size_t tone = 0; tone < map.darkness.size(); ++tone) {
+        text += fmt::format("tone{} = {:#.9g}\n", tone + 1, map.darkness[tone]);
+    }
+    return text;
+}
+
+Manifest parse_manifest(const std::string& text, const std::string& name)
+{
+    Manifest manifest;
+    bool versioned = false;
+    for (const style::Entry& entry : style::parse_toml(text, name).entries) {
+        if (entry.section == "map") {
+            read_map_entry(entry, manifest, versioned);
+        } else if (entry.section == "darkness") {
+            read_darkness(entry, manifest);
+        } else {
+            throw Error(fmt::format("unknown key {}", style::in_quotes(entry.key)), entry.key_where,
+                        "sections are [map] and [darkness]");
+        }
+    }
+    if (!versioned || manifest.size_px == 0 || manifest.darkness.size() < min_tones) {
+        throw Error("version, size_px or the darknesses are missing", name,
+                    "[map] names version and size_px, [darkness] each tone");
+    }
+    return manifest;
+}
+
 namespace {
 
 constexpr const char* manifest_entry = "tam.toml";

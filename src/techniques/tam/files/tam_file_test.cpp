@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/tam/files/tam_file.hpp"
+#include "techniques/tam/files/map_files.hpp"
 
 #include <cstring>
 #include <memory>
@@ -8,7 +8,7 @@
 #include <zip.h>
 
 #include "core/file.hpp"
-#include "techniques/tam/random.hpp"
+#include "techniques/tam/stroke.hpp"
 #include "techniques/tam/test_support.hpp"
 
 namespace estampe::tam {

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/tam/painted/derive_levels.hpp"
+#include "techniques/tam/painted/painted_strokes.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "techniques/tam/canvas.hpp"
-#include "techniques/tam/painted/painted_strokes.hpp"
-#include "techniques/tam/random.hpp"
+#include "techniques/tam/maker.hpp"
+#include "techniques/tam/stroke.hpp"
 
 namespace estampe::tam {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "techniques/tam/random.hpp"
+#include "techniques/tam/stroke.hpp"
 
 namespace estampe::tam {
 namespace {

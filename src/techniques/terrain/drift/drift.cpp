@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "gpu/fills.hpp"
+#include "gpu/transfers.hpp"
 #include "shaders/drift_ink_comp.hpp"
 #include "shaders/drift_streaks_comp.hpp"
 #include "style/parameter.hpp"
-#include "techniques/terrain/whole_cells.hpp"
+#include "techniques/terrain/graph/program.hpp"
 
 namespace estampe::terrain {
 namespace {

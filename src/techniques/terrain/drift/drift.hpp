@@ -9,8 +9,7 @@
 
 #include "gpu/graph/graph.hpp"
 #include "style/parameter.hpp"
-#include "techniques/terrain/drift/drift.glsl.h"
-#include "techniques/terrain/mesh/terrain_mesh.glsl.h"
+#include "techniques/terrain/terrain.glsl.h"
 
 namespace estampe::terrain {
 

@@ -7,9 +7,8 @@
 
 #include "shaders/camera.glsl"
 #include "shaders/hash.glsl"
-#include "shaders/items.glsl"
-#include "shaders/rounds.glsl"
-#include "techniques/terrain/drift/drift.glsl.h"
+#include "shaders/loops.glsl"
+#include "techniques/terrain/terrain.glsl.h"
 
 layout(local_size_x = 64) in;
 
@@ -142,7 +141,7 @@ void main()
     vec2 step_px = abs(longer) > 1e-3 ? along / longer : vec2(1.0, 0.0);
     int margin = 1 + int(ceil(drift.half_width_px));
     int count = int(ceil(is_steep ? span.y : span.x)) + 2 * margin;
-    for (int i = 0; i < rounds(count, margin); ++i) {
+    for (int i = 0; i < loop_rounds(count, margin); ++i) {
         vec2 middle = first + float(i - margin) * step_px;
         ivec2 pixel = ivec2(floor(middle));
         for (int j = -margin; j <= margin; ++j) {

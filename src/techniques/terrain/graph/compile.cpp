@@ -12,15 +12,9 @@
 #include <estampe/error.hpp>
 #include <fmt/format.h>
 
-#include "style/suggest.hpp"
-#include "techniques/terrain/graph/arguments.hpp"
-#include "techniques/terrain/graph/evaluate.hpp"
-#include "techniques/terrain/graph/expression.hpp"
-#include "techniques/terrain/graph/frame.hpp"
-#include "techniques/terrain/graph/monotone_curve.hpp"
-#include "techniques/terrain/graph/node_kinds.hpp"
-#include "techniques/terrain/graph/registers.hpp"
-#include "techniques/terrain/graph/textures.hpp"
+#include "style/names.hpp"
+#include "techniques/terrain/graph/language.hpp"
+#include "techniques/terrain/graph/program.hpp"
 
 namespace estampe::terrain {
 namespace {

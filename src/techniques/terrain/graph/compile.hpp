@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// From the nodes of a terrain to a program; and the frames of coordinates that are folded into its places.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include <estampe/terrain.hpp>
 
 #include "techniques/terrain/graph/program.hpp"
@@ -11,5 +17,81 @@ namespace estampe::terrain {
 /// folded into places, constants into numbers, and what is asked for twice is computed once. Throws Error as
 /// Terrain's constructor does. Cost: linear in what is asked for; textures are read.
 [[nodiscard]] Program compile_program(const TerrainDescription& terrain);
+
+/// Cosine and sine of an angle. Those of quarter turns are exact, so that what repeats along an axis still
+/// does so a million metres away.
+[[nodiscard]] inline glm::dvec2 cosine_and_sine(double angle_rad)
+{
+    constexpr double rounding = 1e-15; // of the angle, in a turn or two
+    const auto exact = [](double value) { return std::abs(value) < rounding ? 0.0 : value; };
+    return {exact(std::cos(angle_rad)), exact(std::sin(angle_rad))};
+}
+
+/// The coordinates that a part of a graph is looked up by, in metres: linear in x, z and time, plus a warp,
+/// two values of the program, where there is one.
+struct Frame {
+    Linear u{.x = 1.0};
+    Linear v{.z = 1.0};
+    std::array<uint32_t, 2> warp{shared::height_no_register, shared::height_no_register};
+    double stretch = 1.0; ///< metres on the ground for one of the frame, at least
+
+    /// Equal for equal frames.
+    using Key = std::array<double, 11>;
+
+    [[nodiscard]] Key key() const
+    {
+        return {u.x,    u.z, u.t, u.constant, v.x, v.z, v.t, v.constant, double(warp[0]), double(warp[1]),
+                stretch};
+    }
+
+    [[nodiscard]] bool is_warped() const { return warp[0] != shared::height_no_register; }
+
+    /// What is inside turns from x towards z; the warp is left as it is.
+    [[nodiscard]] Frame turned(double angle_rad) const
+    {
+        const glm::dvec2 turn = cosine_and_sine(angle_rad);
+        const double c = turn.x;
+        const double s = turn.y;
+        Frame result = *this;
+        result.u = {c * u.x + s * v.x, c * u.z + s * v.z, c * u.t + s * v.t, c * u.constant + s * v.constant};
+        result.v = {c * v.x - s * u.x, c * v.z - s * u.z, c * v.t - s * u.t, c * v.constant - s * u.constant};
+        return result;
+    }
+
+    /// Coordinates grow by `factor`; the warp is left as it is.
+    [[nodiscard]] Frame scaled(const glm::dvec2& factor) const
+    {
+        Frame result = *this;
+        result.u = times(u, factor.x);
+        result.v = times(v, factor.y);
+        result.stretch = stretch / std::max(factor.x, factor.y);
+        return result;
+    }
+
+    /// What is inside moves by so much; only `t` and `constant` count.
+    [[nodiscard]] Frame moved(const Linear& by_u, const Linear& by_v) const
+    {
+        Frame result = *this;
+        result.u.t -= by_u.t;
+        result.u.constant -= by_u.constant;
+        result.v.t -= by_v.t;
+        result.v.constant -= by_v.constant;
+        return result;
+    }
+
+    [[nodiscard]] PlaceSource place(const glm::dvec2& units_per_m) const
+    {
+        return {.u = times(u, units_per_m.x),
+                .v = times(v, units_per_m.y),
+                .period_m = stretch / std::max(units_per_m.x, units_per_m.y),
+                .units_per_m = units_per_m};
+    }
+
+private:
+    static Linear times(const Linear& a, double factor)
+    {
+        return {a.x * factor, a.z * factor, a.t * factor, a.constant * factor};
+    }
+};
 
 } // namespace estampe::terrain

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/terrain/graph/expression.hpp"
+#include "techniques/terrain/graph/language.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -9,8 +9,7 @@
 #include "core/image_codec.hpp"
 #include "support/folder.hpp"
 #include "techniques/terrain/graph/compile.hpp"
-#include "techniques/terrain/graph/evaluate.hpp"
-#include "techniques/terrain/graph/frame.hpp"
+#include "techniques/terrain/graph/program.hpp"
 #include "techniques/terrain/graph/test_graphs.hpp"
 
 namespace estampe {

@@ -7,7 +7,7 @@
 // one is put in place of HEIGHT_PROGRAM, that program alone. Wants `words`, `texels` and `terrain` of whoever
 // includes it.
 
-#include "techniques/terrain/graph/program.glsl.h"
+#include "techniques/terrain/terrain.glsl.h"
 
 #define Real float
 #define Real2 vec2

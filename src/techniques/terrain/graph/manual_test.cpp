@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "support/files.hpp"
-#include "techniques/terrain/graph/node_kinds.hpp"
+#include "techniques/terrain/graph/language.hpp"
 
 namespace estampe::terrain {
 namespace {

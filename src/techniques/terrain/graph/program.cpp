@@ -3,10 +3,19 @@
 
 #include <algorithm>
 #include <bit>
+#include <bitset>
 #include <cmath>
 #include <cstring>
+#include <limits>
+#include <numeric>
 
-#include "techniques/terrain/whole_cells.hpp"
+#include <fmt/format.h>
+
+#include <estampe/error.hpp>
+
+#include "core/exr.hpp"
+#include "core/file.hpp"
+#include "core/image_codec.hpp"
 
 namespace estampe::terrain {
 namespace {
@@ -86,6 +95,330 @@ ProgramWords program_words(const Program& program, const glm::dvec2& origin_m, d
         result.words.push_back(i.parameter);
     }
     return result;
+}
+
+std::vector<double> monotone_curve(std::span<const glm::dvec2> points)
+{
+    const auto rise = [&](size_t i) {
+        return (points[i + 1].y - points[i].y) / (points[i + 1].x - points[i].x);
+    };
+    std::vector<double> result;
+    for (size_t i = 0; i < points.size(); ++i) {
+        double slope = 0.0;
+        if (i > 0 && i + 1 < points.size() && rise(i - 1) * rise(i) > 0.0) {
+            const double before = points[i].x - points[i - 1].x;
+            const double after = points[i + 1].x - points[i].x;
+            // The weighted harmonic mean keeps within three times the lesser rise, which is enough.
+            const double near = 2.0 * after + before;
+            const double far = after + 2.0 * before;
+            slope = (near + far) / (near / rise(i - 1) + far / rise(i));
+        }
+        result.insert(result.end(), {points[i].x, points[i].y, slope});
+    }
+    return result;
+}
+
+namespace {
+
+/// Calls `visit` with a reference to each register that is read.
+template <typename Visit>
+void for_each_input(Instruction& instruction, const Visit& visit)
+{
+    for (glm::length_t i = 0; i < 3; ++i) {
+        if (instruction.inputs[i] != shared::height_no_register) {
+            visit(instruction.inputs[i]);
+        }
+    }
+    for (glm::length_t i = 0; i < 2; ++i) {
+        if (instruction.warp[i] != shared::height_no_register) {
+            visit(instruction.warp[i]);
+        }
+    }
+}
+
+} // namespace
+
+std::vector<Instruction> with_registers(const std::vector<Instruction>& in_order, uint32_t result,
+                                        const std::string& where)
+{
+    constexpr uint32_t never = 0xffffffffU;
+    std::vector<uint32_t> last_reader(in_order.size(), never);
+    last_reader[result] = result;
+    for (uint32_t number = result + 1; number-- > 0;) {
+        if (last_reader[number] == never) {
+            continue;
+        }
+        Instruction instruction = in_order[number];
+        for_each_input(instruction, [&](uint32_t& input) {
+            if (last_reader[input] == never) {
+                last_reader[input] = number;
+            }
+        });
+    }
+    std::bitset<shared::height_register_count> taken;
+    std::vector<uint32_t> register_of(in_order.size(), 0);
+    std::vector<Instruction> placed;
+    for (uint32_t number = 0; number <= result; ++number) {
+        if (last_reader[number] == never) {
+            continue;
+        }
+        Instruction instruction = in_order[number];
+        for_each_input(instruction, [&](uint32_t& input) {
+            if (last_reader[input] == number) {
+                taken.reset(register_of[input]);
+            }
+            input = register_of[input];
+        });
+        uint32_t target = 0;
+        while (target < taken.size() && taken.test(target)) {
+            ++target;
+        }
+        if (target == taken.size()) {
+            throw Error(fmt::format("the graph holds more than {} values at once", taken.size()), where,
+                        "make it simpler, or use a node in fewer places");
+        }
+        taken.set(target);
+        register_of[number] = target;
+        instruction.target = target;
+        placed.push_back(instruction);
+    }
+    return placed;
+}
+
+namespace {
+
+constexpr size_t most_texels = size_t{1} << 24;
+
+void check_room(const Program& program, size_t added)
+{
+    if (program.texels.size() + added > most_texels) {
+        throw Error("textures of more than 16.7 million texels in all", {}, "make them smaller");
+    }
+}
+
+/// An Image or a DeepImage: the mean of its colours, of which the brightest is one.
+template <class Picture>
+HeightTexture append_picture(Program& program, const Picture& image)
+{
+    using Value = typename decltype(Picture::rgba)::value_type;
+    constexpr auto white = static_cast<float>(3 * std::numeric_limits<Value>::max());
+    const size_t count = size_t{image.width} * image.height;
+    check_room(program, count);
+    for (size_t pixel = 0; pixel < count; ++pixel) {
+        const Value* const parts = &image.rgba[pixel * 4];
+        program.texels.push_back(static_cast<float>(parts[0] + parts[1] + parts[2]) / white);
+    }
+    return {.columns = image.width, .rows = image.height};
+}
+
+HeightTexture append_floats(Program& program, const std::vector<std::byte>& bytes, const std::string& path)
+{
+    const ExrFile file = decode_exr(bytes, path);
+    const size_t count = size_t{file.image.width} * file.image.height;
+    check_room(program, count);
+    for (size_t pixel = 0; pixel < count; ++pixel) {
+        program.texels.push_back(file.image.texels[pixel].x);
+    }
+    return {.columns = file.image.width, .rows = file.image.height};
+}
+
+HeightTexture append_file(Program& program, const std::filesystem::path& path)
+{
+    constexpr uint64_t largest_bytes = uint64_t{1} << 30;
+    const std::vector<std::byte> bytes = read_file(path, largest_bytes);
+    if (is_exr(bytes)) {
+        return append_floats(program, bytes, path.string());
+    }
+    const std::optional<DeepImage> deep = decode_deep_image(bytes, path.string());
+    return deep ? append_picture(program, *deep)
+                : append_picture(program, decode_image(bytes, path.string()));
+}
+
+} // namespace
+
+TextureInProgram texture_in(Program& program, const TextureRequest& request,
+                            const std::filesystem::path& folder)
+{
+    const auto is_same = [&](const HeightTexture& texture) {
+        return texture.name == request.name && texture.is_mask == request.is_mask &&
+               texture.sand == request.sand;
+    };
+    auto found = std::ranges::find_if(program.textures, is_same);
+    if (found == program.textures.end()) {
+        const auto first = static_cast<uint32_t>(program.texels.size());
+        HeightTexture texture;
+        if (request.texels > 0) {
+            check_room(program, size_t{request.texels} * request.texels);
+            program.texels.resize(first + size_t{request.texels} * request.texels);
+            texture = {.name = request.name,
+                       .is_mask = request.is_mask,
+                       .columns = request.texels,
+                       .rows = request.texels,
+                       .sand = request.sand};
+        } else {
+            texture = append_file(program, folder / request.name);
+            texture.name = request.name;
+        }
+        texture.first_texel = first;
+        program.textures.push_back(texture);
+        found = program.textures.end() - 1;
+    }
+    if (request.is_mask && found->columns != request.texels) {
+        throw Error("the mask \"" + request.name + "\" is asked for in two sizes");
+    }
+    const auto begin = program.texels.begin() + found->first_texel;
+    const size_t count = size_t{found->columns} * found->rows;
+    const double sum = std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(count), 0.0);
+    return {.index = static_cast<size_t>(found - program.textures.begin()),
+            .mean = request.texels > 0 ? 0.0 : sum / static_cast<double>(count)};
+}
+
+namespace {
+
+using glm::clamp;
+using std::floor;
+using std::max;
+using std::sqrt;
+using uint = uint32_t;
+
+/// What height_math.glsl wants of whoever includes it.
+template <typename Real>
+struct HeightMath {
+    using Real2 = glm::vec<2, Real>;
+    using Real4 = glm::vec<4, Real>;
+
+    const Program& program;
+    std::span<const PlaceWords> places;
+
+    [[nodiscard]] Real height_number(uint index) const
+    {
+        return static_cast<Real>(program.parameters[index]);
+    }
+
+    [[nodiscard]] Real height_place(uint index) const
+    {
+        return static_cast<Real>(places[index / 16].numbers[index % 16]);
+    }
+
+    [[nodiscard]] int height_cell(uint index) const { return places[index / 16].cells[index % 16 - 8]; }
+
+    [[nodiscard]] Real height_texel(uint index) const { return static_cast<Real>(program.texels[index]); }
+
+#include "techniques/terrain/graph/height_math.glsl"
+
+    Place place_of(const Instruction& i, const Real2& local_m, const Real4* registers)
+    {
+        if (i.warp.x == shared::height_no_register) {
+            return place_at(i.place, local_m.x, local_m.y);
+        }
+        return place_warped(i.place, local_m.x, local_m.y, registers[i.warp.x], registers[i.warp.y]);
+    }
+
+    Real4 leaf(const Instruction& i, const Place& place, Real spacing_m)
+    {
+        switch (i.op) {
+        case shared::height_coordinate_u:
+            return coordinate_u(place);
+        case shared::height_coordinate_v:
+            return coordinate_v(place);
+        case shared::height_wave:
+            return leaf_sine(place, spacing_m);
+        case shared::height_noise:
+            return leaf_noise(place, i.parameter, spacing_m);
+        case shared::height_fbm:
+            return leaf_fbm(place, i.parameter, spacing_m);
+        case shared::height_ridged:
+            return leaf_ridged(place, i.parameter, spacing_m);
+        case shared::height_cellular:
+            return leaf_cellular(place, i.parameter, spacing_m);
+        case shared::height_texture:
+            return leaf_texture(place, i.parameter, spacing_m);
+        default:
+            return leaf_dunes(place, i.parameter, spacing_m);
+        }
+    }
+
+    Real4 value(const Instruction& i, const Real4& a, const Real4& b, const Real4& c)
+    {
+        switch (i.op) {
+        case shared::height_constant:
+            return dual(height_number(i.parameter));
+        case shared::height_add:
+            return a + b;
+        case shared::height_subtract:
+            return a - b;
+        case shared::height_multiply:
+            return dual_mul(a, b);
+        case shared::height_divide:
+            return dual_div(a, b);
+        case shared::height_minimum:
+            return dual_min(a, b);
+        case shared::height_maximum:
+            return dual_max(a, b);
+        case shared::height_lerp:
+            return dual_lerp(a, b, c);
+        case shared::height_smoothstep:
+            return dual_smoothstep(a, b, c);
+        case shared::height_power:
+            return dual_pow(a, height_number(i.parameter));
+        case shared::height_curve:
+            return dual_curve(a, i.parameter, i.count);
+        case shared::height_sine:
+            return dual_sin(a);
+        case shared::height_cosine:
+            return dual_cos(a);
+        case shared::height_absolute:
+            return dual_abs(a);
+        case shared::height_root:
+            return dual_sqrt(a);
+        case shared::height_radius:
+            return dual_radius(a, b);
+        default:
+            return dual_angle(a, b);
+        }
+    }
+
+    Real4 run(const Real2& local_m, Real spacing_m)
+    {
+        Real4 registers[shared::height_register_count] = {};
+        const auto input = [&](uint number) {
+            return number == shared::height_no_register ? Real4(0) : registers[number];
+        };
+        for (const Instruction& i : program.instructions) {
+            registers[i.target] = i.op >= shared::height_coordinate_u
+                                      ? leaf(i, place_of(i, local_m, registers), spacing_m)
+                                      : value(i, input(i.inputs.x), input(i.inputs.y), input(i.inputs.z));
+        }
+        return registers[program.instructions.back().target];
+    }
+};
+
+} // namespace
+
+glm::dvec4 evaluate(const Program& program, std::span<const PlaceWords> places, const glm::dvec2& local_m,
+                    double spacing_m)
+{
+    return HeightMath<double>{program, places}.run(local_m, spacing_m);
+}
+
+glm::vec4 evaluate_single(const Program& program, std::span<const PlaceWords> places,
+                          const glm::vec2& local_m, float spacing_m)
+{
+    return HeightMath<float>{program, places}.run(local_m, spacing_m);
+}
+
+double evaluate_one(const Program& program, const Instruction& instruction)
+{
+    HeightMath<double> math{program, {}};
+    const auto input = [&](uint number) {
+        return number == shared::height_no_register
+                   ? glm::dvec4(0.0)
+                   : math.dual(program.parameters[program.instructions[number].parameter]);
+    };
+    return math
+        .value(instruction, input(instruction.inputs.x), input(instruction.inputs.y),
+               input(instruction.inputs.z))
+        .x;
 }
 
 } // namespace estampe::terrain

@@ -9,7 +9,7 @@
 
 #include <estampe/terrain.hpp>
 
-#include "techniques/terrain/mesh/terrain_mesh.glsl.h"
+#include "techniques/terrain/terrain.glsl.h"
 
 namespace estampe::terrain {
 
@@ -17,7 +17,7 @@ namespace estampe::terrain {
 /// counter-clockwise from above.
 struct MeshTopology {
     std::vector<glm::dvec3> places; ///< in the world, of vertices that are in no grid; else none
-    std::vector<uint32_t> vertices; ///< words of terrain_mesh.glsl.h
+    std::vector<uint32_t> vertices; ///< words of terrain.glsl.h
     std::vector<glm::uvec3> triangles;
 };
 

@@ -5,12 +5,10 @@
 #extension GL_KHR_shader_subgroup_vote : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shaders/items.glsl"
-#include "shaders/mesh.glsl.h"
-#include "shaders/octahedral.glsl"
-#include "shaders/rounds.glsl"
-#include "techniques/terrain/graph/program.glsl.h"
-#include "techniques/terrain/mesh/terrain_mesh.glsl.h"
+#include "shaders/loops.glsl"
+#include "shaders/scene.glsl.h"
+#include "shaders/unit.glsl"
+#include "techniques/terrain/terrain.glsl.h"
 
 layout(local_size_x = 64) in;
 

@@ -5,11 +5,11 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/camera.glsl"
-#include "shaders/draw_word.glsl"
-#include "shaders/octahedral.glsl"
+#include "shaders/surface_images.glsl"
+#include "shaders/unit.glsl"
 #include "techniques/terrain/plane_step.glsl"
 #include "techniques/terrain/ripples/ripples.glsl"
-#include "techniques/terrain/ripples/ripples.glsl.h"
+#include "techniques/terrain/terrain.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "shaders/ripples_comp.hpp"
-#include "techniques/terrain/whole_cells.hpp"
+#include "techniques/terrain/graph/program.hpp"
 
 namespace estampe::terrain {
 

@@ -8,7 +8,7 @@
 #include <estampe/terrain.hpp>
 
 #include "gpu/graph/graph.hpp"
-#include "techniques/terrain/ripples/ripples.glsl.h"
+#include "techniques/terrain/terrain.glsl.h"
 
 namespace estampe::terrain {
 

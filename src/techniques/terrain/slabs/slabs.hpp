@@ -12,6 +12,7 @@
 #include "gpu/graph/graph.hpp"
 #include "gpu/resources.hpp"
 #include "style/parameter.hpp"
+#include "techniques/terrain/terrain.glsl.h"
 
 namespace estampe::terrain {
 
@@ -88,5 +89,11 @@ private:
     uint32_t side_ = 0;
     uint64_t steps_ = 0;
 };
+
+/// Of a step, whose wind is one of those within the spread.
+[[nodiscard]] shared::SlabConstants slab_constants(const SlabStyle& style, uint32_t side, uint64_t step);
+
+/// Of one of a step's slides.
+[[nodiscard]] shared::SlideConstants slide_constants(const SlabStyle& style, uint32_t side, int slide);
 
 } // namespace estampe::terrain

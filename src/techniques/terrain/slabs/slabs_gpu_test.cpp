@@ -11,10 +11,9 @@
 
 #include <gtest/gtest.h>
 
-#include "gpu/imports.hpp"
+#include "gpu/resources.hpp"
 #include "support/glsl.hpp"
 #include "support/gpu_device.hpp"
-#include "techniques/terrain/slabs/slab_constants.hpp"
 
 namespace estampe::terrain::slab_glsl { // named, as not all of it is used
 using namespace test::glsl;             // NOLINT(google-build-using-namespace): GLSL's names are the point

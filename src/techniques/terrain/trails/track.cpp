@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/terrain/trails/track.hpp"
+#include "techniques/terrain/trails/trails.hpp"
 
 #include <algorithm>
 #include <array>

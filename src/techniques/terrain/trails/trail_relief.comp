@@ -5,10 +5,10 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shaders/draw_word.glsl"
-#include "shaders/octahedral.glsl"
+#include "shaders/surface_images.glsl"
+#include "shaders/unit.glsl"
 #include "techniques/terrain/plane_step.glsl"
-#include "techniques/terrain/trails/trails.glsl.h"
+#include "techniques/terrain/terrain.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 32) in;
 

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "gpu/imports.hpp"
+#include "gpu/resources.hpp"
 #include "support/gpu_device.hpp"
 
 namespace estampe::terrain {

@@ -7,9 +7,8 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/camera.glsl"
-#include "shaders/cells.glsl"
-#include "shaders/draw_word.glsl"
-#include "shaders/octahedral.glsl"
+#include "shaders/loops.glsl"
+#include "shaders/surface_images.glsl"
 #include "shaders/unit.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 

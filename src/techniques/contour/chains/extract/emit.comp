@@ -7,10 +7,9 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/frame.glsl.h"
-#include "shaders/octahedral.glsl"
-#include "shaders/rounds.glsl"
+#include "shaders/unit.glsl"
+#include "shaders/loops.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
-#include "techniques/contour/chains/variants.glsl.h"
 
 layout(local_size_x = 64) in;
 
@@ -173,7 +172,7 @@ Segment through_triangle(uint triangle, uint segment_count)
         to = crossing;
         next = beyond;
         ++i;
-    } while (i < rounds(2, int(triangle)));
+    } while (i < loop_rounds(2, int(triangle)));
     return Segment(from.position, from.normal, to.position, to.normal, triangle << 2 | 3u, next,
                    previous != no_segment ? 1u : 0u, bulge_of(a, b, c));
 }
@@ -244,7 +243,7 @@ Segment along_edge(uint edge, uint segment_count)
         Corner third = corner_at(corners[3u - ends.x - ends.y]);
         bulge_m = along_edges ? 0.0 : max(bulge_m, bulge_of(start, finish, third));
         ++end;
-    } while (end < rounds(2, int(edge)));
+    } while (end < loop_rounds(2, int(edge)));
     bool hides = is_hollow(front, first_is_front ? sides.y : sides.x);
     return Segment(place[0].position, place[0].normal, place[1].position, place[1].normal, front, beyond[1],
                    beyond[0] != no_segment ? 1u : 0u, hides ? -1e-30 : bulge_m);

@@ -6,9 +6,8 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/frame.glsl.h"
-#include "shaders/octahedral.glsl"
-#include "shaders/rounds.glsl"
 #include "shaders/unit.glsl"
+#include "shaders/loops.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
 layout(local_size_x = 64) in;
@@ -106,7 +105,7 @@ void main()
     End to = End(vec3(0.0), 0u, 0u);
     uint previous;
     uint next = no_segment;
-    for (int end = 0; end < rounds(2, int(segment_count)); ++end) {
+    for (int end = 0; end < loop_rounds(2, int(segment_count)); ++end) {
         uint side = end == 0 ? line.from : line.to;
         from = to;
         previous = next;

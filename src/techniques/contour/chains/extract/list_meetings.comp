@@ -6,7 +6,7 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/frame.glsl.h"
-#include "shaders/rounds.glsl"
+#include "shaders/loops.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -63,7 +63,7 @@ void main()
     uint index = point.y * constants.columns + point.x;
     uint here = shell_at(point);
     crossings[index] = uvec2(0u);
-    for (int side = 0; side < rounds(2, int(constants.columns)); ++side) {
+    for (int side = 0; side < loop_rounds(2, int(constants.columns)); ++side) {
         uint there = shell_at(point + uvec2(1 - side, side));
         if (here != 0u && there != 0u && here != there) {
             list_side(2u * index + uint(side));

@@ -9,7 +9,6 @@
 
 #include "shaders/frame.glsl.h"
 #include "techniques/contour/chains/chains.glsl.h"
-#include "techniques/contour/chains/variants.glsl.h"
 
 layout(local_size_x = 64) in;
 

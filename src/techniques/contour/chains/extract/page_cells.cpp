@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/contour/chains/extract/page_cells.hpp"
 
-#include "gpu/fills.hpp"
+#include "gpu/transfers.hpp"
 #include "shaders/cross_meetings_comp.hpp"
 #include "shaders/cross_shadows_comp.hpp"
 #include "shaders/emit_cells_comp.hpp"

@@ -5,7 +5,7 @@
 // Which way surfaces face. What two shaders must agree on is computed without contraction.
 // Wanted before: `frame`, a FrameGlobals.
 
-#include "shaders/mesh.glsl.h"
+#include "shaders/scene.glsl.h"
 
 // From a point towards the eye, of no particular length.
 vec3 way_to_eye(vec3 point)

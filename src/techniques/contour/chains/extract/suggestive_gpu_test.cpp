@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Suggestive contours: against a search through all triangles, and on a torus against what is known of it.
-#include "techniques/contour/chains/extract/suggestive.hpp"
+#include "techniques/contour/chains/mesh/bending.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +10,11 @@
 
 #include <gtest/gtest.h>
 
-#include "features/lines/line_meshes.hpp"
+#include <estampe/shapes.hpp>
+
+#include "features/lines/lines.hpp"
 #include "scene/pose.hpp"
-#include "scene/shapes.hpp"
-#include "scene/subdivision.hpp"
+#include "scene/smooth_surface.hpp"
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"
 #include "techniques/contour/chains/chains_test_scene.hpp"

@@ -7,9 +7,9 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/camera.glsl"
-#include "shaders/items.glsl"
-#include "shaders/mesh.glsl.h"
-#include "shaders/octahedral.glsl"
+#include "shaders/loops.glsl"
+#include "shaders/scene.glsl.h"
+#include "shaders/unit.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
 layout(local_size_x = 64) in;

@@ -7,12 +7,13 @@
 #include <glm/gtc/packing.hpp>
 #include <gtest/gtest.h>
 
-#include "gpu/imports.hpp"
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
+
+#include "gpu/resources.hpp"
 #include "support/drawing.hpp"
 #include "support/gpu_device.hpp"
+#include "techniques/contour/chains/chains.hpp"
 #include "techniques/contour/chains/chains_test_scene.hpp"
-#include "techniques/contour/chains/history/line_history.hpp"
 
 namespace estampe::contour {
 namespace {

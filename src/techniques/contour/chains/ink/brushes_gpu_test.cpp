@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Brushes of lines: that their pictures lie where they should.
-#include "techniques/contour/chains/ink/brushes.hpp"
+#include "techniques/contour/chains/ink/ink.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <estampe/image.hpp>
+#include <estampe/shapes.hpp>
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
 #include "support/drawing.hpp"
 #include "support/folder.hpp"
 #include "support/gpu_device.hpp"

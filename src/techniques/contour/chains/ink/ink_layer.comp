@@ -4,9 +4,8 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shaders/material.glsl.h"
+#include "shaders/scene.glsl.h"
 #include "techniques/contour/chains/chains.glsl.h"
-#include "techniques/contour/chains/variants.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

@@ -6,7 +6,6 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "techniques/contour/chains/chains.glsl.h"
-#include "techniques/contour/chains/variants.glsl.h"
 
 layout(local_size_x = 64) in;
 

@@ -5,10 +5,9 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/camera.glsl"
-#include "shaders/items.glsl"
-#include "shaders/octahedral.glsl"
+#include "shaders/loops.glsl"
+#include "shaders/unit.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
-#include "techniques/contour/chains/variants.glsl.h"
 
 layout(local_size_x = 64) in;
 

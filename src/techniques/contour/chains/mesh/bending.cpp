@@ -9,7 +9,9 @@
 
 #include <tbb/parallel_for.h>
 
-#include "scene/second_form.hpp"
+#include "scene/smooth_surface.hpp"
+#include "shaders/view_bends_comp.hpp"
+#include "techniques/contour/chains/scan/scan.hpp"
 
 namespace estampe::contour {
 namespace {
@@ -347,18 +349,19 @@ private:
     std::vector<uint32_t> corners_;      ///< triangle << 2 | corner
 };
 
-} // namespace
-
-std::vector<Bending> find_bending(const RestSurface& surface)
-{
-    return BendingFinder(surface).run();
-}
-
+/// The same in a frame with another tangent.
 Bending with_tangent(const Bending& bending, const glm::vec3& tangent)
 {
     const glm::vec3 third = glm::cross(bending.normal, tangent);
     const glm::vec2 turn(glm::dot(bending.tangent, tangent), glm::dot(bending.tangent, third));
     return {bending.normal, tangent, turned(bending.form, turn), turned(bending.change, turn)};
+}
+
+} // namespace
+
+std::vector<Bending> find_bending(const RestSurface& surface)
+{
+    return BendingFinder(surface).run();
 }
 
 PrincipalCurvatures principal_curvatures(const glm::vec3& form)
@@ -373,6 +376,46 @@ PrincipalCurvatures principal_curvatures(const glm::vec3& form)
 float change_along(const glm::vec4& change, const glm::vec2& way)
 {
     return between(along(change, way), way, way);
+}
+
+std::vector<shared::VertexBending> vertex_bendings(const RestSurface& surface,
+                                                   std::span<const Bending> bendings)
+{
+    std::vector<shared::VertexBending> result(bendings.size());
+    for (uint32_t v = 0; v < result.size(); ++v) {
+        result[v].neighbor = v;
+    }
+    for (const glm::uvec4& corners : surface.mesh.triangles) {
+        for (int k = 0; k < 3; ++k) {
+            const uint32_t v = corners[k];
+            const Bending& bending = bendings[v];
+            if (result[v].neighbor != v || bending.normal == glm::vec3(0.0F)) {
+                continue;
+            }
+            const glm::vec3 way = surface.positions[corners[(k + 1) % 3]] - surface.positions[v];
+            const glm::vec3 flat = way - bending.normal * glm::dot(bending.normal, way);
+            if (glm::length(flat) > 0.0F) {
+                const Bending seen = with_tangent(bending, glm::normalize(flat));
+                const float size = surface.sizes[v];
+                result[v] = {corners[(k + 1) % 3], size * seen.form, size * size * seen.change};
+            }
+        }
+    }
+    return result;
+}
+
+gpu::BufferId add_view_bends(gpu::Graph& graph, gpu::BufferId frame, gpu::BufferId posed_vertices,
+                             gpu::BufferId bendings, uint32_t vertex_count, const SuggestiveCut& cut)
+{
+    auto pass = graph.compute("contour/view bends", shaders::view_bends_comp);
+    pass.uniform(frame).sample(posed_vertices).sample(bendings);
+    const gpu::BufferId bends =
+        pass.write(graph.buffer("contour/view bends", list_of(vertex_count, sizeof(glm::vec2))));
+    pass.push(shared::ViewBendConstants{.vertex_count = vertex_count,
+                                        .least_growth = cut.least_growth,
+                                        .least_sine = std::sin(glm::radians(cut.least_angle_deg))})
+        .dispatch_items(vertex_count);
+    return bends;
 }
 
 } // namespace estampe::contour

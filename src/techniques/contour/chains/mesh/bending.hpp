@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How surfaces bend, and how that changes, at each vertex of an edge mesh.
+// How surfaces bend, and how that changes, at each vertex of an edge mesh; and suggestive contours, which are
+// found by that: where a surface would turn away if the eye moved a little.
 
 #include <cstdint>
 #include <span>
@@ -9,6 +10,8 @@
 
 #include <glm/glm.hpp>
 
+#include "gpu/graph/graph.hpp"
+#include "techniques/contour/chains/chains.glsl.h"
 #include "techniques/contour/chains/mesh/edge_mesh.hpp"
 
 namespace estampe::contour {
@@ -38,9 +41,6 @@ struct RestSurface {
 /// Source  Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle Meshes", 2004
 [[nodiscard]] std::vector<Bending> find_bending(const RestSurface& surface);
 
-/// The same in a frame with another tangent.
-[[nodiscard]] Bending with_tangent(const Bending& bending, const glm::vec3& tangent);
-
 /// Greatest and least curvature of a form, with the greatest's direction in its tangent plane.
 struct PrincipalCurvatures {
     float greatest = 0.0F;
@@ -52,5 +52,23 @@ struct PrincipalCurvatures {
 
 /// The derivative of a form along `way` three times over: how its curvature along `way` grows that way.
 [[nodiscard]] float change_along(const glm::vec4& change, const glm::vec2& way);
+
+/// What makes a line of a place where the radial curvature is zero.
+struct SuggestiveCut {
+    float least_growth = 15.0F;    ///< of curvature towards the eye, both in inverse sizes of the object
+    float least_angle_deg = 20.0F; ///< between the normal and the way to the eye
+};
+
+/// Bendings in the form of the shaders, in sizes of the object, each in a frame that hangs on a neighbour.
+[[nodiscard]] std::vector<shared::VertexBending> vertex_bendings(const RestSurface& surface,
+                                                                 std::span<const Bending> bendings);
+
+/// What the view makes of each vertex: radial curvature, and the strength of a line where that is zero.
+///
+/// Cost    one thread a vertex
+/// Source  DeCarlo, Finkelstein, Rusinkiewicz and Santella, "Suggestive Contours for Conveying Shape", 2003
+[[nodiscard]] gpu::BufferId add_view_bends(gpu::Graph& graph, gpu::BufferId frame,
+                                           gpu::BufferId posed_vertices, gpu::BufferId bendings,
+                                           uint32_t vertex_count, const SuggestiveCut& cut);
 
 } // namespace estampe::contour

@@ -9,7 +9,7 @@
 
 #include <glm/glm.hpp>
 
-#include "techniques/contour/chains/mesh/neighbors.glsl.h"
+#include "techniques/contour/chains/chains.glsl.h"
 
 namespace estampe::contour {
 
@@ -62,7 +62,7 @@ struct FeatureEdge {
 struct EdgeMesh {
     /// Corners, of vertices that stand for all at their place with their normal, and what is handed through.
     std::vector<glm::uvec4> triangles;
-    /// What each triangle has beyond its sides, see neighbors.glsl.h.
+    /// What each triangle has beyond its sides, see chains.glsl.h.
     std::vector<glm::uvec4> neighbors;
     std::vector<uint32_t> points; ///< one a vertex: the first vertex at its place
     std::vector<FeatureEdge>

@@ -9,7 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
+
 #include "techniques/contour/chains/mesh/feature_chains.hpp"
 
 namespace estampe::contour {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <map>
 
 namespace estampe::contour {
@@ -192,6 +194,289 @@ FeatureChains string_features(const EdgeMesh& mesh, std::span<const glm::vec3> p
                               const FeatureChoice& choice)
 {
     return Stringer(mesh, positions, choice).run();
+}
+
+namespace {
+
+constexpr uint32_t nowhere = ~0U;
+constexpr float least_share = 2.0F / 3.0F; // of the sharpness that a line must have somewhere
+constexpr float shortest_share = 1.0F / 30.0F;
+constexpr float least_lead =
+    1.1F; // of the greatest curvature over the other: what bends all ways alike has no lines
+constexpr float sharpness_reach = 0.01F; // of an object's size
+
+/// A vertex as lines of one kind see it.
+struct Bend {
+    float sharpness_deg = 0.0F; ///< 0: no line of this kind can be here
+    float growth = 0.0F;        ///< of curvature along `way`
+    glm::vec3 way{0.0F};        ///< across a line
+};
+
+/// Where a line crosses an edge.
+struct Crossing {
+    uint32_t low = 0; ///< vertices
+    uint32_t high = 0;
+    float share = 0.0F; ///< of the way from low to high
+    float sharpness_deg = 0.0F;
+    std::array<uint32_t, 2> next{nowhere, nowhere}; ///< crossings, on either side of the edge
+    std::array<uint32_t, 2> triangle{nowhere, nowhere};
+    bool is_linked = false;
+};
+
+class RidgeFinder {
+public:
+    RidgeFinder(const RestSurface& surface, std::span<const Bending> bendings, float ridge_deg, uint32_t kind)
+        : surface_(surface), bendings_(bendings), ridge_deg_(ridge_deg), kind_(kind)
+    {
+    }
+
+    void run(const std::vector<bool>& is_taken, FeatureChains& features)
+    {
+        find_bends();
+        find_crossings();
+        for (uint32_t t = 0; t < surface_.mesh.triangles.size(); ++t) {
+            if (!is_taken[t]) {
+                link_through(t);
+            }
+        }
+        for (uint32_t i = 0; i < crossings_.size(); ++i) {
+            const bool is_end = (crossings_[i].next[0] == nowhere) != (crossings_[i].next[1] == nowhere);
+            if (is_end && !crossings_[i].is_linked) {
+                string_from(i, features);
+            }
+        }
+        for (uint32_t i = 0; i < crossings_.size(); ++i) {
+            if (crossings_[i].next[0] != nowhere && !crossings_[i].is_linked) {
+                string_from(i, features);
+            }
+        }
+    }
+
+private:
+    void find_bends()
+    {
+        const float sign = kind_ == shared::line_ridge ? 1.0F : -1.0F;
+        bends_.resize(bendings_.size());
+        for (size_t v = 0; v < bendings_.size(); ++v) {
+            const Bending& bending = bendings_[v];
+            const PrincipalCurvatures curvatures = principal_curvatures(sign * bending.form);
+            if (curvatures.greatest > least_lead * std::abs(curvatures.least)) {
+                const glm::vec3 across = glm::cross(bending.normal, bending.tangent);
+                const float growth = change_along(sign * bending.change, curvatures.direction);
+                bends_[v] = {glm::degrees(curvatures.greatest * sharpness_reach * surface_.sizes[v]),
+                             growth != 0.0F ? growth : std::numeric_limits<float>::min(), // has a sign
+                             curvatures.direction.x * bending.tangent + curvatures.direction.y * across};
+            }
+        }
+    }
+
+    void find_crossings()
+    {
+        const EdgeMesh& mesh = surface_.mesh;
+        of_side_.assign(3 * mesh.triangles.size(), nowhere);
+        for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+            for (uint32_t k = 0; k < 3; ++k) {
+                const uint32_t beyond = mesh.neighbors[t][static_cast<int>(k)];
+                const bool is_smooth = (mesh.neighbors[t].w >> (neighbor_smooth_shift + k) & 1U) != 0;
+                if (!is_smooth || side_of(t, k) > beyond) {
+                    continue;
+                }
+                const uint32_t a = mesh.triangles[t][static_cast<int>(k)];
+                const uint32_t b = mesh.triangles[t][static_cast<int>((k + 1) % 3)];
+                if (is_crossed(std::min(a, b), std::max(a, b))) {
+                    const auto index = static_cast<uint32_t>(crossings_.size()) - 1;
+                    of_side_[3 * size_t{t} + k] = index;
+                    of_side_[3 * size_t{beyond >> 2U} + (beyond & 3U)] = index;
+                }
+            }
+        }
+    }
+
+    /// Whether curvature has a maximum or a minimum between two vertices, along its own way; it is noted
+    /// then.
+    bool is_crossed(uint32_t low, uint32_t high)
+    {
+        const Bend& a = bends_[low];
+        const Bend& b = bends_[high];
+        const float turn = glm::dot(a.way, b.way) < 0.0F ? -1.0F : 1.0F;
+        const float growth_b = turn * b.growth;
+        if (a.sharpness_deg <= 0.0F || b.sharpness_deg <= 0.0F || !(a.growth * growth_b < 0.0F)) {
+            return false;
+        }
+        const float share = a.growth / (a.growth - growth_b);
+        const float sharpness_deg = glm::mix(a.sharpness_deg, b.sharpness_deg, share);
+        if (sharpness_deg < least_share * ridge_deg_) {
+            return false;
+        }
+        crossings_.push_back({.low = low, .high = high, .share = share, .sharpness_deg = sharpness_deg});
+        return true;
+    }
+
+    /// Whether curvature falls to either side of a line through a triangle.
+    [[nodiscard]] bool has_maximum(uint32_t t) const
+    {
+        const glm::uvec4& corners = surface_.mesh.triangles[t];
+        std::array<glm::vec3, 3> places;
+        for (int k = 0; k < 3; ++k) {
+            places.at(static_cast<size_t>(k)) = surface_.positions[corners[k]];
+        }
+        glm::vec3 turned(0.0F); // the gradient of growth, turned by a right angle and scaled
+        glm::vec3 way(0.0F);
+        for (size_t k = 0; k < 3; ++k) {
+            const Bend& bend = bends_[corners[static_cast<int>(k)]];
+            const float turn = glm::dot(bend.way, bends_[corners.x].way) < 0.0F ? -1.0F : 1.0F;
+            turned += turn * bend.growth * (places.at((k + 2) % 3) - places.at((k + 1) % 3));
+            way += turn * bend.way;
+        }
+        const glm::vec3 normal = glm::cross(places[1] - places[0], places[2] - places[0]);
+        return glm::dot(glm::cross(normal, turned), way) < 0.0F;
+    }
+
+    /// Joins the two crossings of a triangle; of three, which meet where directions have no order, the
+    /// sharpest two.
+    void link_through(uint32_t t)
+    {
+        std::array<uint32_t, 3> found{};
+        size_t count = 0;
+        for (uint32_t k = 0; k < 3; ++k) {
+            if (of_side_[3 * size_t{t} + k] != nowhere) {
+                found.at(count++) = of_side_[3 * size_t{t} + k];
+            }
+        }
+        if (count < 2 || !has_maximum(t)) {
+            return;
+        }
+        std::sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count),
+                  [this](uint32_t a, uint32_t b) {
+                      return crossings_[a].sharpness_deg > crossings_[b].sharpness_deg;
+                  });
+        link(found[0], found[1], t);
+        link(found[1], found[0], t);
+    }
+
+    void link(uint32_t from, uint32_t to, uint32_t triangle)
+    {
+        Crossing& crossing = crossings_[from];
+        const size_t free = crossing.next[0] == nowhere ? 0 : 1;
+        crossing.next.at(free) = to;
+        crossing.triangle.at(free) = triangle;
+    }
+
+    [[nodiscard]] glm::vec3 place(const Crossing& crossing) const
+    {
+        return glm::mix(surface_.positions[crossing.low], surface_.positions[crossing.high], crossing.share);
+    }
+
+    /// Follows a line from an end, or all around, and keeps it if it is sharp and long enough.
+    void string_from(uint32_t start, FeatureChains& features)
+    {
+        std::vector<uint32_t> line;
+        std::vector<uint32_t> triangles; // that lead to the next
+        uint32_t before = nowhere;
+        uint32_t at = start;
+        while (at != nowhere && !crossings_[at].is_linked) {
+            Crossing& crossing = crossings_[at];
+            crossing.is_linked = true;
+            line.push_back(at);
+            const bool came_from_0 =
+                crossing.next[0] == nowhere || (before != nowhere && crossing.next[0] == before);
+            const size_t way = came_from_0 ? 1 : 0;
+            triangles.push_back(crossing.triangle.at(way));
+            before = at;
+            at = crossing.next.at(way);
+        }
+        const bool is_closed = at == start;
+        if (is_closed) {
+            line.push_back(start);
+        }
+        float length = 0.0F;
+        float sharpest_deg = 0.0F;
+        for (size_t i = 0; i < line.size(); ++i) {
+            sharpest_deg = std::max(sharpest_deg, crossings_[line[i]].sharpness_deg);
+            length +=
+                i > 0 ? glm::distance(place(crossings_[line[i - 1]]), place(crossings_[line[i]])) : 0.0F;
+        }
+        if (sharpest_deg >= ridge_deg_ && length >= shortest_share * surface_.sizes[crossings_[start].low]) {
+            append(line, triangles, is_closed, features);
+        }
+    }
+
+    void append(const std::vector<uint32_t>& line, const std::vector<uint32_t>& triangles, bool is_closed,
+                FeatureChains& features) const
+    {
+        features.leave_edges = true;
+        const auto chain = static_cast<uint32_t>(features.chains.size());
+        const auto first = static_cast<uint32_t>(features.points.size());
+        for (size_t i = 0; i < line.size(); ++i) {
+            const Crossing& crossing = crossings_[line[i]];
+            const size_t piece = std::min(i, line.size() - 2);
+            features.points.push_back({.vertex = crossing.low,
+                                       .other_vertex = crossing.high,
+                                       .share = crossing.share,
+                                       .chain = chain,
+                                       .kind = kind_,
+                                       .side = side_of(triangles[piece], 3)});
+        }
+        features.chains.push_back({.first_point = first,
+                                   .point_count = static_cast<uint32_t>(line.size()),
+                                   .is_closed = is_closed ? 1U : 0U});
+    }
+
+    const RestSurface& surface_;
+    std::span<const Bending> bendings_;
+    float ridge_deg_;
+    uint32_t kind_;
+    std::vector<Bend> bends_; ///< one a vertex
+    std::vector<Crossing> crossings_;
+    std::vector<uint32_t> of_side_; ///< three a triangle
+};
+
+/// Triangles that lines of another kind, a border or a break of shading touch.
+std::vector<bool> taken_triangles(const EdgeMesh& mesh, size_t vertex_count, const FeatureChains& features)
+{
+    std::vector<bool> is_taken_point(vertex_count, false);
+    const auto take = [&](uint32_t side) {
+        for (const uint32_t step : {0U, 1U}) {
+            is_taken_point
+                [mesh.points[mesh.triangles[side >> 2U][static_cast<int>(((side & 3U) + step) % 3)]]] = true;
+        }
+    };
+    for (const shared::FeaturePoint& point : features.points) {
+        take(point.side);
+    }
+    for (const glm::uvec2& edge : mesh.hard_edges) {
+        take(edge.x);
+    }
+    for (const FeatureEdge& feature : mesh.features) {
+        if (feature.kind == FeatureKind::border) {
+            take(feature.side);
+        }
+    }
+    std::vector<bool> is_taken(mesh.triangles.size(), false);
+    for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (int k = 0; k < 3; ++k) {
+            const uint32_t point = mesh.points[mesh.triangles[t][k]];
+            is_taken[t] = is_taken[t] || point == no_side || is_taken_point[point];
+        }
+    }
+    return is_taken;
+}
+
+} // namespace
+
+void add_ridges(const RestSurface& surface, std::span<const Bending> bendings, const RidgeChoice& choice,
+                FeatureChains& features)
+{
+    if (!choice.ridges && !choice.valleys) {
+        return;
+    }
+    const std::vector<bool> is_taken = taken_triangles(surface.mesh, surface.positions.size(), features);
+    if (choice.ridges) {
+        RidgeFinder(surface, bendings, choice.ridge_deg, shared::line_ridge).run(is_taken, features);
+    }
+    if (choice.valleys) {
+        RidgeFinder(surface, bendings, choice.ridge_deg, shared::line_valley).run(is_taken, features);
+    }
 }
 
 } // namespace estampe::contour

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Curvature, ridges and valleys against surfaces of which all is known.
-#include "techniques/contour/chains/mesh/ridge_chains.hpp"
+#include "techniques/contour/chains/mesh/feature_chains.hpp"
 
 #include <cmath>
 #include <functional>
@@ -9,8 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
-#include "scene/subdivision.hpp"
+#include <estampe/shapes.hpp>
+
+#include "scene/smooth_surface.hpp"
 
 namespace estampe::contour {
 namespace {

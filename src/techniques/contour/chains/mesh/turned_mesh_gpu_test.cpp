@@ -6,9 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "features/lines/line_meshes.hpp"
+#include <estampe/shapes.hpp>
+
+#include "features/lines/lines.hpp"
 #include "scene/pose.hpp"
-#include "scene/shapes.hpp"
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"
 #include "techniques/contour/chains/chains_test_scene.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/contour/chains/scan/scan.hpp"
 
-#include "gpu/fills.hpp"
+#include "gpu/transfers.hpp"
 #include "shaders/scan_comp.hpp"
 #include "shaders/scan_spread_comp.hpp"
 #include "shaders/scan_sums_comp.hpp"

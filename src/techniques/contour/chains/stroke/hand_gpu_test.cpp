@@ -6,7 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
+
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"
 #include "techniques/contour/chains/chains_test_scene.hpp"

@@ -2,6 +2,10 @@
 #include "techniques/contour/chains/stroke/line_paths.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
 
 #include <glm/gtc/packing.hpp>
 
@@ -151,6 +155,163 @@ std::vector<LinePath> line_paths(const LineLists& lists, const EdgeMesh& mesh,
         }
     }
     return paths;
+}
+
+namespace {
+
+constexpr float one_place_px = 1.5F; // as in joints.comp
+constexpr float cell_px = 4.0F;
+
+/// Number 2 i is the start of path i, 2 i + 1 its end.
+using EndNumber = size_t;
+
+class Joiner {
+public:
+    explicit Joiner(std::vector<LinePath> paths) : paths_(std::move(paths))
+    {
+        for (size_t i = 0; i < paths_.size(); ++i) {
+            if (!paths_[i].is_closed && !paths_[i].is_hidden && paths_[i].points.size() > 2) {
+                for (const EndNumber end : {2 * i, 2 * i + 1}) {
+                    if (point(end).width_px > 0.0F) {
+                        ends_.emplace(cell_of(point(end).page_px), end);
+                    }
+                }
+            }
+        }
+        std::vector<std::optional<EndNumber>> wanted(2 * paths_.size());
+        for (const auto& [cell, end] : ends_) {
+            wanted[end] = partner_of(end);
+        }
+        partners_.resize(wanted.size());
+        for (EndNumber end = 0; end < wanted.size(); ++end) {
+            if (wanted[end] && wanted[*wanted[end]] == end) {
+                partners_[end] = wanted[end];
+            }
+        }
+    }
+
+    [[nodiscard]] std::vector<LinePath> join()
+    {
+        std::vector<LinePath> joined;
+        is_taken_.assign(paths_.size(), false);
+        for (size_t i = 0; i < paths_.size(); ++i) { // from what has a free end
+            if (!is_taken_[i] && (!partners_[2 * i] || !partners_[2 * i + 1])) {
+                joined.push_back(walk(partners_[2 * i] ? 2 * i + 1 : 2 * i));
+            }
+        }
+        for (size_t i = 0; i < paths_.size(); ++i) { // rings
+            if (!is_taken_[i]) {
+                joined.push_back(around(i));
+            }
+        }
+        return joined;
+    }
+
+private:
+    using Cell = std::pair<int, int>;
+
+    static Cell cell_of(const glm::vec2& page_px)
+    {
+        return {static_cast<int>(std::floor(page_px.x / cell_px)),
+                static_cast<int>(std::floor(page_px.y / cell_px))};
+    }
+
+    [[nodiscard]] const PathPoint& point(EndNumber end) const
+    {
+        const LinePath& path = paths_[end / 2];
+        return end % 2 == 0 ? path.points.front() : path.points.back();
+    }
+
+    [[nodiscard]] glm::vec2 inwards(EndNumber end) const
+    {
+        const auto& points = paths_[end / 2].points;
+        return end % 2 == 0 ? points[1].page_px - points[0].page_px
+                            : points[points.size() - 2].page_px - points.back().page_px;
+    }
+
+    /// Of the ends at the place of one that with which it encloses all others; none where lines lie all
+    /// around.
+    [[nodiscard]] std::optional<EndNumber> partner_of(EndNumber own) const
+    {
+        std::optional<EndNumber> left;
+        std::optional<EndNumber> right;
+        float left_rad = 0.0F;
+        float right_rad = 0.0F;
+        const glm::vec2 way = inwards(own);
+        const Cell middle = cell_of(point(own).page_px);
+        for (int i = 0; i < 9; ++i) {
+            const auto [first, last] =
+                ends_.equal_range({middle.first + i % 3 - 1, middle.second + i / 3 - 1});
+            for (auto it = first; it != last; ++it) {
+                const EndNumber other = it->second;
+                if (other / 2 == own / 2 ||
+                    glm::distance(point(other).page_px, point(own).page_px) > one_place_px) {
+                    continue;
+                }
+                const glm::vec2 there = inwards(other);
+                const float angle = std::atan2(way.x * there.y - way.y * there.x, glm::dot(way, there));
+                if (angle > left_rad) {
+                    left = other;
+                    left_rad = angle;
+                } else if (angle < right_rad) {
+                    right = other;
+                    right_rad = angle;
+                }
+            }
+        }
+        const std::optional<EndNumber> partner = left && right ? std::nullopt : left ? left : right;
+        return partner && goes_with(own, *partner) ? partner : std::nullopt;
+    }
+
+    [[nodiscard]] bool goes_with(EndNumber a, EndNumber b) const
+    {
+        const float wider_px = std::max(point(a).width_px, point(b).width_px);
+        return paths_[a / 2].ink == paths_[b / 2].ink &&
+               std::abs(point(a).width_px - point(b).width_px) <= 0.1F * wider_px;
+    }
+
+    /// Everything from a free end on.
+    [[nodiscard]] LinePath walk(EndNumber start)
+    {
+        LinePath path = paths_[start / 2];
+        path.points.clear();
+        std::optional<EndNumber> next = start;
+        while (next && !is_taken_[*next / 2]) {
+            is_taken_[*next / 2] = true;
+            std::vector<PathPoint> points = paths_[*next / 2].points;
+            if (*next % 2 == 1) {
+                std::ranges::reverse(points);
+            }
+            path.points.insert(path.points.end(), points.begin() + (path.points.empty() ? 0 : 1),
+                               points.end());
+            next = partners_[*next ^ 1U];
+        }
+        return path;
+    }
+
+    /// A ring that path `i` is part of, from the middle of that path on.
+    [[nodiscard]] LinePath around(size_t i)
+    {
+        const auto half = static_cast<std::ptrdiff_t>(paths_[i].points.size() / 2);
+        LinePath path = walk(2 * i);
+        path.points.pop_back(); // the first again, up to a pixel
+        std::rotate(path.points.begin(), path.points.begin() + half, path.points.end());
+        path.points.push_back(path.points.front());
+        path.is_closed = true;
+        return path;
+    }
+
+    std::vector<LinePath> paths_;
+    std::multimap<Cell, EndNumber> ends_;
+    std::vector<std::optional<EndNumber>> partners_;
+    std::vector<bool> is_taken_;
+};
+
+} // namespace
+
+std::vector<LinePath> join_paths(std::vector<LinePath> paths)
+{
+    return Joiner(std::move(paths)).join();
 }
 
 } // namespace estampe::contour

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "gpu/graph/execute.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/read_back.hpp"
+#include "gpu/resources.hpp"
+#include "gpu/transfers.hpp"
 #include "shaders/take_part_comp.hpp"
 #include "techniques/contour/chains/scan/scan.hpp"
 

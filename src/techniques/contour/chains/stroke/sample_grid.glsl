@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_SAMPLE_GRID
 #define ESTAMPE_SAMPLE_GRID
 
-#include "shaders/cells.glsl"
+#include "shaders/loops.glsl"
 
 // The page in cells of a few pixels: each knows the first and the last of the samples in it. Of more than two
 // lines in one cell, two are found. Wanted before: GRID_BINDING, GRID_ACCESS.

@@ -6,13 +6,11 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/camera.glsl"
-#include "shaders/draw_word.glsl"
-#include "shaders/material.glsl.h"
-#include "shaders/mesh.glsl.h"
+#include "shaders/surface_images.glsl"
+#include "shaders/scene.glsl.h"
 #include "shaders/noise.glsl"
-#include "shaders/octahedral.glsl"
+#include "shaders/unit.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
-#include "techniques/contour/chains/variants.glsl.h"
 
 layout(local_size_x = 128) in; // of 64 samples
 
@@ -96,15 +94,306 @@ const bool stretches = (variant & shape_stretches) != 0u;
 const bool has_looks = (variant & shape_has_looks) != 0u;
 
 #include "techniques/contour/chains/stroke/stroke_places.glsl"
-#include "techniques/contour/chains/stroke/line_width.glsl"
+
+// How wide lines are in the middle of a stroke.
+
+// A fold or a boundary behind which the surface turns away is an outline there.
+uint kind_now(uint source)
+{
+    uint kind = source >> 28;
+    uint side = source & 0x0fffffffu;
+    if (kind == line_silhouette || kind == line_border || (side & 3u) == 3u) {
+        return kind;
+    }
+    uint beyond = texelFetch(neighbor_texels, int(side >> 2))[side & 3u];
+    return beyond != no_side && is_front(side >> 2) != is_front(beyond >> 2) ? line_silhouette : kind;
+}
+
+float thinning_at(vec3 anchor)
+{
+    float away = size_of(anchor - frame.eye_anchor);
+    return mix(1.0, thinned_at(frame, away), constants.distance_thinning);
+}
+
+// The draw that a line belongs to, by the source of a sample.
+uint drawn_by(uint source)
+{
+    return texelFetch(triangle_texels, int((source & 0x0fffffffu) >> 2)).w & triangle_draw_mask;
+}
+
+uint look_of(uint source)
+{
+    return texelFetch(look_texels, int(drawn_by(source))).x;
+}
+
+float width_at(uint index)
+{
+    LineSample point = sample_at(index);
+    uint kind = kind_now(point.source);
+    float width = constants.width_of_kind[kind];
+    bool in_metres = (constants.metre_kinds >> kind & 1u) != 0u;
+    if (has_looks) {
+        uint look = look_of(point.source);
+        float own = look_width_of(look, kind);
+        width = !is_hidden ? own : own > 0.0 ? width : 0.0;
+        in_metres = !is_hidden && is_in_metres(look, kind);
+    }
+    if (has_widths_m && in_metres) {
+        // Thinned with the rest by and by, of which distance has done its part here.
+        width /= pixel_size_m(frame, point.anchor) * thinning_at(point.anchor);
+    }
+    return width;
+}
+
+// Kinds change from edge to edge, widths do not: the mean over a few samples of the stroke.
+float even_width(uint index, Stroke stroke)
+{
+    uint from = max(index, stroke.first + 3u) - 3u;
+    uint to = min(index + 3u, stroke.last);
+    float sum = 0.0;
+    for (uint at = from; at <= to; ++at) {
+        sum += width_at(at);
+    }
+    return sum / float(to - from + 1u);
+}
+
+// How much a stroke bends about a sample, 1 where its radius is `turn_px` or less.
+float turn_at(uint index, Stroke stroke)
+{
+    const uint reach = 5u;
+    uint middle = clamp(index, stroke.first + reach, max(stroke.last, stroke.first + 2u * reach) - reach);
+    middle = min(middle, stroke.last);
+    uint before = max(middle, stroke.first + reach) - reach;
+    vec2 arriving = sample_at(middle).page_px - sample_at(before).page_px;
+    vec2 leaving = sample_at(min(middle + reach, stroke.last)).page_px - sample_at(middle).page_px;
+    float lengths = size_of(arriving) * size_of(leaving);
+    float turn = lengths > 0.0 ? acos(clamp(dot(arriving, leaving) / lengths, -1.0, 1.0)) : 0.0;
+    return clamp(constants.turn_px * turn / max(0.5 * (size_of(arriving) + size_of(leaving)), 1.0), 0.0, 1.0);
+}
+
+float pressure_at(uint index, Stroke stroke, vec2 inwards_px)
+{
+    LineSample point = sample_at(index);
+    float slow = value_noise(vec2(11.0, 7.0) * (point.anchor.xy + point.anchor.z) / frame.scene_radius_m,
+                             constants.seed) -
+                 0.5;
+    ivec2 pixel = clamp(ivec2(point.page_px + inwards_px), ivec2(0), ivec2(frame.size_px) - 1);
+    float shade = 1.0 - clamp(texelFetch(light_image, pixel, 0).a, 0.0, 1.0);
+    if (swells_in_turns) {
+        float turn = turn_at(index, stroke);
+        shade = swells_in_shade ? shade + turn - shade * turn : turn;
+    }
+    return thinning_at(point.anchor) * mix(1.0, 0.62 + 0.75 * shade + 0.7 * slow, constants.pressure);
+}
+
+// Whole width that a sample would have in the middle of a stroke, and the material that brings it, + 1.
+float full_width(uint index, Stroke stroke, out uint ink)
+{
+    LineSample point = sample_at(index);
+    vec3 normal = unpack_normal(point.normal);
+    float pixel_m = pixel_size_m(frame, point.anchor);
+    vec4 outside = frame.clip_from_anchor * vec4(point.anchor + normal * pixel_m, 1.0);
+    vec2 outwards_px = page_position(outside) - point.page_px;
+    float width = even_width(index, stroke) * pressure_at(index, stroke, -2.5 * outwards_px);
+    ink = 0u;
+    if (has_looks) {
+        ink = ink_of_look | look_of(point.source);
+    }
+    if (has_own_outlines) {
+        uint material = draw_at(drawn_by(point.source)).material;
+        float own_m = outline_width_m_of(material);
+        if (own_m > 0.0) {
+            width = own_m / pixel_m;
+            ink = material + 1u;
+        }
+    }
+    return width;
+}
 
 const float new_half_width_px = 0.15;
 const float least_change_px = 0.25;
 const float change_share = 0.08; // of the full width
 const float most_past = 0.12;    // share of itself that a stroke runs beyond its ends
 
-#include "techniques/contour/chains/stroke/line_phase.glsl"
-#include "techniques/contour/chains/stroke/line_sway.glsl"
+// Where along its brush a stroke is, held to the surface from frame to frame.
+
+const int phase_reach = 6;      // samples to either side that are heard
+const float one_phase_px = 3.0; // what is no farther off belongs to the same brush
+const float most_stretch = 0.2; // share of a stroke by which its brush may be off its even place
+const float most_settling_px = 0.15;
+const float most_start_px = 2048.0; // strokes begin anywhere on their brush
+const float most_slide = 0.02;      // share of a stretched brush that it slides in a frame
+const float least_pace = 0.2;       // of a stretched brush from either end, as a share of the even one
+
+bool has_past(uint index)
+{
+    return recalls[index].half_width_px >= 0.0;
+}
+
+// Place on the brush in the frame before less the arc length of now: that of the nearest sample with a past,
+// of the same stroke if there is one, evened with those around it that agree.
+float recalled_offset(uint index, Stroke stroke, uint seed, float otherwise)
+{
+    int nearest = 4 * phase_reach;
+    float offset = otherwise;
+    for (int i = -phase_reach; i <= phase_reach; ++i) {
+        int at = clamp(int(index) + i, int(stroke.first), int(stroke.last));
+        int rank = abs(i) + (recalls[at].seed == seed ? 0 : 2 * phase_reach);
+        if (rank < nearest && has_past(uint(at))) {
+            nearest = rank;
+            offset = recalls[at].offset_px;
+        }
+    }
+    float sum = 0.0;
+    float count = 0.0;
+    for (int i = -phase_reach; i <= phase_reach; ++i) {
+        int at = clamp(int(index) + i, int(stroke.first), int(stroke.last));
+        if (has_past(uint(at)) && abs(recalls[at].offset_px - offset) < one_phase_px) {
+            sum += recalls[at].offset_px;
+            count += 1.0;
+        }
+    }
+    return count > 0.0 ? sum / count : offset;
+}
+
+// Mean of the whole stroke.
+float offset_of(Stroke stroke)
+{
+    return float(stroke.offset_sum) / (16.0 * float(max(stroke.offset_count, 1u)));
+}
+
+// Where on a brush that repeats. It settles slowly to where the whole stroke has the brush's own length,
+// where the two are not of different turns or strokes.
+float repeated_phase(uint index, Stroke stroke, uint seed)
+{
+    float arc = arc_from_start(index, stroke);
+    float start = most_start_px * unit_float(hash(seed));
+    if (!recalls_frame) {
+        return arc + start;
+    }
+    bool has_whole = stroke.offset_count > 0u;
+    float whole = has_whole ? offset_of(stroke) : start;
+    float offset = recalled_offset(index, stroke, seed, whole);
+    bool settles = has_whole && abs(whole - offset) < most_stretch * whole_length(index, stroke);
+    float step = clamp(constants.settling * (whole - offset), -most_settling_px, most_settling_px);
+    return arc + offset + (settles ? step : 0.0);
+}
+
+// Where on a brush that goes from end to end once. Where the stroke was another in the frame before, it
+// slides to there; but neither end of the brush is ever far from that of the stroke, which may grow faster. A
+// ring has no ends: its brush begins where it did.
+float stretched_phase(uint index, Stroke stroke, uint seed)
+{
+    float arc = arc_from_start(index, stroke);
+    float whole = whole_length(index, stroke);
+    if (!recalls_frame) {
+        return arc;
+    }
+    if ((sample_at(index).state & sample_in_ring) != 0u) {
+        return whole * fract((arc + offset_of(stroke)) / max(whole, 1.0));
+    }
+    float offset = recalled_offset(index, stroke, seed, 0.0);
+    float most = constants.settling > 0.0 ? most_slide * whole : 0.0;
+    float phase = arc + offset - clamp(offset, -most, most);
+    return clamp(phase, least_pace * arc, whole - least_pace * (whole - arc));
+}
+
+LineTouch touch_of(uint index, Stroke stroke, float phase_px, vec2 way)
+{
+    bool is_ring = (sample_at(index).state & sample_in_ring) != 0u;
+    uint uses = is_hidden ? brush_hidden : kind_now(sample_at(index).source);
+    uses |= index == stroke.first && !is_ring ? touch_is_start : 0u;
+    uses |= index == stroke.last && !is_ring ? touch_is_end : 0u;
+    return LineTouch(phase_px, arc_from_start(index, stroke), whole_length(index, stroke), packHalf2x16(way),
+                     uses);
+}
+
+// How a hand strays. What it does at a place of the scene it does there in every frame: lines that meet stray
+// together, and closed ones close.
+
+float lattice_value(ivec3 cell, uint seed)
+{
+    return unit_float(hash(uint(cell.x) * 0x9e3779b1u ^ uint(cell.y) * 0x85ebca77u ^
+                           uint(cell.z) * 0x27d4eb2fu ^ seed * 0xc2b2ae3du));
+}
+
+// Value noise in [0, 1], one feature a unit.
+float value_noise(vec3 p, uint seed)
+{
+    ivec3 cell = ivec3(floor(p));
+    vec3 f = p - vec3(cell);
+    f = f * f * (3.0 - 2.0 * f);
+    vec4 near;
+    for (int i = 0; i < 4; ++i) {
+        ivec3 corner = cell + ivec3(i & 1, i >> 1, 0);
+        near[i] = mix(lattice_value(corner, seed), lattice_value(corner + ivec3(0, 0, 1), seed), f.z);
+    }
+    return mix(mix(near.x, near.y, f.x), mix(near.z, near.w, f.x), f.y);
+}
+
+// In [-1, 1], a feature about every `wave_px` of the page: of features that are powers of two in the scene,
+// the two nearest.
+float stray_at(vec3 anchor, float wave_px, uint seed)
+{
+    float octave = log2(max(wave_px * pixel_size_m(frame, anchor), 1e-20));
+    float low = floor(octave);
+    float fine = value_noise(anchor * exp2(-low), seed);
+    float coarse = value_noise(anchor * exp2(-low - 1.0), seed + 1u);
+    float part = octave - low;
+    // The mean of two has less range than one.
+    return 2.0 * (mix(fine, coarse, part) - 0.5) * inversesqrt(1.0 - 2.0 * part + 2.0 * part * part);
+}
+
+float sway_at(vec3 anchor, uint seed)
+{
+    return 0.75 * stray_at(anchor, constants.wave_px, seed) +
+           0.25 * stray_at(anchor, 0.35 * constants.wave_px, seed + 2u);
+}
+
+// How one stroke differs from the next, and from itself when it is drawn again.
+
+const float again_width = 0.85;
+const float again_wave = 7.0; // stretches that are drawn again and those that are not, in waves of the sway
+
+uint hand_seed(uint what)
+{
+    return hash(constants.seed, 16u * constants.hand + what);
+}
+
+// How far beyond its start and its end a stroke runs; where it is negative it stops short.
+vec2 ends_px(uint seed)
+{
+    uint start = hash(seed, hand_seed(1u));
+    return constants.jitter_ends_px * (2.0 * vec2(unit_float(start), unit_float(hash(start))) - 1.0);
+}
+
+// How far beside the line the hand is.
+float offset_at(vec3 anchor)
+{
+    float aside = constants.jitter_offset_px * stray_at(anchor, 4.0 * constants.wave_px, hand_seed(2u));
+    float again = constants.retrace_px * stray_at(anchor, 3.0 * constants.wave_px, hand_seed(4u));
+    return aside + (constants.hand > 0u ? again : 0.0);
+}
+
+// Share of its width that a stroke has at a sample.
+float stray_width(uint index, Stroke stroke, uint seed)
+{
+    vec3 anchor = sample_at(index).anchor;
+    float whole = whole_length(index, stroke);
+    float soft = spacing_px(index) + min(0.5 * constants.taper_px, 0.25 * whole);
+    float from_start = arc_from_start(index, stroke);
+    vec2 to_ends = vec2(from_start, whole - from_start);
+    vec2 short_px = max(-ends_px(seed), vec2(0.0));
+    bool is_ring = (sample_at(index).state & sample_in_ring) != 0u;
+    short_px = is_ring ? vec2(0.0) : min(short_px, vec2(0.4 * whole));
+    vec2 left = mix(vec2(1.0), smoothstep(vec2(0.0), vec2(soft), to_ends - short_px),
+                    greaterThan(short_px, vec2(0.0)));
+    float share = min(left.x, left.y);
+    share *= 1.0 + constants.jitter_width *
+                       clamp(stray_at(anchor, 2.0 * constants.wave_px, hand_seed(6u)), -1.0, 1.0);
+    float again = stray_at(anchor, again_wave * constants.wave_px, hand_seed(8u));
+    return constants.hand > 0u ? share * again_width * smoothstep(-0.35, 0.1, again) : share;
+}
 
 // Share of its width that a stroke has at a sample: it runs out where an end is free, over at most a third of
 // itself.

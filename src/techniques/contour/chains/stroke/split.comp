@@ -7,7 +7,6 @@
 
 #include "shaders/unit.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
-#include "techniques/contour/chains/variants.glsl.h"
 
 layout(local_size_x = 64) in;
 

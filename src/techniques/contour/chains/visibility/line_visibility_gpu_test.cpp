@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "features/lines/line_meshes.hpp"
+#include "features/lines/lines.hpp"
 #include "scene/pose.hpp"
 #include "support/drawing.hpp"
 #include "support/embree_scene.hpp"

@@ -7,8 +7,8 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/camera.glsl"
-#include "shaders/cells.glsl"
-#include "shaders/octahedral.glsl"
+#include "shaders/loops.glsl"
+#include "shaders/unit.glsl"
 #include "shaders/visibility.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "bake.hpp"
+
+#include <filesystem>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <estampe/bake.hpp>
+#include <estampe/error.hpp>
+
+#include "commands.hpp"
+#include "core/file.hpp"
+#include "core/text.hpp"
+#include "drawing.hpp"
+#include "messages.hpp"
+#include "option_values.hpp"
+#include "options.hpp"
+#include "process.hpp"
+
+namespace estampe::app {
+namespace {
+
+constexpr const char* bake_examples = R"(Examples:
+  estampe bake room.glb -o room.exr
+  estampe render room.glb --lightmap room.exr -o room.png
+  estampe bake room.glb -o room.exr --size 2048 --samples 512 --bounces 5
+  estampe bake hall.glb -o hall.exr --direct sun,spot       (their own light too; render leaves them out)
+  estampe bake street.glb -o street.exr --style pencil --set light.sun_elevation_deg=20
+
+The map holds light that surfaces throw on each other, that of glowing materials, and the style's ambient
+light as a sky that things hide; in a picture it takes the place of the ambient light. It is an OpenEXR
+picture in the scene's own light, with the places of the triangles in its header. A second set of texture
+coordinates is taken from the file where it serves, and made where not. What moves is left out.
+
+Ctrl-C keeps what is done in OUT.partial; the same command goes on from there.
+
+Exit status: 0 done, 1 the job failed or was stopped, 2 the command line is wrong.)";
+
+uint32_t read_kinds(const std::vector<std::string>& names)
+{
+    uint32_t kinds = 0;
+    for (const std::string& name : names) {
+        if (name == "sun") {
+            kinds |= baked_directional;
+        } else if (name == "point") {
+            kinds |= baked_point;
+        } else if (name == "spot") {
+            kinds |= baked_spot;
+        } else if (name == "all") {
+            kinds |= baked_directional | baked_point | baked_spot;
+        } else {
+            throw UsageError(fmt::format("{} is no kind of light", in_quotes(name)), "--direct",
+                             "allowed: sun, point, spot, all");
+        }
+    }
+    return kinds;
+}
+
+} // namespace
+
+void BakeOptions::add_to(CLI::App& app)
+{
+    CLI::App& command =
+        *app.add_subcommand("bake", "Work out the light on what stands still, as a lightmap for render");
+    command.footer(bake_examples);
+    command
+        .add_option(
+            "SCENE", scene_,
+            "Scene: .gltf .glb .obj .ply .stl .fbx .dae, or the name of a world;\n- reads standard input")
+        ->required()
+        ->type_name("FILE");
+    input_.add_to(command);
+    world_.add_to(command, WorldOptions::Seed::is_left_out); // --seed is that of the noise
+    command.add_option("-o,--output", output_, "NAME.exr")->required()->type_name("FILE");
+    command.add_option("--size", settings_.size, "Side of the map in texels")
+        ->type_name("N")
+        ->capture_default_str();
+    command.add_option("--samples", settings_.samples, "Paths of light that are followed from each texel")
+        ->type_name("N")
+        ->capture_default_str();
+    command.add_option("--bounces", settings_.bounces, "Surfaces that light may be thrown off on its way")
+        ->type_name("N")
+        ->capture_default_str();
+    command
+        .add_option("--direct", direct_,
+                    "Kinds of lights whose own light is in the map too, and which\n"
+                    "render then leaves out: sun, point, spot, all [none]")
+        ->delimiter(',')
+        ->type_name("KINDS");
+    command.add_option("--sky", settings_.sky, "The style's ambient light is multiplied by this")
+        ->type_name("X")
+        ->capture_default_str();
+    command.add_option("--seed", settings_.seed, "Another number gives other noise")
+        ->type_name("N")
+        ->capture_default_str();
+    command.add_flag("--no-smooth", rough_, "Leave the noise in");
+    command.add_flag("--no-resume", anew_, "Begin anew even where OUT.partial could be taken up");
+    command.add_option("--style", style_, "Preset, or TOML file, for its [light]")->type_name("STYLE");
+    command
+        .add_option(
+            "--set", assignments_,
+            "One parameter of the style, such as light.ambient=0.3; may be\nrepeated (see --help-style)")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+}
+
+BakeCommand BakeOptions::read() const
+{
+    constexpr uint32_t least_size = 16;
+    constexpr uint32_t most_size = 4096;
+    constexpr uint32_t most_samples = 65536;
+    constexpr uint32_t most_bounces = 64;
+    constexpr float most_sky = 100.0F;
+    if (lower_extension(output_) != ".exr") {
+        throw UsageError(fmt::format("cannot write a lightmap as {}", in_quotes(lower_extension(output_))),
+                         "-o " + output_, "the name must end in .exr");
+    }
+    if (settings_.size < least_size || settings_.size > most_size) {
+        throw UsageError(fmt::format("{} is out of range", settings_.size), "--size",
+                         fmt::format("allowed: {} to {}", least_size, most_size));
+    }
+    check_count("--samples", settings_.samples, most_samples);
+    if (settings_.bounces > most_bounces) {
+        throw UsageError(fmt::format("{} is out of range", settings_.bounces), "--bounces",
+                         fmt::format("allowed: 0 to {}", most_bounces));
+    }
+    if (!(settings_.sky >= 0.0F && settings_.sky <= most_sky)) {
+        throw UsageError("is out of range", "--sky", fmt::format("allowed: 0 to {}", most_sky));
+    }
+    BakeCommand command{.scene = scene_,
+                        .input_format = input_.format(),
+                        .up = input_.up(),
+                        .world = world_.read(scene_),
+                        .output = output_,
+                        .style = read_style(style_, assignments_),
+                        .settings = settings_,
+                        .resume = !anew_};
+    command.settings.smooth = !rough_;
+    command.settings.direct = read_kinds(direct_);
+    return command;
+}
+
+namespace {
+
+/// Works until all is done; false when a signal came first. What is done lies in `partial` then.
+bool work_through(LightmapBake& bake, const std::filesystem::path& partial)
+{
+    constexpr double look_s = 0.5;
+    constexpr double save_s = 5.0;
+    Progress progress("bake", bake.done());
+    Clock::time_point saved = Clock::now();
+    bool has_more = true;
+    while (has_more && !was_told_to_stop()) {
+        progress.show(bake.done());
+        has_more = bake.work(look_s);
+        if (has_more && (was_told_to_stop() || seconds_since(saved) > save_s)) {
+            bake.save_progress(partial);
+            saved = Clock::now();
+        }
+    }
+    progress.clear();
+    return !has_more;
+}
+
+} // namespace
+
+void run(const BakeCommand& command)
+{
+    check_output(command.output, {command.scene});
+    const std::filesystem::path partial = command.output + ".partial";
+    check_output(partial, {command.scene});
+    DrawOptions draw;
+    draw.scene = command.scene;
+    draw.input_format = command.input_format;
+    draw.load.up = command.up;
+    draw.world = command.world;
+    Scene scene = load_scene_of(draw);
+    print_warnings(scene.warnings);
+    LightmapBake bake(std::move(scene), command.style, command.settings);
+    if (bake.leaves_out_moving()) {
+        print_warnings(
+            {fmt::format("{}: some of it moves; only what stands still is in the map", command.scene)});
+    }
+    if (command.resume && bake.load_progress(partial)) {
+        print_notes(
+            {fmt::format("goes on from {:.0f} %, found in {}", 100.0 * bake.done(), partial.string())});
+    } else if (std::filesystem::exists(partial)) {
+        print_notes({fmt::format("begins anew: {} is not taken up", partial.string())});
+    }
+    print_notes({fmt::format("{} texels of {} x {}, each {:.1f} mm wide", bake.texel_count(),
+                             command.settings.size, command.settings.size, 1000.0 / bake.texels_per_m())});
+    tell_of_signals();
+    if (!work_through(bake, partial)) {
+        throw Error(fmt::format("stopped at {:.0f} %", 100.0 * bake.done()), command.output,
+                    "the same command goes on from there");
+    }
+    save_lightmap(bake.map(), command.output);
+    std::filesystem::remove(partial);
+}
+
+} // namespace estampe::app

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "option_values.hpp"
+#include "options.hpp"
+#include "worlds.hpp"
+
+namespace CLI {
+class App;
+} // namespace CLI
+
+namespace estampe::app {
+
+/// The options of `estampe bake` as they are typed.
+class BakeOptions {
+public:
+    /// Adds the command to `app`; this object must outlive the parsing.
+    void add_to(CLI::App& app);
+
+    /// What was typed, looked at. Throws UsageError for a mistake in it, Error for a style that cannot be
+    /// read.
+    [[nodiscard]] BakeCommand read() const;
+
+private:
+    std::string scene_;
+    SceneOptions input_;
+    WorldOptions world_;
+    std::string output_;
+    std::string style_;
+    std::vector<std::string> assignments_;
+    BakeSettings settings_;
+    std::vector<std::string> direct_;
+    bool rough_ = false;
+    bool anew_ = false;
+};
+
+} // namespace estampe::app

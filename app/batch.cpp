@@ -1,0 +1,516 @@
+// SPDX-License-Identifier: MIT
+#include "batch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <exception>
+#include <filesystem>
+#include <map>
+#include <new>
+#include <span>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <estampe/error.hpp>
+
+#include "commands.hpp"
+#include "core/file.hpp"
+#include "core/text.hpp"
+#include "drawing.hpp"
+#include "film.hpp"
+#include "messages.hpp"
+#include "option_values.hpp"
+#include "options.hpp"
+#include "process.hpp"
+#include "render.hpp"
+#include "scene_details.hpp"
+#include "style/names.hpp"
+#include "style/toml.hpp"
+#include "worlds.hpp"
+
+namespace estampe::app {
+namespace {
+
+constexpr const char* batch_examples = R"(Examples:
+  estampe batch jobs.toml
+  estampe batch jobs.toml --shard 2/4 --report part2.json      (the second quarter of the jobs)
+
+A file of jobs has a table [[job]] for each picture, with the options of estampe render as keys, and one
+[defaults] for what all have unless they say otherwise:
+
+  [defaults]
+  size = "1920x1080"
+  samples = 4
+
+  [[job]]
+  scene = "helmet.gltf"
+  output = "helmet.png"
+  style = "pencil"
+  set = ["hatch.width_mm=0.5", "paper.seed=7"]
+
+  [[job]]                                  # 2 x 2 x 3 pictures
+  scene = ["fox.glb", "chapel.glb"]
+  camera = ["auto", "eye=2,1,3 target=0,0.5,0"]
+  style = ["comic", "engraving", "wash"]
+  output = "out/{scene}-{camera}-{style}.png"
+
+Of lists of scenes, cameras, views and styles each is drawn with each. In the output's name {scene} is the
+file's name without its extension, {style} the style's, {camera} a name or else a number, {view} the side, as
+in view = ["front", "top"], and {n} the number of the job.
+Jobs are drawn in their order by one process; a scene is loaded once for all that come one after another.
+A job that fails does not stop the others. The report says what became of each; Ctrl-C finishes the job in
+hand and leaves a report of what is done.
+
+Exit status: 0 all done, 1 a job failed, or it was stopped, 2 the command line is wrong.)";
+
+} // namespace
+
+void BatchOptions::add_to(CLI::App& app)
+{
+    CLI::App& command = *app.add_subcommand("batch", "Draw many pictures, as a file of jobs has them");
+    command.footer(batch_examples);
+    command.add_option("JOBS", jobs_, "TOML file of jobs")->required()->type_name("FILE");
+    command
+        .add_option("--shard", shard_,
+                    "Only the I-th of N parts, for several machines: runs of jobs, all\nabout as long")
+        ->type_name("I/N");
+    command
+        .add_option("--report", report_,
+                    "Where the report goes [JOBS.report.json, with a shard\nJOBS.I-of-N.report.json]")
+        ->type_name("JSON");
+    add_no_cache_flag(command);
+    command.add_option("--device", device_, "auto, cpu, or an index that estampe devices lists")
+        ->type_name("DEVICE")
+        ->capture_default_str();
+    command.add_option("--raster", raster_, "hardware, compute, or auto")
+        ->type_name("PATH")
+        ->capture_default_str();
+}
+
+BatchCommand BatchOptions::read() const
+{
+    BatchCommand batch{.jobs = jobs_, .report = report_};
+    if (!shard_.empty()) {
+        const char* const end = shard_.data() + shard_.size();
+        const auto first = std::from_chars(shard_.data(), end, batch.shard);
+        const bool has_slash = first.ec == std::errc{} && first.ptr != end && *first.ptr == '/';
+        const auto second = has_slash ? std::from_chars(first.ptr + 1, end, batch.shards) : first;
+        constexpr uint32_t most_shards = 1000000;
+        if (!has_slash || second.ec != std::errc{} || second.ptr != end || batch.shard < 1 ||
+            batch.shard > batch.shards || batch.shards > most_shards) {
+            throw UsageError(fmt::format("{} is no part of jobs", in_quotes(shard_)), "--shard",
+                             "write 1/4 for the first of four");
+        }
+    }
+    if (batch.report.empty()) {
+        const std::filesystem::path jobs(jobs_);
+        const std::string part =
+            batch.shards > 1 ? fmt::format(".{}-of-{}", batch.shard, batch.shards) : std::string();
+        batch.report = (jobs.parent_path() / (jobs.stem().string() + part + ".report.json")).string();
+    }
+    check_device(device_);
+    batch.device.device = device_;
+    batch.device.raster = parse_raster_path(raster_);
+    return batch;
+}
+
+namespace {
+
+using style::WordEntry;
+using style::WordTable;
+
+/// Options of `estampe render`, and its scene. What is of measuring and of the device is not here.
+const std::vector<std::string>& job_keys()
+{
+    static const std::vector<std::string> keys{
+        "scene",     "output",       "size",      "page",       "dpi",      "landscape", "camera",  "time",
+        "animation", "style",        "set",       "samples",    "lightmap", "tile",      "quality", "depth",
+        "layers",    "layer",        "motion",    "since",      "hidden",   "plotter",   "seed",    "terrain",
+        "frames",    "fps",          "turntable", "resume",     "world",    "film",      "view",    "ortho",
+        "up",        "input-format", "variant",   "transparent"};
+    return keys;
+}
+
+/// Of which lists make many jobs of one.
+constexpr std::array varied_keys{"scene", "camera", "view", "style"};
+
+bool is_varied(const std::string& key)
+{
+    return std::ranges::find(varied_keys, key) != varied_keys.end();
+}
+
+void check_entry(const WordEntry& entry)
+{
+    const std::vector<std::string>& keys = job_keys();
+    if (std::ranges::find(keys, entry.key) == keys.end()) {
+        if (!world_option_as_typed(entry.key, "").empty()) {
+            throw Error(fmt::format("{} is an option of a world", in_quotes(entry.key)), entry.where,
+                        fmt::format("write world = \"{}=VALUE\"", entry.key));
+        }
+        const std::string meant = style::nearest(entry.key, keys);
+        throw Error(fmt::format("unknown key {}", in_quotes(entry.key)), entry.where,
+                    meant.empty() ? "a job has the options of estampe render as keys"
+                                  : fmt::format("did you mean {}?", in_quotes(meant)));
+    }
+    if (entry.words.empty() ||
+        (entry.is_list && entry.key != "set" && entry.key != "world" && !is_varied(entry.key))) {
+        throw Error(fmt::format("{} takes {}", in_quotes(entry.key),
+                                entry.words.empty() ? "at least one word" : "no list"),
+                    entry.where);
+    }
+}
+
+/// A job's own keys, and those of [defaults] that it does not have.
+using Entries = std::map<std::string, WordEntry>;
+
+Entries with_defaults(const WordTable& job, const Entries& defaults)
+{
+    Entries entries;
+    for (const WordEntry& entry : job.entries) {
+        check_entry(entry);
+        entries.insert_or_assign(entry.key, entry);
+    }
+    // A size in pixels and a page stand for each other, and so do a camera and a view.
+    const bool has_camera = entries.contains("camera");
+    const bool has_view = entries.contains("view");
+    const bool has_size = entries.contains("size");
+    const bool has_page = entries.contains("page");
+    for (const auto& [key, entry] : defaults) {
+        const bool is_of_page = key == "page" || key == "dpi" || key == "landscape";
+        if (!(has_page && key == "size") && !(has_size && is_of_page) && !(has_view && key == "camera") &&
+            !(has_camera && key == "view")) {
+            entries.emplace(key, entry);
+        }
+    }
+    return entries;
+}
+
+const WordEntry& required(const Entries& entries, const char* key, const std::string& where)
+{
+    const auto found = entries.find(key);
+    if (found == entries.end()) {
+        throw Error(fmt::format("this job has no {}", in_quotes(key)), where);
+    }
+    return found->second;
+}
+
+/// What stands for a word in the name of a file: paths and placements have no place there.
+std::string name_part(const WordEntry& entry, size_t index)
+{
+    const std::string& word = entry.words[index];
+    const bool is_placement = word.find('=') != std::string::npos;
+    return is_placement ? std::to_string(index + 1) : std::filesystem::path(word).stem().string();
+}
+
+/// Throws Error where one table stands for more jobs than anybody waits for.
+void check_job_count(const std::vector<const WordEntry*>& varied, const std::string& where)
+{
+    constexpr size_t most = 1'000'000;
+    size_t count = 1;
+    for (const WordEntry* entry : varied) {
+        if (entry->words.size() > most / count) {
+            throw Error(fmt::format("stands for more than {} pictures", most), where,
+                        "lists are drawn each with each: write shorter ones, or several jobs");
+        }
+        count *= entry->words.size();
+    }
+}
+
+/// Appends all jobs that one table stands for, the last of the varied keys changing the quickest.
+void append_jobs(const WordTable& table, const Entries& entries, std::vector<BatchJob>& jobs)
+{
+    const WordEntry& scene = required(entries, "scene", table.where);
+    const WordEntry& output = required(entries, "output", table.where);
+    std::vector<const WordEntry*> varied;
+    for (const char* key : varied_keys) {
+        if (const auto found = entries.find(key); found != entries.end()) {
+            varied.push_back(&found->second);
+        }
+    }
+    check_job_count(varied, table.where);
+    std::vector<size_t> choice(varied.size(), 0);
+    for (bool is_left = true; is_left;) {
+        BatchJob job{.number = static_cast<uint32_t>(jobs.size() + 1),
+                     .where = table.where,
+                     .scene = scene.words.at(choice.front()),
+                     .output = output.words.front(),
+                     .arguments = {}};
+        for (size_t i = 0; i < varied.size(); ++i) {
+            replace_all(job.output, fmt::format("{{{}}}", varied[i]->key), name_part(*varied[i], choice[i]));
+            if (varied[i]->key != "scene") {
+                job.arguments.push_back(fmt::format("--{}={}", varied[i]->key, varied[i]->words[choice[i]]));
+            }
+        }
+        replace_all(job.output, "{n}", std::to_string(job.number));
+        jobs.push_back(std::move(job));
+        is_left = false;
+        for (size_t i = varied.size(); i-- > 0 && !is_left;) {
+            is_left = ++choice[i] < varied[i]->words.size();
+            choice[i] = is_left ? choice[i] : 0;
+        }
+    }
+}
+
+std::vector<std::string> plain_arguments(const Entries& entries)
+{
+    std::vector<std::string> arguments;
+    for (const auto& [key, entry] : entries) {
+        if (key == "output" || is_varied(key)) {
+            continue;
+        }
+        for (const std::string& word : entry.words) {
+            if (!entry.is_switch) {
+                arguments.push_back(fmt::format("--{}={}", key, word));
+            } else if (word == "true") {
+                arguments.push_back("--" + key);
+            }
+        }
+    }
+    return arguments;
+}
+
+void check_outputs_differ(const std::vector<BatchJob>& jobs)
+{
+    std::map<std::filesystem::path, const BatchJob*> writers;
+    for (const BatchJob& job : jobs) {
+        const auto path = std::filesystem::absolute(job.output).lexically_normal();
+        const auto [other, is_new] = writers.emplace(path, &job);
+        if (!is_new) {
+            throw Error(
+                fmt::format("jobs {} and {} both write {}", other->second->number, job.number, job.output),
+                job.where, "{scene}, {camera}, {view}, {style} or {n} in the name tell them apart");
+        }
+    }
+}
+
+} // namespace
+
+std::vector<BatchJob> read_jobs(const std::string& file)
+{
+    constexpr uint64_t most_bytes = uint64_t{16} << 20U;
+    const std::vector<std::byte> bytes = read_file(file, most_bytes);
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const std::vector<WordTable> tables = style::parse_toml_words(text, file);
+    Entries defaults;
+    for (const WordTable& table : tables) {
+        if (table.name == "defaults") {
+            defaults = with_defaults(table, {});
+        } else if (table.name != "job") {
+            throw Error(fmt::format("unknown table {}", in_quotes(table.name)), table.where,
+                        "a file of jobs has [[job]] and [defaults]");
+        }
+    }
+    std::vector<BatchJob> jobs;
+    for (const WordTable& table : tables) {
+        if (table.name != "job") {
+            continue;
+        }
+        const Entries entries = with_defaults(table, defaults);
+        const size_t first = jobs.size();
+        append_jobs(table, entries, jobs);
+        const std::vector<std::string> plain = plain_arguments(entries);
+        for (size_t i = first; i < jobs.size(); ++i) {
+            jobs[i].arguments.insert(jobs[i].arguments.end(), plain.begin(), plain.end());
+            jobs[i].arguments.insert(jobs[i].arguments.end(),
+                                     {"--output=" + jobs[i].output, "--", jobs[i].scene});
+        }
+    }
+    if (jobs.empty()) {
+        throw Error("holds no job", file, "a table [[job]] with a scene and an output is one");
+    }
+    check_outputs_differ(jobs);
+    return jobs;
+}
+
+namespace {
+
+/// The jobs of one of `shards` parts, from 1 on: runs in their order, whose lengths differ by one at most.
+std::vector<BatchJob> shard_of(const std::vector<BatchJob>& jobs, uint32_t shard, uint32_t shards)
+{
+    const auto bound = [&](uint64_t i) { return static_cast<std::ptrdiff_t>(i * jobs.size() / shards); };
+    return {jobs.begin() + bound(shard - 1), jobs.begin() + bound(shard)};
+}
+
+} // namespace
+
+RenderCommand command_of(const BatchJob& job, const RendererOptions& device)
+{
+    std::vector<const char*> arguments{"estampe", "render"};
+    for (const std::string& argument : job.arguments) {
+        arguments.push_back(argument.c_str());
+    }
+    try {
+        const std::optional<Command> command =
+            read_command_line(static_cast<int>(arguments.size()), arguments.data());
+        RenderCommand render = std::get<RenderCommand>(command.value());
+        if (render.draw.output == standard_output) {
+            throw Error("a job of a batch writes a file", "output");
+        }
+        render.draw.device = device;
+        render.is_quiet = true;
+        return render;
+    } catch (const UsageError& problem) {
+        throw Error(problem.what(), job.where);
+    }
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What became of a job.
+struct JobResult {
+    enum class Status : uint8_t { not_begun, done, failed };
+    Status status = Status::not_begun;
+    std::string error; ///< of one that failed
+    double seconds = 0.0;
+};
+
+const char* name_of_status(JobResult::Status status)
+{
+    return status == JobResult::Status::done     ? "done"
+           : status == JobResult::Status::failed ? "failed"
+                                                 : "not begun";
+}
+
+Json job_json(const BatchJob& job, const JobResult& result)
+{
+    Json json{{"job", job.number},
+              {"place", job.where},
+              {"scene", job.scene},
+              {"output", job.output},
+              {"status", name_of_status(result.status)}};
+    if (result.status != JobResult::Status::not_begun) {
+        json["seconds"] = result.seconds;
+    }
+    if (!result.error.empty()) {
+        json["error"] = result.error;
+    }
+    return json;
+}
+
+/// Writes what became of the jobs, one result each, to the command's report, whole or not at all. Throws
+/// Error when it cannot be written.
+void write_report(const BatchCommand& command, const std::string& device, const std::vector<BatchJob>& jobs,
+                  const std::vector<JobResult>& results)
+{
+    const auto count = [&](JobResult::Status status) {
+        return std::ranges::count(results, status, &JobResult::status);
+    };
+    Json json{{"program", "estampe " ESTAMPE_VERSION},
+              {"device", device},
+              {"jobs_file", command.jobs},
+              {"shard", fmt::format("{}/{}", command.shard, command.shards)},
+              {"done", count(JobResult::Status::done)},
+              {"failed", count(JobResult::Status::failed)},
+              {"not_begun", count(JobResult::Status::not_begun)},
+              {"jobs", Json::array()}};
+    for (size_t i = 0; i < jobs.size(); ++i) {
+        json["jobs"].push_back(job_json(jobs[i], results[i]));
+    }
+    // Names come from files and may hold bytes that are not UTF-8.
+    const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    write_file_atomically(command.report, std::as_bytes(std::span(text)));
+}
+
+/// The scene that the renderer has, kept for the jobs that come next.
+class SceneKeeper {
+public:
+    explicit SceneKeeper(Renderer& renderer) : renderer_(renderer) {}
+
+    /// The scene and the lightmap of these options. Throws Error when they cannot be read.
+    [[nodiscard]] const Scene& ensure(const DrawOptions& draw)
+    {
+        if (is_there_ && load_the_same(draw, loaded_) && draw.lightmap == loaded_.lightmap) {
+            return scene_;
+        }
+        is_there_ = false;
+        scene_ = load_scene_of(draw);
+        print_warnings(scene_.warnings);
+        if (!draw.load.up) {
+            print_notes(up_axis_notes(scene_, draw.scene));
+        }
+        set_scene(renderer_, scene_, draw);
+        loaded_ = draw;
+        is_there_ = true;
+        return scene_;
+    }
+
+private:
+    Renderer& renderer_;
+    Scene scene_;
+    DrawOptions loaded_; ///< what `scene_` was read for
+    bool is_there_ = false;
+};
+
+JobResult draw_job(Renderer& renderer, SceneKeeper& scenes, const BatchJob& job,
+                   const RendererOptions& device)
+{
+    const Clock::time_point start = Clock::now();
+    JobResult result{.status = JobResult::Status::failed};
+    try {
+        const RenderCommand command = command_of(job, device);
+        check_outputs(command);
+        const Scene& scene = scenes.ensure(command.draw);
+        if (command.film) {
+            draw_film(renderer, scene, command);
+        } else {
+            draw_and_write(renderer, scene, command);
+        }
+        result.status = JobResult::Status::done;
+    } catch (const std::bad_alloc&) {
+        result.error = "out of memory; try a smaller size or scene";
+    } catch (const std::exception& problem) {
+        result.error = one_line(problem.what());
+    }
+    result.seconds = seconds_since(start);
+    return result;
+}
+
+/// Throws Error where not all is well.
+void conclude(const BatchCommand& command, const std::vector<JobResult>& results)
+{
+    const auto count = [&](JobResult::Status status) {
+        return std::ranges::count(results, status, &JobResult::status);
+    };
+    const std::string remedy = fmt::format("{} tells which", command.report);
+    if (const auto left = count(JobResult::Status::not_begun); left > 0) {
+        throw Error(fmt::format("stopped with {} of {} jobs not begun", left, results.size()), command.jobs,
+                    remedy);
+    }
+    if (const auto failed = count(JobResult::Status::failed); failed > 0) {
+        throw Error(fmt::format("{} of {} jobs failed", failed, results.size()), command.jobs, remedy);
+    }
+}
+
+} // namespace
+
+void run(const BatchCommand& command)
+{
+    const std::vector<BatchJob> jobs = shard_of(read_jobs(command.jobs), command.shard, command.shards);
+    check_output(command.report, {command.jobs});
+    std::vector<JobResult> results(jobs.size());
+    tell_of_signals();
+    Renderer renderer(command.device);
+    SceneKeeper scenes(renderer);
+    Progress progress("batch", 0.0);
+    // As it goes, so that it is there whatever ends the program.
+    const auto report = [&] { write_report(command, renderer.device().name, jobs, results); };
+    report();
+    for (size_t i = 0; i < jobs.size() && !was_told_to_stop(); ++i) {
+        progress.show(static_cast<double>(i) / static_cast<double>(jobs.size()),
+                      fmt::format("job {} of {}", i + 1, jobs.size()));
+        results[i] = draw_job(renderer, scenes, jobs[i], command.device);
+        progress.clear();
+        if (results[i].status == JobResult::Status::failed) {
+            print_warnings({fmt::format("job {}: {}", jobs[i].number, results[i].error)});
+        }
+        report();
+    }
+    conclude(command, results);
+}
+
+} // namespace estampe::app

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "process.hpp"
+
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <system_error>
+#include <thread>
+
+#include <unistd.h>
+
+#include "core/file.hpp"
+#include "piped_scene.hpp"
+
+namespace estampe::app {
+namespace {
+
+constexpr std::array watched{SIGINT, SIGTERM, SIGHUP};
+std::atomic<bool> is_told = false;
+std::atomic<bool> is_to_stop = false;
+
+sigset_t watched_set()
+{
+    sigset_t set;
+    sigemptyset(&set);
+    for (const int number : watched) {
+        sigaddset(&set, number);
+    }
+    return set;
+}
+
+bool is_ignored(int number)
+{
+    struct sigaction action {};
+
+    return sigaction(number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+/// Ends the program as the signal does by itself, so that a shell sees which one it was.
+[[noreturn]] void end_by(int number)
+{
+    remove_all_pending();
+    remove_piped_scenes();
+    std::signal(number, SIG_DFL);
+    const sigset_t set = watched_set();
+    pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+    kill(getpid(), number);
+    _exit(1);
+}
+
+void wait_for_signals()
+{
+    const sigset_t set = watched_set();
+    for (int number = 0; sigwait(&set, &number) == 0;) {
+        if (is_ignored(number) && (!is_told || number == SIGHUP)) {
+            continue; // as nohup has it
+        }
+        if (is_told && !is_to_stop.exchange(true)) {
+            continue;
+        }
+        end_by(number);
+    }
+}
+
+} // namespace
+
+void watch_signals()
+{
+    std::signal(SIGXFSZ, SIG_IGN);
+    const sigset_t set = watched_set();
+    pthread_sigmask(SIG_BLOCK, &set, nullptr); // in all threads that are to come; one waits for them
+    try {
+        std::thread(wait_for_signals).detach();
+    } catch (const std::system_error&) {
+        pthread_sigmask(SIG_UNBLOCK, &set, nullptr); // they end the program, as without this
+    }
+}
+
+void tell_of_signals()
+{
+    is_told = true;
+}
+
+bool was_told_to_stop()
+{
+    return is_to_stop;
+}
+
+namespace {
+
+constexpr const char* setting = "GALLIVM_PERF"; ///< Mesa's
+
+} // namespace
+
+bool compile_quickly()
+{
+    return std::getenv(setting) == nullptr && setenv(setting, "nopt", 1) == 0;
+}
+
+void compile_well()
+{
+    unsetenv(setting);
+}
+
+void compile_quickly_if_soon_drawn(const RenderCommand& command)
+{
+    constexpr uint64_t most_pixels = uint64_t{1} << 22U;
+    const DrawOptions& draw = command.draw;
+    if (command.repeat == 1 && !command.film &&
+        uint64_t{draw.page.width} * draw.page.height * draw.samples <= most_pixels) {
+        compile_quickly();
+    }
+}
+
+} // namespace estampe::app

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "core/long_jobs.hpp"
+
+#include <utility>
+
+#include <estampe/error.hpp>
+
+namespace estampe {
+namespace {
+
+thread_local std::function<bool(double)> watching;
+
+} // namespace
+
+ProgressWatch::ProgressWatch(std::function<bool(double share)> go_on)
+{
+    watching = std::move(go_on);
+}
+
+ProgressWatch::~ProgressWatch()
+{
+    watching = nullptr;
+}
+
+void report_progress(double share)
+{
+    if (watching && !watching(share)) {
+        throw Error("was not wanted any more");
+    }
+}
+
+} // namespace estampe

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_SURFACE_IMAGES
+#define ESTAMPE_SURFACE_IMAGES
+
+// What the images of techniques/surface hold, packed.
+
+#include "shaders/stroke_kind.glsl.h"
+
+// What the surface's draw image holds: draw + 1 (0: nothing is seen), and what many passes ask of its
+// material at once.
+
+#define DRAW_PAPER (1u << 31) // takes shadow, but neither wash nor outline
+#define DRAW_UNLIT (1u << 30)
+#define DRAW_EMISSIVE (1u << 29)
+#define DRAW_STROKES_SHIFT 26 // what strokes follow, see shaders/stroke_kind.glsl.h
+#define DRAW_NUMBER_MASK ((1u << DRAW_STROKES_SHIFT) - 1u)
+
+bool sees_draw(uint word)
+{
+    return word != 0u;
+}
+
+uint draw_of(uint word)
+{
+    return (word & DRAW_NUMBER_MASK) - 1u;
+}
+
+uint strokes_of(uint word)
+{
+    return (word >> DRAW_STROKES_SHIFT) & 7u;
+}
+
+// Nothing at all, or bare paper: no line goes between two of these.
+bool is_paper(uint word)
+{
+    return word == 0u || (word & DRAW_PAPER) != 0u;
+}
+
+// How a surface coordinate changes over one pixel, to the right and down: six numbers in 16 bytes, as parts
+// of the largest of them, to 1/32767.
+struct Footprint {
+    vec3 dx;
+    vec3 dy;
+};
+
+uvec4 pack_footprint(Footprint f)
+{
+    vec3 largest = max(abs(f.dx), abs(f.dy));
+    float scale = max(max(largest.x, largest.y), max(largest.z, 1e-30));
+    return uvec4(packSnorm2x16(f.dx.xy / scale), packSnorm2x16(vec2(f.dx.z, f.dy.x) / scale),
+                 packSnorm2x16(f.dy.yz / scale), floatBitsToUint(scale));
+}
+
+Footprint unpack_footprint(uvec4 packed)
+{
+    float scale = uintBitsToFloat(packed.w);
+    vec2 a = unpackSnorm2x16(packed.x) * scale;
+    vec2 b = unpackSnorm2x16(packed.y) * scale;
+    vec2 c = unpackSnorm2x16(packed.z) * scale;
+    return Footprint(vec3(a, b.x), vec3(b.y, c));
+}
+
+#endif

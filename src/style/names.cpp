@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "style/names.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <sstream>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <estampe/error.hpp>
+
+#include "style/toml.hpp"
+
+namespace estampe::style {
+
+size_t edit_distance(std::string_view a, std::string_view b)
+{
+    std::vector<size_t> before(b.size() + 1);
+    std::vector<size_t> previous(b.size() + 1);
+    std::vector<size_t> current(b.size() + 1);
+    std::iota(previous.begin(), previous.end(), size_t{0});
+    for (size_t i = 1; i <= a.size(); ++i) {
+        current[0] = i;
+        for (size_t j = 1; j <= b.size(); ++j) {
+            const size_t replace = previous[j - 1] + (a[i - 1] == b[j - 1] ? 0U : 1U);
+            current[j] = std::min({replace, previous[j] + 1, current[j - 1] + 1});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+                current[j] = std::min(current[j], before[j - 2] + 1);
+            }
+        }
+        std::swap(before, previous);
+        std::swap(previous, current);
+    }
+    return previous[b.size()];
+}
+
+std::string nearest(std::string_view word, std::span<const std::string> candidates)
+{
+    constexpr size_t longest_word = 100;
+    if (word.size() > longest_word) {
+        return {};
+    }
+    const std::string* best = nullptr;
+    size_t best_distance = 0;
+    for (const std::string& candidate : candidates) {
+        const size_t distance = edit_distance(word, candidate);
+        const size_t tolerance = std::max<size_t>(1, std::max(word.size(), candidate.size()) / 3);
+        if (distance <= tolerance && (best == nullptr || distance < best_distance)) {
+            best = &candidate;
+            best_distance = distance;
+        }
+    }
+    return best == nullptr ? std::string() : *best;
+}
+
+namespace {
+
+std::string_view without_outer_spaces(std::string_view text)
+{
+    while (!text.empty() && text.front() == ' ') {
+        text.remove_prefix(1);
+    }
+    while (!text.empty() && text.back() == ' ') {
+        text.remove_suffix(1);
+    }
+    return text;
+}
+
+} // namespace
+
+std::vector<Assignment> assignments(std::string_view text, const std::string& key, const std::string& form,
+                                    const std::string& example)
+{
+    std::vector<Assignment> parts;
+    while (!without_outer_spaces(text).empty()) {
+        const std::string_view item = text.substr(0, text.find(','));
+        text.remove_prefix(std::min(item.size() + 1, text.size()));
+        const size_t equals = item.rfind('=');
+        if (equals == std::string_view::npos) {
+            throw Error(fmt::format("{} is not of the form {}", in_quotes(item), form), key,
+                        fmt::format("write for instance {}", in_quotes(example)));
+        }
+        parts.push_back({std::string(without_outer_spaces(item.substr(0, equals))),
+                         std::string(without_outer_spaces(item.substr(equals + 1)))});
+    }
+    return parts;
+}
+
+void fail_unknown(const std::string& wanted, const std::string& name, const std::string& key,
+                  const std::vector<std::string>& names)
+{
+    const std::string meant = nearest(name, names);
+    throw Error(fmt::format("{} {}", wanted, in_quotes(name)), key,
+                meant.empty() ? fmt::format("it has {}", fmt::join(names, ", "))
+                              : fmt::format("did you mean {}?", in_quotes(meant)));
+}
+
+std::vector<std::string> between_commas(std::string_view text)
+{
+    std::vector<std::string> parts;
+    std::istringstream stream{std::string(text)};
+    for (std::string part; std::getline(stream, part, ',');) {
+        const size_t first = part.find_first_not_of(' ');
+        if (first != std::string::npos) {
+            parts.push_back(part.substr(first, part.find_last_not_of(' ') + 1 - first));
+        }
+    }
+    return parts;
+}
+
+} // namespace estampe::style

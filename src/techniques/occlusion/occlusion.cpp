@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/occlusion/occlusion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shaders/horizon_comp.hpp"
+#include "shaders/horizon_page_comp.hpp"
+#include "shaders/horizon_smooth_comp.hpp"
+#include "style/parameter.hpp"
+#include "techniques/occlusion/horizon/horizon.glsl.h"
+
+namespace estampe::occlusion {
+
+const style::Table<OcclusionStyle>& occlusion_table()
+{
+    static const auto table =
+        style::Table<OcclusionStyle>("occlusion", "Corners and what lies close together are darker")
+            .toggle("drawn", &OcclusionStyle::drawn, "Whether there is any")
+            .choice(
+                "method", &OcclusionStyle::method,
+                {{"horizon", Method::horizon},
+                 {"discs", Method::discs},
+                 {"splats", Method::splats},
+                 {"uv", Method::uv},
+                 {"unsharp", Method::unsharp}},
+                "From what is seen about each pixel; between discs at all vertices, seen or not, for fine "
+                "meshes; by those discs at each pixel (splats), or at each texel of a map that lies on all "
+                "surfaces (uv), kept until something moves; or no light at all, but what lies behind "
+                "what is about it is darker")
+            .choice("feeds", &OcclusionStyle::feeds,
+                    {{"ambient", Feeds::ambient}, {"tone", Feeds::tone}, {"layer", Feeds::layer}},
+                    "What it darkens: the light from everywhere and the fill, all light, or nothing: then "
+                    "it is there in layers alone")
+            .number("radius_m", &OcclusionStyle::radius_m, {0.0F, 1e6F}, "m",
+                    "How far off a thing may be that counts, less and less up to there; 0: a fifth of the "
+                    "scene's radius")
+            .number("reach_mm", &OcclusionStyle::reach_mm, {0.1F, 200.0F}, "mm",
+                    "The same on the page: where the radius is longer there, it is cut to this")
+            .number("thickness", &OcclusionStyle::thickness, {0.01F, 4.0F}, "",
+                    "How thick things are taken to be, since only one side is seen: a share of the radius")
+            .number("strength", &OcclusionStyle::strength, {0.0F, 8.0F}, "",
+                    "1 is what shuts out light; more is darker in corners")
+            .number("bleeding", &OcclusionStyle::bleeding, {0.0F, 4.0F}, "",
+                    "Of discs, splats and uv: how much light what hides throws back in the colour of its "
+                    "vertices and material; 1 is as much as a surface in even light does")
+            .integer("texels", &OcclusionStyle::texels, {64, 4096}, "texels",
+                     "Of uv: the map's side. Surfaces lie in it as their own coordinates lay them, or as "
+                     "charts that are cut");
+    return table;
+}
+
+namespace {
+
+shared::HorizonConstants constants_of(const OcclusionInputs& in, const OcclusionStyle& style)
+{
+    const HalfPage half = half_page(in);
+    return {.radius_m = in.radius_m,
+            .reach_px = style.reach_mm * in.pixels_per_mm,
+            .thickness = style.thickness,
+            .strength = style.strength,
+            .from_half = half.from_half,
+            .half_px = half.half_px};
+}
+
+} // namespace
+
+float radius_of(const OcclusionStyle& style, float scene_radius_m)
+{
+    return style.radius_m > 0.0F ? style.radius_m : 0.2F * scene_radius_m;
+}
+
+uint32_t reach_px(const OcclusionStyle& style, float pixels_per_mm)
+{
+    // Beside what is looked at, four neighbours of the half page.
+    constexpr uint32_t smoothed_px = 8;
+    return style.drawn ? static_cast<uint32_t>(std::ceil(style.reach_mm * pixels_per_mm)) + smoothed_px : 0U;
+}
+
+gpu::ImageId add_horizon(gpu::Graph& graph, const OcclusionInputs& in, const OcclusionStyle& style)
+{
+    const shared::HorizonConstants constants = constants_of(in, style);
+    const auto half_image = [&](const char* name) {
+        return graph.image(
+            name,
+            {.width = constants.half_px.x, .height = constants.half_px.y, .format = gpu::Format::rg32ui});
+    };
+    auto looking = graph.compute("occlusion", shaders::horizon_comp);
+    looking.uniform(in.frame).sample(in.depth).sample(in.normal);
+    gpu::ImageId open = looking.write(half_image("occlusion/half"));
+    looking.push(constants).dispatch_over(constants.half_px.x, constants.half_px.y);
+    for (const uint32_t is_upright : {0U, 1U}) {
+        auto smoothing = graph.compute(is_upright != 0 ? "occlusion/columns" : "occlusion/rows",
+                                       shaders::horizon_smooth_comp);
+        smoothing.uniform(in.frame).sample(in.normal).sample(open);
+        open = smoothing.write(half_image("occlusion/smooth"));
+        smoothing.variant(is_upright).push(constants).dispatch_over(constants.half_px.x, constants.half_px.y);
+    }
+    auto pass = graph.compute("occlusion/page", shaders::horizon_page_comp);
+    pass.uniform(in.frame).sample(in.depth).sample(in.normal).sample(open);
+    const gpu::ImageId page = pass.write(graph.image(
+        "occlusion/open", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
+    pass.push(constants).dispatch_over_page(in.size_px.x, in.size_px.y);
+    return page;
+}
+
+} // namespace estampe::occlusion

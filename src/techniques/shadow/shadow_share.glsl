@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_SHADOW_SHARE
+#define ESTAMPE_SHADOW_SHARE
+
+// What shadows leave of a light, edges and the light's breadth counted. Who includes this declares what the
+// lookups need, `EdgeLook edge_look`, `coordinate_image` and `footprint_image`, and which of has_edges,
+// has_stroke_edges, has_wave_edges, has_soft_sun and has_soft_lamps hold.
+//
+// Edges are as an illustrator leaves them: in teeth. The point that is looked up in a shadow map is moved
+// along the surface, to and fro across a coordinate v that is fixed to the world, so that the edge breaks up
+// into strokes and stays where it is as the eye moves. After Zanuttini, "Recherches en rendu non realiste
+// temps reel", 2008, who moves it along the axes of the world. How far and how dense is measured on the page;
+// where v's lines are those of the hatching, each tooth is the end of a stroke.
+
+#include "shaders/camera.glsl"
+#include "shaders/stroke_field.glsl"
+#include "techniques/shadow/shadow.glsl.h"
+#include "techniques/shadow/local/teeth.glsl"
+#include "techniques/shadow/local/local_shadow.glsl"
+#include "techniques/shadow/sun/sun_shadow.glsl"
+
+// How far the surface goes over one pixel of the page, in metres.
+struct PageRates {
+    vec3 dx;
+    vec3 dy;
+};
+
+// A family of teeth at a pixel.
+struct Teeth {
+    LineField field; // v alone counts
+    vec3 step_m;     // along the teeth, one pixel of the page
+    uint seed;
+};
+
+// Where to look a light up in place of a point: at two points.
+struct EdgePoints {
+    vec3 first;
+    vec3 second;
+    float lean; // 0: the mean of both counts; above: the darker; below: the lighter
+};
+
+// Where the page's point `at_px`, taken at the depth of `point`, meets the plane through `point`; held where
+// the plane is seen along itself.
+vec3 on_plane(FrameGlobals frame, vec2 at_px, float depth, vec3 point, vec3 normal)
+{
+    vec3 beside = anchor_at(frame, at_px, depth);
+    vec3 ray = -towards_eye(frame, beside);
+    float facing = dot(normal, ray);
+    facing = facing < 0.0 ? min(facing, -0.1) : max(facing, 0.1);
+    return beside + ray * (dot(normal, point - beside) / facing);
+}
+
+PageRates page_rates(FrameGlobals frame, vec2 at_px, float depth, vec3 point, vec3 normal)
+{
+    return PageRates(on_plane(frame, at_px + vec2(1.0, 0.0), depth, point, normal) - point,
+                     on_plane(frame, at_px + vec2(0.0, 1.0), depth, point, normal) - point);
+}
+
+Teeth teeth_across(float v, vec2 v_rate, PageRates rates, bool wraps, uint seed)
+{
+    Teeth teeth;
+    teeth.field.v = v;
+    teeth.field.v_per_px = length(v_rate);
+    teeth.field.u = 0.0;
+    teeth.field.u_per_px = 0.0;
+    teeth.field.wander = vec2(0.0);
+    teeth.field.wraps = wraps;
+    vec2 along = vec2(-v_rate.y, v_rate.x) / max(teeth.field.v_per_px, 1e-20);
+    teeth.step_m = rates.dx * along.x + rates.dy * along.y;
+    teeth.seed = seed;
+    return teeth;
+}
+
+// Teeth across slices of the world by parallel planes.
+Teeth wave_teeth(vec3 axis, vec3 point, PageRates rates, uint seed)
+{
+    return teeth_across(dot(axis, point), vec2(dot(axis, rates.dx), dot(axis, rates.dy)), rates, false, seed);
+}
+
+// Teeth that end the strokes of the hatching's first layer.
+Teeth stroke_teeth(EdgeLook look, uint kind, vec3 coordinate, Footprint f, vec3 normal, PageRates rates)
+{
+    StrokeAxes axes = StrokeAxes(look.flat_axis, look.flat_axis, look.flat_axis, look.wind, look.ground_wind,
+                                 look.towards_light, look.has_directions != 0u);
+    bool is_level = length(cross(solid_axis(axes, kind, 0u), normal)) < 0.59;
+    uint family = !is_flat(kind) && is_level ? 1u : 0u;
+    vec3 axis = is_flat(kind) ? flat_axis(axes, kind, 0u) : solid_axis(axes, kind, family);
+    return teeth_across(dot(axis, coordinate), vec2(dot(axis, f.dx), dot(axis, f.dy)), rates,
+                        kind == strokes_form, hash(look.seed * 64u + family));
+}
+
+// Teeth of a wide penumbra are wide themselves.
+float edge_tooth(Teeth teeth, EdgeLook look, float penumbra_px)
+{
+    return tooth(teeth.field, teeth.seed, look.width_px + penumbra_px / 8.0, look.darkness, look.variety);
+}
+
+// Strokes that go on past the edge on whichever side the light is, and let it in between them.
+EdgePoints stroke_edge(Teeth teeth, EdgeLook look, vec3 point, float penumbra_px)
+{
+    float lean = edge_tooth(teeth, look, penumbra_px);
+    vec3 shift = teeth.step_m * (lean * (look.amplitude_px + 0.5f * penumbra_px));
+    return EdgePoints(point + shift, point - shift, lean);
+}
+
+// One sample along each of two axes, and the mean of both.
+EdgePoints wave_edge(Teeth first, Teeth second, EdgeLook look, vec3 point, float penumbra_px)
+{
+    float reach_px = look.amplitude_px + 0.5f * penumbra_px;
+    return EdgePoints(point + first.step_m * (reach_px * edge_tooth(first, look, penumbra_px)),
+                      point + second.step_m * (reach_px * edge_tooth(second, look, penumbra_px)), 0.0f);
+}
+
+// All that the edges of shadows need to know of a pixel, whichever light throws them.
+struct Edge {
+    Teeth first;
+    Teeth second;   // waves only
+    Teeth third;    // waves of lamps
+    float m_per_px; // of a surface that faces the eye
+};
+
+EdgePoints edge_points(Edge edge, EdgeLook look, bool is_waves, vec3 point, float penumbra_m)
+{
+    float penumbra_px = penumbra_m / max(edge.m_per_px, 1e-20);
+    return is_waves ? wave_edge(edge.first, edge.second, look, point, penumbra_px)
+                    : stroke_edge(edge.first, look, point, penumbra_px);
+}
+
+// One more place to look up what shines to all sides.
+vec3 third_wave_point(Edge edge, EdgeLook look, vec3 point, float penumbra_m)
+{
+    float penumbra_px = penumbra_m / max(edge.m_per_px, 1e-20);
+    float reach_px = look.amplitude_px + 0.5f * penumbra_px;
+    return point + edge.third.step_m * (reach_px * edge_tooth(edge.third, look, penumbra_px));
+}
+
+// What moves a place into shadow is looked up a little nearer to the light than it lies: the plane that it
+// moves along runs into what is curved or folded, and would find the surface's own shadow there.
+vec3 raised(vec3 moved, EdgePoints points, vec3 point, vec3 towards_light)
+{
+    return points.lean < 0.0f ? moved : moved + towards_light * (0.7f * distance(moved, point));
+}
+
+// The share of light of an edge, from those of its two points.
+float edge_blend(EdgePoints points, float first, float second)
+{
+    return points.lean > 0.0f   ? min(first, second)
+           : points.lean < 0.0f ? max(first, second)
+                                : 0.5f * (first + second);
+}
+
+Edge edge_at(ivec2 pixel, uint word, float depth, vec3 point, vec3 normal)
+{
+    vec2 at_px = vec2(pixel) + 0.5;
+    PageRates rates = page_rates(frame, at_px, depth, point, normal);
+    Edge edge;
+    edge.first = wave_teeth(edge_look.axis_0, point, rates, 1u);
+    edge.second = wave_teeth(edge_look.axis_1, point, rates, 2u);
+    edge.third = wave_teeth(edge_look.axis_2, point, rates, 3u);
+    edge.m_per_px = distance(point, anchor_at(frame, at_px + vec2(1.0, 0.0), depth));
+    if (has_stroke_edges) {
+        edge.first = stroke_teeth(edge_look, strokes_of(word), texelFetch(coordinate_image, pixel, 0).xyz,
+                                  unpack_footprint(texelFetch(footprint_image, pixel, 0)), normal, rates);
+    }
+    return edge;
+}
+
+float sun_lookup(vec3 point, vec3 normal, vec3 towards_sun, float radius_m)
+{
+    return has_soft_sun ? sun_soft_visibility(point, normal, towards_sun, radius_m)
+                        : sun_visibility(point, normal, towards_sun);
+}
+
+float sun_share(vec3 point, vec3 normal, vec3 towards_sun, Edge edge)
+{
+    float penumbra_m = has_soft_sun ? sun_penumbra_m(point, normal, towards_sun) : 0.0;
+    if (!has_edges) {
+        return sun_lookup(point, normal, towards_sun, penumbra_m);
+    }
+    EdgePoints points = edge_points(edge, edge_look, has_wave_edges, point, penumbra_m);
+    float radius_m = 0.5 * penumbra_m;
+    float first = sun_lookup(raised(points.first, points, point, towards_sun), normal, towards_sun, radius_m);
+    float second =
+        sun_lookup(raised(points.second, points, point, towards_sun), normal, towards_sun, radius_m);
+    return edge_blend(points, first, second);
+}
+
+// `part` is how much of the light's breadth counts.
+float local_lookup(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal, Penumbra penumbra,
+                   float part)
+{
+    return has_soft_lamps ? local_soft_visibility(shadow, light_position, point, normal,
+                                                  part * shadow.radius_m, part * penumbra.widest_m)
+                          : local_visibility(shadow, light_position, point, normal);
+}
+
+// Of a lamp or a spot.
+float local_share(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal, Edge edge)
+{
+    Penumbra penumbra = Penumbra(0.0, 0.0);
+    if (has_soft_lamps) {
+        penumbra = local_penumbra(shadow, light_position, point, normal);
+    }
+    if (!has_edges) {
+        return local_lookup(shadow, light_position, point, normal, penumbra, 1.0);
+    }
+    EdgePoints points = edge_points(edge, edge_look, has_wave_edges, point, penumbra.mean_m);
+    vec3 towards_light = normalize(light_position - point);
+    vec3 raised_first = raised(points.first, points, point, towards_light);
+    vec3 raised_second = raised(points.second, points, point, towards_light);
+    float first = local_lookup(shadow, light_position, raised_first, normal, penumbra, 0.5);
+    float second = local_lookup(shadow, light_position, raised_second, normal, penumbra, 0.5);
+    float share = edge_blend(points, first, second);
+    if (has_wave_edges) {
+        // A lamp's shadows run in all directions: it has a third axis.
+        vec3 point_3 = third_wave_point(edge, edge_look, point, penumbra.mean_m);
+        float third = local_lookup(shadow, light_position, point_3, normal, penumbra, 0.5);
+        share = shadow.is_cube != 0u ? mix(share, third, 1.0 / 3.0) : share;
+    }
+    return share;
+}
+
+#endif
