@@ -34,7 +34,7 @@ TEST(Presets, BeginWithALineThatDescribesThem)
 
 TEST(Presets, AreInTheirPageOfTheDocs)
 {
-    std::ifstream file(test::source_folder() / "docs" / "presets.md");
+    std::ifstream file(test::source_folder() / "docs" / "reference" / "presets.md");
     const std::string page{std::istreambuf_iterator<char>(file), {}};
     for (const std::string& name : Style::presets()) {
         const std::string row = fmt::format("| `{}` | {} |", name, Style::about(name));

@@ -44,13 +44,13 @@ TEST(ViewerKeys, ModifiersTellKeysApart)
 
 TEST(ViewerKeys, TheManualListsThem)
 {
-    std::ifstream file(test::source_folder() / "docs/viewer.md");
+    std::ifstream file(test::source_folder() / "docs/how-to/viewer.md");
     std::ostringstream text;
     text << file.rdbuf();
     for (const KeyGroup& group : key_groups()) {
         for (const KeyHelp& help : group.keys) {
             const std::string line = fmt::format("| {} | {} |\n", help.name, help.help);
-            EXPECT_NE(text.str().find(line), std::string::npos) << "docs/viewer.md lacks: " << line;
+            EXPECT_NE(text.str().find(line), std::string::npos) << "docs/how-to/viewer.md lacks: " << line;
         }
     }
 }

@@ -35,7 +35,7 @@ void save_jpeg(const Image& image, const std::filesystem::path& path, int qualit
 void save_webp(const Image& image, const std::filesystem::path& path, std::optional<int> quality = {});
 
 /// Reads a PNG, JPEG, WebP, TIFF, TGA, BMP, GIF or PSD file into an Image, whatever its name; see
-/// docs/formats.md. Throws Error naming the file when it is missing, truncated or too large.
+/// docs/reference/formats.md. Throws Error naming the file when it is missing, truncated or too large.
 [[nodiscard]] Image load_image(const std::filesystem::path& path);
 
 } // namespace estampe

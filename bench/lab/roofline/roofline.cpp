@@ -382,7 +382,7 @@ std::string roofline_footer()
 
 Each pass runs by itself. Its bytes are those of all that it binds, each counted once; its operations are
 counted in its shader, each loop once, so that the share of the arithmetic is a lower bound for kernels that
-loop. docs/performance.md says more.
+loop. docs/laboratory.md says more.
 
 Pictures:
 )" + list_of(roofline::all_pictures());
