@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A world: a scene that code makes, with what moves in it. docs/reference/worlds.md tells how to add one.
+// A world: a scene that code makes, with what moves in it. docs/how-to/own-world.md tells how to add one.
 
 #include <cstdint>
 #include <memory>
