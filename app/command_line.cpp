@@ -76,54 +76,65 @@ void add_look_options(CLI::App& command, Typed& typed)
     typed.input.add_to(command);
     command
         .add_option("--camera", typed.camera,
-                    "A camera of the file by name or index; auto (frame the whole scene);\n"
-                    "\"eye=x,y,z target=x,y,z fov=degrees\"; or a direction to frame the scene\n"
-                    "from, \"azimuth=degrees elevation=degrees\": azimuth 0 looks from +z and\n"
-                    "sees the front, 90 looks from +x [the file's first camera, else auto]")
+                    "Camera of the file, by name or index; auto, which frames the whole\n"
+                    "scene; \"eye=x,y,z target=x,y,z fov=degrees\"; or a direction to frame\n"
+                    "the scene from, \"azimuth=degrees elevation=degrees\", where azimuth 0\n"
+                    "looks from +z (the front) and 90 from +x [the file's first camera,\n"
+                    "else auto]")
         ->type_name("CAMERA");
     command
         .add_option("--view", typed.view,
-                    "Frame the whole scene from a side: front, back, left, right, top,\n"
-                    "bottom, isometric or three-quarter; front looks from +z, right from +x")
+                    "Side to frame the whole scene from: front, back, left, right, top,\n"
+                    "bottom, isometric or three-quarter. Front looks from +z, right from\n"
+                    "+x.")
         ->type_name("SIDE");
     command.add_flag("--ortho", typed.ortho,
-                     "Parallel projection, as plans and elevations have it; isometric has\nit anyway");
-    command.add_option("--time", typed.time_s, "Moment of the animation, in seconds [0]")->type_name("S");
+                     "Draw in parallel projection, as plans and elevations are drawn. The\n"
+                     "isometric view always has parallel projection.");
+    command.add_option("--time", typed.time_s, "Moment of the animation to draw, in seconds [0]")
+        ->type_name("S");
     command
         .add_option("--animation", typed.animation,
-                    "Animation by name or index, or all, which plays all of them together\n[the first]")
+                    "Animation to play, by name or index; all plays all of them together\n"
+                    "[the first]")
         ->type_name("NAME");
     command
         .add_option("--variant", typed.variant,
-                    "Material variant of a glTF file by name or index [its default\nmaterials]")
+                    "Material variant of a glTF file, by name or index [the file's\n"
+                    "default materials]")
         ->type_name("NAME");
-    command.add_option("--style", typed.style, "Preset, or TOML file (see estampe styles)")
+    command
+        .add_option("--style", typed.style,
+                    "Preset or TOML file that sets the style; estampe styles lists the\n"
+                    "presets [built-in values]")
         ->type_name("STYLE");
-    add_set_option(
-        command, typed,
-        "One parameter of the style, such as hatch.width_mm=0.5;\nmay be repeated (see --help-style)");
+    add_set_option(command, typed,
+                   "One parameter of the style, such as hatch.width_mm=0.5. May be\n"
+                   "repeated (see --help-style).");
     typed.transparent.add_to(command);
     command.add_flag("--draft", typed.draft,
-                     "Quicker and coarser: one layer of strokes, wide cells of ink and\nsmoke, small shadow "
-                     "maps, fewer kinds of lines");
+                     "Draw faster and coarser, for a first look: one layer of strokes,\n"
+                     "coarse ink and smoke, small shadow maps, fewer kinds of lines");
     typed.world.add_to(command);
     command
         .add_option("--terrain", typed.terrain,
-                    "Ground without an end that the scene is put on, as a terrain's\nTOML describes it")
+                    "Terrain file (TOML) of an endless ground that the scene stands on")
         ->type_name("TOML");
     command
         .add_option("--lightmap", typed.lightmap,
-                    "Light worked out ahead, as estampe bake writes it for this\n"
-                    "scene, in place of what the file itself names")
+                    "Baked light of this scene, as estampe bake writes it, instead of the\n"
+                    "lightmap that the scene's file names")
         ->type_name("EXR");
-    command.add_option("--device", typed.device, "auto, cpu, or an index that estampe devices lists")
+    command
+        .add_option("--device", typed.device,
+                    "Device to draw on: auto, cpu, or an index that estampe devices lists")
         ->type_name("DEVICE")
         ->capture_default_str();
     add_no_cache_flag(command);
     command
         .add_option("--raster", typed.raster,
-                    "How triangles are drawn: hardware, compute, or auto, the quicker\n"
-                    "on this device")
+                    "How triangles are rasterised: hardware, compute, or auto, which\n"
+                    "takes the faster one on this device")
         ->type_name("PATH")
         ->capture_default_str();
 }
@@ -132,94 +143,112 @@ CLI::Option& add_scene(CLI::App& command, Typed& typed)
 {
     return *command
                 .add_option("SCENE", typed.scene,
-                            "Scene: .gltf .glb .obj .ply .stl .fbx .dae, a terrain's .toml, or the\n"
-                            "name of a world, which code makes (estampe info lists them); - reads\n"
-                            "standard input")
+                            "Scene to draw: .gltf .glb .obj .ply .stl .fbx .dae or .toml (a\n"
+                            "terrain), or the name of a built-in world (see estampe info). The\n"
+                            "name - reads standard input.")
                 ->type_name("FILE");
 }
 
-void add_draw_options(CLI::App& command, Typed& typed)
+void add_draw_options(CLI::App& command, Typed& typed, const char* output_help)
 {
     add_scene(command, typed).required();
-    command.add_option("-o,--output", typed.output, "File to write")->required()->type_name("FILE");
+    command.add_option("-o,--output", typed.output, output_help)->required()->type_name("FILE");
     add_look_options(command, typed);
 }
 
 void add_view(CLI::App& app, Typed& typed)
 {
-    CLI::App& command = *app.add_subcommand("view", "Open a window on a scene and its style");
+    CLI::App& command = *app.add_subcommand("view", "Open a window to look at a scene and to edit its style");
     command.footer(viewer::keys_text() + "\n" + view_examples);
     add_scene(command, typed);
     add_look_options(command, typed);
     command
-        .add_option("--samples", typed.samples, "Jittered frames to accumulate once the view stands still")
+        .add_option("--samples", typed.samples,
+                    "Number of jittered frames to average once the view is still, for\n"
+                    "smooth edges")
         ->type_name("N")
         ->capture_default_str();
     command
-        .add_option(
-            "--shaders", typed.shaders,
-            "Folder of Estampe's sources: shaders saved there are drawn with\nat once, for developers")
+        .add_option("--shaders", typed.shaders,
+                    "Folder of Estampe's sources, for developers: a shader that is saved\n"
+                    "there is used at once")
         ->type_name("DIR");
-    command.add_flag("--verbose", typed.verbose, "Tell on stderr what happens, with times");
+    command.add_flag("--verbose", typed.verbose, "Report on stderr what happens, with times");
     command.add_flag("--warm-up", typed.warm_up,
-                     "Open no window: compile the shaders of SCENE and its style,\nfor a window to come");
+                     "Open no window; compile the shaders of SCENE and its style for a\n"
+                     "later window");
 }
 
 void add_render(CLI::App& app, Typed& typed, PictureOptions& picture, FilmOptions& film)
 {
     CLI::App& command =
-        *app.add_subcommand("render", "Draw a scene and write it as a picture, or as SVG strokes");
+        *app.add_subcommand("render", "Draw a scene as a picture, as SVG strokes or as a film");
     command.footer(examples + world_examples() + exit_status);
-    add_draw_options(command, typed);
+    add_draw_options(command, typed,
+                     "Output file, whose ending chooses the format: png, jpg, webp, exr,\n"
+                     "ora, svg; for films mp4, webm, gif, or PNG frames as in\n"
+                     "frames/%04d.png. The name - is standard output.");
     picture.add_to(command);
-    command.add_option("--samples", typed.samples, "Jittered frames to accumulate, for smooth edges")
-        ->type_name("N")
-        ->capture_default_str();
-    command.add_option("--repeat", typed.repeat, "Draw N times and time the median of all after the first")
+    command.add_option("--samples", typed.samples, "Number of jittered frames to average, for smooth edges")
         ->type_name("N")
         ->capture_default_str();
     command
-        .add_option("--tile", typed.tile_px, "Draw in parts of at most N pixels a side [what the device can]")
+        .add_option("--repeat", typed.repeat, "Draw N times and report the median times of all but the first")
+        ->type_name("N")
+        ->capture_default_str();
+    command
+        .add_option("--tile", typed.tile_px,
+                    "Draw in tiles of at most N pixels per side [the largest that the\n"
+                    "device can draw]")
         ->type_name("N");
-    command.add_flag("--hidden", typed.hidden, "SVG: lines behind something too, dashed");
-    command.add_flag(
-        "--plotter", typed.plotter,
-        "SVG: for pens that draw; one line a stroke, none twice, in an\norder with little travel");
+    command.add_flag("--hidden", typed.hidden, "Also draw hidden lines, with dashes. Only valid for SVG.");
+    command.add_flag("--plotter", typed.plotter,
+                     "Write SVG for pen plotters: one line per stroke, none drawn twice,\n"
+                     "in an order with little pen travel");
     command
         .add_option("--motion", typed.motion,
-                    "Also write how far what is seen moved, as R and G in pixels to\nthe right and down")
+                    "Also write an OpenEXR file of how far each pixel has moved: R is\n"
+                    "pixels to the right, G is pixels down")
         ->type_name("EXR");
-    command.add_option("--since", typed.since_s, "Moment that --motion looks back to [--time less 1/30]")
+    command
+        .add_option("--since", typed.since_s,
+                    "Moment that --motion looks back to, in seconds [--time less 1/30]")
         ->type_name("S");
     film.add_to(command);
     command.add_flag("--timings", typed.timings, "Print the time of every pass, or of the whole film");
-    command.add_flag("--json", typed.json, "Print the timings as JSON");
+    command.add_flag("--json", typed.json, "Print the timings as JSON instead of text");
 }
 
 void add_tam(CLI::App& app, Typed& typed)
 {
     CLI::App& command =
-        *app.add_subcommand("tam", "Draw a tonal art map, the strokes of a style by tone and distance");
+        *app.add_subcommand("tam", "Draw a tonal art map: the strokes of a style by tone and distance");
     command.footer(tam_examples);
     command
         .add_option("STYLE", typed.style,
-                    "Preset, or TOML file, for its [tam] and the colours of its\n[paper]")
+                    "Preset or TOML file whose [tam] draws the map and whose [paper]\n"
+                    "colours the preview")
         ->type_name("STYLE");
-    command.add_option("-o,--output", typed.output, "NAME.tam; or NAME.dds, or FOLDER/ for PNG files")
+    command
+        .add_option("-o,--output", typed.output,
+                    "Output file, NAME.tam or NAME.dds, or FOLDER/ for PNG files")
         ->required()
         ->type_name("FILE");
     command
         .add_option("--from", typed.from,
-                    "Convert a map instead of drawing one: a folder of PNG or DDS\nfiles, a .dds or a .tam")
+                    "Map to convert instead of drawing one: a folder of PNG or DDS files,\n"
+                    "a .dds or a .tam")
         ->type_name("PATH");
     command
         .add_option("--brush", typed.brush,
-                    "Picture of one stroke from left to right, in its alpha or in\nblack on white [tam.tool]")
+                    "Picture of one stroke from left to right, in its alpha channel or\n"
+                    "black on white [the tool that tam.tool names]")
         ->type_name("PNG");
-    command.add_option("--preview", typed.preview, "Also write a sheet of all tones and levels")
+    command.add_option("--preview", typed.preview, "Also write a picture of all tones and levels")
         ->type_name("PNG");
     add_set_option(command, typed,
-                   "One parameter of the style, such as tam.width_px=3; may be\nrepeated (see --help-style)");
+                   "One parameter of the style, such as tam.width_px=3. May be\n"
+                   "repeated (see --help-style).");
 }
 
 /// An empty word is the trace of a variable that was not set, and no number, name or file.
@@ -249,24 +278,27 @@ void add_commands(CLI::App& app, Typed& typed, OwnOptions& own)
     add_tam(app, typed);
     own.bake.add_to(app);
     own.batch.add_to(app);
-    CLI::App& info = *app.add_subcommand("info", "Tell what a scene holds, or list the worlds");
-    info.footer("Worlds, scenes that code makes:\n" + report_worlds(false) + exit_status);
+    CLI::App& info = *app.add_subcommand("info", "Print what a scene contains, or list the built-in worlds");
+    info.footer("Built-in worlds, scenes that the program generates:\n" + report_worlds(false) + exit_status);
     info.add_option("SCENE", typed.scene,
-                    "Scene file, or the name of a world; - reads standard input\n[list all worlds]")
+                    "Scene file, or name of a built-in world. The name - reads standard\n"
+                    "input. [list all worlds]")
         ->type_name("FILE");
     typed.input.add_to(info);
     typed.world.add_to(info);
-    info.add_flag("--json", typed.json, "Print JSON");
-    CLI::App& devices = *app.add_subcommand("devices", "List the devices that can draw");
-    devices.add_flag("--json", typed.json, "Print JSON");
+    info.add_flag("--json", typed.json, "Print JSON instead of text");
+    CLI::App& devices =
+        *app.add_subcommand("devices", "List the graphics cards and processors that can draw");
+    devices.add_flag("--json", typed.json, "Print JSON instead of text");
     CLI::App& graph = *app.add_subcommand("graph", "Write the frame graph of a scene as Graphviz text");
-    add_draw_options(graph, typed);
-    CLI::App& styles = *app.add_subcommand("styles", "List the presets, or print a style in full as TOML");
-    styles.add_option("style", typed.style, "Preset or TOML file")->type_name("STYLE");
+    add_draw_options(graph, typed, "Output file of the Graphviz text");
+    CLI::App& styles = *app.add_subcommand("styles", "List the presets, or print a whole style as TOML");
+    styles.add_option("style", typed.style, "Preset or TOML file to print in full [list the presets]")
+        ->type_name("STYLE");
     styles.add_flag("--schema", typed.schema, "Print a JSON schema of style files, for editors");
     app.add_flag("--help-style", typed.style_manual, "Print the manual of all style parameters and exit");
-    app.add_flag("--man", typed.manual_page, "Print the manual page, for man -l -, and exit");
-    app.add_flag("--completion", typed.completion, "Print what makes bash complete commands, and exit");
+    app.add_flag("--man", typed.manual_page, "Print the manual page for man -l - and exit");
+    app.add_flag("--completion", typed.completion, "Print the completion script for bash and exit");
 }
 
 /// A page has one height.
