@@ -59,6 +59,7 @@ struct Typed {
     std::string lightmap;
     std::string motion;
     std::optional<double> since_s;
+    std::string sheet;
     std::string shaders;
     bool verbose = false;
     bool warm_up = false;
@@ -69,11 +70,9 @@ void add_set_option(CLI::App& command, Typed& typed, const char* help)
     command.add_option("--set", typed.assignments, help)->type_name("KEY=VALUE")->allow_extra_args(false);
 }
 
-/// What a picture is of and how it is drawn, wherever it goes.
-void add_look_options(CLI::App& command, Typed& typed)
+/// From where the scene is seen.
+void add_camera_options(CLI::App& command, Typed& typed)
 {
-    typed.page.add_to(command, command.get_name() == "render");
-    typed.input.add_to(command);
     command
         .add_option("--camera", typed.camera,
                     "A camera of the file by name or index; auto (frame the whole scene);\n"
@@ -88,6 +87,29 @@ void add_look_options(CLI::App& command, Typed& typed)
         ->type_name("SIDE");
     command.add_flag("--ortho", typed.ortho,
                      "Parallel projection, as plans and elevations have it; isometric has\nit anyway");
+}
+
+/// What draws.
+void add_device_options(CLI::App& command, Typed& typed)
+{
+    command.add_option("--device", typed.device, "auto, cpu, or an index that estampe devices lists")
+        ->type_name("DEVICE")
+        ->capture_default_str();
+    add_no_cache_flag(command);
+    command
+        .add_option("--raster", typed.raster,
+                    "How triangles are drawn: hardware, compute, or auto, the quicker\n"
+                    "on this device")
+        ->type_name("PATH")
+        ->capture_default_str();
+}
+
+/// What a picture is of and how it is drawn, wherever it goes.
+void add_look_options(CLI::App& command, Typed& typed)
+{
+    typed.page.add_to(command, command.get_name() == "render");
+    typed.input.add_to(command);
+    add_camera_options(command, typed);
     command.add_option("--time", typed.time_s, "Moment of the animation, in seconds [0]")->type_name("S");
     command
         .add_option("--animation", typed.animation,
@@ -116,16 +138,7 @@ void add_look_options(CLI::App& command, Typed& typed)
                     "Light worked out ahead, as estampe bake writes it for this\n"
                     "scene, in place of what the file itself names")
         ->type_name("EXR");
-    command.add_option("--device", typed.device, "auto, cpu, or an index that estampe devices lists")
-        ->type_name("DEVICE")
-        ->capture_default_str();
-    add_no_cache_flag(command);
-    command
-        .add_option("--raster", typed.raster,
-                    "How triangles are drawn: hardware, compute, or auto, the quicker\n"
-                    "on this device")
-        ->type_name("PATH")
-        ->capture_default_str();
+    add_device_options(command, typed);
 }
 
 CLI::Option& add_scene(CLI::App& command, Typed& typed)
@@ -196,6 +209,31 @@ void add_render(CLI::App& app, Typed& typed, PictureOptions& picture, FilmOption
     command.add_flag("--json", typed.json, "Print the timings as JSON");
 }
 
+void add_styles(CLI::App& app, Typed& typed)
+{
+    CLI::App& command = *app.add_subcommand(
+        "styles", "List the presets, draw a scene in all of them, or print a style in full as TOML");
+    command
+        .add_option("STYLE", typed.style,
+                    "Preset or TOML file to print; with --sheet the scene to draw, as\n"
+                    "estampe render takes it [a small still life]")
+        ->type_name("STYLE|SCENE");
+    CLI::Option* sheet = command
+                             .add_option("--sheet", typed.sheet,
+                                         "Draw the scene in every preset, side by side with their names, to\n"
+                                         "choose one by")
+                             ->type_name("PNG");
+    command.add_flag("--schema", typed.schema, "Print a JSON schema of style files, for editors")
+        ->excludes(sheet);
+    typed.page.add_to(command, false);
+    typed.input.add_to(command);
+    typed.world.add_to(command);
+    add_camera_options(command, typed);
+    add_set_option(command, typed,
+                   "One parameter that every picture has, such as\nhatch.spacing_mm=1; may be repeated");
+    add_device_options(command, typed);
+}
+
 void add_tam(CLI::App& app, Typed& typed)
 {
     CLI::App& command =
@@ -261,9 +299,7 @@ void add_commands(CLI::App& app, Typed& typed, OwnOptions& own)
     devices.add_flag("--json", typed.json, "Print JSON");
     CLI::App& graph = *app.add_subcommand("graph", "Write the frame graph of a scene as Graphviz text");
     add_draw_options(graph, typed);
-    CLI::App& styles = *app.add_subcommand("styles", "List the presets, or print a style in full as TOML");
-    styles.add_option("style", typed.style, "Preset or TOML file")->type_name("STYLE");
-    styles.add_flag("--schema", typed.schema, "Print a JSON schema of style files, for editors");
+    add_styles(app, typed);
     app.add_flag("--help-style", typed.style_manual, "Print the manual of all style parameters and exit");
     app.add_flag("--man", typed.manual_page, "Print the manual page, for man -l -, and exit");
     app.add_flag("--completion", typed.completion, "Print what makes bash complete commands, and exit");
@@ -415,6 +451,36 @@ TamCommand read_tam(const Typed& typed)
             .preview = typed.preview};
 }
 
+StylesCommand read_styles(const CLI::App& app, const Typed& typed)
+{
+    StylesCommand styles{.style = typed.style, .schema = typed.schema};
+    const CLI::App& command = *app.get_subcommands().front();
+    if (typed.sheet.empty()) {
+        for (const char* option : {"--size", "--up", "--input-format", "--world", "--seed", "--camera",
+                                   "--view", "--ortho", "--set", "--device", "--raster"}) {
+            if (command.count(option) > 0) {
+                throw UsageError("only works with --sheet", option, "leave it out, or add --sheet FILE.png");
+            }
+        }
+        return styles;
+    }
+    if (lower_extension(typed.sheet) != ".png") {
+        throw UsageError("a sheet is a PNG picture", "--sheet " + typed.sheet, "the name must end in .png");
+    }
+    Typed drawn = typed;
+    drawn.scene = typed.style;
+    drawn.style.clear();
+    drawn.output = typed.sheet;
+    styles.style.clear();
+    styles.sheet = read_draw_options(drawn);
+    if (command.count("--size") == 0) {
+        constexpr PageSize of_one{.width = 400, .height = 300};
+        styles.sheet->page = of_one;
+    }
+    styles.sheet->camera = read_camera(typed, command.count("--camera") > 0);
+    return styles;
+}
+
 Command to_command(const CLI::App& app, const Typed& typed, const OwnOptions& own)
 {
     if (typed.style_manual) {
@@ -431,7 +497,7 @@ Command to_command(const CLI::App& app, const Typed& typed, const OwnOptions& ow
         return DevicesCommand{typed.json};
     }
     if (app.got_subcommand("styles")) {
-        return StylesCommand{typed.style, typed.schema};
+        return read_styles(app, typed);
     }
     if (app.got_subcommand("tam")) {
         return read_tam(typed);
