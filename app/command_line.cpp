@@ -15,6 +15,7 @@
 #include "help.hpp"
 #include "option_values.hpp"
 #include "options.hpp"
+#include "report.hpp"
 #include "typed_options.hpp"
 #include "worlds.hpp"
 

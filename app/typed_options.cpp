@@ -184,7 +184,7 @@ void add_styles(CLI::App& app, TypedOptions& typed)
     command
         .add_option("STYLE", typed.style,
                     "Preset or TOML file to print in full. With --sheet: the scene to\n"
-                    "draw, as estampe render takes it [list the presets; a still life]")
+                    "draw, as estampe render takes it. [list the presets; a still life]")
         ->type_name("STYLE|SCENE");
     CLI::Option* sheet = command
                              .add_option("--sheet", typed.sheet,
