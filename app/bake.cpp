@@ -26,15 +26,15 @@ constexpr const char* bake_examples = R"(Examples:
   estampe bake room.glb -o room.exr
   estampe render room.glb --lightmap room.exr -o room.png
   estampe bake room.glb -o room.exr --size 2048 --samples 512 --bounces 5
-  estampe bake hall.glb -o hall.exr --direct sun,spot       (their own light too; render leaves them out)
+  estampe bake hall.glb -o hall.exr --direct sun,spot       (direct light too; render leaves it out)
   estampe bake street.glb -o street.exr --style pencil --set light.sun_elevation_deg=20
 
-The map holds light that surfaces throw on each other, that of glowing materials, and the style's ambient
-light as a sky that things hide; in a picture it takes the place of the ambient light. It is an OpenEXR
-picture in the scene's own light, with the places of the triangles in its header. A second set of texture
-coordinates is taken from the file where it serves, and made where not. What moves is left out.
+The lightmap holds indirect light, the light of glowing materials, and the style's ambient light as a sky that
+objects occlude. In a picture the lightmap replaces the ambient light. The file is an OpenEXR picture in the
+units of the scene's lights; its header says where each triangle lies. The second set of UVs is taken from the
+scene's file if triangles do not overlap there; else the scene is unwrapped. Objects that move are left out.
 
-Ctrl-C keeps what is done in OUT.partial; the same command goes on from there.
+Ctrl-C keeps what is done in OUT.partial; the same command continues from there.
 
 Exit status: 0 done, 1 the job failed or was stopped, 2 the command line is wrong.)";
 
@@ -63,45 +63,54 @@ uint32_t read_kinds(const std::vector<std::string>& names)
 void BakeOptions::add_to(CLI::App& app)
 {
     CLI::App& command =
-        *app.add_subcommand("bake", "Work out the light on what stands still, as a lightmap for render");
+        *app.add_subcommand("bake", "Compute the light on objects that do not move, as a lightmap");
     command.footer(bake_examples);
     command
-        .add_option(
-            "SCENE", scene_,
-            "Scene: .gltf .glb .obj .ply .stl .fbx .dae, or the name of a world;\n- reads standard input")
+        .add_option("SCENE", scene_,
+                    "Scene to bake: .gltf .glb .obj .ply .stl .fbx .dae or the name of a\n"
+                    "built-in world. The name - reads standard input.")
         ->required()
         ->type_name("FILE");
     input_.add_to(command);
     world_.add_to(command, WorldOptions::Seed::is_left_out); // --seed is that of the noise
-    command.add_option("-o,--output", output_, "NAME.exr")->required()->type_name("FILE");
-    command.add_option("--size", settings_.size, "Side of the map in texels")
+    command.add_option("-o,--output", output_, "Output file, NAME.exr, an OpenEXR lightmap")
+        ->required()
+        ->type_name("FILE");
+    command.add_option("--size", settings_.size, "Side of the lightmap in texels: more shows finer shadows")
         ->type_name("N")
         ->capture_default_str();
-    command.add_option("--samples", settings_.samples, "Paths of light that are followed from each texel")
+    command
+        .add_option("--samples", settings_.samples,
+                    "Number of light paths per texel: more gives less noise and takes\n"
+                    "longer")
         ->type_name("N")
         ->capture_default_str();
-    command.add_option("--bounces", settings_.bounces, "Surfaces that light may be thrown off on its way")
+    command.add_option("--bounces", settings_.bounces, "Largest number of surfaces that light bounces off")
         ->type_name("N")
         ->capture_default_str();
     command
         .add_option("--direct", direct_,
-                    "Kinds of lights whose own light is in the map too, and which\n"
-                    "render then leaves out: sun, point, spot, all [none]")
+                    "Kinds of lights whose direct light is baked, too, and which render\n"
+                    "then leaves out: sun, point, spot, all [none]")
         ->delimiter(',')
         ->type_name("KINDS");
-    command.add_option("--sky", settings_.sky, "The style's ambient light is multiplied by this")
+    command
+        .add_option("--sky", settings_.sky, "Factor on the style's ambient light, which comes from the sky")
         ->type_name("X")
         ->capture_default_str();
-    command.add_option("--seed", settings_.seed, "Another number gives other noise")
+    command
+        .add_option("--seed", settings_.seed,
+                    "Random seed of the light paths: another value gives other noise")
         ->type_name("N")
         ->capture_default_str();
-    command.add_flag("--no-smooth", rough_, "Leave the noise in");
-    command.add_flag("--no-resume", anew_, "Begin anew even where OUT.partial could be taken up");
-    command.add_option("--style", style_, "Preset, or TOML file, for its [light]")->type_name("STYLE");
+    command.add_flag("--no-smooth", rough_, "Keep the noise instead of smoothing the lightmap");
+    command.add_flag("--no-resume", anew_, "Start again even if OUT.partial holds an unfinished run");
+    command.add_option("--style", style_, "Preset or TOML file whose [light] lights the scene")
+        ->type_name("STYLE");
     command
-        .add_option(
-            "--set", assignments_,
-            "One parameter of the style, such as light.ambient=0.3; may be\nrepeated (see --help-style)")
+        .add_option("--set", assignments_,
+                    "One parameter of the style, such as light.ambient=0.3. May be\n"
+                    "repeated (see --help-style).")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
 }

@@ -38,8 +38,8 @@ constexpr const char* batch_examples = R"(Examples:
   estampe batch jobs.toml
   estampe batch jobs.toml --shard 2/4 --report part2.json      (the second quarter of the jobs)
 
-A file of jobs has a table [[job]] for each picture, with the options of estampe render as keys, and one
-[defaults] for what all have unless they say otherwise:
+A file of jobs has a table [[job]] for each picture. Its keys are the options of estampe render. A table
+[defaults] holds values for all jobs that do not set them:
 
   [defaults]
   size = "1920x1080"
@@ -57,12 +57,13 @@ A file of jobs has a table [[job]] for each picture, with the options of estampe
   style = ["comic", "engraving", "wash"]
   output = "out/{scene}-{camera}-{style}.png"
 
-Of lists of scenes, cameras, views and styles each is drawn with each. In the output's name {scene} is the
-file's name without its extension, {style} the style's, {camera} a name or else a number, {view} the side, as
-in view = ["front", "top"], and {n} the number of the job.
-Jobs are drawn in their order by one process; a scene is loaded once for all that come one after another.
-A job that fails does not stop the others. The report says what became of each; Ctrl-C finishes the job in
-hand and leaves a report of what is done.
+Lists of scenes, cameras, views and styles are combined: every scene is drawn by every camera in every style.
+In the name of the output, {scene} is the name of the scene's file without its extension, {style} the name of
+the style, {camera} the name or number of the camera, {view} the side, as in view = ["front", "top"], and {n}
+the number of the job.
+One process draws the jobs in order, and loads a scene once for all consecutive jobs that use it. A job that
+fails does not stop the others; the report says how each job ended. Ctrl-C finishes the current job and
+writes a report of what is done.
 
 Exit status: 0 all done, 1 a job failed, or it was stopped, 2 the command line is wrong.)";
 
@@ -70,22 +71,29 @@ Exit status: 0 all done, 1 a job failed, or it was stopped, 2 the command line i
 
 void BatchOptions::add_to(CLI::App& app)
 {
-    CLI::App& command = *app.add_subcommand("batch", "Draw many pictures, as a file of jobs has them");
+    CLI::App& command = *app.add_subcommand("batch", "Draw many pictures, as a TOML file of jobs lists them");
     command.footer(batch_examples);
-    command.add_option("JOBS", jobs_, "TOML file of jobs")->required()->type_name("FILE");
+    command.add_option("JOBS", jobs_, "TOML file that lists the jobs")->required()->type_name("FILE");
     command
         .add_option("--shard", shard_,
-                    "Only the I-th of N parts, for several machines: runs of jobs, all\nabout as long")
+                    "Draw only part I of N, to share jobs between machines. All parts\n"
+                    "take about as long.")
         ->type_name("I/N");
     command
         .add_option("--report", report_,
-                    "Where the report goes [JOBS.report.json, with a shard\nJOBS.I-of-N.report.json]")
+                    "File that the report is written to [JOBS.report.json, with a shard\n"
+                    "JOBS.I-of-N.report.json]")
         ->type_name("JSON");
     add_no_cache_flag(command);
-    command.add_option("--device", device_, "auto, cpu, or an index that estampe devices lists")
+    command
+        .add_option("--device", device_,
+                    "Device to draw on: auto, cpu, or an index that estampe devices lists")
         ->type_name("DEVICE")
         ->capture_default_str();
-    command.add_option("--raster", raster_, "hardware, compute, or auto")
+    command
+        .add_option("--raster", raster_,
+                    "How triangles are rasterised: hardware, compute, or auto, which\n"
+                    "takes the faster one on this device")
         ->type_name("PATH")
         ->capture_default_str();
 }

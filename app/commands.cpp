@@ -15,6 +15,7 @@
 #include <estampe/image.hpp>
 #include <estampe/tonal_art_map.hpp>
 
+#include "contact_sheet.hpp"
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
 #include "drawing.hpp"
@@ -56,6 +57,11 @@ void run(const StylesCommand& command)
 {
     if (command.schema) {
         fmt::print("{}", Style::json_schema());
+        return;
+    }
+    if (command.sheet) {
+        check_output(command.sheet->output, {command.sheet->scene});
+        write_file_atomically(command.sheet->output, encode_png(draw_contact_sheet(*command.sheet)));
         return;
     }
     if (!command.style.empty()) {

@@ -44,11 +44,12 @@ inline constexpr const char* tam_examples = R"(Examples:
   estampe tam -o pen.tam --preview pen.png
   estampe tam tam-charcoal -o charcoal.tam --set tam.seed=7
   estampe tam mine.toml -o mine.tam --brush stroke.png
-  estampe tam --from mine.tam -o painted/              (paint over the images there, then)
+  estampe tam --from mine.tam -o painted/              (to paint over the images, then)
   estampe tam --from painted/ -o mine.tam
 
-A folder holds tone1.png, tone2.png, ... from light to dark, black ink on white, square, with a side that is
-a power of two; coarser levels are then derived. Or tone1_level0.png, tone1_level1.png, ... for each.
+A folder holds square pictures of black ink on white, with a side that is a power of two: tone1.png,
+tone2.png, ... from light to dark, from which coarser levels are derived, or tone1_level0.png,
+tone1_level1.png, ... with a picture for each level.
 
 Exit status: 0 done, 1 the job failed, 2 the command line is wrong.)";
 

@@ -186,13 +186,13 @@ void SceneOptions::add_to(CLI::App& command)
 {
     command
         .add_option("--up", up_,
-                    "Axis of the file that points up: x, y, z, -x, -y or -z; the scene is\n"
-                    "turned so that it becomes y [what the file says, else y]")
+                    "Axis of the file that points up: x, y, z, -x, -y or -z. The scene is\n"
+                    "turned so that this axis becomes y. [what the file says, else y]")
         ->type_name("AXIS");
     command
         .add_option("--input-format", format_,
-                    "Format of a scene that comes through a pipe: glb, gltf, obj, ply, stl,\n"
-                    "fbx or dae [recognised by its content where that can be]")
+                    "Format of a scene that comes through a pipe: glb, gltf, obj, ply,\n"
+                    "stl, fbx or dae [recognised by its content, if possible]")
         ->type_name("NAME");
 }
 
@@ -210,8 +210,7 @@ std::string SceneOptions::format() const
 void add_no_cache_flag(CLI::App& command)
 {
     command.add_flag_callback(
-        "--no-cache", [] { gpu::keep_pipelines(false); },
-        "Neither use nor keep pipelines on disk that the driver has compiled");
+        "--no-cache", [] { gpu::keep_pipelines(false); }, "Do not use or keep compiled pipelines on disk");
 }
 
 } // namespace estampe::app

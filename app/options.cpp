@@ -94,17 +94,22 @@ uint32_t pixels_of(double mm, double dots_per_inch)
 
 void PageOptions::add_to(CLI::App& command, bool for_print)
 {
-    command.add_option("--size", size_, "Width and height in pixels [1280x720]")->type_name("WxH");
+    command.add_option("--size", size_, "Width and height of the picture in pixels [1280x720]")
+        ->type_name("WxH");
     if (!for_print) {
         return;
     }
     command
         .add_option("--page", page_,
-                    "In place of --size: A0 to A6, letter, legal, tabloid, or such as\n"
-                    "210x297mm; millimetres of the style are then of that page")
+                    "Paper size, instead of --size: A0 to A6, letter, legal, tabloid, or\n"
+                    "a size such as 210x297mm. Millimetres of the style then refer to\n"
+                    "this page.")
         ->type_name("PAGE");
-    command.add_option("--dpi", dots_per_inch_, "Pixels an inch of the page [300]")->type_name("N");
-    command.add_flag("--landscape", landscape_, "Lay the longer side of the page across");
+    command.add_option("--dpi", dots_per_inch_, "Pixels per inch of the page that --page names [300]")
+        ->type_name("N");
+    command.add_flag("--landscape", landscape_,
+                     "Turn the page that --page names so that its longer side is\n"
+                     "horizontal");
 }
 
 PageSize PageOptions::read() const
@@ -180,16 +185,20 @@ bool is_film_output(const std::string& output)
 void FilmOptions::add_to(CLI::App& command)
 {
     command
-        .add_option(
-            "--frames", frames_,
-            "Film: how many frames, or the first and the last, as in 25-48\n[to the end of the animation]")
+        .add_option("--frames", frames_,
+                    "Number of frames of a film, or its first and last frame, as in 25-48\n"
+                    "[to the end of the animation]")
         ->type_name("N|A-B");
-    command.add_option("--fps", frames_per_s_, "Film: frames a second [what the file was made for, else 24]")
+    command
+        .add_option("--fps", frames_per_s_,
+                    "Frames per second of a film [the frame rate of the scene's file,\n"
+                    "else 24]")
         ->type_name("F");
-    command.add_flag("--turntable", turntable_, "Film: go once around what is seen [in 5 s]");
+    command.add_flag("--turntable", turntable_, "Film the scene on a turntable, once around [in 5 s]");
     command.add_flag("--film", flies_,
-                     "Film: a world's own film, along its own camera path\n[a camera that stands still]");
-    command.add_flag("--resume", resume_, "Film: go on where an earlier run stopped");
+                     "Film a built-in world along its own camera path [the camera stands\n"
+                     "still]");
+    command.add_flag("--resume", resume_, "Continue a film where an earlier run stopped");
 }
 
 std::optional<FilmChoice> FilmOptions::read(const std::string& output) const
@@ -296,25 +305,30 @@ const FormatFacts& chosen_format(const std::string& output, const std::string& f
 
 void PictureOptions::add_to(CLI::App& command)
 {
-    command.add_option("--format", format_, "Of -o -: png, jpg, webp, exr, ora or svg [png]")
+    command
+        .add_option("--format", format_,
+                    "Picture format when writing to standard output: png, jpg, webp, exr,\n"
+                    "ora or svg [png]")
         ->type_name("NAME");
     command
-        .add_option("--quality", quality_, "JPEG: 1 to 100 [92]. WebP: 0 to 100; without it nothing is\nlost")
+        .add_option("--quality", quality_,
+                    "Quality of JPEG, 1 to 100, or of WebP, 0 to 100 [92 for JPEG,\n"
+                    "lossless for WebP]")
         ->type_name("Q");
     command
-        .add_option("--depth", depth_, "Bits a channel. PNG: 8 or 16 [8]. OpenEXR: 16 or 32, of floats\n[16]")
+        .add_option("--depth", depth_,
+                    "Bits per channel: 8 or 16 for PNG, 16 or 32 (floats) for OpenEXR\n"
+                    "[8 for PNG, 16 for OpenEXR]")
         ->type_name("BITS");
     command
-        .add_option(
-            "--layers", layers_,
-            "Also write paper, wash, hatching and lines apart, with masks of\nobjects: PNG files in a "
-            "new folder, or one .exr")
+        .add_option("--layers", layers_,
+                    "Also write paper, wash, hatching and lines as separate layers, with\n"
+                    "masks of objects: PNG files in a new folder, or one .exr")
         ->type_name("DIR");
     command
-        .add_option(
-            "--layer", layer_,
-            "Draw one layer or mask alone, on white: wash, hatch, lines, shadow,\nocclusion, clouds or "
-            "an object's name")
+        .add_option("--layer", layer_,
+                    "Draw one layer or mask alone, on white: wash, hatch, lines, shadow,\n"
+                    "occlusion, clouds or an object's name")
         ->type_name("NAME");
 }
 
@@ -375,10 +389,9 @@ PictureChoice PictureOptions::of_film() const
 void TransparentOption::add_to(CLI::App& command)
 {
     command
-        .add_flag(
-            "--transparent", mode_,
-            "Draw with an alpha channel and without paper behind the scene, or\nwith =paper without any "
-            "bare paper")
+        .add_flag("--transparent", mode_,
+                  "Leave the paper behind the scene transparent, with an alpha channel.\n"
+                  "--transparent=paper leaves all bare paper transparent.")
         ->type_name("[=MODE]");
 }
 

@@ -139,10 +139,11 @@ struct DevicesCommand {
     bool json = false;
 };
 
-/// Lists the presets, or prints one style in full, or the schema of all.
+/// Lists the presets, draws a scene in all of them, prints one style in full, or the schema of all.
 struct StylesCommand {
     std::string style;
     bool schema = false;
+    std::optional<DrawOptions> sheet; ///< `output` is a .png of all presets, `scene` may be empty
 };
 
 struct StyleManualCommand {};

@@ -52,12 +52,12 @@ void WorldOptions::add_to(CLI::App& command, Seed seed)
 {
     command
         .add_option("--world", assignments_,
-                    "An option of a world, such as seed=7; may be repeated (estampe info\n"
-                    "lists all worlds and their options)")
+                    "Option of a built-in world, such as seed=7. May be repeated (estampe\n"
+                    "info lists all worlds and their options).")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     if (seed == Seed::is_an_option) {
-        command.add_option("--seed", seed_, "Random seed of a world: short for --world seed=N")
+        command.add_option("--seed", seed_, "Random seed of a built-in world, short for --world seed=N")
             ->type_name("N");
     }
 }

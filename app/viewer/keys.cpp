@@ -13,62 +13,65 @@ namespace {
 constexpr int as_typed = -1; // of `modifiers`: the key is typed, whatever it takes to type it
 
 constexpr std::array pointer_keys{
-    KeyHelp{Action::none, 0, 0, "Left drag", "go around; look about when flying and walking"},
-    KeyHelp{Action::none, 0, 0, "Shift+drag, middle drag", "shift the view"},
-    KeyHelp{Action::none, 0, 0, "Wheel, right drag", "nearer and farther"},
+    KeyHelp{Action::none, 0, 0, "Left drag", "orbit around the model; look around when flying or walking"},
+    KeyHelp{Action::none, 0, 0, "Shift+drag, middle drag", "pan the view"},
+    KeyHelp{Action::none, 0, 0, "Wheel, right drag", "move closer or farther away"},
     KeyHelp{Action::none, 0, 0, "L+drag", "turn the sun"},
-    KeyHelp{Action::none, 0, 0, "Files dropped", "a scene, a style, a terrain, a tonal art map"}};
+    KeyHelp{Action::none, 0, 0, "Files dropped", "open a scene, a style, a terrain or a tonal art map"}};
 
 constexpr std::array camera_keys{
-    KeyHelp{Action::orbit, 'o', as_typed, "O", "orbit: go around the model"},
+    KeyHelp{Action::orbit, 'o', as_typed, "O", "orbit around the model"},
     KeyHelp{Action::fly, 'f', as_typed, "F", "fly: W A S D, E up, C down, Shift faster"},
     KeyHelp{Action::walk, 'g', as_typed, "G", "walk on the ground: W A S D, Shift faster"},
     KeyHelp{Action::none, 0, 0, "On foot in a world",
-            "arrows too, or a gamepad; Space jumps; a click takes the pointer"},
-    KeyHelp{Action::home, GLFW_KEY_ENTER, 0, "Enter", "the view it began with"},
-    KeyHelp{Action::front, '1', as_typed, "1", "from the front"},
-    KeyHelp{Action::back_side, GLFW_KEY_1, GLFW_MOD_CONTROL, "Ctrl+1", "from the back"},
-    KeyHelp{Action::right, '3', as_typed, "3", "from the right"},
-    KeyHelp{Action::left, GLFW_KEY_3, GLFW_MOD_CONTROL, "Ctrl+3", "from the left"},
-    KeyHelp{Action::top, '7', as_typed, "7", "from above"},
-    KeyHelp{Action::bottom, GLFW_KEY_7, GLFW_MOD_CONTROL, "Ctrl+7", "from below"},
-    KeyHelp{Action::isometric, '9', as_typed, "9", "from a corner"},
-    KeyHelp{Action::projection, '5', as_typed, "5", "parallel projection, and back"},
-    KeyHelp{Action::up_axis, 'z', as_typed, "Z", "another axis of the file points up: z, x, y"},
+            "also arrow keys or a gamepad; Space jumps; a click captures the pointer"},
+    KeyHelp{Action::home, GLFW_KEY_ENTER, 0, "Enter", "return to the first view"},
+    KeyHelp{Action::front, '1', as_typed, "1", "look from the front"},
+    KeyHelp{Action::back_side, GLFW_KEY_1, GLFW_MOD_CONTROL, "Ctrl+1", "look from the back"},
+    KeyHelp{Action::right, '3', as_typed, "3", "look from the right"},
+    KeyHelp{Action::left, GLFW_KEY_3, GLFW_MOD_CONTROL, "Ctrl+3", "look from the left"},
+    KeyHelp{Action::top, '7', as_typed, "7", "look from above"},
+    KeyHelp{Action::bottom, GLFW_KEY_7, GLFW_MOD_CONTROL, "Ctrl+7", "look from below"},
+    KeyHelp{Action::isometric, '9', as_typed, "9", "look from a corner"},
+    KeyHelp{Action::projection, '5', as_typed, "5", "switch parallel projection on or off"},
+    KeyHelp{Action::up_axis, 'z', as_typed, "Z", "choose the axis of the file that points up: z, x, y"},
     KeyHelp{Action::roll_left, '4', as_typed, "4", "roll to the left"},
     KeyHelp{Action::roll_right, '6', as_typed, "6", "roll to the right"},
-    KeyHelp{Action::add_bookmark, 'm', as_typed, "M", "keep this view as a bookmark"},
-    KeyHelp{Action::bookmark_back, GLFW_KEY_PAGE_UP, 0, "Page up", "the bookmark before"},
-    KeyHelp{Action::bookmark_on, GLFW_KEY_PAGE_DOWN, 0, "Page down", "the next bookmark"}};
+    KeyHelp{Action::add_bookmark, 'm', as_typed, "M", "save this view as a bookmark"},
+    KeyHelp{Action::bookmark_back, GLFW_KEY_PAGE_UP, 0, "Page up", "go to the previous bookmark"},
+    KeyHelp{Action::bookmark_on, GLFW_KEY_PAGE_DOWN, 0, "Page down", "go to the next bookmark"}};
 
 constexpr std::array style_keys{
     KeyHelp{Action::toggle_panel, GLFW_KEY_TAB, 0, "Tab",
-            "panel of style, light, ground, layers, views, timings"},
-    KeyHelp{Action::search, GLFW_KEY_F, GLFW_MOD_CONTROL, "Ctrl+F", "search the style"},
-    KeyHelp{Action::undo, GLFW_KEY_Z, GLFW_MOD_CONTROL, "Ctrl+Z", "undo"},
-    KeyHelp{Action::redo, GLFW_KEY_Z, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT, "Ctrl+Shift+Z", "redo"},
+            "show or hide the panel: style, light, ground, layers, views, timings"},
+    KeyHelp{Action::search, GLFW_KEY_F, GLFW_MOD_CONTROL, "Ctrl+F", "search the parameters of the style"},
+    KeyHelp{Action::undo, GLFW_KEY_Z, GLFW_MOD_CONTROL, "Ctrl+Z", "undo the last change"},
+    KeyHelp{Action::redo, GLFW_KEY_Z, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT, "Ctrl+Shift+Z",
+            "redo the last change"},
     KeyHelp{Action::save_style, GLFW_KEY_S, GLFW_MOD_CONTROL, "Ctrl+S",
-            "save the style; in the tab of the ground, that"},
-    KeyHelp{Action::style_back, '[', as_typed, "[", "the preset before"},
-    KeyHelp{Action::style_on, ']', as_typed, "]", "the next preset"},
-    KeyHelp{Action::compare, 'b', as_typed, "B", "compare with the style as it is now, and back"}};
+            "save the style, or the ground if its tab is open"},
+    KeyHelp{Action::style_back, '[', as_typed, "[", "go to the previous preset"},
+    KeyHelp{Action::style_on, ']', as_typed, "]", "go to the next preset"},
+    KeyHelp{Action::compare, 'b', as_typed, "B",
+            "compare later changes with the style as it is now, on or off"}};
 
 constexpr std::array time_keys{
-    KeyHelp{Action::play, GLFW_KEY_SPACE, 0, "Space", "play, pause"},
-    KeyHelp{Action::frame_back, GLFW_KEY_LEFT, 0, "Left", "a frame back"},
-    KeyHelp{Action::frame_on, GLFW_KEY_RIGHT, 0, "Right", "a frame on"},
-    KeyHelp{Action::next_animation, 'w', as_typed, "W", "the next animation, while going around"}};
+    KeyHelp{Action::play, GLFW_KEY_SPACE, 0, "Space", "play or pause the animation"},
+    KeyHelp{Action::frame_back, GLFW_KEY_LEFT, 0, "Left", "go back one frame"},
+    KeyHelp{Action::frame_on, GLFW_KEY_RIGHT, 0, "Right", "go on one frame"},
+    KeyHelp{Action::next_animation, 'w', as_typed, "W", "play the next animation, in orbit mode"}};
 
 constexpr std::array program_keys{
-    KeyHelp{Action::show_keys, '?', as_typed, "?", "this list"},
-    KeyHelp{Action::screenshot, GLFW_KEY_F12, 0, "F12", "write the picture as PNG"},
-    KeyHelp{Action::record, GLFW_KEY_F10, 0, "F10", "record; again: draw the film of it"},
-    KeyHelp{Action::timings, 't', as_typed, "T", "timings by pass"},
-    KeyHelp{Action::reload, GLFW_KEY_UP, 0, "Up", "read the scene again"},
-    KeyHelp{Action::toggle_bars, 'u', as_typed, "U", "the picture alone"},
-    KeyHelp{Action::toggle_full_screen, GLFW_KEY_F11, 0, "F11", "full screen"},
-    KeyHelp{Action::back, GLFW_KEY_ESCAPE, 0, "Escape", "close what is open, cancel; else quit"},
-    KeyHelp{Action::quit, 'q', as_typed, "Q", "quit"}};
+    KeyHelp{Action::show_keys, '?', as_typed, "?", "show or hide this list"},
+    KeyHelp{Action::screenshot, GLFW_KEY_F12, 0, "F12", "write the picture as a PNG file"},
+    KeyHelp{Action::record, GLFW_KEY_F10, 0, "F10", "start recording; press again to stop and draw the film"},
+    KeyHelp{Action::timings, 't', as_typed, "T", "show or hide the times of all passes"},
+    KeyHelp{Action::reload, GLFW_KEY_UP, 0, "Up", "reload the scene"},
+    KeyHelp{Action::toggle_bars, 'u', as_typed, "U", "show the picture alone"},
+    KeyHelp{Action::toggle_full_screen, GLFW_KEY_F11, 0, "F11", "switch full screen on or off"},
+    KeyHelp{Action::back, GLFW_KEY_ESCAPE, 0, "Escape",
+            "close what is open or cancel; else quit the program"},
+    KeyHelp{Action::quit, 'q', as_typed, "Q", "quit the program"}};
 
 constexpr std::array groups{KeyGroup{"Pointer", pointer_keys}, KeyGroup{"Camera", camera_keys},
                             KeyGroup{"Style", style_keys}, KeyGroup{"Time", time_keys},

@@ -77,7 +77,7 @@ double largest_difference(const LinearImage& linear, const Image& image)
     return test::largest_difference(values, image);
 }
 
-TEST(Layers, LaidOnEachOtherTheyAreThePicture)
+TEST(PictureLayers, LaidOnEachOtherTheyAreThePicture)
 {
     Renderer& renderer = test::shared_renderer();
     for (const Case& drawn : cases()) {
@@ -103,7 +103,7 @@ TEST(Layers, LaidOnEachOtherTheyAreThePicture)
     }
 }
 
-TEST(Layers, EachHoldsItsOwn)
+TEST(PictureLayers, EachHoldsItsOwn)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(still_life());
@@ -132,7 +132,7 @@ TEST(Layers, EachHoldsItsOwn)
     EXPECT_GT(inked, 100U);
 }
 
-TEST(Layers, HaveOneOfInkThatFlows)
+TEST(PictureLayers, HaveOneOfInkThatFlows)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(still_life());
@@ -158,7 +158,7 @@ TEST(Layers, HaveOneOfInkThatFlows)
     EXPECT_GT(inked, 50U) << "in its own colour";
 }
 
-TEST(Layers, MasksShareThePageAmongTheNodes)
+TEST(PictureLayers, MasksShareThePageAmongTheNodes)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(still_life());
@@ -188,7 +188,7 @@ TEST(Layers, MasksShareThePageAmongTheNodes)
     }
 }
 
-TEST(Layers, AMaskSaysWhereCloudsAre)
+TEST(PictureLayers, AMaskSaysWhereCloudsAre)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(still_life());
@@ -223,7 +223,7 @@ TEST(Layers, AMaskSaysWhereCloudsAre)
 }
 
 /// The shadow of the box lies on the floor on the side away from the sun.
-TEST(Layers, ShadowIsWhereTheSunIsKeptOff)
+TEST(PictureLayers, ShadowIsWhereTheSunIsKeptOff)
 {
     Renderer& renderer = test::shared_renderer();
     Scene scene = test::scene_of(shapes::plane(6.0F, 6.0F));
@@ -250,7 +250,7 @@ TEST(Layers, ShadowIsWhereTheSunIsKeptOff)
 }
 
 /// Beyond the margin there is nothing but paper, and the border is a line.
-TEST(Layers, EndAtTheMargin)
+TEST(PictureLayers, EndAtTheMargin)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(still_life());

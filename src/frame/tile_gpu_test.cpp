@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"ShadowLines", "manual", {"contour.shadow_mm=0.5", "contour.intersection_mm=0.5"}}),
     [](const testing::TestParamInfo<Case>& tested) { return tested.param.name; });
 
-TEST(Tiles, ComeInBandsFromTheTopDown)
+TEST(DrawnTiles, ComeInBandsFromTheTopDown)
 {
     const Style style = Style::load("comic");
     const RenderSettings settings{.width = 150, .height = 131, .tile_px = 64};
@@ -151,14 +151,14 @@ double line_width_mm(uint32_t height_px, uint32_t tile_px)
     return ink * 50.0 / height_px;
 }
 
-TEST(Tiles, LinesAreAsWideInMillimetresAtAnyDensity)
+TEST(DrawnTiles, LinesAreAsWideInMillimetresAtAnyDensity)
 {
     EXPECT_NEAR(line_width_mm(100, 0), 2.0, 0.06);
     EXPECT_NEAR(line_width_mm(100, 64), 2.0, 0.06);
     EXPECT_NEAR(line_width_mm(300, 128), 2.0, 0.06);
 }
 
-TEST(Tiles, OnAPageLongerThanAnyImageTheSameLooksTheSameEverywhere)
+TEST(DrawnTiles, OnAPageLongerThanAnyImageTheSameLooksTheSameEverywhere)
 {
     constexpr uint32_t height_px = 96;
     constexpr uint32_t period_px = 144; // a metre and a half
@@ -186,7 +186,7 @@ TEST(Tiles, OnAPageLongerThanAnyImageTheSameLooksTheSameEverywhere)
     EXPECT_LT(static_cast<double>(other), most_differing * page.width * height_px);
 }
 
-TEST(Tiles, AreRefusedWhereTheyWillNotDo)
+TEST(DrawnTiles, AreRefusedWhereTheyWillNotDo)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(crowded());

@@ -120,10 +120,11 @@ Json describe_surface(std::span<const Sheet::Section> sections)
     return {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
 }
 
-/// Which parameters those are, in words.
+/// Lists those parameters, for the manual.
 std::string surface_help(std::span<const Sheet::Section> sections)
 {
-    std::string text = "By material or object, below a line such as [material.\"brick*\".hatch]:\n";
+    std::string text = "Parameters that may differ by material or object, in a section such as "
+                       "[material.\"brick*\".hatch]:\n";
     for (const Sheet::Section& section : sections) {
         std::vector<std::string> keys;
         for (const Parameter& parameter : section.parameters) {
@@ -195,8 +196,10 @@ std::string Sheet::help() const
 std::string Sheet::json_schema() const
 {
     Json properties;
-    properties["extends"] = {{"description", "A preset or a style file whose values come first"},
-                             {"type", "string"}};
+    properties["extends"] = {
+        {"description",
+         "Preset or style file that this style builds on: all values that are not set here come from there"},
+        {"type", "string"}};
     for (const Section& section : sections_) {
         Json keys = Json::object();
         for (const Parameter& parameter : section.parameters) {
@@ -216,9 +219,11 @@ std::string Sheet::json_schema() const
         schema["$defs"]["surface"] = describe_surface(sections_);
         const Json patterns = {{"type", "object"}, {"additionalProperties", {{"$ref", "#/$defs/surface"}}}};
         schema["properties"]["material"] = patterns;
-        schema["properties"]["material"]["description"] = "Sections by the names of materials, as brick*";
+        schema["properties"]["material"]["description"] =
+            "Sections for materials whose names match a pattern, such as brick*";
         schema["properties"]["object"] = patterns;
-        schema["properties"]["object"]["description"] = "Sections by the names of objects, as tower*";
+        schema["properties"]["object"]["description"] =
+            "Sections for objects whose names match a pattern, such as tower*";
     }
     return schema.dump(2) + "\n";
 }

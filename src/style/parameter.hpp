@@ -57,7 +57,7 @@ struct Parameter {
     std::vector<std::string> choices; ///< choices, in the order of the table; of a file, names that may stand
                                       ///< in its place
     std::string unit;                 ///< "mm", "px", "deg"; empty for none
-    std::string help;                 ///< one line
+    std::string help;                 ///< a clause that stands alone, as a tooltip must
     bool by_surface = false;          ///< may differ from material to material and from object to object
     Value default_value;
     std::function<Value(const void*)> get;
@@ -75,8 +75,8 @@ struct Parameter {
 ///     inline const style::Table<HatchStyle>& hatch_table()
 ///     {
 ///         static const auto table = style::Table<HatchStyle>("hatch", "Pen strokes that carry the tone")
-///             .number("width_mm", &HatchStyle::width_mm, {0.02F, 10.0F}, "mm", "Width of a stroke")
-///             .toggle("cross", &HatchStyle::cross, "Draw the layers across each other")
+///             .number("width_mm", &HatchStyle::width_mm, {0.02F, 10.0F}, "mm", "Width of one stroke")
+///             .toggle("cross", &HatchStyle::cross, "Turns crossing layers of strokes on")
 ///             .color("ink", &HatchStyle::ink, "Colour of the ink");
 ///         return table;
 ///     }

@@ -11,7 +11,7 @@
 namespace estampe {
 namespace {
 
-TEST(Temple, Viewpoints)
+TEST(TempleGolden, Viewpoints)
 {
     const Scene scene = temple::build_temple(1);
     ASSERT_EQ(scene.cameras.size(), 12U);

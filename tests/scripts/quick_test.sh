@@ -8,7 +8,9 @@ shift
 # shellcheck source=tests/support/harness.sh
 source tests/support/harness.sh
 
-sed -n 's/^add_test(\[=\[\([^]]*\)\]=\].*/\1/p' "$@" | sort -u >"$folder/suites"
+sed -n 's/^add_test(\[=\[\([^]]*\)\]=\].*/\1/p' "$@" | sort >"$folder/suites"
+twice="$(uniq -d "$folder/suites")" # of two suites of one name CTest runs one alone
+[[ -z "$twice" ]] || wrong "suites of this name stand in two test programs: $twice"
 grep -v '^#' tests/quick_suites.txt | sed 's/^-//' | sort >"$folder/named"
 unknown="$(comm -13 "$folder/suites" "$folder/named")"
 [[ -z "$unknown" ]] || wrong "tests/quick_suites.txt names what is no suite: $unknown"

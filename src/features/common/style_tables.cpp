@@ -15,11 +15,11 @@ namespace estampe::features {
 const style::Table<PictureStyle>& picture_table()
 {
     static const auto table =
-        style::Table<PictureStyle>("picture", "What stands on the page")
+        style::Table<PictureStyle>("picture", "Blank ground below the scene")
             .choice("ground", &PictureStyle::ground,
                     {{"auto", Ground::automatic}, {"drawn", Ground::drawn}, {"none", Ground::none}},
-                    "A blank ground that takes the scene's shadow: drawn, none, or (auto) where the "
-                    "scene brings no camera of its own and is no room");
+                    "Blank ground below the scene: white paper that shows the scene's shadow. drawn: always; "
+                    "none: never; auto: if the scene has no camera of its own and is not a room.");
     return table;
 }
 

@@ -108,7 +108,7 @@ Scene thick_room()
     return scene;
 }
 
-TEST(DefaultLight, ARoomIsLitWhetherItIsOpenOrClosed)
+TEST(DefaultLightPictures, ARoomIsLitWhetherItIsOpenOrClosed)
 {
     for (const bool open : {true, false}) {
         SCOPED_TRACE(open);
@@ -124,7 +124,7 @@ TEST(DefaultLight, ARoomIsLitWhetherItIsOpenOrClosed)
     EXPECT_GT(in_the_sun.mean_ink, tones_of(draw(closed, framed(closed))).mean_ink + 0.1);
 }
 
-TEST(DefaultLight, DaylightThrowsNoEdgeOfTheOpeningThroughARoom)
+TEST(DefaultLightPictures, DaylightThrowsNoEdgeOfTheOpeningThroughARoom)
 {
     const Scene scene = thin_room(true);
     const ScenePose pose = pose_scene(scene, 0.0);
@@ -136,7 +136,7 @@ TEST(DefaultLight, DaylightThrowsNoEdgeOfTheOpeningThroughARoom)
     EXPECT_EQ(lighting.sun_casters, 0U);
 }
 
-TEST(DefaultLight, TheGroundStaysBlankHoweverLowTheSun)
+TEST(DefaultLightPictures, TheGroundStaysBlankHoweverLowTheSun)
 {
     const Scene scene = test::scene_of(shapes::box({1.0F, 1.0F, 1.0F}));
     for (const float elevation_deg : {60.0F, 20.0F, 8.0F}) {
@@ -154,13 +154,13 @@ TEST(DefaultLight, TheGroundStaysBlankHoweverLowTheSun)
     }
 }
 
-TEST(DefaultLight, AClosedHouseIsSeenFromItsCorner)
+TEST(DefaultLightPictures, AClosedHouseIsSeenFromItsCorner)
 {
     const Scene scene = thick_room();
     expect_light_half_tone_and_dark(draw(scene, framed(scene)));
 }
 
-TEST(DefaultLight, ACameraInsideOfAHouseHasALampAndOneOutsideTheSun)
+TEST(DefaultLightPictures, ACameraInsideOfAHouseHasALampAndOneOutsideTheSun)
 {
     Scene scene = thick_room();
     test::add_object(scene, shapes::cone(1.5F, 4.0F), glm::vec3(0.7F), {9.0, -0.3, 0.0});
@@ -170,7 +170,7 @@ TEST(DefaultLight, ACameraInsideOfAHouseHasALampAndOneOutsideTheSun)
     EXPECT_TRUE(test::shared_renderer().notes().empty());
 }
 
-TEST(DefaultLight, TheSunTurnsWithTheFront)
+TEST(DefaultLightPictures, TheSunTurnsWithTheFront)
 {
     // The same model, turned to look away: the picture is the same.
     Primitive beast;

@@ -56,7 +56,7 @@ bool drew_maps(const Renderer& renderer)
     return drew(renderer, "local shadows");
 }
 
-TEST(LocalShadows, AStillSceneDrawsNoMap)
+TEST(LocalShadowMaps, AStillSceneDrawsNoMap)
 {
     Renderer renderer(test::validated());
     renderer.set_scene(two_lamps());
@@ -68,7 +68,7 @@ TEST(LocalShadows, AStillSceneDrawsNoMap)
     EXPECT_EQ(first.rgba, second.rgba);
 }
 
-TEST(LocalShadows, WhatMovesWithinReachIsDrawnAfresh)
+TEST(LocalShadowMaps, WhatMovesWithinReachIsDrawnAfresh)
 {
     Renderer renderer(test::validated());
     renderer.set_scene(two_lamps());
@@ -83,7 +83,7 @@ TEST(LocalShadows, WhatMovesWithinReachIsDrawnAfresh)
     EXPECT_EQ(kept.rgba, fresh.render(camera, style, later).rgba);
 }
 
-TEST(LocalShadows, OnlyWhatMovesIsDrawnAgain)
+TEST(LocalShadowMaps, OnlyWhatMovesIsDrawnAgain)
 {
     for (const RasterPath path : {RasterPath::compute, RasterPath::hardware}) {
         RendererOptions options = test::validated();
@@ -131,7 +131,7 @@ std::vector<uint32_t> read_texels(gpu::Graph& graph, gpu::BufferId maps, size_t 
     return words;
 }
 
-TEST(LocalShadows, MapsInLayersAreThoseDrawnWholeBitForBit)
+TEST(LocalShadowMaps, MapsInLayersAreThoseDrawnWholeBitForBit)
 {
     constexpr uint32_t size = 128;
     const Scene scene = half_moving();
@@ -194,7 +194,7 @@ size_t triangle_count(const std::vector<raster::Batch>& batches)
     return sum;
 }
 
-TEST(LocalShadows, FewerTrianglesAreDrawnWhereFewMove)
+TEST(LocalShadowMaps, FewerTrianglesAreDrawnWhereFewMove)
 {
     const Scene scene = half_moving();
     const pose::MeshData layout = pose::build_meshes(scene, static_cast<Index>(scene.materials.size()));

@@ -66,15 +66,15 @@ gpu::ImageId add_bleed(gpu::Graph& graph, const BleedInputs& in, const BleedStyl
 const style::Table<BleedStyle>& bleed_table()
 {
     static const auto table =
-        style::Table<BleedStyle>("bleed", "Ink that runs into corners and narrow gaps")
+        style::Table<BleedStyle>("bleed", "Ink bleed: ink that runs into corners and narrow gaps")
             .number("width_mm", &BleedStyle::width_mm, {0.0F, 3.0F}, "mm",
-                    "How far ink runs on the page; between solid black, gaps of up to about three quarters "
-                    "of this close; 0 is off")
+                    "How far ink runs on the page: more fills corners further, and closes gaps of up to "
+                    "three quarters of this width between solid black. 0 turns ink bleed off.")
             .number("contrast", &BleedStyle::contrast, {1.0F, 20.0F}, "",
-                    "How hard the edge of the ink that ran is")
+                    "Sharpness of the edge of the ink that ran: less is soft, more is crisp")
             .number("level", &BleedStyle::level, {0.1F, 0.9F}, "",
-                    "Share of ink around a spot of paper at which it turns to ink; under 0.5 straight edges "
-                    "grow a little");
+                    "Share of ink around a spot of paper at which the spot turns to ink: less lets ink run "
+                    "further. Below 0.5, straight edges grow a little.");
     return table;
 }
 

@@ -8,43 +8,52 @@ namespace estampe::cloth {
 const style::Table<WindStyle>& wind_table()
 {
     static const auto table =
-        style::Table<WindStyle>("wind", "What moves cloth")
+        style::Table<WindStyle>("wind", "Wind that moves cloth")
             .choice(
                 "from", &WindStyle::from,
                 {{"auto", WindSource::automatic}, {"style", WindSource::style}, {"smoke", WindSource::smoke}},
-                "Whose speed and direction: (auto) the terrain's where the scene has one, or the style's; "
-                "(smoke) within the boxes that smoke rises in that of its air, elsewhere the style's")
-            .number("speed_m_s", &WindStyle::speed_m_s, {0.0F, 60.0F}, "m/s", "How fast, on the whole")
+                "Source of the wind on cloth. auto: the terrain, or the style if there is none; style: "
+                "wind.speed_m_s and wind.direction_deg; smoke: the air of the smoke within smoke boxes, "
+                "elsewhere as with style.")
+            .number("speed_m_s", &WindStyle::speed_m_s, {0.0F, 60.0F}, "m/s",
+                    "Mean speed of the wind on cloth: 0 is still air, 4 a breeze, 15 a storm. Not used when "
+                    "wind.from is auto and the scene has a terrain.")
             .number("blown_m", &WindStyle::blown_m, {-1.0F, 1e7F}, "m",
-                    "How far it has blown, where its speed changes from picture to picture; -1: its speed "
-                    "times the time")
+                    "Distance that the wind has blown already, for films in which wind.speed_m_s changes "
+                    "from frame to frame: without it, gusts would leap. -1 takes speed times time.")
             .number("direction_deg", &WindStyle::direction_deg, {-360.0F, 360.0F}, "deg",
-                    "Where it blows to: 0 is +x, 90 is +z")
+                    "Direction towards which the wind on cloth blows: 0 is +x, 90 is +z. Not used when "
+                    "wind.from is auto and the scene has a terrain.")
             .number("gustiness", &WindStyle::gustiness, {0.0F, 1.0F}, "",
-                    "How much of its speed comes and goes")
-            .number("gust_m", &WindStyle::gust_m, {0.1F, 1000.0F}, "m", "From one gust to the next, about")
+                    "How much the wind's speed comes and goes: 0 is steady, 1 varies between calm and twice "
+                    "the speed")
+            .number("gust_m", &WindStyle::gust_m, {0.1F, 1000.0F}, "m",
+                    "Distance from one gust of wind to the next, about: less is choppier")
             .number("turbulence", &WindStyle::turbulence, {0.0F, 2.0F}, "",
-                    "How fast eddies turn, of its speed")
-            .number("eddy_m", &WindStyle::eddy_m, {0.05F, 100.0F}, "m", "How large they are");
+                    "Speed of eddies in the wind, as a share of the wind's speed: 0 blows evenly, more makes "
+                    "cloth flutter")
+            .number("eddy_m", &WindStyle::eddy_m, {0.05F, 100.0F}, "m",
+                    "Size of the eddies in the wind: less makes small ripples in cloth, more large waves");
     return table;
 }
 
 const style::Table<ClothStyle>& cloth_table()
 {
     static const auto table =
-        style::Table<ClothStyle>("cloth", "Sheets that hang, lie and blow")
+        style::Table<ClothStyle>("cloth", "Cloth: sheets that hang, lie and blow")
             .number("settle_s", &ClothStyle::settle_s, {0.0F, 20.0F}, "s",
-                    "How long it has moved, from how it was laid out, when a still or a film begins")
+                    "How long cloth has moved already in a still picture, or in the first frame of a film, "
+                    "since it was laid out")
             .number("effort", &ClothStyle::effort, {0.25F, 8.0F}, "",
-                    "How finely time is cut: more stretches less and costs as much more")
+                    "Number of simulation steps for cloth, as a factor: more stretches less and takes longer")
             .number("rest_mm_s", &ClothStyle::rest_mm_s, {0.0F, 100.0F}, "mm/s",
-                    "A sheet that is slower for half a second, in still air, rests until something moves it; "
-                    "0: none rests")
+                    "Speed below which cloth comes to rest after half a second in still air, until something "
+                    "moves the cloth. 0 lets no cloth rest.")
             .choice(
                 "bodies", &ClothStyle::bodies,
                 {{"capsules", ClothBodies::capsules}, {"depth", ClothBodies::depth}},
-                "What skinned bodies are to it: (capsules) one about each bone; (depth) what lies between "
-                "their front and their back, as they are seen where they are thinnest");
+                "Shape of skinned bodies that cloth meets. capsules: one around each bone; depth: the body "
+                "between its front and back, seen along its thinnest direction, which is more exact.");
     return table;
 }
 

@@ -25,37 +25,50 @@ void add_width_keys(ContourTable& table)
 {
     table
         .number("outline_mm", &ContourStyle::outline_mm, {0.0F, 20.0F}, "mm",
-                "Width around objects and before what lies behind")
-        .number("boundary_mm", &ContourStyle::boundary_mm, {0.0F, 20.0F}, "mm", "Width between materials")
-        .number("crease_mm", &ContourStyle::crease_mm, {0.0F, 20.0F}, "mm", "Width along sharp folds")
-        .number("crease_deg", &ContourStyle::crease_deg, {1.0F, 180.0F}, "deg", "Fold from which it is sharp")
+                "Width of outlines, around objects and in front of what lies behind. 0 draws none.")
+        .number("boundary_mm", &ContourStyle::boundary_mm, {0.0F, 20.0F}, "mm",
+                "Width of lines between two materials. 0 draws none.")
+        .number("crease_mm", &ContourStyle::crease_mm, {0.0F, 20.0F}, "mm",
+                "Width of lines along sharp folds (creases). 0 draws none.")
+        .number("crease_deg", &ContourStyle::crease_deg, {1.0F, 180.0F}, "deg",
+                "Angle between two faces from which their fold counts as sharp: less draws more lines")
         .number("marked_mm", &ContourStyle::marked_mm, {0.0F, 20.0F}, "mm",
-                "Width along edges that a glTF file marks, where chains then draw no other folds and "
-                "borders; 0 leaves the marks aside")
+                "Width of lines along edges that a glTF file marks, instead of other folds and borders of "
+                "that mesh. 0 ignores the marks. Only used when contour.lines is chains.")
         .number("ridge_mm", &ContourStyle::ridge_mm, {0.0F, 20.0F}, "mm",
-                "Width along rounded folds outwards, drawn by chains; 0 draws none")
+                "Width of ridge lines, along rounded folds that point outwards. 0 draws none. Only used when "
+                "contour.lines is chains.")
         .number("valley_mm", &ContourStyle::valley_mm, {0.0F, 20.0F}, "mm",
-                "Width along rounded folds inwards, drawn by chains; 0 draws none")
+                "Width of valley lines, along rounded folds that point inwards. 0 draws none. Only used when "
+                "contour.lines is chains.")
         .number("ridge_deg", &ContourStyle::ridge_deg, {0.5F, 180.0F}, "deg",
-                "How far a surface must turn over a hundredth of its object's size to be a rounded fold")
+                "How sharply a surface must bend for ridges and valleys: its turn over a hundredth of the "
+                "object's size. Less draws more lines. Only used when contour.lines is chains.")
         .number("suggestive_mm", &ContourStyle::suggestive_mm, {0.0F, 20.0F}, "mm",
-                "Width of suggestive contours, where a surface would turn away if the eye moved, drawn by "
-                "chains; 0 draws none")
+                "Width of suggestive contours: lines where an outline would appear if the eye moved. 0 draws "
+                "none. Only used when contour.lines is chains.")
         .number("suggestive_growth", &ContourStyle::suggestive_growth, {0.0F, 10000.0F}, "",
-                "How fast a surface there must begin to bend towards the eye, for objects of one size: "
-                "less draws more")
+                "How quickly a surface must start to bend towards the eye for a suggestive contour, whatever "
+                "the object's size: less draws more lines. Only used when contour.lines is chains.")
         .number("suggestive_deg", &ContourStyle::suggestive_deg, {1.0F, 89.0F}, "deg",
-                "Least angle between the view and a surface that has suggestive contours")
+                "Smallest angle between the view and the surface normal for a suggestive contour: more "
+                "leaves out surfaces that face the eye. Only used when contour.lines is chains.")
         .number("crest_mm", &ContourStyle::crest_mm, {0.0F, 20.0F}, "mm",
-                "Width along the brinks of dunes, seen from above too, drawn by chains; 0 draws none")
+                "Width of lines along the crests of dunes, which are drawn even from above. 0 draws none. "
+                "Only used when contour.lines is chains.")
         .number("crest_deg", &ContourStyle::crest_deg, {0.5F, 89.0F}, "deg",
-                "How far the ground must turn across the wind's way at a brink, within one of its cells")
+                "How sharply the ground must bend at a crest, across the wind and within one cell of its "
+                "mesh: less draws more lines. Only used when contour.lines is chains.")
         .number("intersection_mm", &ContourStyle::intersection_mm, {0.0F, 20.0F}, "mm",
-                "Width where surfaces run into each other, drawn by chains; 0 draws none")
+                "Width of lines where surfaces pass through each other. 0 draws none. Only used when "
+                "contour.lines is chains.")
         .number("shadow_mm", &ContourStyle::shadow_mm, {0.0F, 20.0F}, "mm",
-                "Width along edges of the sun's shadows, drawn by chains; 0 draws none")
-        .number("depth_step", &ContourStyle::depth_step, {0.05F, 100.0F}, "",
-                "How far a surface must fall away behind another to be lined: less draws more");
+                "Width of lines along the edges of the sun's shadows. 0 draws none. Only used when "
+                "contour.lines is chains.")
+        .number(
+            "depth_step", &ContourStyle::depth_step, {0.05F, 100.0F}, "",
+            "Step in depth from which a surface gets an outline against the surface behind: less draws more "
+            "lines. Only used when contour.lines is page, and for shapes cut out by a texture's alpha.");
 }
 
 /// One of each for every kind of line that has keys of its own.
@@ -71,25 +84,31 @@ void for_each_line_name(const Add& add)
 
 void add_brush_keys(ContourTable& table)
 {
-    table.file_or_name("brush", &ContourStyle::brush, brush_names(),
-                       "What draws the strokes of chains: a tool, or the PNG of one stroke from left to "
-                       "right, in its alpha or in black on white");
+    table.file_or_name(
+        "brush", &ContourStyle::brush, brush_names(),
+        "Tool that draws ink lines: pen, pencil, charcoal, brush, or a PNG of one stroke from left to right, "
+        "in its alpha or black on white. Only used when contour.lines is chains.");
     for_each_line_name([&](const LineKindKeys& keys) {
         table.file_or_name(fmt::format("{}_brush", keys.name), keys.brush, brush_names(),
-                           fmt::format("Another brush for lines {}; empty for that of all", keys.place));
+                           fmt::format("Tool that draws lines {}, with the values of contour.brush. An empty "
+                                       "text takes contour.brush. Only used when contour.lines is chains.",
+                                       keys.place));
     });
     table
-        .choice("brush_fit", &ContourStyle::brush_fit,
-                {{"repeat", BrushFit::repeat}, {"stretch", BrushFit::stretch}},
-                "A brush comes again and again along a stroke, at one length and held to the surface as "
-                "things move, or once, from end to end")
+        .choice(
+            "brush_fit", &ContourStyle::brush_fit,
+            {{"repeat", BrushFit::repeat}, {"stretch", BrushFit::stretch}},
+            "How a brush lies along a stroke. repeat: again and again at one length, fixed to the surface as "
+            "things move; stretch: once from end to end. Only used when contour.lines is chains.")
         .number("brush_mm", &ContourStyle::brush_mm, {0.0F, 1000.0F}, "mm",
-                "Length after which a brush repeats; 0 for what its picture makes it at the line's width");
+                "Length after which a brush repeats along a stroke: more stretches its picture. 0 takes the "
+                "natural length at the line's width. Only used when contour.brush_fit is repeat.");
     for_each_line_name([&](const LineKindKeys& keys) {
-        table.number(fmt::format("{}_m", keys.name), keys.width_m, {0.0F, 1000.0F}, "m",
-                     fmt::format("Width in the scene of lines {}, drawn by chains: nearer is wider; 0 for "
-                                 "{}_mm of the page",
-                                 keys.place, keys.name));
+        table.number(
+            fmt::format("{}_m", keys.name), keys.width_m, {0.0F, 1000.0F}, "m",
+            fmt::format("Width of lines {} in the scene, so that near lines are wider. 0 takes "
+                        "contour.{}_mm, a width on the page. Only used when contour.lines is chains.",
+                        keys.place, keys.name));
     });
 }
 
@@ -97,42 +116,57 @@ void add_hand_keys(ContourTable& table)
 {
     table
         .choice("joints", &ContourStyle::joints, {{"round", Joints::round}, {"mitre", Joints::mitre}},
-                "Corners of strokes of chains, and where strokes end at one point")
+                "Corners of strokes, and places where strokes end at one point. round: rounded; mitre: "
+                "pointed. Only used when contour.lines is chains.")
         .number("pressure", &ContourStyle::pressure, {0.0F, 1.0F}, "",
-                "How much the width of a line varies along it")
+                "How much the width of an ink line varies along its length: 0 is even, as from a technical "
+                "pen, 1 varies most")
         .choice("pressure_from", &ContourStyle::pressure_from,
                 {{"light", PressureFrom::light}, {"turn", PressureFrom::turn}, {"both", PressureFrom::both}},
-                "Where lines swell: in the shade, where strokes of chains bend, or in both")
+                "Where ink lines swell. light: in shade; turn: where a stroke bends; both: in shade and "
+                "bends. turn and both need contour.lines to be chains.")
         .number("distance_thinning", &ContourStyle::distance_thinning, {0.0F, 1.0F}, "",
-                "How much lines thin with distance")
+                "How much ink lines thin with distance: 0 keeps one width, 1 makes far lines about a third "
+                "as wide as near ones")
         .number("taper_mm", &ContourStyle::taper_mm, {0.0F, 100.0F}, "mm",
-                "How far from its ends a stroke of a chain begins to thin")
+                "Length over which a stroke thins to its free ends: 0 is blunt, more is pointed. Only used "
+                "when contour.lines is chains.")
         .number("overshoot_mm", &ContourStyle::overshoot_mm, {0.0F, 20.0F}, "mm",
-                "How far strokes of chains run beyond their ends")
+                "How far strokes run on beyond their ends, as in an architect's sketch: 0 stops at the "
+                "corner. Only used when contour.lines is chains.")
         .number("wobble_mm", &ContourStyle::wobble_mm, {0.0F, 20.0F}, "mm",
-                "How far strokes of chains sway to either side")
+                "How far strokes sway to either side of the true edge: 0 is exact, more is a shaky hand. "
+                "Only used when contour.lines is chains.")
         .integer("strokes", &ContourStyle::strokes, {1, 3}, "",
-                 "How often the hand goes over a line of chains, each time a little otherwise")
+                 "How many times each line is drawn over: 1 is a clean line, 2 and 3 look sketched. Only "
+                 "used when contour.lines is chains.")
         .number("retrace_mm", &ContourStyle::retrace_mm, {0.0F, 20.0F}, "mm",
-                "How far later strokes of a line stray from the first")
+                "How far the second and third stroke of a line stray from the first. Only used when "
+                "contour.strokes is 2 or 3.")
         .number("jitter_ends_mm", &ContourStyle::jitter_ends_mm, {0.0F, 20.0F}, "mm",
-                "How far strokes of chains end too early or too late")
+                "How far strokes end too early or too late, at random: more is a looser sketch. Only used "
+                "when contour.lines is chains.")
         .number("jitter_offset_mm", &ContourStyle::jitter_offset_mm, {0.0F, 20.0F}, "mm",
-                "How far strokes of chains lie beside their line")
+                "How far strokes lie beside the true edge, at random: more is a looser sketch. Only used "
+                "when contour.lines is chains.")
         .number("jitter_width", &ContourStyle::jitter_width, {0.0F, 0.9F}, "",
-                "How much strokes of chains differ in width, as a share");
+                "How much strokes differ in width at random, as a share of the width: 0 makes all equal. "
+                "Only used when contour.lines is chains.");
 }
 
 void add_hidden_keys(ContourTable& table)
 {
     table
         .choice("hidden", &ContourStyle::hidden, {{"none", Hidden::none}, {"dashed", Hidden::dashed}},
-                "Lines of chains behind something")
-        .number("hidden_mm", &ContourStyle::hidden_mm, {0.0F, 20.0F}, "mm", "Width of hidden lines")
+                "Lines behind other surfaces. none: not drawn; dashed: drawn with dashes, as in a technical "
+                "drawing. Only used when contour.lines is chains.")
+        .number("hidden_mm", &ContourStyle::hidden_mm, {0.0F, 20.0F}, "mm",
+                "Width of hidden lines. Only used when contour.hidden is dashed.")
         .number("hidden_dash_mm", &ContourStyle::hidden_dash_mm, {0.1F, 100.0F}, "mm",
-                "Length of their dashes")
+                "Length of the dashes of hidden lines. Only used when contour.hidden is dashed.")
         .number("hidden_gap_mm", &ContourStyle::hidden_gap_mm, {0.1F, 100.0F}, "mm",
-                "Length of the gaps between them");
+                "Length of the gaps between the dashes of hidden lines. Only used when contour.hidden is "
+                "dashed.");
 }
 
 } // namespace
@@ -140,22 +174,25 @@ void add_hidden_keys(ContourTable& table)
 const style::Table<ContourStyle>& contour_table()
 {
     static const ContourTable table = [] {
-        ContourTable made("contour", "Ink lines where surfaces end, meet or fold");
-        made.toggle("drawn", &ContourStyle::drawn, "Whether there are lines at all")
-            .choice(
-                "lines", &ContourStyle::lines, {{"chains", Lines::chains}, {"page", Lines::page}},
-                "How lines are found: strokes along true edges (chains), or breaks between pixels (page), "
-                "which is the quicker for large meshes")
+        ContourTable made("contour", "Ink lines: outlines, folds, and where surfaces meet");
+        made.toggle("drawn", &ContourStyle::drawn,
+                    "Turns ink lines on: outlines, folds, material boundaries and other contours")
+            .choice("lines", &ContourStyle::lines, {{"chains", Lines::chains}, {"page", Lines::page}},
+                    "How ink lines are found. chains: along the edges of the mesh, as whole strokes; page: "
+                    "between pixels, without the effects of strokes, which is quicker for large meshes.")
             .choice("silhouettes", &ContourStyle::silhouettes,
                     {{"smooth", Silhouettes::smooth}, {"edges", Silhouettes::edges}},
-                    "Outlines of chains run across the faces as the shading bends, or along the edges")
-            .color("ink", &ContourStyle::ink,
-                   "Colour of the ink; a material with an outline of its own brings its own");
+                    "Where the outline of a smooth surface runs. smooth: across triangles, as the shading "
+                    "bends; edges: along the edges of the mesh. Only used when contour.lines is chains.")
+            .color(
+                "ink", &ContourStyle::ink,
+                "Colour of the ink lines. A toon material with an outline of its own keeps its own colour.");
         add_width_keys(made);
         add_brush_keys(made);
         add_hand_keys(made);
         add_hidden_keys(made);
-        made.integer("seed", &ContourStyle::seed, {0, 1000000}, "", "Another hand for another number");
+        made.integer("seed", &ContourStyle::seed, {0, 1000000}, "",
+                     "Random seed of the ink lines: another value draws them with another hand");
         made.by_surface({"drawn", "ink"});
         for (const LineKindKeys& keys : line_kind_keys) {
             made.by_surface({fmt::format("{}_mm", keys.name), fmt::format("{}_m", keys.name)});

@@ -94,7 +94,7 @@ struct ContourStyle {
 /// What each kind of line has of its own.
 struct LineKindKeys {
     const char* name;  ///< that its keys begin with
-    const char* place; ///< in words, for the manual
+    const char* place; ///< in words, for help: "lines around objects"
     float ContourStyle::*width_mm;
     float ContourStyle::*width_m;
     std::string ContourStyle::*brush;
@@ -112,17 +112,16 @@ inline constexpr std::array<LineKindKeys, shared::line_kind_count> line_kind_key
      &ContourStyle::crease_brush},
     {"marked", "along marked edges", &ContourStyle::marked_mm, &ContourStyle::marked_m,
      &ContourStyle::marked_brush},
-    {"ridge", "along rounded folds outwards", &ContourStyle::ridge_mm, &ContourStyle::ridge_m,
-     &ContourStyle::ridge_brush},
-    {"valley", "along rounded folds inwards", &ContourStyle::valley_mm, &ContourStyle::valley_m,
+    {"ridge", "along ridges", &ContourStyle::ridge_mm, &ContourStyle::ridge_m, &ContourStyle::ridge_brush},
+    {"valley", "along valleys", &ContourStyle::valley_mm, &ContourStyle::valley_m,
      &ContourStyle::valley_brush},
-    {"suggestive", "where a surface would soon turn away", &ContourStyle::suggestive_mm,
-     &ContourStyle::suggestive_m, &ContourStyle::suggestive_brush},
-    {"crest", "along crests of the ground", &ContourStyle::crest_mm, &ContourStyle::crest_m,
+    {"suggestive", "along suggestive contours", &ContourStyle::suggestive_mm, &ContourStyle::suggestive_m,
+     &ContourStyle::suggestive_brush},
+    {"crest", "along crests of dunes", &ContourStyle::crest_mm, &ContourStyle::crest_m,
      &ContourStyle::crest_brush},
-    {"intersection", "where surfaces run into each other", &ContourStyle::intersection_mm,
+    {"intersection", "where surfaces pass through each other", &ContourStyle::intersection_mm,
      &ContourStyle::intersection_m, &ContourStyle::intersection_brush},
-    {"shadow", "along edges of shadows", &ContourStyle::shadow_mm, &ContourStyle::shadow_m,
+    {"shadow", "along edges of the sun's shadows", &ContourStyle::shadow_mm, &ContourStyle::shadow_m,
      &ContourStyle::shadow_brush},
 }};
 

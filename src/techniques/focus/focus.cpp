@@ -100,24 +100,32 @@ gpu::ImageId add_focus(gpu::Graph& graph, const FocusInputs& in, const FocusStyl
 const style::Table<FocusStyle>& focus_table()
 {
     static const auto table =
-        style::Table<FocusStyle>("focus", "Focus lines, from the edge of the picture towards what matters")
-            .toggle("drawn", &FocusStyle::drawn, "Whether there are any")
+        style::Table<FocusStyle>("focus", "Focus lines: wedges that point at what matters, as in manga")
+            .toggle("drawn", &FocusStyle::drawn,
+                    "Turns focus lines on: wedges from the edge of the picture towards one point")
             .number("x", &FocusStyle::x, {-1.0F, 2.0F}, "",
-                    "Where they point, as a share of the picture's width from its left")
-            .number("y", &FocusStyle::y, {-1.0F, 2.0F}, "", "And of its height from above")
+                    "Horizontal place that focus lines point at: 0 is the left edge of the picture, 1 is the "
+                    "right edge")
+            .number("y", &FocusStyle::y, {-1.0F, 2.0F}, "",
+                    "Vertical place that focus lines point at: 0 is the top edge of the picture, 1 is the "
+                    "bottom edge")
             .number("clear", &FocusStyle::clear, {0.0F, 3.0F}, "",
-                    "Size of the oval they leave free, as a share of the picture's")
-            .number("ragged", &FocusStyle::ragged, {0.0F, 1.0F}, "", "How much they differ in length")
+                    "Size of the oval that focus lines leave free, as a share of the picture: less lets them "
+                    "reach further in")
+            .number("ragged", &FocusStyle::ragged, {0.0F, 1.0F}, "",
+                    "How much focus lines differ in length: 0 ends all at the oval, 1 is most uneven")
             .number("width_mm", &FocusStyle::width_mm, {0.05F, 20.0F}, "mm",
-                    "Width of a usual one at the edge")
+                    "Width of an average focus line at the edge of the picture")
             .number("spacing_mm", &FocusStyle::spacing_mm, {0.2F, 100.0F}, "mm",
-                    "From one to the next at the edge, on average")
+                    "Average distance between focus lines at the edge of the picture: less gives more lines")
             .number("bundles", &FocusStyle::bundles, {0.0F, 1.0F}, "",
-                    "How much they come in bundles with gaps between")
-            .color("ink", &FocusStyle::ink, "Colour of their ink")
+                    "How much focus lines gather in bundles with gaps between: 0 spreads them evenly")
+            .color("ink", &FocusStyle::ink, "Colour of the ink of focus lines")
             .number("redraws_per_s", &FocusStyle::redraws_per_s, {0.0F, 60.0F}, "",
-                    "How often they are drawn anew as time goes by; 0 leaves them as they are")
-            .integer("seed", &FocusStyle::seed, {0, 1000000}, "", "Another number, another hand");
+                    "How often focus lines are redrawn by another hand, per second of a film: 12 flickers as "
+                    "hand animation does. 0 never redraws them.")
+            .integer("seed", &FocusStyle::seed, {0, 1000000}, "",
+                     "Random seed of the focus lines: another value draws other lines");
     return table;
 }
 

@@ -249,69 +249,95 @@ gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in, const std::vect
 const style::Table<HatchStyle>& hatch_table()
 {
     static const auto table =
-        style::Table<HatchStyle>("hatch", "Pen strokes that carry the tone")
-            .toggle("drawn", &HatchStyle::drawn, "Whether there are strokes at all")
+        style::Table<HatchStyle>("hatch", "Hatching: pen strokes that carry the tone")
+            .toggle("drawn", &HatchStyle::drawn,
+                    "Turns hatching on: strokes or dots that show light and shade")
             .choice("strokes", &HatchStyle::strokes,
                     {{"lines", Strokes::lines}, {"map", Strokes::map}, {"dots", Strokes::dots}},
-                    "Lines of exact tone, the strokes of a tonal art map, or the dots of a screentone")
-            .number("width_mm", &HatchStyle::width_mm, {0.02F, 10.0F}, "mm", "Width of a stroke on the page")
+                    "Marks that carry the tone. lines: pen strokes of exact tone; map: strokes of a tonal "
+                    "art map; dots: the dots of a screentone.")
+            .number("width_mm", &HatchStyle::width_mm, {0.02F, 10.0F}, "mm",
+                    "Width of a hatching stroke on the page: wider strokes lie farther apart at the same "
+                    "tone. Only used when hatch.strokes is lines.")
             .integer("layers", &HatchStyle::layers, {1, 3}, "",
-                     "Layers of strokes that cross as tones deepen")
-            .choice(
-                "coordinates", &HatchStyle::coordinates,
-                {{"auto", Coordinates::automatic},
-                 {"uv", Coordinates::uv},
-                 {"solid", Coordinates::solid},
-                 {"form", Coordinates::form},
-                 {"height", Coordinates::height},
-                 {"wind", Coordinates::wind},
-                 {"light", Coordinates::light},
-                 {"page", Coordinates::page},
-                 {"slope", Coordinates::slope}},
-                "What strokes follow: UVs, slices through the solid, the form's curvature, level lines, the "
-                "wind, the light, the page, the ground's slopes and ripples, or (auto) the latter on the "
-                "ground, UVs where they run unbroken, and else the solid")
+                     "Number of stroke layers that cross as tones deepen: 1 never crosses, 2 and 3 "
+                     "cross-hatch. Only used when hatch.strokes is lines.")
+            .choice("coordinates", &HatchStyle::coordinates,
+                    {{"auto", Coordinates::automatic},
+                     {"uv", Coordinates::uv},
+                     {"solid", Coordinates::solid},
+                     {"form", Coordinates::form},
+                     {"height", Coordinates::height},
+                     {"wind", Coordinates::wind},
+                     {"light", Coordinates::light},
+                     {"page", Coordinates::page},
+                     {"slope", Coordinates::slope}},
+                    "What strokes follow. uv: UVs; solid: parallel slices; form: curvature; height: level "
+                    "lines; wind: hatch.wind_deg; light: the light; page: the page; slope: ground slopes and "
+                    "ripples; auto: slope on terrain, uv if unbroken, else solid.")
             .number("slant_deg", &HatchStyle::slant_deg, {-180.0F, 180.0F}, "deg",
-                    "Turn of the first layer over UVs and on the page")
+                    "Turn of the first layer of strokes, where strokes follow UVs or the page. The other "
+                    "layers turn along.")
             .number("wind_deg", &HatchStyle::wind_deg, {-360.0F, 360.0F}, "deg",
-                    "Where the wind blows to, from +z towards +x")
+                    "Bearing towards which the wind of the strokes blows: 0 is +z, 90 is +x. Only used where "
+                    "strokes follow the wind.")
             .text("materials", &HatchStyle::materials,
-                  "What the strokes of single materials follow, as in \"Skin=form, Sea=wind\"")
+                  "What strokes follow on single materials, with the values of hatch.coordinates. Example: "
+                  "\"Skin=form, Sea=wind\".")
             .number("wobble_mm", &HatchStyle::wobble_mm, {0.0F, 5.0F}, "mm",
-                    "How far a stroke strays sideways")
+                    "How far a hatching stroke strays sideways: 0 is ruled, more is a shaky hand. Only used "
+                    "when hatch.strokes is lines.")
             .number("gap_mm", &HatchStyle::gap_mm, {0.0F, 20.0F}, "mm",
-                    "White between the end of a stroke and the next")
+                    "Gap of white paper between the end of a stroke and the next: 0 draws unbroken lines. "
+                    "Only used when hatch.strokes is lines.")
             .number("taper_mm", &HatchStyle::taper_mm, {0.0F, 50.0F}, "mm",
-                    "Length over which a stroke thins to its end")
+                    "Length over which a hatching stroke thins to its ends: 0 is blunt, more is pointed. "
+                    "Only used when hatch.strokes is lines.")
             .number("length_mm", &HatchStyle::length_mm, {1.0F, 500.0F}, "mm",
-                    "Length of the shortest strokes")
+                    "Length of the shortest hatching strokes: the longest are twice as long. Only used when "
+                    "hatch.strokes is lines.")
             .number("pressure", &HatchStyle::pressure, {0.0F, 1.0F}, "",
-                    "How much the width varies along a stroke")
+                    "How much the width varies along a hatching stroke: 0 is even, as from a technical pen, "
+                    "1 varies most. Only used when hatch.strokes is lines.")
             .number("growth", &HatchStyle::growth, {0.0F, 1.0F}, "",
-                    "How a stroke begins as tone deepens: 0 as a hairline, 1 short and of full width")
+                    "How new strokes appear as tones deepen: 0 as hairlines that thicken, 1 as short strokes "
+                    "of full width that lengthen. Only used when hatch.strokes is lines.")
             .number("overrun_mm", &HatchStyle::overrun_mm, {0.0F, 5.0F}, "mm",
-                    "How far strokes run over silhouettes onto the paper")
+                    "How far strokes run past outlines onto bare paper: 0 stops at the outline. Not used "
+                    "when hatch.strokes is dots.")
             .number("fade", &HatchStyle::fade, {0.0F, 1.0F}, "",
-                    "Share of the darkness left in the far distance")
+                    "Share of the hatching's darkness that is left in the far distance: 0 fades to white "
+                    "paper, 1 does not fade")
             .number("fade_distance_m", &HatchStyle::fade_distance_m, {0.001F, 1e6F}, "m",
-                    "Distance by which half of the fading has happened")
+                    "Distance from the eye at which half of the fading has happened. Only used when "
+                    "hatch.fade is below 1.")
             .number("black_above", &HatchStyle::black_above, {0.1F, 2.0F}, "",
-                    "Darkness from which the paper is covered whole; above 1 never")
+                    "Darkness above which an area is filled with solid ink: less fills more. Above 1 nothing "
+                    "is filled.")
             .file("map", &HatchStyle::map,
-                  "A .tam file, or a folder of PNG or DDS files; without one the map is drawn as [tam] says")
+                  "Tonal art map: a .tam file, or a folder of PNG or DDS files. An empty text draws one as "
+                  "[tam] says. Only used when hatch.strokes is map.")
             .choice("map_tone", &HatchStyle::map_tone,
                     {{"order", MapTone::order}, {"blend", MapTone::blend}, {"step", MapTone::step}},
-                    "How tones of a map come together: stroke by stroke, blended, or in hard steps")
+                    "How the tones of a tonal art map join. order: stroke by stroke; blend: blended; step: "
+                    "hard steps, for a cel look. Only used when hatch.strokes is map.")
             .number("map_contrast", &HatchStyle::map_contrast, {1.0F, 100.0F}, "",
-                    "Contrast of a map about its middle; 1 leaves its greys")
+                    "Contrast of the strokes in a tonal art map: 1 keeps its greys, more gives crisper "
+                    "strokes. Only used when hatch.strokes is map.")
             .number("map_texel_mm", &HatchStyle::map_texel_mm, {0.01F, 5.0F}, "mm",
-                    "Size of a texel of the map on the page")
-            .number("dots_mm", &HatchStyle::dots_mm, {0.1F, 20.0F}, "mm", "From dot to dot of a screentone")
-            .number("dots_deg", &HatchStyle::dots_deg, {-90.0F, 90.0F}, "deg",
-                    "Turn of a screentone on the page")
+                    "Size of a texel of the tonal art map on the page: more gives wider, longer strokes, "
+                    "farther apart. Only used when hatch.strokes is map.")
+            .number("dots_mm", &HatchStyle::dots_mm, {0.1F, 20.0F}, "mm",
+                    "Distance from dot to dot of the screentone: less is finer. Only used when hatch.strokes "
+                    "is dots.")
+            .number(
+                "dots_deg", &HatchStyle::dots_deg, {-90.0F, 90.0F}, "deg",
+                "Turn of the screentone's rows of dots on the page. Only used when hatch.strokes is dots.")
             .integer("dots_tones", &HatchStyle::dots_tones, {0, 32}, "",
-                     "Tones of which screentones are cut, black among them; 0 for as many as there are")
-            .integer("seed", &HatchStyle::seed, {0, 1000000}, "", "Another number, another hand")
+                     "Number of tones of the screentone, black included, as in bought sheets. 0 varies the "
+                     "tone without steps. Only used when hatch.strokes is dots.")
+            .integer("seed", &HatchStyle::seed, {0, 1000000}, "",
+                     "Random seed of the hatching: another value draws other strokes of the same tone")
             .by_surface_but({"materials"});
     return table;
 }

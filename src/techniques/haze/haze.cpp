@@ -53,15 +53,18 @@ gpu::BufferId add_ink_left(gpu::Graph& graph, const HazeInputs& in, const HazeSt
 const style::Table<HazeStyle>& haze_table()
 {
     static const auto table =
-        style::Table<HazeStyle>("haze", "What is far fades into the sky")
+        style::Table<HazeStyle>("haze", "Haze: distant parts fade into the sky")
             .choice("mode", &HazeStyle::mode,
                     {{"auto", HazeMode::automatic}, {"drawn", HazeMode::drawn}, {"none", HazeMode::none}},
-                    "Drawn, none, or (auto) drawn where the scene has a terrain")
-            .number("start_m", &HazeStyle::start_m, {0.0F, 1e6F}, "m", "Nearer than this all is clear")
+                    "When distant parts fade. drawn: always; none: never; auto: if the scene has a terrain.")
+            .number("start_m", &HazeStyle::start_m, {0.0F, 1e6F}, "m",
+                    "Distance up to which the picture is clear of haze")
             .number("reach_m", &HazeStyle::reach_m, {0.01F, 1e6F}, "m",
-                    "Farther than that by this, half is gone; by twice as much, three quarters")
+                    "Distance beyond haze.start_m at which half of a colour has faded, and three quarters at "
+                    "twice this distance: less is denser haze")
             .number("ink", &HazeStyle::ink, {0.0F, 16.0F}, "",
-                    "How many times as soon strokes and lines are gone; 0 keeps them");
+                    "How much faster strokes and lines fade than colour: more leaves distance to the wash. 0 "
+                    "keeps strokes and lines at any distance.");
     return table;
 }
 

@@ -24,41 +24,45 @@ namespace estampe::lens {
 const style::Table<LensStyle>& lens_table()
 {
     static const auto table =
-        style::Table<LensStyle>("lens", "A lens that is sharp at one distance: depth of field")
-            .choice(
-                "mode", &LensStyle::mode,
-                {{"none", Mode::none},
-                 {"gather", Mode::gather},
-                 {"separable", Mode::separable},
-                 {"mips", Mode::mips},
-                 {"sums", Mode::sums},
-                 {"circles", Mode::circles}},
-                "None; a near and a far field (gather); a blur across and down the page (separable); smaller "
-                "pages looked up (mips), or the sum of several (sums), which are quicker and run over edges; "
-                "or the circles of confusion alone, red before the plane in focus and blue behind it")
+        style::Table<LensStyle>("lens", "Depth of field: a lens that is sharp at one distance")
+            .choice("mode", &LensStyle::mode,
+                    {{"none", Mode::none},
+                     {"gather", Mode::gather},
+                     {"separable", Mode::separable},
+                     {"mips", Mode::mips},
+                     {"sums", Mode::sums},
+                     {"circles", Mode::circles}},
+                    "How blur is computed. none: all is sharp; gather: best, with clean edges; separable: "
+                    "Gaussian blur; mips, sums: quicker, blur runs over edges; circles: shows the blur "
+                    "circles, red in front of the focus and blue behind.")
             .choice("acts_on", &LensStyle::acts_on,
                     {{"picture", ActsOn::picture}, {"wash", ActsOn::wash}, {"strokes", ActsOn::strokes}},
-                    "What is out of focus: colour, strokes and lines are blurred together, colour alone, or "
-                    "colour is blurred and strokes and lines become fewer, wider and paler")
+                    "What is blurred. picture: colour, strokes and lines together; wash: colour alone; "
+                    "strokes: colour is blurred, while strokes and lines become fewer, wider and paler.")
             .number("focal_mm", &LensStyle::focal_mm, {1.0F, 2000.0F}, "mm",
-                    "Focal length; the sensor is as large as the camera's field of view makes it")
+                    "Focal length of the lens: more blurs more. The sensor has the size that the camera's "
+                    "field of view requires.")
             .number("f_number", &LensStyle::f_number, {0.1F, 128.0F}, "",
-                    "Focal length by the width of the aperture: the smaller, the less is sharp")
+                    "Aperture of the lens as an f-number: a low value blurs strongly, a high one keeps more "
+                    "in focus")
             .number("focus_m", &LensStyle::focus_m, {0.0F, 1e6F}, "m",
-                    "Distance of the plane in focus; 0 is the middle of the scene")
+                    "Distance of the plane that is sharp. 0 focuses on the middle of the scene.")
             .text("focus_on", &LensStyle::focus_on,
-                  "Object whose middle is in focus in its place; * stands for any letters")
+                  "Object to focus on, instead of lens.focus_m. A * in the name stands for any letters.")
             .number("largest_mm", &LensStyle::largest_mm, {0.1F, 60.0F}, "mm",
-                    "Widest circle on the page that a point may become")
+                    "Largest blur circle of a point on the page: stronger blur is cut to this width")
             .integer("blades", &LensStyle::blades, {0, 12}, "",
-                     "Blades of the aperture, whose corners show in points of light; up to 2 it is round")
+                     "Number of aperture blades: from 3 on, blurred points of light become polygons. Up to 2 "
+                     "they are round.")
             .number("blade_turn_deg", &LensStyle::blade_turn_deg, {0.0F, 360.0F}, "deg",
-                    "How far the aperture is turned")
-            .number(
-                "widen", &LensStyle::widen, {0.0F, 4.0F}, "",
-                "Of strokes that are out of focus: how much wider, and farther from each other, they are by "
-                "a millimetre of blur")
-            .number("pale", &LensStyle::pale, {0.0F, 4.0F}, "", "And how much paler");
+                    "Turn of the aperture, and so of the polygons that blurred points of light become. Only "
+                    "used when lens.blades is 3 or more.")
+            .number("widen", &LensStyle::widen, {0.0F, 4.0F}, "",
+                    "How much wider and farther apart strokes are, for each millimetre of blur: 0 changes "
+                    "nothing. Only used when lens.acts_on is strokes.")
+            .number("pale", &LensStyle::pale, {0.0F, 4.0F}, "",
+                    "How much paler strokes and lines are, for each millimetre of blur: 0 changes nothing. "
+                    "Only used when lens.acts_on is strokes.");
     return table;
 }
 

@@ -14,30 +14,41 @@ namespace estampe::light {
 const style::Table<SunStyle>& sun_table()
 {
     static const auto table =
-        style::Table<SunStyle>("sun", "The sun of a place on earth, through the day and the year")
+        style::Table<SunStyle>("sun", "Position of the sun by place, date and hour")
             .choice("by", &SunStyle::by, {{"direction", SunBy::direction}, {"place", SunBy::place}},
-                    "Where the sun stands: as the scene or light.sun_azimuth_deg say, or over the place "
-                    "below, at the hour below; then it takes the place of the scene's directional lights, "
-                    "and the sky's colours follow")
-            .number("latitude_deg", &SunStyle::latitude_deg, {-90.0F, 90.0F}, "deg",
-                    "Latitude of the place, positive to the north")
+                    "What places the sun. direction: the scene's lights or light.sun_azimuth_deg; place: "
+                    "date, hour and place on earth, instead of the scene's directional lights. With place, "
+                    "the sky takes on the colours of the hour.")
+            .number(
+                "latitude_deg", &SunStyle::latitude_deg, {-90.0F, 90.0F}, "deg",
+                "Latitude of the place on earth, positive towards the north. Only used when sun.by is place.")
             .number("longitude_deg", &SunStyle::longitude_deg, {-180.0F, 180.0F}, "deg",
-                    "Longitude of the place, positive to the east; for a clock of a zone")
-            .text("date", &SunStyle::date, "The day: year, month and day, as in 2026-06-21")
-            .number("hour", &SunStyle::hour, {0.0F, 24.0F}, "h", "The hour, with fractions")
+                    "Longitude of the place on earth, positive towards the east. Only used when sun.clock is "
+                    "zone.")
+            .text("date", &SunStyle::date,
+                  "Date that sets the path of the sun over the sky: year, month and day, as in 2026-06-21. "
+                  "Only used when sun.by is place.")
+            .number("hour", &SunStyle::hour, {0.0F, 24.0F}, "h",
+                    "Time of day in hours, with fractions: 17.5 is half past five in the afternoon. Only "
+                    "used when sun.by is place.")
             .choice("clock", &SunStyle::clock, {{"sundial", Clock::sundial}, {"zone", Clock::zone}},
-                    "What tells the hour: a sundial, at 12 when the sun is highest, or a clock")
+                    "What sun.hour counts. sundial: solar time, with the sun highest at 12; zone: the clock "
+                    "of a time zone. Only used when sun.by is place.")
             .number("utc_offset_hours", &SunStyle::utc_offset_hours, {-14.0F, 14.0F}, "h",
-                    "How far that clock is ahead of universal time")
+                    "How far the clock is ahead of universal time (UTC): 1 is Central European winter time. "
+                    "Only used when sun.clock is zone.")
             .number("north_deg", &SunStyle::north_deg, {-360.0F, 360.0F}, "deg",
-                    "Bearing of north in the scene: 0 is +z, 90 +x; east is a quarter turn clockwise from it")
+                    "Bearing of north in the scene: 0 is +z, 90 is +x. East lies a quarter turn clockwise "
+                    "from north, seen from above. Only used when sun.by is place.")
             .number("haze", &SunStyle::haze, {0.0F, 1.0F}, "",
-                    "Haze in the air: 0 is clean, 0.06 a clear day, 0.3 a dull one; a low sun is weaker and "
-                    "redder in it")
+                    "Haze in the air: more makes a low sun weaker and redder. 0 is clean air, 0.06 a clear "
+                    "day, 0.3 a dull day. Only used when sun.by is place.")
             .number("warmth", &SunStyle::warmth, {0.0F, 1.0F}, "",
-                    "Share of the air's colour that the light takes on")
+                    "How much sunlight takes on the colour of the air: 0 stays white, 1 is fully red in the "
+                    "evening. Only used when sun.by is place.")
             .number("moon", &SunStyle::moon, {0.0F, 1.0F}, "",
-                    "Light of the night, from a full moon across from the sun, as a share of noon's");
+                    "Brightness of moonlight, as a share of the light at noon: 0 is a moonless night. The "
+                    "moon is full and stands across from the sun. Only used when sun.by is place.");
     return table;
 }
 

@@ -13,76 +13,88 @@ namespace estampe::light {
 const style::Table<LightStyle>& light_table()
 {
     static const auto table =
-        style::Table<LightStyle>("light", "Where the light comes from")
+        style::Table<LightStyle>("light", "Light sources and exposure")
             .choice(
                 "source", &LightStyle::source,
                 {{"auto", LightSource::automatic}, {"scene", LightSource::scene}, {"sun", LightSource::sun}},
-                "The scene's own lights, the sun below, or (auto) where the scene has no light: the sun, and "
-                "in a "
-                "room a lamp")
+                "Lights of the picture. scene: the lights of the file; sun: one sun, placed by "
+                "light.sun_azimuth_deg and light.sun_elevation_deg; auto: the lights of the file or, without "
+                "any, the sun, and a lamp in a room.")
             .number("sun_azimuth_deg", &LightStyle::sun_azimuth_deg, {-360.0F, 360.0F}, "deg",
-                    "Bearing of the sun: 0 is +z, 90 +x")
+                    "Bearing from which the sun shines: 0 is +z, 90 is +x. The sun also turns with the view "
+                    "if light.turn_sun is true.")
             .number("sun_elevation_deg", &LightStyle::sun_elevation_deg, {-10.0F, 90.0F}, "deg",
-                    "Height of the sun above the horizon")
-            .toggle(
-                "turn_sun", &LightStyle::turn_sun,
-                "Whether the sun turns with the side that the framed view shows (the bearing is right for "
-                "one "
-                "from between +z and +x), and further where it would leave too much or too little in shade; "
-                "over ground that nothing stands on, that of -34 and 45 degrees comes low from upwind")
-            .choice("metering", &LightStyle::metering,
-                    {{"lights", Metering::lights}, {"page", Metering::page}, {"manual", Metering::manual}},
-                    "What sets the exposure: the scene's lights, whatever the view; a histogram of the page; "
-                    "or ev100, for files in lux and candela")
+                    "Height of the sun above the horizon: low values throw long shadows, 90 is overhead")
+            .toggle("turn_sun", &LightStyle::turn_sun,
+                    "If true, the sun turns with the side that the framed view shows, and further if too "
+                    "much or too little lies in shade. On an empty terrain the default sun stands low and "
+                    "upwind. If false, the sun stays at its bearing.")
+            .choice(
+                "metering", &LightStyle::metering,
+                {{"lights", Metering::lights}, {"page", Metering::page}, {"manual", Metering::manual}},
+                "What sets the exposure. lights: the scene's lights, whatever the view; page: a histogram of "
+                "the picture, as in a camera; manual: light.ev100, for files in lux and candela.")
             .number("ev100", &LightStyle::ev100, {-10.0F, 24.0F}, "EV",
-                    "Exposure value at ISO 100 of manual metering: 15 is sunlight, 8 a lit room")
+                    "Exposure value at ISO 100: 15 suits sunlight, 8 a lit room; a higher value darkens the "
+                    "picture. Only used when light.metering is manual.")
             .number("adapt_stops_per_s", &LightStyle::adapt_stops_per_s, {0.0F, 100.0F}, "stops/s",
-                    "How fast the exposure by the page follows in the scene's time; 0: at once")
+                    "Speed of the automatic exposure, in stops per second of scene time: less adapts slowly, "
+                    "like an eye. 0 adapts at once. Only used when light.metering is page.")
             .number("exposure_stops", &LightStyle::exposure_stops, {-10.0F, 10.0F}, "stops",
-                    "Brighter or darker than the exposure that the scene's lights suggest")
+                    "Exposure correction: each stop up doubles the light, each stop down halves it")
             .number("ambient", &LightStyle::ambient, {0.0F, 1.0F}, "",
-                    "Light from everywhere, as a share of the sun's")
+                    "Light from all directions, as a share of the sun's light: 0 leaves shade black, more "
+                    "makes shade paler")
             .number("fill", &LightStyle::fill, {0.0F, 1.0F}, "",
-                    "Strength of a second, shadowless light from the sun's other side, which models what is "
-                    "in shade; "
-                    "for the style's sun alone")
+                    "Strength of a second light without shadows, on the other side than the sun: more models "
+                    "the forms in shade. Only used with the style's own sun.")
             .number("falloff", &LightStyle::falloff, {0.05F, 4.0F}, "",
-                    "Exponent of the cosine: 1 is Lambert's law, less keeps slanted light bright")
-            .number(
-                "paling", &LightStyle::paling, {0.0F, 1.0F}, "",
-                "Share of the sun's light that comes back to the far end of its shadow on the blank ground")
-            .toggle("shadows", &LightStyle::shadows, "Whether lights throw shadows")
+                    "How fast light weakens as a surface turns away from it: 1 follows the cosine (Lambert's "
+                    "law), less keeps slanted surfaces bright, more darkens them")
+            .number("paling", &LightStyle::paling, {0.0F, 1.0F}, "",
+                    "How much the scene's shadow on the blank ground pales towards its far end: 0 keeps one "
+                    "darkness, 1 lets it end as bright as the lit ground")
+            .toggle("shadows", &LightStyle::shadows, "Turns shadows on, for all lights")
             .integer("shadow_size", &LightStyle::shadow_size, {0, 4096}, "texels",
-                     "Side of the sun's shadow map; 0 takes about a texel for each pixel of the picture")
+                     "Side of the sun's shadow map: more gives sharper edges of shadows and takes more "
+                     "memory. 0 takes about one texel per pixel of the picture.")
             .text("lights", &LightStyle::lights,
-                  "What single lights do, by their own name or their node's, as in \"Lamp=unit_volume "
-                  "no_shadow, Sun=off\"; see the manual of light")
-            .text("objects", &LightStyle::objects,
-                  "How single objects stand to the lights, by node or material, as in \"Glass=no_cast, "
-                  "Figure=groups:2 no_receive\"");
+                  "Changes to single lights, by the name of the light or its node: off, intensity:2, "
+                  "range:5, radius:0.1, no_shadow, groups:1+3, casters:2, cone, pyramid, unit_volume. "
+                  "Example: \"Lamp=intensity:2 no_shadow, Sun=off\".")
+            .text(
+                "objects", &LightStyle::objects,
+                "How single objects take part in lighting, by the name of the node or material: no_cast, "
+                "no_receive, casts:1+2, groups:1+3. Example: \"Glass=no_cast, Figure=groups:2 no_receive\".");
     return table;
 }
 
 const style::Table<ToneStyle>& tone_table()
 {
     static const auto table =
-        style::Table<ToneStyle>("tone", "How light becomes darkness on the page")
+        style::Table<ToneStyle>("tone", "Tone curve: how light becomes darkness on the page")
             .choice(
                 "curve", &ToneStyle::curve,
                 {{"gamma", ToneCurve::gamma}, {"linear", ToneCurve::linear}, {"filmic", ToneCurve::filmic}},
-                "Light to the power of gamma; as it is; or with a shoulder that keeps bright light apart, "
-                "to the power of gamma")
-            .number("exposure", &ToneStyle::exposure, {0.05F, 20.0F}, "", "Light is multiplied by this first")
+                "Curve from light to tone. gamma: light to the power of tone.gamma; linear: light as it is; "
+                "filmic: with a soft shoulder that keeps bright areas apart, then tone.gamma.")
+            .number("exposure", &ToneStyle::exposure, {0.05F, 20.0F}, "",
+                    "Factor on light before the tone curve: less darkens the picture, more brightens it")
             .number("gamma", &ToneStyle::gamma, {0.1F, 4.0F}, "",
-                    "Exponent of light; below 1 opens the shadows")
+                    "Exponent of the tone curve: below 1 opens the shadows, above 1 darkens them. Not used "
+                    "when tone.curve is linear.")
             .number("contrast", &ToneStyle::contrast, {0.1F, 20.0F}, "",
-                    "Darkness is multiplied about its middle by this, and saturates")
-            .number("floor", &ToneStyle::floor, {0.0F, 0.9F}, "", "Darkness under this stays white paper")
-            .number("ceiling", &ToneStyle::ceiling, {0.1F, 1.0F}, "", "No tone is darker than this")
+                    "Contrast around the middle tone: less is flat and grey, more turns to black and white")
+            .number("floor", &ToneStyle::floor, {0.0F, 0.9F}, "",
+                    "Darkness below which the paper stays white: more leaves larger areas blank")
+            .number("ceiling", &ToneStyle::ceiling, {0.1F, 1.0F}, "",
+                    "Darkest tone of the picture: less keeps the deepest shadows lighter")
             .number("local_value", &ToneStyle::local_value, {0.0F, 1.0F}, "",
-                    "How much a dark material is drawn darker than a pale one in the same light")
+                    "How much a material's own brightness counts in its tone: 0 shades all materials alike, "
+                    "1 makes dark materials darker than pale ones in the same light")
             .number("occlusion", &ToneStyle::occlusion, {0.0F, 1.0F}, "",
-                    "How much the materials' occlusion textures darken what they cover")
+                    "How much occlusion textures of materials darken folds and seams: 0 ignores them, 1 "
+                    "applies them fully")
             .by_surface_but({});
     return table;
 }

@@ -112,12 +112,12 @@ gpu::ImageId add_lightmap(gpu::Graph& graph, const LightmapInputs& in, MapBuffer
 const style::Table<LightmapStyle>& lightmap_table()
 {
     static const auto table =
-        style::Table<LightmapStyle>("lightmap", "Light worked out ahead, in scenes that have any")
+        style::Table<LightmapStyle>("lightmap", "Baked light, in scenes that have a lightmap")
             .number("strength", &LightmapStyle::strength, {0.0F, 10.0F}, "",
-                    "Light of lightmaps is multiplied by this")
+                    "Brightness of the baked light: 0 leaves it out, 1 is as baked, more is brighter")
             .toggle("balance", &LightmapStyle::balance,
-                    "Whether all light is dimmed by as much as lightmaps brighten what lights and ambient "
-                    "light show");
+                    "If true, all light is dimmed so that baked light does not brighten the picture as a "
+                    "whole. If false, baked light is simply added.");
     return table;
 }
 

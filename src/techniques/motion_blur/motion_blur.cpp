@@ -29,46 +29,60 @@ namespace estampe::motion_blur {
 const style::Table<MotionBlurStyle>& motion_blur_table()
 {
     static const auto table =
-        style::Table<MotionBlurStyle>("motion_blur", "What moves while the shutter is open")
+        style::Table<MotionBlurStyle>("motion_blur", "Motion blur, speed lines and smear strokes")
             .choice("mode", &MotionBlurStyle::mode,
                     {{"none", Mode::none},
                      {"tiles", Mode::tiles},
                      {"own", Mode::own},
                      {"stretched", Mode::stretched},
                      {"velocity", Mode::velocity}},
-                    "None; spread over what it passes (tiles); blurred within its outline alone, from "
-                    "velocity to velocity (own), or within the shape that it is stretched to along its way "
-                    "(stretched); or velocities as colours, red to the right and green upwards")
+                    "How moving objects blur. none: not; tiles: over what they pass; own: within their "
+                    "outline; stretched: within their outline, stretched along the motion; velocity: shows "
+                    "velocities as colours, red to the right and green up.")
             .number("shutter_deg", &MotionBlurStyle::shutter_deg, {0.0F, 360.0F}, "deg",
-                    "How much of the time from one frame to the next the shutter is open: 360 is all")
+                    "How long the shutter is open: 360 is the whole time from frame to frame, 180 half of "
+                    "it. More blurs more and gives longer speed lines.")
             .number("frames_per_s", &MotionBlurStyle::frames_per_s, {1.0F, 1000.0F}, "/s",
-                    "Frames a second of a still; a film has its own")
+                    "Frame rate that a still picture assumes for its exposure time. Films have a frame rate "
+                    "of their own.")
             .number("largest_mm", &MotionBlurStyle::largest_mm, {0.1F, 60.0F}, "mm",
-                    "Longest way on the page that is blurred or smeared over")
-            .toggle("lines", &MotionBlurStyle::lines, "Draw speed lines behind what is fast")
+                    "Longest motion on the page that is blurred or smeared: faster objects are cut to this "
+                    "length")
+            .toggle("lines", &MotionBlurStyle::lines, "Turns speed lines on, behind objects that move fast")
             .number("lines_length", &MotionBlurStyle::lines_length, {0.1F, 20.0F}, "",
-                    "Length of speed lines, as a share of the way that is gone while the shutter is open; 30 "
-                    "mm at most")
+                    "Length of speed lines, as a factor of the motion while the shutter is open, up to 30 "
+                    "mm: more is faster to the eye. Only used when motion_blur.lines is true.")
             .number("lines_spacing_mm", &MotionBlurStyle::lines_spacing_mm, {0.5F, 50.0F}, "mm",
-                    "From one speed line to the next, about")
+                    "Distance from one speed line to the next, about: less gives more lines. Only used when "
+                    "motion_blur.lines is true.")
             .number("lines_width_mm", &MotionBlurStyle::lines_width_mm, {0.05F, 5.0F}, "mm",
-                    "Width of a speed line where it begins")
+                    "Width of a speed line at its start, next to the object. Only used when "
+                    "motion_blur.lines is true.")
             .number("lines_from_mm", &MotionBlurStyle::lines_from_mm, {0.0F, 60.0F}, "mm",
-                    "What goes less far than this while the shutter is open has no speed lines")
-            .color("lines_ink", &MotionBlurStyle::lines_ink, "Ink of the speed lines")
+                    "Motion on the page, while the shutter is open, from which an object has speed lines: "
+                    "less gives slow objects lines, too. Only used when motion_blur.lines is true.")
+            .color("lines_ink", &MotionBlurStyle::lines_ink,
+                   "Colour of the ink of speed lines. Only used when motion_blur.lines is true.")
             .toggle("smear", &MotionBlurStyle::smear,
-                    "Draw strokes of a dry brush from the edge that what moves draws after it")
-            .number("smear_length", &MotionBlurStyle::smear_length, {0.1F, 20.0F}, "",
-                    "Length of the longest smear strokes, as a share of the way that is gone while the "
-                    "shutter is open, of which largest_mm is the most")
+                    "Turns smear strokes on: strokes of a dry brush, drawn from the trailing edge of moving "
+                    "objects")
+            .number(
+                "smear_length", &MotionBlurStyle::smear_length, {0.1F, 20.0F}, "",
+                "Length of the longest smear strokes, as a factor of the motion while the shutter is open, "
+                "which counts up to motion_blur.largest_mm. Only used when motion_blur.smear is true.")
             .number("smear_spacing_mm", &MotionBlurStyle::smear_spacing_mm, {0.2F, 50.0F}, "mm",
-                    "From one smear stroke to the next, about, across their way")
+                    "Distance from one smear stroke to the next, across the motion: less gives more strokes. "
+                    "Only used when motion_blur.smear is true.")
             .number("smear_width_mm", &MotionBlurStyle::smear_width_mm, {0.05F, 10.0F}, "mm",
-                    "Width of the broadest smear strokes where they begin")
+                    "Width of the broadest smear strokes at their start, next to the object. Only used when "
+                    "motion_blur.smear is true.")
             .number("smear_from_mm", &MotionBlurStyle::smear_from_mm, {0.0F, 60.0F}, "mm",
-                    "What goes less far than this while the shutter is open has no smear strokes")
-            .color("smear_ink", &MotionBlurStyle::smear_ink, "Ink of the smear strokes")
-            .integer("seed", &MotionBlurStyle::seed, {0, 1000000}, "", "Another number, another hand");
+                    "Motion on the page, while the shutter is open, from which an object has smear strokes: "
+                    "less gives slow objects strokes, too. Only used when motion_blur.smear is true.")
+            .color("smear_ink", &MotionBlurStyle::smear_ink,
+                   "Colour of the ink of smear strokes. Only used when motion_blur.smear is true.")
+            .integer("seed", &MotionBlurStyle::seed, {0, 1000000}, "",
+                     "Random seed of speed lines and smear strokes: another value draws others");
     return table;
 }
 

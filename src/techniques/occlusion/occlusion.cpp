@@ -15,38 +15,42 @@ namespace estampe::occlusion {
 const style::Table<OcclusionStyle>& occlusion_table()
 {
     static const auto table =
-        style::Table<OcclusionStyle>("occlusion", "Corners and what lies close together are darker")
-            .toggle("drawn", &OcclusionStyle::drawn, "Whether there is any")
-            .choice(
-                "method", &OcclusionStyle::method,
-                {{"horizon", Method::horizon},
-                 {"discs", Method::discs},
-                 {"splats", Method::splats},
-                 {"uv", Method::uv},
-                 {"unsharp", Method::unsharp}},
-                "From what is seen about each pixel; between discs at all vertices, seen or not, for fine "
-                "meshes; by those discs at each pixel (splats), or at each texel of a map that lies on all "
-                "surfaces (uv), kept until something moves; or no light at all, but what lies behind "
-                "what is about it is darker")
+        style::Table<OcclusionStyle>("occlusion", "Ambient occlusion: corners and narrow gaps are darker")
+            .toggle("drawn", &OcclusionStyle::drawn,
+                    "Turns ambient occlusion on: corners, folds and places of contact are darker")
+            .choice("method", &OcclusionStyle::method,
+                    {{"horizon", Method::horizon},
+                     {"discs", Method::discs},
+                     {"splats", Method::splats},
+                     {"uv", Method::uv},
+                     {"unsharp", Method::unsharp}},
+                    "How occlusion is found. horizon: from the surfaces seen around each pixel; discs: "
+                    "between all vertices, for fine meshes; splats: from all vertices, per pixel; uv: from "
+                    "all vertices, in a texture; unsharp: darkens what lies behind edges.")
             .choice("feeds", &OcclusionStyle::feeds,
                     {{"ambient", Feeds::ambient}, {"tone", Feeds::tone}, {"layer", Feeds::layer}},
-                    "What it darkens: the light from everywhere and the fill, all light, or nothing: then "
-                    "it is there in layers alone")
+                    "What occlusion darkens. ambient: ambient and fill light; tone: all light; layer: "
+                    "nothing in the picture, only the separate layer \"occlusion\".")
             .number("radius_m", &OcclusionStyle::radius_m, {0.0F, 1e6F}, "m",
-                    "How far off a thing may be that counts, less and less up to there; 0: a fifth of the "
-                    "scene's radius")
+                    "Largest distance over which one object darkens another; the effect fades up to there. 0 "
+                    "takes a fifth of the scene's radius.")
             .number("reach_mm", &OcclusionStyle::reach_mm, {0.1F, 200.0F}, "mm",
-                    "The same on the page: where the radius is longer there, it is cut to this")
+                    "Largest occlusion radius on the page. Near the eye, occlusion.radius_m is cut to this "
+                    "length.")
             .number("thickness", &OcclusionStyle::thickness, {0.01F, 4.0F}, "",
-                    "How thick things are taken to be, since only one side is seen: a share of the radius")
+                    "Assumed thickness of objects, as a share of the occlusion radius, since only their "
+                    "fronts are seen: less lets light pass behind thin objects. Only used when "
+                    "occlusion.method is horizon.")
             .number("strength", &OcclusionStyle::strength, {0.0F, 8.0F}, "",
-                    "1 is what shuts out light; more is darker in corners")
-            .number("bleeding", &OcclusionStyle::bleeding, {0.0F, 4.0F}, "",
-                    "Of discs, splats and uv: how much light what hides throws back in the colour of its "
-                    "vertices and material; 1 is as much as a surface in even light does")
+                    "Strength of ambient occlusion: 0 has no effect, 1 is physically right, more is darker "
+                    "in corners")
+            .number(
+                "bleeding", &OcclusionStyle::bleeding, {0.0F, 4.0F}, "",
+                "Colour that surfaces throw into the corners that they darken: 0 is none, 1 is as much as an "
+                "evenly lit surface throws. Only used when occlusion.method is discs, splats or uv.")
             .integer("texels", &OcclusionStyle::texels, {64, 4096}, "texels",
-                     "Of uv: the map's side. Surfaces lie in it as their own coordinates lay them, or as "
-                     "charts that are cut");
+                     "Side of the texture that holds occlusion: more is finer and slower. Meshes whose UVs "
+                     "overlap are unwrapped into charts. Only used when occlusion.method is uv.");
     return table;
 }
 

@@ -156,32 +156,36 @@ CoverLayers add_cover(gpu::Graph& graph, const CoverLayers& drawn, glm::uvec2 si
 const style::Table<PaperStyle>& paper_table()
 {
     static const auto table =
-        style::Table<PaperStyle>("paper", "The page, and how ink and paint lie on it")
+        style::Table<PaperStyle>("paper", "Paper: the page, and how ink and paint lie on it")
             .number("height_mm", &PaperStyle::height_mm, {10.0F, 5000.0F}, "mm",
-                    "Height of the picture on the page: what millimetres of pen width refer to")
+                    "Height of the picture on the page, to which all widths in millimetres refer: less makes "
+                    "pens and strokes look larger")
             .number("margin_mm", &PaperStyle::margin_mm, {0.0F, 1000.0F}, "mm",
-                    "Blank edge around what is drawn, at most a third of the shorter side")
+                    "Blank margin around the drawing, at most a third of the shorter side")
             .number("border_mm", &PaperStyle::border_mm, {0.0F, 5.0F}, "mm",
-                    "Width of the line drawn around the picture, at its margin")
-            .color("color", &PaperStyle::color, "Colour of the paper")
+                    "Width of the line around the drawing, at the edge of the margin. 0 draws none.")
+            .color("color", &PaperStyle::color, "Colour of the paper: white, cream, or a toned sheet")
             .choice("transparent", &PaperStyle::transparent,
                     {{"none", Transparency::none},
                      {"background", Transparency::background},
                      {"paper", Transparency::paper}},
-                    "Which paper is left out of the picture, which then has an alpha channel: none, the "
-                    "background beyond all things, or all bare paper, which leaves ink and paint alone")
-            .number("grain", &PaperStyle::grain, {0.0F, 1.0F}, "", "Relief of the paper")
+                    "Which paper is transparent, so that the picture has an alpha channel. none: no paper; "
+                    "background: paper beyond all objects; paper: all bare paper, which leaves ink and paint "
+                    "alone.")
+            .number("grain", &PaperStyle::grain, {0.0F, 1.0F}, "",
+                    "Visible relief of the paper: 0 is smooth, 1 is rough")
             .number("granulation", &PaperStyle::granulation, {0.0F, 1.0F}, "",
-                    "How far paint settles in the hollows")
-            .color("ink", &PaperStyle::ink, "Ink of the strokes")
+                    "How far paint settles in the hollows of the paper: 0 is even, 1 shows the grain")
+            .color("ink", &PaperStyle::ink, "Colour of the ink of hatching strokes")
             .number("ink_break", &PaperStyle::ink_break, {0.0F, 1.0F}, "",
-                    "How far ink skips the heights of the paper")
-            .number(
-                "ink_grain", &PaperStyle::ink_grain, {0.0F, 1.0F}, "",
-                "How far strokes and lines catch on the tooth of the paper alone, as graphite and chalk do")
+                    "How far ink skips the high spots of the paper: 0 covers evenly, 1 looks like a dry pen")
+            .number("ink_grain", &PaperStyle::ink_grain, {0.0F, 1.0F}, "",
+                    "How far strokes and lines catch only on the tooth of the paper, as graphite and chalk "
+                    "do: 0 is liquid ink, 1 dry chalk")
             .number("ink_tint", &PaperStyle::ink_tint, {0.0F, 1.0F}, "",
-                    "How far coloured light colours the ink of the strokes")
-            .integer("seed", &PaperStyle::seed, {0, 1000000}, "", "Another number, another sheet");
+                    "How far coloured light colours the ink of hatching strokes: 0 keeps the ink's colour")
+            .integer("seed", &PaperStyle::seed, {0, 1000000}, "",
+                     "Random seed of the paper: another value gives another sheet");
     return table;
 }
 

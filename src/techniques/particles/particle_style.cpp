@@ -8,43 +8,63 @@ namespace estampe::particles {
 const style::Table<ParticleStyle>& particle_table()
 {
     static const auto table =
-        style::Table<ParticleStyle>("particles", "Smoke, dust and sparks from objects without a mesh")
+        style::Table<ParticleStyle>("particles",
+                                    "Particles: smoke, dust and sparks from objects without a mesh")
             .text("emitters", &ParticleStyle::emitters,
-                  "Objects that give particles along their own +y, as patterns between commas")
+                  "Objects without a mesh that give particles along their own +y, as name patterns with "
+                  "commas between them")
             .choice("look", &ParticleStyle::look,
                     {{"drawn", Look::drawn},
                      {"wash", Look::wash},
                      {"blots", Look::blots},
                      {"strokes", Look::strokes}},
-                    "One mass with an outline, soft colour, blots of ink, or short strokes of ink")
-            .number("per_s", &ParticleStyle::per_s, {0.0F, 200.0F}, "1/s", "How many each of them gives")
-            .number("life_s", &ParticleStyle::life_s, {0.05F, 100.0F}, "s", "How long a particle lasts")
-            .number("speed_mps", &ParticleStyle::speed_mps, {0.0F, 100.0F}, "m/s", "Speed at which it leaves")
+                    "How particles are drawn. drawn: one mass with an outline; wash: soft colour; blots: "
+                    "blots of ink; strokes: short strokes of ink.")
+            .number("per_s", &ParticleStyle::per_s, {0.0F, 200.0F}, "1/s",
+                    "Number of particles that each emitter gives per second")
+            .number("life_s", &ParticleStyle::life_s, {0.05F, 100.0F}, "s",
+                    "How long a particle lives before it is gone")
+            .number("speed_mps", &ParticleStyle::speed_mps, {0.0F, 100.0F}, "m/s",
+                    "Speed at which particles leave their emitter")
             .number("spread_deg", &ParticleStyle::spread_deg, {0.0F, 180.0F}, "deg",
-                    "How far off the emitter's direction it leaves at most")
+                    "Largest angle between a particle's first direction and the emitter's: 0 is a jet, 90 a "
+                    "half sphere, 180 every direction")
             .number("lift_mps2", &ParticleStyle::lift_mps2, {-20.0F, 20.0F}, "m/s2",
-                    "What it gains upwards, or falls")
+                    "Upward acceleration of particles: above 0 they rise like smoke, below 0 they fall like "
+                    "sparks")
             .number("wind_mps", &ParticleStyle::wind_mps, {0.0F, 100.0F}, "m/s",
-                    "Speed of the wind that takes it along")
+                    "Speed of the wind that carries particles along")
             .number("wind_deg", &ParticleStyle::wind_deg, {-360.0F, 360.0F}, "deg",
-                    "Bearing the wind blows to: 0 is +z, 90 +x")
+                    "Bearing towards which the wind carries particles: 0 is +z, 90 is +x")
             .number("swirl_mps", &ParticleStyle::swirl_mps, {0.0F, 100.0F}, "m/s",
-                    "Speed of swirls in the air")
-            .number("swirl_m", &ParticleStyle::swirl_m, {0.01F, 1000.0F}, "m", "Size of a swirl")
-            .number("size_m", &ParticleStyle::size_m, {0.001F, 100.0F}, "m", "Width of a new particle")
-            .number("grown_m", &ParticleStyle::grown_m, {0.001F, 100.0F}, "m", "And of an old one")
+                    "Speed of the swirls that particles drift through: 0 lets them fly smoothly, more "
+                    "scatters them")
+            .number("swirl_m", &ParticleStyle::swirl_m, {0.01F, 1000.0F}, "m",
+                    "Size of the swirls that particles drift through")
+            .number("size_m", &ParticleStyle::size_m, {0.001F, 100.0F}, "m",
+                    "Width of a particle when it leaves its emitter")
+            .number("grown_m", &ParticleStyle::grown_m, {0.001F, 100.0F}, "m",
+                    "Width of a particle at the end of its life")
             .file_or_name("sheet", &ParticleStyle::sheet, {"smoke"},
-                          "Picture of rows and columns of frames, shown one after the other: white is dense; "
-                          "or a puff of smoke that is worked out; without one particles are ragged discs")
-            .integer("rows", &ParticleStyle::rows, {1, 64}, "", "Of a picture's sheet")
-            .integer("columns", &ParticleStyle::columns, {1, 64}, "", "Of a picture's sheet")
-            .color("color", &ParticleStyle::color, "Colour of drawn and soft ones")
-            .number("opacity", &ParticleStyle::opacity, {0.0F, 1.0F}, "", "How dense a particle is")
-            .number("outline_mm", &ParticleStyle::outline_mm, {0.0F, 10.0F}, "mm", "Width of drawn outlines")
-            .color("ink", &ParticleStyle::ink, "Colour of outlines, blots and strokes")
-            .number("soft_m", &ParticleStyle::soft_m, {0.001F, 100.0F}, "m",
-                    "Before a surface it fades over so much")
-            .integer("seed", &ParticleStyle::seed, {0, 1000000}, "", "Another number, other particles")
+                          "Picture of a particle as a sprite sheet of frames over its life, where white is "
+                          "dense; or smoke, a simulated puff. An empty text gives ragged discs.")
+            .integer("rows", &ParticleStyle::rows, {1, 64}, "",
+                     "Number of rows of frames in the picture that particles.sheet names")
+            .integer("columns", &ParticleStyle::columns, {1, 64}, "",
+                     "Number of columns of frames in the picture that particles.sheet names")
+            .color("color", &ParticleStyle::color,
+                   "Colour of particles. Only used when particles.look is drawn or wash.")
+            .number("opacity", &ParticleStyle::opacity, {0.0F, 1.0F}, "",
+                    "Opacity of a particle: 0 is invisible, 1 is dense")
+            .number("outline_mm", &ParticleStyle::outline_mm, {0.0F, 10.0F}, "mm",
+                    "Width of the outline around particles. Only used when particles.look is drawn.")
+            .color("ink", &ParticleStyle::ink,
+                   "Colour of the ink of particles: their outlines, blots or strokes")
+            .number(
+                "soft_m", &ParticleStyle::soft_m, {0.001F, 100.0F}, "m",
+                "Distance in front of a surface over which particles fade: more hides where they cut into it")
+            .integer("seed", &ParticleStyle::seed, {0, 1000000}, "",
+                     "Random seed of the particles: another value gives other particles")
             .by_surface_but({"emitters"});
     return table;
 }

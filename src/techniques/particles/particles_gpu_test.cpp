@@ -122,7 +122,7 @@ std::vector<Particle> crowd()
     return particles;
 }
 
-TEST(Particles, AreReadByGroupsAsByPixels)
+TEST(ParticlePictures, AreReadByGroupsAsByPixels)
 {
     for (const Look look : {Look::wash, Look::drawn}) {
         ParticleStyle style = soft();
@@ -142,7 +142,7 @@ TEST(Particles, AreReadByGroupsAsByPixels)
     }
 }
 
-TEST(Particles, ColourWhatTheyAreBeforeAndHideItsStrokes)
+TEST(ParticlePictures, ColourWhatTheyAreBeforeAndHideItsStrokes)
 {
     const Page page;
     const Drawn drawn = page.draw(soft(), {at({0.0, 0.0, 0.0})});
@@ -160,7 +160,7 @@ TEST(Particles, ColourWhatTheyAreBeforeAndHideItsStrokes)
     EXPECT_GT(cover(drawn), 1.0 * radius_px * radius_px);
 }
 
-TEST(Particles, FadeBeforeASurfaceAndAreNotSeenBehindIt)
+TEST(ParticlePictures, FadeBeforeASurfaceAndAreNotSeenBehindIt)
 {
     ParticleStyle style = soft();
     style.soft_m = 2.0F;
@@ -175,7 +175,7 @@ TEST(Particles, FadeBeforeASurfaceAndAreNotSeenBehindIt)
     EXPECT_EQ(cover(page.draw(style, {at({0.0, 0.0, 12.0})})), 0.0) << "nor behind the eye";
 }
 
-TEST(Particles, HaveNoSeamsBetweenTilesOfThePage)
+TEST(ParticlePictures, HaveNoSeamsBetweenTilesOfThePage)
 {
     const Page page;
     const double pixel_m = 10.0 * static_cast<double>(features::pixel_size(page.camera, size_px.y).at_one_m);
@@ -189,7 +189,7 @@ TEST(Particles, HaveNoSeamsBetweenTilesOfThePage)
     }
 }
 
-TEST(Particles, DrawInkInPlaceOfColourAsTheirLookSays)
+TEST(ParticlePictures, DrawInkInPlaceOfColourAsTheirLookSays)
 {
     const Page page;
     for (const Look look : {Look::blots, Look::strokes}) {
@@ -204,7 +204,7 @@ TEST(Particles, DrawInkInPlaceOfColourAsTheirLookSays)
     EXPECT_EQ(std::ranges::min(page.draw(drawn_style, {at({0.0, 0.0, 0.0})}).hatch), 0.0F);
 }
 
-TEST(Particles, ShowTheFrameOfTheSheetThatTheirAgeHas)
+TEST(ParticlePictures, ShowTheFrameOfTheSheetThatTheirAgeHas)
 {
     const test::Folder folder;
     Image picture{.width = 16, .height = 8, .rgba = std::vector<uint8_t>(size_t{16} * 8 * 4, 255)};
@@ -233,7 +233,7 @@ TEST(Particles, ShowTheFrameOfTheSheetThatTheirAgeHas)
     EXPECT_THROW(static_cast<void>(page.draw(style, {})), Error);
 }
 
-TEST(Particles, FadeIntoTheSkyByHowFarTheyAre)
+TEST(ParticlePictures, FadeIntoTheSkyByHowFarTheyAre)
 {
     Page page;
     const std::vector<Particle> particles{at({0.0, 0.0, 0.0})}; // ten metres off, red

@@ -179,29 +179,29 @@ void expect_posed(const Scene& scene, double time_s)
     EXPECT_LT(worst_normal, 1e-3);
 }
 
-TEST(Pose, PlacesTurnsAndMirrors)
+TEST(PosedMeshes, PlacesTurnsAndMirrors)
 {
     expect_posed(posed_scene(), 0.0);
 }
 
-TEST(Pose, Morphs)
+TEST(PosedMeshes, Morphs)
 {
     expect_posed(morphing_scene(), 0.0);
     expect_posed(morphing_scene(), 0.6);
 }
 
-TEST(Pose, Instances)
+TEST(PosedMeshes, Instances)
 {
     expect_posed(instanced_scene(), 0.0);
 }
 
-TEST(Pose, SkinsWithEightInfluences)
+TEST(PosedMeshes, SkinsWithEightInfluences)
 {
     expect_posed(skinned_scene(), 0.0);
     expect_posed(skinned_scene(), 0.5);
 }
 
-TEST(Pose, OfWhatMovedIsThatOfAll)
+TEST(PosedMeshes, OfWhatMovedIsThatOfAll)
 {
     // Boxes that stand, rise at a time of their own, and stand again.
     Scene scene = morphing_scene();
@@ -280,7 +280,7 @@ Scene one_sided_box(const glm::dvec3& scale, bool skinned)
     return scene;
 }
 
-TEST(Pose, AMirroredBoxShowsItsOutside)
+TEST(PosedMeshes, AMirroredBoxShowsItsOutside)
 {
     const auto [count, depth] = seen(one_sided_box(glm::dvec3(1.0), false));
     EXPECT_GT(count, 500);
@@ -293,7 +293,7 @@ TEST(Pose, AMirroredBoxShowsItsOutside)
     }
 }
 
-TEST(Pose, ABoxThatMirrorsItselfInTimeShowsItsOutside)
+TEST(PosedMeshes, ABoxThatMirrorsItselfInTimeShowsItsOutside)
 {
     const auto [count, depth] = seen(one_sided_box(glm::dvec3(1.0), false));
     for (const bool skinned : {false, true}) {

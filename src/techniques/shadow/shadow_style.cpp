@@ -12,45 +12,51 @@ namespace estampe::shadow {
 const style::Table<ShadowStyle>& shadow_table()
 {
     static const auto table =
-        style::Table<ShadowStyle>("shadow", "How shadows fall")
-            .choice(
-                "sun_map", &ShadowStyle::sun_map,
-                {{"auto", SunMapKind::automatic},
-                 {"whole", SunMapKind::whole},
-                 {"clipmap", SunMapKind::clipmap},
-                 {"faded", SunMapKind::faded},
-                 {"warped", SunMapKind::warped}},
-                "The sun's shadow map: one for the whole scene; maps about the eye, each twice as wide as "
-                "the last; one about the eye, whose shadow pales towards its edge; one in perspective, whose "
-                "texels grow with distance, but whose edges crawl; or (auto) whole, unless the scene is far "
-                "larger than what is near")
+        style::Table<ShadowStyle>("shadow", "Shadow maps and the edges of shadows")
+            .choice("sun_map", &ShadowStyle::sun_map,
+                    {{"auto", SunMapKind::automatic},
+                     {"whole", SunMapKind::whole},
+                     {"clipmap", SunMapKind::clipmap},
+                     {"faded", SunMapKind::faded},
+                     {"warped", SunMapKind::warped}},
+                    "Shadow map of the sun. whole: one for the scene; clipmap: several around the eye, each "
+                    "twice as wide; faded: one around the eye, fading out; warped: one in perspective, with "
+                    "crawling edges; auto: whole, or clipmap in vast scenes.")
             .number("faded_reach_m", &ShadowStyle::faded_reach_m, {0.1F, 1e5F}, "m",
-                    "How far a faded map reaches to each side")
-            .choice("edge", &ShadowStyle::edge,
-                    {{"plain", Edge::plain}, {"strokes", Edge::strokes}, {"waves", Edge::waves}},
-                    "Edges of shadows: plain; the hatching's strokes run past them; or teeth of their own, "
-                    "along two directions fixed to the world. Without lines to follow, strokes are waves")
+                    "Distance from the eye within which the sun throws shadows: shadows fade out towards it. "
+                    "Only used when shadow.sun_map is faded.")
+            .choice(
+                "edge", &ShadowStyle::edge,
+                {{"plain", Edge::plain}, {"strokes", Edge::strokes}, {"waves", Edge::waves}},
+                "Edges of shadows. plain: clean; strokes: hatching strokes run past the edge; waves: teeth "
+                "in two directions that are fixed in the world. Without hatching lines, strokes draws waves.")
             .number("edge_reach_mm", &ShadowStyle::edge_reach_mm, {0.0F, 20.0F}, "mm",
-                    "How far the teeth reach to either side of the edge")
+                    "How far the teeth of a shadow's edge reach to either side: 0 is a clean edge, more is a "
+                    "ragged one. Only used when shadow.edge is strokes or waves.")
             .number("edge_spacing_mm", &ShadowStyle::edge_spacing_mm, {0.05F, 20.0F}, "mm",
-                    "Waves: shortest distance between two teeth; the longest is twice that")
+                    "Shortest distance between two teeth of a shadow's edge; the longest is twice as much. "
+                    "Only used when shadow.edge is waves.")
             .number("edge_variety", &ShadowStyle::edge_variety, {0.0F, 1.0F}, "",
-                    "How much the teeth differ in length")
+                    "How much the teeth of a shadow's edge differ in length: 0 makes all equal, 1 makes some "
+                    "hardly visible. Only used when shadow.edge is strokes or waves.")
             .number("edge_slant_deg", &ShadowStyle::edge_slant_deg, {-180.0F, 180.0F}, "deg",
-                    "Waves: bearing of the first direction that the teeth are set across; 0 is +z, 90 +x")
+                    "Bearing across which the first set of teeth stands at a shadow's edge: 0 is +z, 90 is "
+                    "+x. Only used when shadow.edge is waves.")
             .number("sun_radius_deg", &ShadowStyle::sun_radius_deg, {0.0F, 15.0F}, "deg",
-                    "Half the angle that the sun fills: 0 for hard edges, 0.27 as it is; penumbrae widen "
-                    "with distance, and teeth with them")
+                    "Half the angle that the sun fills in the sky: more softens shadows, farther from what "
+                    "throws them. 0 gives hard edges, 0.27 is the real sun.")
             .number("lamp_radius_m", &ShadowStyle::lamp_radius_m, {0.0F, 10.0F}, "m",
-                    "Radius of lamps and spots that do not say their own: 0 for hard edges")
+                    "Radius of point and spot lights that have none of their own: a larger lamp throws "
+                    "softer shadows. 0 gives hard edges.")
             .integer("local_lights", &ShadowStyle::local_lights, {0, 4096}, "",
-                     "How many lamps and spots throw shadows at most; those that light most of the page do")
+                     "Largest number of point and spot lights that throw shadows: those that light most of "
+                     "the picture")
             .integer("local_size", &ShadowStyle::local_size, {0, 4096}, "texels",
-                     "Largest side of a spot's shadow map, and of each of a lamp's six; 0 takes the page's "
-                     "longer side for a spot and half of it for a lamp, within 256 and 2048")
+                     "Largest side of a spot light's shadow map, and of each of the six maps of a point "
+                     "light. 0 takes a size that suits the picture, between 256 and 2048.")
             .number("local_megatexels", &ShadowStyle::local_megatexels, {0.1F, 32.0F}, "million texels",
-                    "What all these maps hold together, as much again lying behind them where casters move; "
-                    "beyond it they are made smaller, and at last left out");
+                    "Memory for the shadow maps of all point and spot lights. Beyond it, maps get smaller "
+                    "and the least important lights lose their shadows. Moving objects need as much again.");
     return table;
 }
 

@@ -120,43 +120,71 @@ Sky add_sky(gpu::Graph& graph, const SkyInputs& in, const SkyStyle& style)
 const style::Table<SkyStyle>& sky_table()
 {
     static const auto table =
-        style::Table<SkyStyle>("sky", "The background: a wash with long level strokes")
+        style::Table<SkyStyle>("sky", "Sky: a wash with long level strokes")
             .choice("mode", &SkyStyle::mode,
                     {{"auto", SkyMode::automatic}, {"drawn", SkyMode::drawn}, {"paper", SkyMode::paper}},
-                    "Drawn, bare paper, or (auto) drawn where the scene brings a camera and a sun")
-            .color("horizon", &SkyStyle::horizon, "Colour of the wash at the horizon")
-            .color("zenith", &SkyStyle::zenith, "Colour of the wash high above")
-            .number("darkness", &SkyStyle::darkness, {0.0F, 1.0F}, "", "Darkness of the strokes high above")
-            .number("width_mm", &SkyStyle::width_mm, {0.02F, 10.0F}, "mm", "Width of a stroke on the page")
+                    "Background of the picture. drawn: a sky; paper: bare paper; auto: a sky if the scene "
+                    "brings a camera and a sun.")
+            .color("horizon", &SkyStyle::horizon,
+                   "Colour of the sky at the horizon, or at the horizon under a sun 4 to 12 degrees high if "
+                   "the sky follows the sun")
+            .color("zenith", &SkyStyle::zenith,
+                   "Colour of the sky high above, or high above under a sun 4 to 12 degrees high if the sky "
+                   "follows the sun")
+            .number("darkness", &SkyStyle::darkness, {0.0F, 1.0F}, "",
+                    "Darkness of the strokes high in the sky: 0 draws none")
+            .number("width_mm", &SkyStyle::width_mm, {0.02F, 10.0F}, "mm",
+                    "Width of a stroke of the sky on the page")
             .choice("follow", &SkyStyle::follow,
                     {{"auto", SkyFollow::automatic}, {"sun", SkyFollow::sun}, {"none", SkyFollow::none}},
-                    "Whether horizon and zenith are those of a low sun and the colours below those of other "
-                    "hours, by the height of the sun: yes, no, or (auto) where sun.by = place")
-            .color("noon_horizon", &SkyStyle::noon_horizon, "Horizon under a sun higher than 40 degrees")
-            .color("noon_zenith", &SkyStyle::noon_zenith, "Zenith under a sun higher than 40 degrees")
-            .color("dusk_horizon", &SkyStyle::dusk_horizon, "Horizon when the sun is 2 degrees under it")
+                    "When the sky's colours follow the height of the sun, through noon, dusk and night. sun: "
+                    "always; none: never; auto: if sun.by is place.")
+            .color("noon_horizon", &SkyStyle::noon_horizon,
+                   "Colour of the sky at the horizon when the sun is above 40 degrees. Only used when the "
+                   "sky follows the sun (see sky.follow).")
+            .color("noon_zenith", &SkyStyle::noon_zenith,
+                   "Colour of the sky high above when the sun is above 40 degrees. Only used when the sky "
+                   "follows the sun (see sky.follow).")
+            .color("dusk_horizon", &SkyStyle::dusk_horizon,
+                   "Colour of the sky at the horizon when the sun is 2 degrees below it. Only used when the "
+                   "sky follows the sun (see sky.follow).")
             .color("dusk_zenith", &SkyStyle::dusk_zenith,
-                   "Zenith when the sun is 2 degrees under the horizon")
+                   "Colour of the sky high above when the sun is 2 degrees below the horizon. Only used when "
+                   "the sky follows the sun (see sky.follow).")
             .color("night_horizon", &SkyStyle::night_horizon,
-                   "Horizon when the sun is 10 degrees under it and lower")
+                   "Colour of the sky at the horizon when the sun is 10 degrees or more below it. Only used "
+                   "when the sky follows the sun (see sky.follow).")
             .color("night_zenith", &SkyStyle::night_zenith,
-                   "Zenith when the sun is 10 degrees under the horizon and lower")
+                   "Colour of the sky high above when the sun is 10 degrees or more below the horizon. Only "
+                   "used when the sky follows the sun (see sky.follow).")
             .number("night_darkness", &SkyStyle::night_darkness, {0.0F, 1.0F}, "",
-                    "Darkness of the strokes high above at night")
+                    "Darkness of the strokes high in the sky at night. Only used when the sky follows the "
+                    "sun (see sky.follow).")
             .integer("steps", &SkyStyle::steps, {0, 12}, "",
-                     "Flat tones from horizon to zenith, each wiped a little into the next; 0 grades evenly")
-            .color("high_band", &SkyStyle::high_band, "Colour of a band that is wiped in from above")
+                     "Number of flat tones from horizon to zenith, each wiped into the next as in a "
+                     "woodblock print. 0 grades the sky evenly.")
+            .color("high_band", &SkyStyle::high_band,
+                   "Colour of a band that is wiped into the sky from above. Only used when sky.high_band_deg "
+                   "is below 90.")
             .number("high_band_deg", &SkyStyle::high_band_deg, {0.0F, 90.0F}, "deg",
-                    "Height of the middle of its edge; 90 draws none")
-            .color("low_band", &SkyStyle::low_band, "Colour of a band that is wiped in at the horizon")
+                    "Height above the horizon of the lower edge of the high band: less brings the band "
+                    "further down. 90 draws none.")
+            .color("low_band", &SkyStyle::low_band,
+                   "Colour of a band that is wiped into the sky at the horizon. Only used when "
+                   "sky.low_band_deg is above 0.")
             .number("low_band_deg", &SkyStyle::low_band_deg, {0.0F, 90.0F}, "deg",
-                    "Height of the middle of its edge; 0 draws none")
-            .number("disc_deg", &SkyStyle::disc_deg, {0.0F, 45.0F}, "deg",
-                    "Width of the sun's disc, and by night of the moon's; 0 draws neither, 0.53 is nature's")
-            .color("sun_color", &SkyStyle::sun_color, "Colour of the sun's disc")
-            .color("moon_color", &SkyStyle::moon_color, "Colour of the moon's")
+                    "Height above the horizon of the upper edge of the low band: more makes the band taller. "
+                    "0 draws none.")
+            .number(
+                "disc_deg", &SkyStyle::disc_deg, {0.0F, 45.0F}, "deg",
+                "Width of the disc of the sun, and of the moon at night: 0.53 is natural. 0 draws neither.")
+            .color("sun_color", &SkyStyle::sun_color,
+                   "Colour of the sun's disc. Only used when sky.disc_deg is above 0.")
+            .color("moon_color", &SkyStyle::moon_color,
+                   "Colour of the moon's disc. Only used when sky.disc_deg is above 0.")
             .number("moon_lit", &SkyStyle::moon_lit, {0.0F, 1.0F}, "",
-                    "Share of the moon's width that shines");
+                    "Share of the moon's width that shines: 0.5 is a half moon, 1 a full moon. Only used "
+                    "when sky.disc_deg is above 0.");
     return table;
 }
 

@@ -25,35 +25,46 @@ namespace estampe::subsurface {
 const style::Table<SubsurfaceStyle>& subsurface_table()
 {
     static const auto table =
-        style::Table<SubsurfaceStyle>("subsurface", "Light that goes into things: skin, wax, leaves")
-            .toggle("drawn", &SubsurfaceStyle::drawn, "Whether any does")
-            .number("scatter_m", &SubsurfaceStyle::scatter_m, {0.0F, 1e4F}, "m",
-                    "Measure of how far light spreads under the surface: half of it comes out within one "
-                    "and a half of this; 0: where it went in")
-            .color("scatter_color", &SubsurfaceStyle::scatter_color,
-                   "How far each colour spreads, its channels times that")
-            .number("depth_m", &SubsurfaceStyle::depth_m, {0.0F, 1e4F}, "m",
-                    "Thickness that leaves the tint of white light from behind; 0: none comes through")
-            .color("tint", &SubsurfaceStyle::tint, "What is left of white light at that thickness")
-            .number("strength", &SubsurfaceStyle::strength, {0.0F, 8.0F}, "",
-                    "Of the light that comes through; 1 is as much as falls on the other side")
-            .number("sheet_m", &SubsurfaceStyle::sheet_m, {0.0F, 1e4F}, "m",
-                    "How thick sheets are, which have no far side")
-            .number("behind", &SubsurfaceStyle::behind, {0.0F, 1.0F}, "",
-                    "How much is seen of what lies behind: 0 nothing, 1 all that the tint lets through")
-            .number("behind_blur", &SubsurfaceStyle::behind_blur, {0.0F, 8.0F}, "",
-                    "How much thickness blurs what lies behind: the blur's deviation in the scene by the "
-                    "thickness of all that is looked through")
+        style::Table<SubsurfaceStyle>("subsurface",
+                                      "Subsurface scattering: light within skin, wax, leaves and glass")
             .toggle(
-                "transmission", &SubsurfaceStyle::transmission,
-                "Whether what the file says is seen through (glTF's transmission and volume) is, where the "
-                "style has no behind for it")
+                "drawn", &SubsurfaceStyle::drawn,
+                "Turns subsurface scattering on: light spreads under surfaces and shines through thin ones")
+            .number("scatter_m", &SubsurfaceStyle::scatter_m, {0.0F, 1e4F}, "m",
+                    "How far light spreads under a surface: half of the light leaves within 1.5 times this "
+                    "distance. 0 does not spread light; more makes skin look like wax.")
+            .color("scatter_color", &SubsurfaceStyle::scatter_color,
+                   "How far each colour spreads, as a factor of subsurface.scatter_m: a reddish colour gives "
+                   "shadows red edges, as on skin")
+            .number("depth_m", &SubsurfaceStyle::depth_m, {0.0F, 1e4F}, "m",
+                    "Thickness at which light that shines through takes the colour of subsurface.tint: more "
+                    "lets more light through. 0 lets no light through.")
+            .color("tint", &SubsurfaceStyle::tint,
+                   "Colour of white light that has shone through the thickness subsurface.depth_m")
+            .number(
+                "strength", &SubsurfaceStyle::strength, {0.0F, 8.0F}, "",
+                "Brightness of light that shines through: 0 is none, 1 is as much as falls on the far side")
+            .number("sheet_m", &SubsurfaceStyle::sheet_m, {0.0F, 1e4F}, "m",
+                    "Assumed thickness of open surfaces without a far side, such as leaves: more lets less "
+                    "light through")
+            .number("behind", &SubsurfaceStyle::behind, {0.0F, 1.0F}, "",
+                    "How much is seen through an object: 0 nothing, as through wax, 1 all that the tint lets "
+                    "through, as through coloured glass")
+            .number("behind_blur", &SubsurfaceStyle::behind_blur, {0.0F, 8.0F}, "",
+                    "How much things blur when seen through an object: 0 is clear glass, more is frosted. "
+                    "The blur grows with the thickness that is looked through.")
+            .toggle("transmission", &SubsurfaceStyle::transmission,
+                    "If true, materials with glTF's transmission and volume are seen through, unless the "
+                    "style sets subsurface.behind for them")
             .number("reach_mm", &SubsurfaceStyle::reach_mm, {0.1F, 200.0F}, "mm",
-                    "How far light may spread on the page; what would go farther spreads less")
+                    "Largest distance over which light spreads on the page. Wider spreading, close to the "
+                    "eye, is cut to this length.")
             .choice("space", &SubsurfaceStyle::space, {{"page", Space::page}, {"texture", Space::texture}},
-                    "Where it spreads: on the page, between what is seen; or in a map that lies on all "
-                    "surfaces, also from what is not seen")
-            .integer("texels", &SubsurfaceStyle::texels, {64, 4096}, "texels", "Of texture: the map's side")
+                    "Where light spreads. page: between visible pixels; texture: over all surfaces, so also "
+                    "from parts that are not seen.")
+            .integer("texels", &SubsurfaceStyle::texels, {64, 4096}, "texels",
+                     "Side of the texture in which light spreads: more is finer and slower. Only used when "
+                     "subsurface.space is texture.")
             .by_surface_but({"reach_mm", "space", "texels"});
     return table;
 }

@@ -8,52 +8,77 @@ namespace estampe::tam {
 const style::Table<TamStyle>& tam_table()
 {
     static const auto table =
-        style::Table<TamStyle>("tam", "Tonal art maps, nested strokes that `estampe tam` draws")
-            .integer("size_px", &TamStyle::size_px, {32, 2048}, "px", "Side of the map, a power of two")
-            .integer("tones", &TamStyle::tones, {4, 8}, "", "Number of darknesses")
-            .number("lightest", &TamStyle::lightest, {0.02F, 0.5F}, "", "Ink of the lightest tone")
-            .number("darkest", &TamStyle::darkest, {0.3F, 0.97F}, "", "Ink of the darkest tone")
+        style::Table<TamStyle>(
+            "tam",
+            "Tonal art map: nested strokes that are drawn ahead, by `estampe tam` or for hatch.strokes")
+            .integer(
+                "size_px", &TamStyle::size_px, {32, 2048}, "px",
+                "Side of the tonal art map, a power of two: more repeats less often and takes longer to draw")
+            .integer("tones", &TamStyle::tones, {4, 8}, "",
+                     "Number of tones in the tonal art map, from light to dark")
+            .number("lightest", &TamStyle::lightest, {0.02F, 0.5F}, "",
+                    "Share of the paper that ink covers in the lightest tone of the tonal art map")
+            .number("darkest", &TamStyle::darkest, {0.3F, 0.97F}, "",
+                    "Share of the paper that ink covers in the darkest tone of the tonal art map")
             .number("curve", &TamStyle::curve, {0.25F, 4.0F}, "",
-                    "Above 1 more of the tones are light, below 1 more are dark")
+                    "Spacing of the tones between lightest and darkest: above 1 more tones are light, below "
+                    "1 more are dark")
             .choice("tool", &TamStyle::tool,
                     {{"pen", Tool::pen},
                      {"pencil", Tool::pencil},
                      {"charcoal", Tool::charcoal},
                      {"burin", Tool::burin},
                      {"brush", Tool::brush}},
-                    "What draws the strokes, unless --brush gives a picture of one")
-            .number("width_px", &TamStyle::width_px, {1.0F, 24.0F}, "px", "Width of a stroke, in every level")
+                    "Tool that draws the strokes of the tonal art map. pen: clean; pencil, charcoal: grainy; "
+                    "burin: swells in the middle; brush: hairs part at the end. With --brush, estampe tam "
+                    "draws with a picture instead.")
+            .number("width_px", &TamStyle::width_px, {1.0F, 24.0F}, "px",
+                    "Width of a stroke in the tonal art map, the same in every mip level")
             .number("length_px", &TamStyle::length_px, {8.0F, 1000.0F}, "px",
-                    "Length of a stroke in the level it is drawn for")
+                    "Length of a stroke in the mip level of the tonal art map that it is drawn for")
             .number("length_spread", &TamStyle::length_spread, {0.0F, 0.9F}, "",
-                    "How much the lengths of strokes differ")
+                    "How much the strokes of the tonal art map differ in length: 0 makes all equal, 0.5 "
+                    "makes some half as long and others half longer")
             .number("taper_px", &TamStyle::taper_px, {0.0F, 300.0F}, "px",
-                    "Length over which a stroke thins to its end")
-            .number("tip", &TamStyle::tip, {0.2F, 1.0F}, "", "Width at the very end, as a share")
-            .number("pressure", &TamStyle::pressure, {0.0F, 0.8F}, "",
-                    "How much the width varies along a stroke")
-            .number("opacity", &TamStyle::opacity, {0.6F, 1.0F}, "", "Ink of one stroke")
+                    "Length over which a stroke of the tonal art map thins to its ends: 0 is blunt, more is "
+                    "pointed")
+            .number("tip", &TamStyle::tip, {0.2F, 1.0F}, "",
+                    "Width of a stroke at its very end, as a share of its full width: less is pointed, 1 is "
+                    "blunt")
+            .number(
+                "pressure", &TamStyle::pressure, {0.0F, 0.8F}, "",
+                "How much the width varies along a stroke of the tonal art map: 0 is even, more is livelier")
+            .number("opacity", &TamStyle::opacity, {0.6F, 1.0F}, "",
+                    "Opacity of a single stroke in the tonal art map: below 1, crossings are darker than the "
+                    "strokes")
             .number("grain", &TamStyle::grain, {0.0F, 1.0F}, "",
-                    "How much paper shows through pencil and charcoal, and hairs part in a brush")
+                    "Grain of pencil, charcoal and brush: more lets paper show through, and the hairs of the "
+                    "brush part. Not used by pen and burin.")
             .number("bow", &TamStyle::bow, {0.0F, 0.1F}, "",
-                    "How far a stroke bends, as a share of its length")
+                    "How far a stroke of the tonal art map bends into an arc, as a share of its length: 0 is "
+                    "straight")
             .number("wobble", &TamStyle::wobble, {0.0F, 0.1F}, "",
-                    "How far a stroke strays from its bend, as a share of its length")
+                    "How far a stroke of the tonal art map strays from its arc, as a share of its length: 0 "
+                    "is smooth, more is shaky")
             .number("angle_deg", &TamStyle::angle_deg, {-180.0F, 180.0F}, "deg",
-                    "Direction of the first layer; 0 runs along u")
+                    "Direction of the first layer of strokes in the tonal art map: 0 runs along u")
             .number("angle_spread_deg", &TamStyle::angle_spread_deg, {0.0F, 45.0F}, "deg",
-                    "How much directions differ within a layer")
+                    "How much strokes of one layer differ in direction: 0 is parallel, more is looser")
             .integer("second_from", &TamStyle::second_from, {1, 9}, "",
-                     "First tone that a second layer crosses; 9 for none")
+                     "First tone, counted from light to dark, in which a second layer of strokes crosses. 9 "
+                     "draws no second layer.")
             .number("second_deg", &TamStyle::second_deg, {-180.0F, 180.0F}, "deg",
-                    "Turn of the second layer against the first")
+                    "Turn of the second layer of strokes against the first layer of the tonal art map")
             .integer("third_from", &TamStyle::third_from, {1, 9}, "",
-                     "First tone that a third layer crosses; 9 for none")
+                     "First tone, counted from light to dark, in which a third layer of strokes crosses. 9 "
+                     "draws no third layer.")
             .number("third_deg", &TamStyle::third_deg, {-180.0F, 180.0F}, "deg",
-                    "Turn of the third layer against the first")
+                    "Turn of the third layer of strokes against the first layer of the tonal art map")
             .integer("candidates", &TamStyle::candidates, {1, 1000}, "",
-                     "Strokes tried for each that is kept; more are more even and take longer")
-            .integer("seed", &TamStyle::seed, {0, 1000000}, "", "Another number, another hand")
+                     "Number of random strokes tried for each one that is kept: more spreads strokes more "
+                     "evenly and takes longer")
+            .integer("seed", &TamStyle::seed, {0, 1000000}, "",
+                     "Random seed of the tonal art map: another value draws other strokes")
             .by_surface_but({});
     return table;
 }

@@ -18,73 +18,83 @@ namespace estampe::terrain {
 
 const style::Table<TerrainLook>& look_table()
 {
-    static const auto table =
-        style::Table<TerrainLook>("terrain", "The ground").color("color", &TerrainLook::color, "Of the sand");
+    static const auto table = style::Table<TerrainLook>("terrain", "Look of the ground")
+                                  .color("color", &TerrainLook::color, "Colour of the sand on the ground");
     return table;
 }
 
 const style::Table<TerrainWind>& wind_table()
 {
-    static const auto table = style::Table<TerrainWind>("wind", "What dunes go along with")
-                                  .number("direction_deg", &TerrainWind::direction_deg, {-360.0F, 360.0F},
-                                          "deg", "Where it blows to: 0 is +x, 90 is +z")
-                                  .number("speed_m_s", &TerrainWind::speed_m_s, {0.0F, 100.0F}, "m/s",
-                                          "How fast; `wind` in heights");
+    static const auto table =
+        style::Table<TerrainWind>("wind", "Wind over the ground, which dunes and ripples move along")
+            .number("direction_deg", &TerrainWind::direction_deg, {-360.0F, 360.0F}, "deg",
+                    "Direction towards which the wind over the ground blows: 0 is +x, 90 is +z")
+            .number("speed_m_s", &TerrainWind::speed_m_s, {0.0F, 100.0F}, "m/s",
+                    "Speed of the wind over the ground, called `wind` in formulas of heights. From 6 m/s on, "
+                    "sand drifts off crests.");
     return table;
 }
 
 const style::Table<TerrainMeshing>& mesh_table()
 {
     static const auto table =
-        style::Table<TerrainMeshing>("mesh", "How the ground is cut into triangles")
+        style::Table<TerrainMeshing>("mesh", "Triangles that the ground is cut into")
             .choice(
                 "method", &TerrainMeshing::method,
                 {{"rings", TerrainMesh::rings}, {"grid", TerrainMesh::grid}, {"object", TerrainMesh::object}},
-                "Nested grids about the eye, each twice as coarse as the one within; one even grid "
-                "before the eye, turned by right angles; or an object of the scene, raised by the heights")
-            .text("object", &TerrainMeshing::object, "The name of that object")
+                "How the ground is cut into triangles. rings: nested grids around the eye, each twice as "
+                "coarse; grid: one even grid in front of the eye; object: an object of the scene, raised by "
+                "the heights.")
+            .text("object", &TerrainMeshing::object,
+                  "Name of the object that is raised by the heights. Only used when mesh.method is object.")
             .choice("update", &TerrainMeshing::update,
                     {{"moved", TerrainUpdate::moved},
                      {"always", TerrainUpdate::always},
                      {"still", TerrainUpdate::still}},
-                    "When vertices are found anew: when eye or time have gone on, in every picture, or as if "
-                    "time stood still")
+                    "When heights are computed again. moved: if the eye or time has moved on; always: in "
+                    "every picture; still: as if time stood still.")
             .number("cell_m", &TerrainMeshing::cell_m, {0.01F, 64.0F}, "m",
-                    "Between vertices nearest to the eye; rounded to a power of two")
+                    "Distance between vertices of the ground nearest to the eye, rounded to a power of two: "
+                    "less is finer and slower")
             .integer("cells", &TerrainMeshing::cells, {16, 2048}, "",
-                     "Along a side of a ring or grid; rounded up to a multiple of 4")
+                     "Number of cells along a side of a ring or grid, rounded up to a multiple of 4: more is "
+                     "finer and slower")
             .number("reach_m", &TerrainMeshing::reach_m, {10.0F, 100000.0F}, "m",
-                    "How far the rings go at least")
+                    "Least distance to which the ground extends. Only used when mesh.method is rings.")
             .number("planet_radius_m", &TerrainMeshing::planet_radius_m, {0.0F, 1e7F}, "m",
-                    "Of a ground that closes round itself; 0: it is flat");
+                    "Radius of a planet that the ground curves around: less brings the horizon nearer. 0 is "
+                    "flat ground.");
     return table;
 }
 
 const style::Table<TerrainRipples>& ripples_table()
 {
     static const auto table =
-        style::Table<TerrainRipples>("ripples", "What the wind draws on sand, seen from near")
+        style::Table<TerrainRipples>("ripples", "Ripples that the wind draws on sand, seen from near")
             .number("wavelength_m", &TerrainRipples::wavelength_m, {0.005F, 100.0F}, "m",
-                    "From crest to crest")
+                    "Distance from one ripple's crest to the next")
             .number("height_m", &TerrainRipples::height_m, {0.0F, 10.0F}, "m",
-                    "From trough to crest; 0: there are none")
+                    "Height of a ripple from trough to crest. 0 draws no ripples.")
             .number("meander", &TerrainRipples::meander, {0.0F, 1.0F}, "",
-                    "0: straight and unbroken; 1: they wind, fork and end everywhere")
+                    "How much ripples wind: 0 is straight and unbroken, 1 winds, forks and ends everywhere")
             .number("drift_m_s", &TerrainRipples::drift_m_s, {-1.0F, 1.0F}, "m/s",
-                    "How fast they go with the wind");
+                    "Speed at which ripples move with the wind");
     return table;
 }
 
 const style::Table<TerrainTrails>& trails_table()
 {
     static const auto table =
-        style::Table<TerrainTrails>("trails", "Footprints, and what is dragged over sand")
-            .number("half_life_s", &TerrainTrails::half_life_s, {0.1F, 1e6F}, "s",
-                    "Time after which the wind has filled half of a trail's depth")
+        style::Table<TerrainTrails>("trails", "Trails in sand: footprints, and what is dragged")
+            .number(
+                "half_life_s", &TerrainTrails::half_life_s, {0.1F, 1e6F}, "s",
+                "Time after which the wind has filled half of a trail's depth: more keeps footprints longer")
             .number("repose_deg", &TerrainTrails::repose_deg, {5.0F, 80.0F}, "deg",
-                    "Angle beyond which a rim slumps; damp sand stands steeper")
+                    "Steepest angle at which the rim of a trail stands before it slumps: dry sand is "
+                    "flatter, damp sand steeper")
             .number("extent_m", &TerrainTrails::extent_m, {4.0F, 400.0F}, "m",
-                    "Side of the square before the eye in which trails are seen, in 1,024 texels");
+                    "Side of the square in front of the eye in which trails are seen: less shows finer "
+                    "prints, since the square has 1,024 texels");
     return table;
 }
 

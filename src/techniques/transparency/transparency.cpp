@@ -84,13 +84,13 @@ Transparency add_no_transparency(gpu::Graph& graph)
 const style::Table<TransparencyStyle>& transparency_table()
 {
     static const auto table =
-        style::Table<TransparencyStyle>("screen", "What is looked through")
+        style::Table<TransparencyStyle>("screen", "Transparent surfaces")
             .choice("mode", &TransparencyStyle::mode, {{"ink", Mode::ink}, {"sorted", Mode::sorted}},
-                    "As screened ink that tints what is behind (ink); or each see-through surface lit and "
-                    "painted by itself, over what is behind it (sorted)")
+                    "How transparent surfaces (glTF's BLEND) are drawn. ink: as one flat screen that tints "
+                    "what lies behind; sorted: each surface lit and painted, from back to front.")
             .integer("layers", &TransparencyStyle::layers, {1, most_sorted_layers}, "",
-                     "See-through surfaces of a pixel that count, the nearest first, 4 at most in ink; each "
-                     "one costs a pass, where the scene has as many, and sorted ones are lit one by one");
+                     "Largest number of transparent surfaces that count per pixel, the nearest first, and at "
+                     "most 4 when screen.mode is ink. Each one takes time if the scene has as many.");
     return table;
 }
 

@@ -59,29 +59,38 @@ gpu::ImageId add_wash(gpu::Graph& graph, const WashInputs& in, const std::vector
 const style::Table<WashStyle>& wash_table()
 {
     static const auto table =
-        style::Table<WashStyle>("wash", "Flat colour by material, cooler in shadow")
+        style::Table<WashStyle>("wash", "Wash: flat colour by material, cooler in shadow")
             .number("strength", &WashStyle::strength, {0.0F, 1.0F}, "",
-                    "0 leaves the paper bare, 1 is full colour")
+                    "Strength of the colour: 0 leaves the paper bare, 1 is full colour")
             .number("neutral", &WashStyle::neutral, {0.0F, 1.0F}, "",
-                    "Share of the strength that greys are painted with")
+                    "How strongly greys are painted, as a share of wash.strength: 0 leaves grey things "
+                    "white, 1 paints them as strongly as colours")
             .number("saturation", &WashStyle::saturation, {0.0F, 1.0F}, "",
-                    "0 paints greys alone, 1 the materials' colours")
-            .number("detail", &WashStyle::detail, {0.0F, 1.0F}, "",
-                    "0 is one flat colour a material, 1 its whole texture")
+                    "Saturation of the colours: 0 paints greys, 1 the colours of the materials")
+            .number(
+                "detail", &WashStyle::detail, {0.0F, 1.0F}, "",
+                "How much texture the colour shows: 0 is one flat colour per material, 1 its whole texture")
             .number("least", &WashStyle::least, {0.0F, 1.0F}, "",
-                    "Brightness, as a share of white, that dark colours are lifted towards: strokes tell how "
-                    "dark a thing is")
-            .color("shadow_tint", &WashStyle::shadow_tint, "Laid over the colour in shadow")
+                    "Brightness, as a share of white, to which dark colours are lifted: more paints dark "
+                    "things paler and leaves their darkness to the strokes")
+            .color("shadow_tint", &WashStyle::shadow_tint,
+                   "Colour that multiplies the wash in shadow: a bluish grey cools shadows")
             .number("shadow_from", &WashStyle::shadow_from, {0.0F, 1.0F}, "",
-                    "Darkness at which shadow begins")
-            .number("softness", &WashStyle::softness, {0.001F, 0.5F}, "",
-                    "Half the width of that step, in darkness")
+                    "Darkness from which the wash counts as in shadow: less gives larger shadows")
+            .number(
+                "softness", &WashStyle::softness, {0.001F, 0.5F}, "",
+                "Softness of the wash's edge between light and shadow: less is a crisp step, more is gradual")
             .number("light_tint", &WashStyle::light_tint, {0.0F, 1.0F}, "",
-                    "How far coloured light colours what it falls on")
-            .number("air", &WashStyle::air, {0.0F, 1.0F}, "", "Share of the air's colour in the far distance")
-            .color("air_color", &WashStyle::air_color, "Colour of the air")
+                    "How much coloured light colours the wash: 0 treats all light as white, 1 takes on its "
+                    "full colour")
+            .number("air", &WashStyle::air, {0.0F, 1.0F}, "",
+                    "How much far objects take on the colour of the air: 0 not at all, 1 fully in the far "
+                    "distance")
+            .color("air_color", &WashStyle::air_color,
+                   "Colour of the air that tints far objects. Only used when wash.air is above 0.")
             .number("air_distance_m", &WashStyle::air_distance_m, {0.001F, 1e6F}, "m",
-                    "Distance by which half of the air's colour is reached")
+                    "Distance at which objects have taken on half of the air's colour. Only used when "
+                    "wash.air is above 0.")
             .by_surface_but({});
     return table;
 }

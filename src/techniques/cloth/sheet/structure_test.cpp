@@ -237,7 +237,7 @@ TEST(ClothStructure, BadSheetsAreErrors)
     EXPECT_THROW(static_cast<void>(build_structure(disc)), Error);
 }
 
-TEST(ClothSolids, BallsBecomeEllipsoidsUnderAnyMatrix)
+TEST(PlacedSolids, BallsBecomeEllipsoidsUnderAnyMatrix)
 {
     glm::dmat4 place = glm::rotate(glm::dmat4(1.0), 0.8, glm::dvec3(1.0, -2.0, 0.5)) *
                        glm::scale(glm::dmat4(1.0), glm::dvec3(0.5, 2.0, 1.0));

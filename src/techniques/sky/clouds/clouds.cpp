@@ -15,45 +15,59 @@ const style::Table<CloudStyle>& cloud_table()
 {
     static const auto table =
         style::Table<CloudStyle>("clouds", "Clouds over a drawn sky")
-            .number("coverage", &CloudStyle::coverage, {0.0F, 0.95F}, "",
-                    "Share of the sky overhead that heaped clouds cover; 0 draws none")
+            .number(
+                "coverage", &CloudStyle::coverage, {0.0F, 0.95F}, "",
+                "Share of the sky overhead that cumulus clouds cover, heaped on a flat base. 0 draws none.")
             .number("base_m", &CloudStyle::base_m, {50.0F, 20000.0F}, "m",
-                    "Height of their flat base; none is seen from above it")
-            .number("size_m", &CloudStyle::size_m, {50.0F, 20000.0F}, "m", "Width of a usual one")
-            .number("heaped", &CloudStyle::heaped, {0.1F, 3.0F}, "", "How high they are piled up")
+                    "Height of the flat base of cumulus clouds. Seen from above their base, none are drawn.")
+            .number("size_m", &CloudStyle::size_m, {50.0F, 20000.0F}, "m",
+                    "Width of an average cumulus cloud")
+            .number("heaped", &CloudStyle::heaped, {0.1F, 3.0F}, "",
+                    "Height of cumulus clouds: less is flat, more towers up")
             .number("flocks", &CloudStyle::flocks, {0.0F, 0.95F}, "",
-                    "Share of the sky that flocks of small flat clouds cover")
-            .number("flocks_base_m", &CloudStyle::flocks_base_m, {50.0F, 20000.0F}, "m", "Their height")
-            .number("flocks_size_m", &CloudStyle::flocks_size_m, {50.0F, 20000.0F}, "m", "Width of a flock")
+                    "Share of the sky that flocks of small flat clouds cover (altocumulus). 0 draws none.")
+            .number("flocks_base_m", &CloudStyle::flocks_base_m, {50.0F, 20000.0F}, "m",
+                    "Height of the flocks of small flat clouds")
+            .number("flocks_size_m", &CloudStyle::flocks_size_m, {50.0F, 20000.0F}, "m",
+                    "Width of one flock of small flat clouds")
             .number("streaks", &CloudStyle::streaks, {0.0F, 0.95F}, "",
-                    "Share of the sky that white streaks along the wind cover")
-            .number("streaks_base_m", &CloudStyle::streaks_base_m, {50.0F, 20000.0F}, "m", "Their height")
+                    "Share of the sky that white streaks along the wind cover (cirrus). 0 draws none.")
+            .number("streaks_base_m", &CloudStyle::streaks_base_m, {50.0F, 20000.0F}, "m",
+                    "Height of the white streaks in the sky (cirrus)")
             .number("streaks_size_m", &CloudStyle::streaks_size_m, {50.0F, 50000.0F}, "m",
-                    "Width of a bundle of them")
+                    "Width of a bundle of white streaks in the sky (cirrus)")
             .number("streaks_mm", &CloudStyle::streaks_mm, {0.05F, 10.0F}, "mm",
-                    "Width of a streak on the page")
-            .number("wind_mps", &CloudStyle::wind_mps, {0.0F, 1000.0F}, "m/s", "How fast all of them drift")
+                    "Width of a single white streak (cirrus) on the page")
+            .number("wind_mps", &CloudStyle::wind_mps, {0.0F, 1000.0F}, "m/s",
+                    "Speed at which all clouds drift")
             .number("wind_deg", &CloudStyle::wind_deg, {-360.0F, 360.0F}, "deg",
-                    "Bearing they drift to: 0 is +z, 90 +x")
+                    "Bearing towards which clouds drift: 0 is +z, 90 is +x")
             .number("change_s", &CloudStyle::change_s, {1.0F, 1000000.0F}, "s",
-                    "Time in which they become others and again what they were")
-            .color("color", &CloudStyle::color, "Colour of what faces the sun")
-            .color("shade_color", &CloudStyle::shade_color, "Colour of what does not")
+                    "Time in which clouds change into others and back again: less changes faster")
+            .color("color", &CloudStyle::color, "Colour of clouds on the side of the sun")
+            .color("shade_color", &CloudStyle::shade_color, "Colour of clouds on the side away from the sun")
             .integer("tones", &CloudStyle::tones, {1, 3}, "",
-                     "Flat tones: light alone, with shade, or with one between")
-            .number("shade", &CloudStyle::shade, {0.0F, 1.0F}, "", "How far shade reaches up the clouds")
+                     "Number of flat tones in clouds: 1 is the light colour alone, 2 adds shade, 3 adds a "
+                     "tone between")
+            .number("shade", &CloudStyle::shade, {0.0F, 1.0F}, "",
+                    "How far shade reaches up in clouds: 0 is least, 1 shades all but the parts that face "
+                    "the sun")
             .number("outline_mm", &CloudStyle::outline_mm, {0.0F, 10.0F}, "mm",
-                    "Width of their outlines on the page, where it is greatest")
+                    "Width of the outlines of clouds on the page, at their thickest. 0 draws none.")
             .number("broken", &CloudStyle::broken, {0.0F, 1.0F}, "",
-                    "How far outlines thin and break towards the light")
+                    "How far outlines of clouds thin and break on the side of the sun: 0 keeps them whole")
             .number("hatch", &CloudStyle::hatch, {0.0F, 1.0F}, "",
-                    "Darkness of the strokes in their shade; 0 leaves it to the wash")
-            .number("hatch_mm", &CloudStyle::hatch_mm, {0.02F, 10.0F}, "mm", "Width of those strokes")
+                    "Darkness of the strokes in the shade of clouds. 0 draws no strokes and leaves shade to "
+                    "the wash.")
+            .number("hatch_mm", &CloudStyle::hatch_mm, {0.02F, 10.0F}, "mm",
+                    "Width of the strokes in the shade of clouds. Only used when clouds.hatch is above 0.")
             .number("shadow", &CloudStyle::shadow, {0.0F, 1.0F}, "",
-                    "How much of the sun their shadows take from the ground; 0: they throw none")
+                    "Darkness of the shadows that clouds throw on the ground: 0 throws none, 1 takes all of "
+                    "the sun")
             .number("reach_m", &CloudStyle::reach_m, {1000.0F, 200000.0F}, "m",
-                    "Where they have dissolved in the distance")
-            .integer("seed", &CloudStyle::seed, {0, 1000000}, "", "Another number, other clouds");
+                    "Distance at which clouds have dissolved into the sky")
+            .integer("seed", &CloudStyle::seed, {0, 1000000}, "",
+                     "Random seed of the clouds: another value gives other clouds");
     return table;
 }
 

@@ -70,16 +70,23 @@ gpu::ImageId add_drift(gpu::Graph& graph, const DriftInputs& in, const shared::D
 const style::Table<DriftStyle>& drift_table()
 {
     static const auto table =
-        style::Table<DriftStyle>("drift", "Sand that the wind blows off the crests of a terrain")
+        style::Table<DriftStyle>("drift", "Drifting sand that the wind blows off the crests of a terrain")
             .choice("mode", &DriftStyle::mode,
                     {{"auto", DriftMode::automatic}, {"drawn", DriftMode::drawn}, {"none", DriftMode::none}},
-                    "Drawn, none, or (auto) drawn where the terrain's wind is of 6 m/s or more")
-            .number("amount", &DriftStyle::amount, {0.0F, 1.0F}, "", "How much of it")
-            .number("length_m", &DriftStyle::length_m, {0.05F, 20.0F}, "m", "Of a usual stroke")
-            .number("lift_m", &DriftStyle::lift_m, {0.0F, 20.0F}, "m", "How high it rises at most")
-            .number("width_mm", &DriftStyle::width_mm, {0.05F, 5.0F}, "mm", "Of a stroke in its middle")
-            .number("reach_m", &DriftStyle::reach_m, {5.0F, 1000.0F}, "m", "How far it is drawn")
-            .color("ink", &DriftStyle::ink, "Colour of the strokes");
+                    "When sand drifts. drawn: in any wind; none: never; auto: if the terrain's wind is 6 m/s "
+                    "or more.")
+            .number("amount", &DriftStyle::amount, {0.0F, 1.0F}, "",
+                    "Amount of drifting sand: 0 is none, 1 draws all streaks that the crests can give")
+            .number("length_m", &DriftStyle::length_m, {0.05F, 20.0F}, "m",
+                    "Length of an average streak of drifting sand")
+            .number("lift_m", &DriftStyle::lift_m, {0.0F, 20.0F}, "m",
+                    "Greatest height to which drifting sand rises above its crest")
+            .number("width_mm", &DriftStyle::width_mm, {0.05F, 5.0F}, "mm",
+                    "Width of a streak of drifting sand in its middle, on the page")
+            .number("reach_m", &DriftStyle::reach_m, {5.0F, 1000.0F}, "m",
+                    "Distance from the eye up to which drifting sand is drawn: more also blurs small crests, "
+                    "which are then not found")
+            .color("ink", &DriftStyle::ink, "Colour of the streaks of drifting sand");
     return table;
 }
 

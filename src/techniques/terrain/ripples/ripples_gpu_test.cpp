@@ -111,7 +111,7 @@ std::vector<glm::vec3> shading_of(const std::vector<Words>& words)
     return normals;
 }
 
-TEST(Ripples, BendNormalsAsTheirFormLeans)
+TEST(SandRipples, BendNormalsAsTheirFormLeans)
 {
     const Ground ground{.eye = {1e6 + 3.0, 0.4, -2.0},
                         .eye_height_m = 0.4,
@@ -141,7 +141,7 @@ TEST(Ripples, BendNormalsAsTheirFormLeans)
     EXPECT_GT(std::ranges::max(normals, {}, [](const glm::vec3& n) { return n.x; }).x, 0.2F);
 }
 
-TEST(Ripples, AreGoneBeforeTheyAlias)
+TEST(SandRipples, AreGoneBeforeTheyAlias)
 {
     // From nearer to farther: the mean stays the ground's, and in the end so does every byte.
     float last_lean = 1.0F;
@@ -168,7 +168,7 @@ TEST(Ripples, AreGoneBeforeTheyAlias)
     }
 }
 
-TEST(Ripples, StandStillUnderAMovingAnchor)
+TEST(SandRipples, StandStillUnderAMovingAnchor)
 {
     const glm::dvec3 eye(1e6 + 3.0, 1.7, 40.0);
     const auto here = shading_of(rippled({.eye = eye, .anchor = {64.0 * 15625.0, 0.0, 0.0}}));
@@ -181,7 +181,7 @@ TEST(Ripples, StandStillUnderAMovingAnchor)
     EXPECT_GT(close, seen * 99 / 100);
 }
 
-TEST(Ripples, LeaveOtherDrawsAndTheSmoothNormalAsTheyAre)
+TEST(SandRipples, LeaveOtherDrawsAndTheSmoothNormalAsTheyAre)
 {
     const auto words = rippled({.eye = {3.0, 0.6, -2.0}, .eye_height_m = 0.6}, true);
     const Words flat = words[size_px.x * (size_px.y - 1)];
@@ -196,7 +196,7 @@ TEST(Ripples, LeaveOtherDrawsAndTheSmoothNormalAsTheyAre)
     EXPECT_GT(bent, 1000U);
 }
 
-TEST(Ripples, SlideFromSlipFaces)
+TEST(SandRipples, SlideFromSlipFaces)
 {
     const auto bent = [](double slope_deg) {
         const double a = glm::radians(slope_deg);
@@ -207,7 +207,7 @@ TEST(Ripples, SlideFromSlipFaces)
     EXPECT_EQ(bent(32.0), 0);
 }
 
-TEST(Ripples, CostNothingWhereThereAreNone)
+TEST(SandRipples, CostNothingWhereThereAreNone)
 {
     Renderer& renderer = test::shared_renderer();
     const Camera camera{.eye = {0.0, 2.0, 0.0}, .target = {3.0, 1.0, 0.0}};

@@ -235,34 +235,43 @@ gpu::ImageId SlabField::add_moment(gpu::Graph& graph, const SlabStyle& style, do
 const style::Table<SlabStyle>& slab_table()
 {
     static const auto table =
-        style::Table<SlabStyle>("slabs", "Dunes of sand that the wind moves in slabs")
-            .number("cell_m", &SlabStyle::cell_m, {0.05F, 20.0F}, "m", "Side of a cell")
+        style::Table<SlabStyle>("slabs", "Simulated dunes: sand that the wind moves in slabs")
+            .number("cell_m", &SlabStyle::cell_m, {0.05F, 20.0F}, "m",
+                    "Side of a cell of the dune simulation")
             .number("slab_m", &SlabStyle::slab_m, {0.01F, 2.0F}, "m",
-                    "Height of a slab; a tenth of a cell holds the angle of repose well")
+                    "Height of one slab of sand: a tenth of slabs.cell_m keeps slopes at the angle of repose")
             .number("depth_m", &SlabStyle::depth_m, {0.0F, 100.0F}, "m",
-                    "Sand on the rock, spread evenly; little of it makes lone dunes, much a sea")
+                    "Mean depth of sand on the rock: little makes single dunes, much makes a sea of sand")
             .number("wind_deg", &SlabStyle::wind_deg, {-360.0F, 360.0F}, "deg",
-                    "Where the wind blows to, from the field's x towards its y; dunes are best along an axis")
+                    "Direction towards which the wind blows, from the field's x towards its y. Dunes are "
+                    "best along an axis.")
             .number("wind_spread_deg", &SlabStyle::wind_spread_deg, {0.0F, 90.0F}, "deg",
-                    "How far it turns to either side from step to step")
-            .number("hop_cells", &SlabStyle::hop_cells, {0.25F, 32.0F}, "cells", "How far a slab hops")
+                    "How far the wind turns to either side from step to step: 0 blows steadily")
+            .number("hop_cells", &SlabStyle::hop_cells, {0.25F, 32.0F}, "cells",
+                    "Distance that the wind carries a slab of sand in one hop")
             .number("speedup_per_m", &SlabStyle::speedup_per_m, {0.0F, 1.0F}, "1/m",
-                    "How much farther for each metre above the sand's depth; makes gentle windward slopes")
+                    "How much farther slabs hop for each metre above the mean depth of sand: more makes "
+                    "gentler windward slopes")
             .number("lift_share", &SlabStyle::lift_share, {0.0F, 1.0F}, "",
-                    "Share of the cells that the wind tries to lift a slab from in a step")
+                    "Share of the cells from which the wind tries to lift a slab in one step: more moves "
+                    "dunes faster")
             .number("stay_on_sand", &SlabStyle::stay_on_sand, {0.01F, 1.0F}, "",
-                    "Share of the slabs that stay where they touch sand")
+                    "Share of the slabs that stay where they land on sand")
             .number("stay_on_rock", &SlabStyle::stay_on_rock, {0.01F, 1.0F}, "",
-                    "The same where there is none")
+                    "Share of the slabs that stay where they land on bare rock")
             .number("lee_deg", &SlabStyle::lee_deg, {1.0F, 60.0F}, "deg",
-                    "Fall of the line from a crest under which there is no wind")
+                    "Slope of the line from a crest, below which the air is still: more makes the sheltered "
+                    "area behind a dune shorter")
             .number("repose_deg", &SlabStyle::repose_deg, {5.0F, 60.0F}, "deg",
-                    "Angle beyond which sand slides")
-            .integer("slides", &SlabStyle::slides, {0, 64}, "",
-                     "How often it may slide in a step; four let it slide in every direction once")
-            .integer("smooth_cells", &SlabStyle::smooth_cells, {0, 8}, "cells",
-                     "How far heights are smoothed when they are handed out, so that slabs are no stairs")
-            .integer("seed", &SlabStyle::seed, {0, 1000000}, "", "Another desert for each");
+                    "Angle of repose: sand that is steeper slides")
+            .integer(
+                "slides", &SlabStyle::slides, {0, 64}, "",
+                "Number of times that sand may slide in one step: four let it slide once in each direction")
+            .integer(
+                "smooth_cells", &SlabStyle::smooth_cells, {0, 8}, "cells",
+                "How far heights are smoothed before they are drawn, so that slabs do not show as stairs")
+            .integer("seed", &SlabStyle::seed, {0, 1000000}, "",
+                     "Random seed of the dunes: another value gives another desert");
     return table;
 }
 
