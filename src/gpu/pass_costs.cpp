@@ -318,7 +318,7 @@ private:
         return counts ? components(instruction.at(0)) : 0;
     }
 
-    /// Where a block goes on to, where that is decided already only there.
+    /// Labels that a block branches to; only the taken one if the condition is known.
     [[nodiscard]] std::vector<uint32_t> targets(const Instruction& end) const
     {
         if (end.op == code::branch) {

@@ -21,7 +21,7 @@ struct Event {
     std::string what;
     uint32_t resource;
     bool writes;
-    /// its own accesses and all that have waited for it: where a further barrier may start from.
+    /// Its own accesses and all that have waited for it, from which a later barrier may continue.
     AccessSet reached;
     AccessSet waited; ///< Accesses that have waited for this event
 };
