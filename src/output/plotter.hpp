@@ -41,8 +41,8 @@ struct PenStep {
 [[nodiscard]] double travel_mm(std::span<const PenStroke> strokes, std::span<const PenStep> order,
                                const glm::vec2& origin);
 
-/// An order of all strokes: always the nearest end next, then stretches of it are turned around as long as
-/// that shortens the way, at most `turn_budget` comparisons.
+/// Orders all strokes: nearest end first, then 2-opt: parts of the order are reversed while that shortens
+/// the travel, for at most `turn_budget` comparisons.
 [[nodiscard]] std::vector<PenStep> shortest_order(std::span<const PenStroke> strokes, const glm::vec2& origin,
                                                   uint64_t turn_budget);
 
