@@ -71,6 +71,7 @@ public:
 
     /// Number of texels that are covered by surfaces.
     [[nodiscard]] size_t texel_count() const;
+    /// Resolution of the map on the surfaces, in texels per metre.
     [[nodiscard]] float texels_per_m() const;
 
     /// Whether objects were left out because they can move.

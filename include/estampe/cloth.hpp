@@ -29,9 +29,10 @@ struct Cloth {
     /// Smallest distance between vertices two edges apart, as a share of their rest distance: 0 allows sharp
     /// creases, 1 no fold at all.
     float fold = 0.9F;
-    float drag = 1.2F;          ///< Drag coefficient, for air that meets the sheet head-on
-    float lift = 0.8F;          ///< Lift coefficient, for air that meets the sheet at an angle
-    float damping_per_s = 0.4F; ///< Share of its speed that the sheet loses per second without air
+    float drag = 1.2F; ///< Drag coefficient, for air that meets the sheet head-on
+    float lift = 0.8F; ///< Lift coefficient, for air that meets the sheet at an angle
+    /// Share of its speed that the sheet loses per second, apart from air drag.
+    float damping_per_s = 0.4F;
     float friction = 0.4F;      ///< Coefficient of friction on colliders
     float thickness_m = 0.006F; ///< Distance that the sheet keeps from colliders
     /// Smallest distance between two vertices of the sheet that are more than twice as far apart at rest. If

@@ -153,6 +153,7 @@ public:
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
+    /// The device that this renderer draws on.
     [[nodiscard]] const DeviceInfo& device() const;
 
     /// The raster path of the last picture, or before the first picture the intended one. Never

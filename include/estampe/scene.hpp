@@ -56,8 +56,8 @@ struct Texture {
 
 /// Reference of a material to a texture, with UV set and transform: uv' = transform * (u, v, 1).
 struct TextureRef {
-    Index texture = no_index;
-    uint32_t uv_set = 0; ///< 0 or 1
+    Index texture = no_index; ///< no_index: no texture
+    uint32_t uv_set = 0;      ///< 0 or 1
     glm::mat3 uv_transform{1.0F};
 };
 
@@ -66,10 +66,10 @@ enum class AlphaMode : uint8_t { opaque, mask, blend };
 
 /// Values of VRMC_materials_mtoon: a colour for shade, and an outline of its own.
 struct ToonShade {
-    glm::vec3 shade_color{1.0F};
+    glm::vec3 shade_color{1.0F}; ///< Linear
     TextureRef shade_texture;
-    float outline_width_m = 0.0F;
-    glm::vec3 outline_color{0.0F};
+    float outline_width_m = 0.0F;  ///< 0: the outline of the style
+    glm::vec3 outline_color{0.0F}; ///< Linear
 };
 
 /// Light that passes through a body: KHR_materials_transmission and KHR_materials_volume.
@@ -126,7 +126,7 @@ struct Primitive {
     /// xyz, and the sign of the bitangent in w. Computed if a normal map requires them.
     std::vector<glm::vec4> tangents;
     std::array<std::vector<glm::vec2>, 2> uvs;
-    std::vector<glm::vec4> colors;
+    std::vector<glm::vec4> colors;                ///< Linear, straight alpha
     std::vector<glm::u16vec4> joints_0, joints_1; ///< Up to eight joints per vertex
     std::vector<glm::vec4> weights_0, weights_1;  ///< Sum to one over both sets
     std::vector<uint32_t> indices;                ///< 3 per triangle, 2 per line, 1 per point
@@ -156,6 +156,7 @@ struct Transform {
     glm::dvec3 translation{0.0};
     glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
     glm::dvec3 scale{1.0};
+    /// The matrix parent_from_node of this placement.
     [[nodiscard]] glm::dmat4 matrix() const;
 };
 
@@ -204,7 +205,7 @@ enum class SpotShape : uint8_t { cone, pyramid };
 struct Light {
     std::string name;
     LightType type = LightType::point;
-    glm::vec3 color{1.0F};
+    glm::vec3 color{1.0F}; ///< Linear
     float intensity = 1.0F;
     float range_m = 0.0F; ///< 0: unlimited
     float inner_cone_rad = 0.0F;
@@ -271,7 +272,7 @@ struct Scene {
     /// Endless ground, drawn as an object and a material named "terrain".
     std::optional<Terrain> terrain;
     std::vector<std::string> extensions_used;
-    std::vector<std::string> extensions_ignored;
+    std::vector<std::string> extensions_ignored; ///< Used extensions that load_scene() does not support
     std::vector<std::string> missing_files; ///< Images that the file refers to and that could not be opened
     /// Metres per unit of the file, if the file says so. The scene itself is in metres.
     std::optional<double> file_unit_m;
@@ -315,7 +316,7 @@ struct LoadOptions {
 
 /// Placement and morph weights of every node at one time.
 struct ScenePose {
-    std::vector<glm::dmat4> world_from_node;
+    std::vector<glm::dmat4> world_from_node;       ///< Per node
     std::vector<std::vector<float>> morph_weights; ///< Per node; empty without morph targets
 };
 
@@ -348,7 +349,7 @@ struct Bounds {
 /// Viewpoint and projection of a picture, in world space.
 struct Camera {
     glm::dvec3 eye{0.0, 0.0, 5.0};
-    glm::dvec3 target{0.0};
+    glm::dvec3 target{0.0}; ///< Point in the middle of the picture
     glm::dvec3 up{0.0, 1.0, 0.0};
     double vertical_fov_rad = 0.6;
     std::optional<double> orthographic_half_height_m; ///< If set: parallel projection

@@ -74,10 +74,10 @@ struct TerrainLook {
 
 /// Wind ripples of sand, visible from near. They change the normals, not the heights.
 struct TerrainRipples {
-    float wavelength_m = 0.12F;
-    float height_m = 0.01F; ///< From trough to crest; 0: no ripples
-    float meander = 0.5F;   ///< 0: straight and unbroken; 1: they wind, fork and end everywhere
-    float drift_m_s = 0.0005F;
+    float wavelength_m = 0.12F; ///< From crest to crest
+    float height_m = 0.01F;     ///< From trough to crest; 0: no ripples
+    float meander = 0.5F;       ///< 0: straight and unbroken; 1: they wind, fork and end everywhere
+    float drift_m_s = 0.0005F;  ///< Speed of the ripples downwind
 
     bool operator==(const TerrainRipples&) const = default;
 };
@@ -126,6 +126,7 @@ struct Program;
 /// that is not a number.
 class Terrain {
 public:
+    /// Reads the textures of `description` and compiles its graph.
     explicit Terrain(TerrainDescription description);
 
     [[nodiscard]] const TerrainDescription& description() const { return *description_; }

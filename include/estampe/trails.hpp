@@ -24,7 +24,9 @@ struct TrailStamp {
 
     bool operator==(const TrailStamp&) const = default;
 
+    /// A round print.
     [[nodiscard]] static TrailStamp disc(glm::dvec2 place_m, float radius_m, float depth_m);
+    /// The mark of an object dragged in a straight line.
     [[nodiscard]] static TrailStamp drag(glm::dvec2 from_m, glm::dvec2 to_m, float radius_m, float depth_m);
     /// A shoe print of `length_m` centred on `place_m`, narrower at the heel. `towards` need not have unit
     /// length.
@@ -45,12 +47,12 @@ struct TerrainTrails {
 struct TerrainTrack {
     std::string name;
     std::vector<glm::dvec2> path_m; ///< World x and z; a smooth curve passes through the points
-    double pace_m_s = 1.4;
-    std::optional<double> start_s; ///< Start time; empty: the track ends at time 0
-    double stride_m = 0.75;        ///< Distance between the prints of the two feet
-    double foot_m = 0.4;           ///< Length of a print in loose sand
-    double depth_m = 0.07;
-    double drag_m = 0.0; ///< Width of the dragged object; 0: footprints
+    double pace_m_s = 1.4;          ///< Speed along the path
+    std::optional<double> start_s;  ///< Start time; empty: the track ends at time 0
+    double stride_m = 0.75;         ///< Distance between the prints of the two feet
+    double foot_m = 0.4;            ///< Length of a print in loose sand
+    double depth_m = 0.07;          ///< Depth of a print or drag mark
+    double drag_m = 0.0;            ///< Width of the dragged object; 0: footprints
 
     bool operator==(const TerrainTrack&) const = default;
 };

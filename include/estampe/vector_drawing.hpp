@@ -51,7 +51,7 @@ struct VectorStroke {
 
 /// A drawing as pen strokes. The order is always the same for the same scene and style.
 struct VectorDrawing {
-    float width_mm = 0.0F;
+    float width_mm = 0.0F; ///< Width of the page
     float height_mm = 0.0F;
     float hatch_width_mm = 0.0F;      ///< Width of a hatching stroke at the usual pressure
     float dash_mm = 1.2F;             ///< Length of the dashes of hidden strokes

@@ -177,8 +177,7 @@ std::vector<Strip> deflate_all(const PngPixels& pixels, uint64_t rows_each)
 /// speed rather than size, in strips on all cores. The bytes do not depend on the number of cores. Throws
 /// Error if memory runs out. Cost: 65 ms of one core per megapixel of a drawing.
 ///
-/// Source  the PNG specification, 9 (filters); strips as in Adler's pigz, 2007: each uses the 32 KiB before
-/// it
+/// Source  the PNG specification, 9 (filters); Adler's pigz, 2007 (strips that share the 32 KiB before)
 std::vector<std::vector<std::byte>> deflate_png_rows(const PngPixels& pixels)
 {
     const uint64_t rows_each = std::max<uint64_t>(strip_bytes / (pixels.row_bytes() + 1), 1);
