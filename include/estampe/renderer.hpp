@@ -21,7 +21,7 @@
 
 namespace estampe {
 
-/// How triangles are rasterised. Both paths give the same visible object in 99.99 % of pixels.
+/// How triangles are rasterised. Both paths find the same visible triangle in 99.99 % of pixels.
 enum class RasterPath : uint8_t {
     automatic, ///< The faster path: measured when a GPU is opened, fixed on a processor
     hardware,  ///< The rasteriser of the device

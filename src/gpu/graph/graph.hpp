@@ -193,20 +193,20 @@ struct BufferId {
 /// How a pass accesses a resource; determines stage, access mask and image layout.
 enum class Access : uint8_t {
     compute_sampled,        ///< texelFetch or a sampler
-    compute_storage_read,   ///< storage image or buffer, read
+    compute_storage_read,   ///< Storage image or buffer, read
     compute_storage_write,  ///< Storage image or buffer, written wherever its content is used
-    compute_storage_modify, ///< read and written, atomics
-    compute_uniform,        ///< uniform buffer
+    compute_storage_modify, ///< Read and written, atomics
+    compute_uniform,        ///< Uniform buffer
     raster_sampled,         ///< As compute_sampled, in the vertex or fragment stage
     raster_storage_read,    ///< As compute_storage_read, in the vertex or fragment stage
     raster_uniform,         ///< As compute_uniform, in the vertex or fragment stage
-    indirect,               ///< arguments of a dispatch or a draw
+    indirect,               ///< Arguments of a dispatch or a draw
     transfer_read,
     transfer_write,
     color_attachment,        ///< Cleared, then drawn into
     color_attachment_modify, ///< Drawn over
     depth_attachment,        ///< Tested and written; cleared first if it has no content
-    host_read,               ///< read back after the frame
+    host_read,               ///< Read back after the frame
 };
 
 [[nodiscard]] constexpr bool is_write(Access access)
@@ -278,15 +278,15 @@ struct Draw {
 
 struct PassRecord {
     std::string name;
-    const Shader* shader = nullptr; ///< compute passes only
-    Draw draw = {};                 ///< raster passes only
+    const Shader* shader = nullptr; ///< Compute passes only
+    Draw draw = {};                 ///< Raster passes only
     std::vector<Use> uses = {};
     std::vector<std::byte> push = {};
-    uint32_t variant = 0; ///< the shaders' specialization constant 0
+    uint32_t variant = 0; ///< The shaders' specialization constant 0
     Dispatch dispatch = {};
     uint32_t estimated_duration_us = 0; ///< See Pass::estimated_duration_us(); 0: unknown
-    Recording record = {};              ///< custom passes only
-    bool has_side_effect = false;       ///< never culled
+    Recording record = {};              ///< Custom passes only
+    bool has_side_effect = false;       ///< Never culled
 
     [[nodiscard]] bool is_raster() const { return draw.vertex != nullptr; }
 };
