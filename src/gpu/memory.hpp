@@ -71,7 +71,7 @@ private:
     [[nodiscard]] bool take(Block& block, const VkMemoryRequirements& needs, VkDeviceSize& offset) const;
 
     VkDevice device_;
-    /// Heap sizes are limited to the memory that the machine has.
+    /// On a processor, heap sizes are the free memory of the machine.
     VkPhysicalDeviceMemoryProperties properties_{};
     std::vector<Block> blocks_;
 };

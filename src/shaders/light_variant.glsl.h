@@ -38,7 +38,7 @@ SHARED_CONSTANT uint light_occludes_all = 1U << 19U;
 // Ambient light reflected by occluders, as a share of ambient light.
 SHARED_CONSTANT uint light_has_thrown = 1U << 20U;
 
-// Shaded points are given in a list instead of by the depth buffer.
+// Shaded points come from an image instead of the depth buffer.
 SHARED_CONSTANT uint light_has_points = 1U << 21U;
 SHARED_CONSTANT uint light_has_tiles = 1U << 22U; // Only listed tiles are lit
 
