@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Works out ahead the light that surfaces throw on each other, on the processor. In CMake estampe::bake,
-// which is there where ESTAMPE_BAKE is on, and needs Embree and TBB.
+// Bakes lightmaps: computes on the CPU the light that surfaces reflect onto each other. Link the CMake
+// target estampe::bake, which exists if ESTAMPE_BAKE is on, and requires Embree and TBB.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,36 +15,37 @@
 
 namespace estampe {
 
-/// How a map is made, and what of the light is in it.
+/// Resolution, quality and content of a baked lightmap.
 struct BakeSettings {
-    uint32_t size = 1024;   ///< texels a side, 16 to 4096
-    uint32_t samples = 128; ///< paths of light that are followed from each texel; 1 and more
-    uint32_t bounces = 3;   ///< surfaces that light may be thrown off on its way
-    uint32_t seed = 1;      ///< another number gives other noise
-    bool smooth = true;     ///< takes noise out where neighbours on a surface agree
-    uint32_t direct = 0;    ///< kinds of lights whose own light is in the map too, see BakedLights
-    float sky = 1.0F;       ///< the style's ambient light is multiplied by this; 0 and more
+    uint32_t size = 1024;   ///< Texels per side of the map, 16 to 4096
+    uint32_t samples = 128; ///< Light paths traced from each texel; at least 1
+    uint32_t bounces = 3;   ///< Largest number of surfaces that a light path is reflected from
+    uint32_t seed = 1;      ///< Random seed; another seed gives other noise
+    bool smooth = true;     ///< Denoises the map between neighbouring texels of one surface
+    /// Kinds of lights whose direct light is also stored in the map; bits of BakedLights.
+    uint32_t direct = 0;
+    float sky = 1.0F; ///< Factor on the style's ambient light; 0 or more
 };
 
-/// One lightmap in the making.
+/// Progressive baking of one lightmap.
 ///
-/// The lights are those that a picture of the scene in this style has: the scene's, or the sun or the lamp
-/// that it would get, and the ambient light as a sky that things hide. What throws light on is of the colour
-/// of its material, alike to all sides. What can move is left out, and so are masked and see-through
-/// triangles.
+/// The lights are those of a picture of the scene in this style: the scene's own lights, or the default sun
+/// or lamp of a scene without any, and the ambient light, which comes from the sky and which objects can
+/// block. Surfaces reflect light diffusely, in the colour of their material. Movable objects and masked or
+/// see-through triangles are left out.
 ///
-/// The map holds what arrives at each texel after at most `bounces` surfaces, and at once from the sky,
-/// glowing materials and lights of the kinds asked for: irradiance over pi, on the side that the normals
-/// point to. The same scene, style and settings give the same bytes, however often and by how many threads it
-/// is worked on.
+/// Each texel holds irradiance over pi, on the side that the normals point to: light that arrives after at
+/// most `bounces` reflections, and direct light from the sky, from emissive materials and from lights of the
+/// kinds in BakeSettings::direct. The same scene, style and settings give the same bytes, for any number of
+/// threads and of calls of work().
 ///
 /// Source  Kajiya, "The Rendering Equation", 1986; Veach and Guibas, "Optimally Combining Sampling Techniques
 ///         for Monte Carlo Rendering", 1995
 class LightmapBake {
 public:
-    /// Cuts the surface into charts, packs them, and builds what rays need. Throws Error when no triangle
-    /// that takes light stands still, when charts do not fit, and when the style names lights or objects that
-    /// are not there. Cost: about 3 us a triangle and 0.1 us a texel.
+    /// Cuts the surface into charts, packs them into the map, and builds the ray tracing structure. Throws
+    /// Error if no triangle that receives light is static, if the charts do not fit into the map, or if the
+    /// style names lights or objects that do not exist. Cost: about 3 us per triangle and 0.1 us per texel.
     LightmapBake(Scene scene, const Style& style, const BakeSettings& settings = {});
     ~LightmapBake();
     LightmapBake(LightmapBake&&) noexcept;
@@ -52,27 +53,28 @@ public:
     LightmapBake(const LightmapBake&) = delete;
     LightmapBake& operator=(const LightmapBake&) = delete;
 
-    /// Works for about `seconds` on all cores; returns whether there is more to do.
+    /// Bakes for about `seconds` on all cores. Returns whether work is left.
     bool work(double seconds);
 
     /// Share of the work that is done, 0 to 1.
     [[nodiscard]] double done() const;
 
-    /// Takes up work that save_progress() wrote; false, and nothing taken, where `path` holds none of this
-    /// scene, this light and these settings.
+    /// Continues from progress that save_progress() wrote to `path`. Returns false and changes nothing if
+    /// the file does not exist or belongs to another scene, lighting or settings.
     [[nodiscard]] bool load_progress(const std::filesystem::path& path);
 
-    /// Writes beside `path` first and renames. Throws Error when that cannot be.
+    /// Writes a temporary file beside `path` and renames it. Throws Error if the file cannot be written.
     void save_progress(const std::filesystem::path& path) const;
 
-    /// The map of what has been done so far, for Renderer::set_scene() and save_lightmap().
+    /// The map as baked so far, for Renderer::set_scene() and save_lightmap().
     [[nodiscard]] Lightmap map() const;
 
-    /// Texels that surfaces lie on.
+    /// Number of texels that are covered by surfaces.
     [[nodiscard]] size_t texel_count() const;
+    /// Resolution of the map on the surfaces, in texels per metre.
     [[nodiscard]] float texels_per_m() const;
 
-    /// Whether something was left out because it can move.
+    /// Whether objects were left out because they can move.
     [[nodiscard]] bool leaves_out_moving() const;
 
 private:

@@ -7,16 +7,17 @@
 
 namespace estampe {
 
-/// What lights a scene where a style leaves it to the scene.
+/// Light source of a scene when the style does not choose one.
 enum class LightChoice : uint8_t {
-    own,              ///< the lights of the file
-    sun,              ///< the style's sun, as there are none
-    lamp,             ///< a lamp, as there are none and the sun reaches nothing: a closed room
-    lamp_and_daylight ///< the same in a room with an open side
+    own,  ///< The lights of the file
+    sun,  ///< The style's sun: the file has no lights
+    lamp, ///< A lamp: the file has no lights and the scene is a closed room that the sun does not reach
+    /// A lamp and daylight: the file has no lights and the scene is a room with an open side.
+    lamp_and_daylight
 };
 
-/// The choice for a view such as framing_camera() makes; an eye elsewhere may find itself in a room. Cost: as
-/// framing_camera().
+/// Returns the choice for the view of framing_camera(). A renderer may choose otherwise for a camera inside
+/// a room. Cost: that of framing_camera().
 [[nodiscard]] LightChoice default_light(const Scene& scene);
 
 } // namespace estampe

@@ -4,14 +4,14 @@
 #include <stdexcept>
 #include <string>
 
-/// Draws 3D scenes as a hand would.
+/// Draws 3D scenes in the manner of drawings by hand.
 namespace estampe {
 
-/// What failed, where, and what to do about it, in one line a person can act on.
+/// States in one line what failed, where, and what the user can do about it.
 ///
-/// Thrown for adverse conditions: bad input, a missing file, a device that is not there. Mistakes of the
-/// programmer are assertions instead, and expected failures are return values.
-/// `where` is a file, `file:line:column`, or `file#/json/pointer`; it may be empty.
+/// Thrown for conditions that a correct program can meet: bad input, a missing file, an unavailable device.
+/// Programming mistakes are assertions, and expected failures are return values. `where` is a file,
+/// `file:line:column`, or `file#/json/pointer`; it may be empty.
 class Error : public std::runtime_error {
 public:
     explicit Error(const std::string& what_failed, const std::string& where = {},

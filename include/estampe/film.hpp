@@ -9,18 +9,18 @@
 
 namespace estampe {
 
-/// Whether a name ends as a film does: .mp4, .webm or .gif.
+/// Whether the file name has the extension of a film: .mp4, .webm or .gif.
 [[nodiscard]] bool is_film(const std::filesystem::path& path);
 
-/// Writes a film while its frames are drawn, by the program ffmpeg: H.264 in .mp4, VP9 in .webm, both with
-/// 4:2:0 colour by Rec. 709, and .gif with a palette of its own. The same frames give the same bytes on the
-/// same machine. It is written beside `path` and gets its name when it is whole.
+/// Encodes a film frame by frame with the program ffmpeg: H.264 in .mp4, VP9 in .webm, both with 4:2:0
+/// colour by Rec. 709, or .gif with a palette made for the film. The same frames give the same bytes on the
+/// same machine. The film is written to a temporary file beside `path`, and renamed when it is complete.
 class FilmWriter {
 public:
-    /// Starts ffmpeg. With `has_alpha` the film is as transparent as its frames: .webm has a plane of alpha,
-    /// .gif shows or hides each pixel; without, alpha is left out. Throws Error when there is no such
-    /// program, and for a name that is_film() does not know, a picture rate that is not 0.1 to 1000, a folder
-    /// that cannot be written, or alpha in .mp4, which has none.
+    /// Starts ffmpeg. `has_alpha` keeps the transparency of the frames: .webm stores an alpha plane, .gif
+    /// shows or hides each pixel. Otherwise alpha is ignored. Throws Error if ffmpeg is not installed, if
+    /// is_film() is false for `path`, if the frame rate is not in 0.1 to 1000, if the folder is not
+    /// writable, or if alpha is requested for .mp4, which has none.
     FilmWriter(const std::filesystem::path& path, uint32_t width_px, uint32_t height_px, double frames_per_s,
                bool has_alpha = false);
     ~FilmWriter();
@@ -29,13 +29,14 @@ public:
     FilmWriter(const FilmWriter&) = delete;
     FilmWriter& operator=(const FilmWriter&) = delete;
 
-    /// The next frame. Waits while the encoder is behind. Sides that are odd are doubled by a row or column
-    /// of their last pixels, which H.264 and VP9 want. Throws Error when the frame has another size, and, in
-    /// the words of ffmpeg, when that failed. Cost: a copy of the pixels; .gif is held in memory until the
-    /// end.
+    /// Adds the next frame; blocks while the encoder is behind. H.264 and VP9 require even sizes, so the
+    /// last row or column of an odd size is doubled. Throws Error if the frame has another size, or with
+    /// ffmpeg's message if ffmpeg failed. Cost: one copy of the pixels; a .gif is kept in memory until
+    /// finish().
     void add(const Image& frame);
 
-    /// Ends the film and gives it its name. Throws Error as add() does, and when there was no frame.
+    /// Completes the film and renames it to its final name. Throws Error as add() does, and if no frame was
+    /// added.
     void finish();
 
 private:

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Light worked out ahead: what `estampe bake` makes and a renderer adds to the light that it finds itself.
+// Lightmaps: baked light that `estampe bake` or another program made, and that a renderer adds to its own
+// lighting.
 
 #include <cstdint>
 #include <filesystem>
@@ -13,70 +14,76 @@
 
 namespace estampe {
 
-/// A picture of linear light, Rec. 709: rows from top to bottom.
+/// An image of linear light, Rec. 709 primaries: rows from top to bottom.
 struct LightImage {
     uint32_t width = 0;
     uint32_t height = 0;
-    std::vector<glm::vec3> texels; ///< width * height
+    std::vector<glm::vec3> texels; ///< width * height values
 
     [[nodiscard]] bool empty() const noexcept { return texels.empty(); }
 
     bool operator==(const LightImage&) const = default;
 };
 
-/// Kinds of light, as bits.
+/// Bits for the kinds of lights whose direct light a lightmap contains.
 enum BakedLights : uint32_t { baked_directional = 1, baked_point = 2, baked_spot = 4 };
 
-/// A picture of light that a scene's file lays on a mesh, by a UV set of that mesh.
+/// A lightmap picture that the scene's file assigns to a mesh, with the UV set to look it up by.
 struct WornPicture {
-    uint32_t picture = 0; ///< into Lightmap::pictures
+    uint32_t picture = 0; ///< Index into Lightmap::pictures
     uint32_t uv_set = 1;
-    float intensity = 1.0F; ///< the picture is multiplied by this
+    float intensity = 1.0F; ///< Factor on the picture
 
     bool operator==(const WornPicture&) const = default;
 };
 
-/// Light on the still triangles of one scene, and where each of them lies in the picture; or pictures that
-/// the scene's file names itself.
+/// Baked light. Either one map for the static triangles of a scene, with its texture coordinates, or the
+/// pictures that the scene's file itself assigns to meshes.
 struct Lightmap {
-    LightImage light;               ///< irradiance over pi, at the exposure below
-    std::vector<glm::vec2> corners; ///< three a still triangle of the scene, 0 to 1 from the top left
-    std::string geometry;           ///< which scene it is for: a fingerprint of its still triangles
-    float exposure = 1.0F;          ///< what the scene's lights were multiplied by
-    uint32_t baked_lights = 0;      ///< lights that are in the map themselves; a renderer leaves these out
-    std::string settings;           ///< how it was made, in words
+    LightImage light; ///< Irradiance over pi, multiplied by `exposure`
+    /// Map coordinates of the corners of the static triangles, three per triangle: 0 to 1, from the top
+    /// left.
+    std::vector<glm::vec2> corners;
+    std::string geometry;  ///< Fingerprint of the static triangles, which identifies the scene of the map
+    float exposure = 1.0F; ///< Factor on the scene's lights when the map was baked
+    /// Bits of BakedLights: lights whose direct light is in the map, which a renderer therefore does not
+    /// add.
+    uint32_t baked_lights = 0;
+    std::string settings; ///< Bake settings as text
 
-    /// Not empty: these are worn, and nothing above counts. Linear light as it is to be seen, 1 for white,
-    /// whatever the exposure of the lights.
+    /// Pictures that the scene's file assigns. If there are any, all members above are ignored. They hold
+    /// linear light as displayed, where 1 is white, regardless of the exposure of the lights.
     std::vector<LightImage> pictures;
-    std::vector<std::optional<WornPicture>> of_node;     ///< one a node, its parents' word counted
-    std::vector<std::optional<WornPicture>> of_material; ///< where the node says nothing
-    std::optional<WornPicture> of_scene;                 ///< where neither does
+    /// One entry per node, which includes what the node inherits from its parents.
+    std::vector<std::optional<WornPicture>> of_node;
+    /// One entry per material; used where the node has none.
+    std::vector<std::optional<WornPicture>> of_material;
+    std::optional<WornPicture> of_scene; ///< Used where neither node nor material has one
 
     bool operator==(const Lightmap&) const = default;
 };
 
-/// Writes an OpenEXR picture in half floats that any program for HDR pictures opens; the rest of the map is
-/// in its header. Beside `path` first, then renamed. Throws Error when it cannot be written.
+/// Writes an OpenEXR picture in half floats, which any HDR program opens. The header holds the rest of the
+/// map. The file is written beside `path` and renamed. Throws Error if it cannot be written.
 void save_lightmap(const Lightmap& map, const std::filesystem::path& path);
 
-/// The lightmaps that a glTF file names itself, if it does: `lightmap` in the "estampe" object of the
-/// `extras` of a node (for itself and what is below it), a material or the scene, or MOZ_lightmap of a
-/// material:
+/// Reads the lightmaps that a glTF file refers to; empty if it refers to none. A lightmap is given by
+/// `lightmap` in the "estampe" object of the `extras` of a node (for that node and its descendants), a
+/// material or the scene, or by MOZ_lightmap of a material:
 ///
 ///     "extras": {"estampe": {"lightmap": {"uri": "room.png", "texCoord": 1, "intensity": 1.0}}}
 ///     "extras": {"estampe": {"lightmap": {"texture": 3}}}
 ///     "extensions": {"MOZ_lightmap": {"index": 3, "texCoord": 1, "intensity": 1.0}}
 ///
-/// A uri stands beside the file or is embedded; pictures are OpenEXR (linear) or PNG, JPEG, WebP (sRGB). The
-/// scene may name a map of `estampe bake` instead, and nothing else a map then. UVs count as they are,
-/// without KHR_texture_transform. Keys and values that are not understood are left out, and load_scene()
-/// warns of them. Throws Error naming file and JSON pointer when what is named is missing or cannot be read.
-/// Cost: reads the file once more, and decodes what is in it only where maps are named.
+/// A uri is relative to the file, or a data uri. Pictures are OpenEXR (linear) or PNG, JPEG, WebP (sRGB).
+/// The scene may instead name a map made by `estampe bake`, and all other entries are then ignored.
+/// KHR_texture_transform is not applied to the UVs. Unknown keys and values are ignored, and load_scene()
+/// warns of them. Throws Error with file and JSON pointer if a picture is missing or unreadable. Cost: reads
+/// the file once more, and decodes it only if it names lightmaps.
 [[nodiscard]] std::optional<Lightmap> named_lightmap(const std::filesystem::path& scene_file);
 
-/// Reads what save_lightmap() writes. Throws Error naming the file when it is missing, damaged, or an OpenEXR
-/// picture that is no map.
+/// Reads a file of save_lightmap(). Throws Error that names the file if it is missing or damaged, or if it
+/// is an OpenEXR picture but no lightmap.
 [[nodiscard]] Lightmap load_lightmap(const std::filesystem::path& path);
 
 } // namespace estampe

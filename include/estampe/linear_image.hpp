@@ -10,14 +10,14 @@
 
 namespace estampe {
 
-/// A picture in linear light: the primaries of Rec. 709 and its white, D65, where 1 is the white of a screen;
-/// the heights of white paper lie a little above. Rows from top to bottom.
+/// A picture in linear light: Rec. 709 primaries, white point D65, 1 is the white of a screen. The bright
+/// parts of paper texture are slightly above 1. Rows run from top to bottom.
 struct LinearImage {
     uint32_t width = 0;
     uint32_t height = 0;
-    std::vector<glm::vec4> pixels; ///< width * height; colours are multiplied by their alpha
-    /// The linear colour of the paper that is left out of a transparent picture. Not given: the picture is
-    /// opaque, and is written without alpha.
+    std::vector<glm::vec4> pixels; ///< width * height values; colours are premultiplied by alpha
+    /// Linear colour of the paper that a transparent picture leaves out. Empty: the picture is opaque and is
+    /// written without alpha.
     std::optional<glm::vec3> paper;
 
     [[nodiscard]] bool empty() const noexcept { return pixels.empty(); }
@@ -25,21 +25,21 @@ struct LinearImage {
     bool operator==(const LinearImage&) const = default;
 };
 
-/// What numbers an OpenEXR picture is made of.
+/// Number format of an OpenEXR picture.
 enum class ExrNumbers : uint8_t {
-    half,  ///< 16 bits: 11 of them count, over 30 stops
+    half,  ///< 16 bits: 11 significant bits over a range of 30 stops
     single ///< 32 bits
 };
 
-/// Writes `image` as PNG of 16 bits a channel, sRGB-encoded and marked so, beside `path` first and renamed
-/// into place. What is above 1 becomes white. A transparent picture has straight alpha, such that programs
-/// which lay it on its own paper in sRGB-encoded values show the opaque drawing. Throws Error when the folder
-/// cannot be written or the image is empty. Cost: about 150 ms a megapixel.
+/// Writes `image` as PNG with 16 bits per channel, sRGB-encoded and marked as sRGB. Values above 1 become
+/// white. A transparent picture gets straight alpha, chosen so that programs that composite sRGB-encoded
+/// values onto its paper colour show the opaque drawing. The file is written beside `path` and renamed.
+/// Throws Error if the folder is not writable or the image is empty. Cost: about 150 ms per megapixel.
 void save_png(const LinearImage& image, const std::filesystem::path& path);
 
-/// Writes `image` as OpenEXR, R, G and B in linear light with its primaries named in the header, in the same
-/// way; a transparent picture also has A, by which the colours are multiplied. Throws Error as save_png()
-/// does. Cost: about 50 ms a megapixel.
+/// Writes `image` as OpenEXR: R, G and B in linear light with the primaries in the header. A transparent
+/// picture also has A, and its colours are premultiplied. The file is written beside `path` and renamed.
+/// Throws Error as save_png() does. Cost: about 50 ms per megapixel.
 void save_exr(const LinearImage& image, const std::filesystem::path& path,
               ExrNumbers numbers = ExrNumbers::half);
 

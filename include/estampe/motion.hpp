@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How things move on the page from one picture to another.
+// Motion vectors on the page, from one moment to another.
 
 #include <cstdint>
 #include <filesystem>
@@ -11,18 +11,21 @@
 
 namespace estampe {
 
-/// How far what is seen at each pixel of a picture has moved on the page since another moment.
+/// Motion vectors of a picture: how far the surface at each pixel has moved on the page since an earlier
+/// moment.
 struct Motion {
     uint32_t width = 0;
     uint32_t height = 0;
-    /// Row by row: pixels to the right; pixels down; the reversed depth that the point had then (near plane
-    /// over distance, 0 for what is infinitely far); 1. All four are 0 where it lay behind the eye then, and
-    /// had no place on the page. See-through surfaces have none: it is that of what is solid behind them.
+    /// Row by row. x: pixels to the right; y: pixels down; z: reversed depth of the point at the earlier
+    /// moment (near plane over distance, 0 at infinity); w: 1. All four are 0 if the point was behind the
+    /// camera then and had no place on the page. See-through surfaces have no motion of their own; their
+    /// pixels hold that of the solid surface behind.
     std::vector<glm::vec4> pixels;
 };
 
-/// Writes an OpenEXR picture in floats, R, G, B and A as above: what stood at p - (R, G) then is at p now.
-/// Beside `path` first, then renamed. Throws Error when there is no motion in it or it cannot be written.
+/// Writes an OpenEXR picture in 32-bit floats, with R, G, B and A for x, y, z and w of Motion::pixels. The
+/// point that is at p in the picture was at p - (R, G) at the earlier moment. The file is written beside
+/// `path` and renamed. Throws Error if `motion` is empty or the file cannot be written.
 void save_motion(const Motion& motion, const std::filesystem::path& path);
 
 } // namespace estampe

@@ -15,9 +15,10 @@ namespace features {
 struct StyleTables;
 }
 
-/// How a picture is drawn: every parameter of every technique, with a value.
+/// All drawing parameters of a picture: one value for every parameter of every technique.
 ///
-/// A default-constructed style is the house's default. Copying is deep and cheap (a few hundred bytes).
+/// A default-constructed style holds the default of every parameter. Copying is deep and cheap (a few
+/// hundred bytes).
 class Style {
 public:
     Style();
@@ -27,43 +28,45 @@ public:
     Style& operator=(const Style&);
     Style& operator=(Style&&) noexcept;
 
-    /// Reads a TOML file, or the preset of that name. Throws Error with file:line:column, the key, what is
-    /// allowed, and the nearest known key for an unknown one.
+    /// Reads a TOML file or a preset by name. Throws Error with file:line:column, the key, and the allowed
+    /// values; for an unknown key also the nearest known one.
     [[nodiscard]] static Style load(const std::string& file_or_preset);
 
-    /// Applies one assignment, "hatch.contrast=12". Throws Error as load() does.
+    /// Applies one assignment, such as "hatch.contrast=12". Throws Error as load() does.
     void set(std::string_view assignment);
 
-    /// The value of a number, by its key: "haze.reach_m"; of a toggle 0 or 1. Throws Error for a key that is
-    /// none, or is of another type.
+    /// Returns a numeric parameter by its key, such as "haze.reach_m"; a toggle is 0 or 1. Throws Error for
+    /// an unknown key or a parameter of another type.
     [[nodiscard]] double number(std::string_view key) const;
 
-    /// The same of a colour, sRGB of 0 to 1: "sky.horizon".
+    /// Returns a colour parameter by its key, such as "sky.horizon": sRGB components from 0 to 1. Throws
+    /// Error as number() does.
     [[nodiscard]] glm::vec3 color(std::string_view key) const;
 
-    /// The same of a choice or a text: "light.metering".
+    /// Returns a choice or text parameter by its key, such as "light.metering". Throws Error as number()
+    /// does.
     [[nodiscard]] std::string text(std::string_view key) const;
 
-    /// Every parameter with its value, as a TOML text that load() reads back to an equal style.
+    /// Writes all parameters as TOML. load() reads it back to an equal style.
     [[nodiscard]] std::string to_toml() const;
 
-    /// Where its sun stands, for framing_camera(). Throws Error for a date that is none.
+    /// Direction of the style's sun, for framing_camera(). Throws Error if its date is not valid.
     [[nodiscard]] SunBearing sun_bearing() const;
 
-    /// Width by height of what the page's margin leaves of a picture of this size, for framing_camera(). A
-    /// camera's vertical field of view is that of this window.
+    /// Aspect (width / height) of the part of a picture within the page's margin, for framing_camera(). The
+    /// vertical field of view of a camera spans that part.
     [[nodiscard]] double window_aspect(uint32_t width, uint32_t height) const;
 
-    /// The manual of all parameters: name, type, range, default, unit and one line of help each.
+    /// Manual of all parameters: name, type, range, default, unit and one line of help for each.
     [[nodiscard]] static std::string help();
 
-    /// All parameters as a JSON schema (2020-12), with which editors complete and check TOML files.
+    /// JSON schema (2020-12) of all parameters, with which editors complete and check TOML files.
     [[nodiscard]] static std::string json_schema();
 
-    /// Names of the presets that load() knows.
+    /// Names of the presets that load() accepts.
     [[nodiscard]] static std::vector<std::string> presets();
 
-    /// What a preset looks like, in a line. Throws Error when there is none of that name.
+    /// Describes the look of a preset in one line. Throws Error if no preset has the name.
     [[nodiscard]] static std::string about(const std::string& preset);
 
     [[nodiscard]] const features::StyleTables& tables() const { return *tables_; }

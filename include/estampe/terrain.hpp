@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Ground without an end, made by a graph of heights that is written as text and may be changed while a
-// program runs. The same graph answers questions here, on the processor, and poses the vertices on the GPU.
+// Endless ground defined by a graph of height functions, which is written as text and may change while a
+// program runs. The CPU evaluates the graph for queries, and the GPU evaluates it for the vertices.
 
 #include <cstdint>
 #include <filesystem>
@@ -18,72 +18,75 @@
 
 namespace estampe {
 
-/// A named part of a height graph: `swell = "6 * fbm(400)"`.
+/// A named node of a height graph, such as `swell = "6 * fbm(400)"`.
 struct HeightNode {
     std::string name;
-    std::string expression; ///< in the language of docs/terrain.md
-    std::string where;      ///< file:line:column, for messages; may be empty
+    std::string expression; ///< In the language of docs/terrain.md
+    std::string where;      ///< file:line:column for error messages; may be empty
 
     bool operator==(const HeightNode&) const = default;
 };
 
-/// The wind over the ground.
+/// Wind over the ground.
 struct TerrainWind {
-    float direction_deg = 0.0F; ///< where it blows to: 0 is +x, 90 is +z
+    float direction_deg = 0.0F; ///< Direction towards which the wind blows: 0 is +x, 90 is +z
     float speed_m_s = 5.0F;
 
     bool operator==(const TerrainWind&) const = default;
 };
 
-/// How the plane is cut into triangles.
+/// How the ground is divided into triangles.
 enum class TerrainMesh : uint8_t {
-    rings, ///< nested grids about the eye, each twice as coarse as the one within; vertices stand still
-    grid,  ///< one even grid, snapped by its own cell, laid before the eye and turned by right angles
-    object ///< a mesh of the scene, raised by the heights
+    rings, ///< Nested grids around the camera, each twice as coarse as the one inside; vertices do not move
+    /// One uniform grid in front of the camera; its position snaps to its cells and its rotation to right
+    /// angles.
+    grid,
+    object ///< A mesh of the scene, displaced by the heights
 };
 
-/// When the vertices are found anew.
+/// When the vertices are evaluated again.
 enum class TerrainUpdate : uint8_t {
-    moved,  ///< when the eye or the time have gone on
-    always, ///< in every picture, for measuring
-    still   ///< time stands still for the ground
+    moved,  ///< When the camera has moved or time has advanced
+    always, ///< For every picture, for measurements
+    still   ///< When the camera has moved; time stands still for the ground
 };
 
-/// How finely the plane is cut into triangles, and how far it goes.
+/// Resolution and extent of the terrain mesh.
 struct TerrainMeshing {
     TerrainMesh method = TerrainMesh::rings;
-    std::string object; ///< the name of a node, for the method of that name
+    std::string object; ///< Name of a node; only used with TerrainMesh::object
     TerrainUpdate update = TerrainUpdate::moved;
-    float cell_m = 0.25F;         ///< between vertices, nearest to the eye; rounded to a power of two
-    int cells = 128;              ///< along a side of a ring or grid; rounded up to a multiple of 4
-    float reach_m = 20000.0F;     ///< how far the ground goes at least (rings)
-    float planet_radius_m = 0.0F; ///< of a ground that closes round itself; 0: it is flat
+    float cell_m = 0.25F; ///< Spacing of vertices nearest to the camera; rounded to a power of two
+    int cells = 128;      ///< Cells along a side of a ring or grid; rounded up to a multiple of 4
+    /// Least distance that the ground extends to; only used with TerrainMesh::rings.
+    float reach_m = 20000.0F;
+    float planet_radius_m = 0.0F; ///< Radius of a ground that curves like a planet; 0: the ground is flat
 
     bool operator==(const TerrainMeshing&) const = default;
 };
 
-/// What the ground looks like.
+/// Appearance of the ground.
 struct TerrainLook {
-    glm::vec3 color{0.62F, 0.45F, 0.27F}; ///< of the sand, linear
+    glm::vec3 color{0.62F, 0.45F, 0.27F}; ///< Colour of the sand, linear
 
     bool operator==(const TerrainLook&) const = default;
 };
 
-/// What the wind draws on sand, seen from near: normals alone, no heights.
+/// Wind ripples of sand, visible from near. They change the normals, not the heights.
 struct TerrainRipples {
-    float wavelength_m = 0.12F;
-    float height_m = 0.01F; ///< from trough to crest; 0: there are none
-    float meander = 0.5F;   ///< 0: straight and unbroken; 1: they wind, fork and end everywhere
-    float drift_m_s = 0.0005F;
+    float wavelength_m = 0.12F; ///< From crest to crest
+    float height_m = 0.01F;     ///< From trough to crest; 0: no ripples
+    float meander = 0.5F;       ///< 0: straight and unbroken; 1: they wind, fork and end everywhere
+    float drift_m_s = 0.0005F;  ///< Speed of the ripples downwind
 
     bool operator==(const TerrainRipples&) const = default;
 };
 
-/// All that a terrain is, as a file has it.
+/// Everything that a terrain file describes.
 struct TerrainDescription {
-    std::string name;              ///< of the file, for messages
-    std::filesystem::path folder;  ///< that textures are looked up in
-    std::vector<HeightNode> nodes; ///< one is named "height"
+    std::string name;              ///< Name of the file, for error messages
+    std::filesystem::path folder;  ///< Folder of the textures
+    std::vector<HeightNode> nodes; ///< One node is named "height"
     TerrainWind wind;
     TerrainMeshing meshing;
     TerrainLook look;
@@ -92,25 +95,25 @@ struct TerrainDescription {
     std::vector<TerrainTrack> tracks;
 };
 
-/// Reads a terrain's TOML: [terrain] with `height` and `color`, [nodes], [wind], [mesh], [ripples],
-/// [trails], [tracks].
-/// Throws Error with file, line and column for what is no such thing.
+/// Parses a terrain in TOML: [terrain] with `height` and `color`, [nodes], [wind], [mesh], [ripples],
+/// [trails], [tracks]. Textures are looked up in `folder`. Throws Error with file, line and column if the
+/// text is not valid.
 [[nodiscard]] TerrainDescription parse_terrain(std::string_view text, const std::string& name,
                                                const std::filesystem::path& folder = {});
 
-/// The same of a file. Throws Error also where it cannot be read.
+/// Reads a terrain file. Throws Error as parse_terrain() does, and if the file cannot be read.
 [[nodiscard]] TerrainDescription load_terrain(const std::filesystem::path& path);
 
-/// The same terrain as a file: parse_terrain() gives it back. Cost: linear in its text.
+/// Writes a terrain as TOML that parse_terrain() reads back. Cost: linear in the length of the text.
 [[nodiscard]] std::string terrain_toml(const TerrainDescription& terrain);
 
-/// The ground at a place and time.
+/// Height, slope and vertical speed of the ground at one place and time.
 struct HeightSample {
     double height_m = 0.0;
     glm::dvec2 slope{0.0};     ///< d height / dx, d height / dz
     double rate_m_per_s = 0.0; ///< d height / dt
 
-    /// Away from the ground, unit.
+    /// Unit normal, pointing away from the ground.
     [[nodiscard]] glm::dvec3 normal() const;
 };
 
@@ -118,31 +121,32 @@ namespace terrain {
 struct Program;
 }
 
-/// A terrain that can be asked. Copies share the graph. Throws Error from its constructor, with file, line
-/// and node, for a graph with a cycle, an unknown node or argument, a missing texture or a height that is no
-/// number.
+/// A compiled terrain, which can be evaluated. Copies share the graph. The constructor throws Error with
+/// file, line and node if the graph has a cycle, an unknown node or argument, a missing texture, or a height
+/// that is not a number.
 class Terrain {
 public:
+    /// Reads the textures of `description` and compiles its graph.
     explicit Terrain(TerrainDescription description);
 
     [[nodiscard]] const TerrainDescription& description() const { return *description_; }
 
-    /// The height at (x, z) metres and a time in seconds, and how it changes; exact derivatives of the very
-    /// graph (dual numbers). Cost: about 0.1 microseconds a node.
+    /// Evaluates height, slope and rate at (x, z) in metres and a time in seconds. Derivatives are exact
+    /// (dual numbers). Cost: about 0.1 microseconds per node.
     [[nodiscard]] HeightSample sample(double x_m, double z_m, double time_s = 0.0) const;
 
-    /// Where a ray from `from` along unit `towards` first meets the ground, at most `reach_m` away; nothing
-    /// where it does not, or begins below it. Misses what is narrower than a 500th of the way. Cost: about
-    /// 500 samples.
+    /// First intersection of the ground with the ray from `from` along the unit vector `towards`, at most
+    /// `reach_m` away. Empty if there is none or if the ray starts below the ground. Can miss features
+    /// narrower than 1/500 of the way. Cost: about 500 samples.
     [[nodiscard]] std::optional<glm::dvec3> hit(const glm::dvec3& from, const glm::dvec3& towards,
                                                 double reach_m, double time_s = 0.0) const;
 
-    /// Sets the content of `mask("name", ...)`: as many texels each way as the graph says, row by row along
-    /// +x from the corner at -size / 2. Throws Error for an unknown name or another count. Copies made before
-    /// keep what they had; a renderer is handed the terrain anew.
+    /// Sets the content of `mask("name", ...)`: as many texels per side as the graph says, in rows along +x
+    /// from the corner at -size / 2. Throws Error for an unknown name or a wrong count. Earlier copies of
+    /// the terrain keep their content; pass the terrain to Renderer::set_terrain() to show the change.
     void paint_mask(std::string_view mask, const std::vector<float>& heights);
 
-    /// What is drawn from; of no use outside of the library.
+    /// Internal program of the graph, for the library only.
     [[nodiscard]] const terrain::Program& program() const { return *program_; }
 
 private:
@@ -152,9 +156,9 @@ private:
 
 struct Camera;
 
-/// A view over the ground from a rider's eye on one of the high places near the origin, to where a third of
-/// what is seen lies in the shade of a sun towards which the vector points. Cost: 26,000 samples, 0.1 s for a
-/// graph of twenty nodes.
+/// A camera at the eye height of a rider, on one of the high places near the origin, facing a direction in
+/// which about a third of the visible ground is in shade. `towards_sun` points to the sun. Cost: 26,000
+/// samples, 0.1 s for a graph of twenty nodes.
 [[nodiscard]] Camera terrain_camera(const Terrain& terrain, double time_s = 0.0,
                                     const glm::dvec3& towards_sun = {-0.4, 0.7, 0.6});
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Strokes drawn ahead, as pictures: what a style hatches with when it says `hatch.strokes=map`.
+// Tonal art maps: precomputed textures of strokes. A style hatches with them if it says `hatch.strokes=map`.
 
 #include <cstdint>
 #include <filesystem>
@@ -13,58 +13,62 @@
 
 namespace estampe {
 
-/// Coverage of one level, a square of 8-bit texels row by row from the top: 0 paper, 255 ink.
+/// Coverage of one mip level: a square of 8-bit texels, row by row from the top; 0 is paper, 255 is ink.
 using Gray8 = std::vector<uint8_t>;
 
-/// Nested strokes for several darknesses and every mip level. What is ink in a tone is ink in all darker
-/// ones, and a stroke of a level is there, as many pixels wide, in all finer ones. Wraps without a seam.
+/// Nested stroke textures for several tones and all mip levels. The ink of a tone is also in all darker
+/// tones, and a stroke of a level is also in all finer levels, with the same width in pixels. Textures tile
+/// without a seam.
 ///
 /// Source  Praun et al., "Real-Time Hatching", SIGGRAPH 2001
 struct TonalArtMap {
-    uint32_t size_px = 0;                          ///< of level 0; a power of two, 32 to 2048
-    std::vector<float> darkness;                   ///< mean coverage wanted of each tone, rising, in (0, 1)
-    std::vector<std::vector<Gray8>> level_of_tone; ///< [tone][level]: level 0 of size_px, the last of 1 px
+    uint32_t size_px = 0;        ///< Texels per side of level 0; a power of two, 32 to 2048
+    std::vector<float> darkness; ///< Mean coverage of each tone, rising, in (0, 1)
+    /// [tone][level]: level 0 has size_px per side, the last level 1.
+    std::vector<std::vector<Gray8>> level_of_tone;
 
-    /// By level, the darkness, times 255, at which each texel turns to ink, where the maker knows the order
-    /// of the strokes within a tone; empty for maps that were painted.
+    /// Per level: the darkness times 255 at which each texel turns to ink. Only filled if the order of the
+    /// strokes within a tone is known; empty for painted maps.
     std::vector<Gray8> threshold_of_level;
 
     bool operator==(const TonalArtMap&) const = default;
 };
 
-/// A map from elsewhere, and what had to be mended in it, a line each.
+/// A tonal art map read from files, with one warning line for each defect that was repaired.
 struct PaintedMap {
     TonalArtMap map;
     std::vector<std::string> warnings;
 };
 
-/// Draws a map as the style's [tam] says; no device is needed. Where there is a picture of one `stroke`, from
-/// its left side to its right, its alpha is the ink of all of them, or its darkness if it is opaque. The same
-/// style and picture give the same bytes. Throws Error when the style asks for what cannot be, or the picture
-/// has no ink.
+/// Draws a map as the style's [tam] section says; no device is required. `stroke` is a picture of one
+/// stroke, from left to right: its alpha is the ink of every stroke, or its darkness if the picture is
+/// opaque. The same style and picture give the same bytes. Throws Error if the style's values cannot be met
+/// or the picture has no ink.
 ///
-/// Cost    a second for 512 px and 6 tones, on one core
+/// Cost    1 s for 512 px and 6 tones, on one core
 /// Source  Praun et al., "Real-Time Hatching", SIGGRAPH 2001
 [[nodiscard]] TonalArtMap draw_tonal_art_map(const Style& style, const Image* stroke = nullptr);
 
-/// Reads what an artist painted: a folder of PNG files (a tone each, or a tone and level each), a folder of
-/// DDS files (a tone each), one DDS file, or a .tam file; src/techniques/tam/README.md has names and rules.
-/// Levels that are missing are derived; ink that a tone lacks of a lighter one is added and warned of. Throws
-/// Error naming the file when there is none, or it is damaged, of a wrong size or out of order.
+/// Reads a painted map: a folder of PNG files (one per tone, or one per tone and level), a folder of DDS
+/// files (one per tone), one DDS file, or a .tam file. src/techniques/tam/README.md has names and rules.
+/// Missing levels are derived. Ink of a lighter tone that a darker tone lacks is added, with a warning.
+/// Throws Error that names the file if nothing is found, or if a file is damaged, of the wrong size or out
+/// of order.
 [[nodiscard]] PaintedMap load_tonal_art_map(const std::filesystem::path& path);
 
-/// Writes a map as `path` ends: .tam, .dds, or else, with a slash or no extension at the end, a folder of PNG
-/// files that can be painted over, with `tam.toml` beside them. All of it appears at once; a folder must not
-/// exist, or be empty. Throws Error when that cannot be, or the map is not sound.
+/// Writes a map. The extension of `path` chooses the format: .tam, .dds, or with a trailing slash or no
+/// extension a folder of PNG files to paint over, with `tam.toml` beside them. The result appears only when
+/// it is complete. An existing folder must be empty. Throws Error if the map is not valid or cannot be
+/// written.
 void save_tonal_art_map(const TonalArtMap& map, const std::filesystem::path& path);
 
-/// Whether save_tonal_art_map() would make a folder of that name: it ends in a slash, is a folder, or has no
+/// Whether save_tonal_art_map() would write a folder: `path` ends in a slash, is a folder, or has no
 /// extension.
 [[nodiscard]] bool is_map_folder(const std::filesystem::path& path);
 
-/// All images of a map on one sheet, in ink and paper of the style: a column a tone, the lightest at the
-/// left; in each the finest level on top and the coarser ones below it, from left to right. Throws Error when
-/// the map is not sound.
+/// Contact sheet of all images of a map, in the style's ink and paper colours: one column per tone, the
+/// lightest at the left; the finest level on top, and the coarser ones below it from left to right. Throws
+/// Error if the map is not valid.
 [[nodiscard]] Image map_sheet(const TonalArtMap& map, const Style& style);
 
 } // namespace estampe

@@ -74,7 +74,7 @@ TEST(AtomicFile, nowhere_to_write)
     EXPECT_THROW((void)AtomicFile::folder(folder / "none/a"), Error);
 }
 
-/// What a process of its own leaves in `folder` after `work`.
+/// Runs `work` in a child process and returns its exit status, or -1 if it crashed.
 template <typename Work>
 int run_apart(const Work& work)
 {

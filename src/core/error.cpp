@@ -12,7 +12,7 @@ std::string one_line(const std::string& what_failed, const std::string& where, c
     if (!remedy.empty()) {
         line += "; " + remedy;
     }
-    // Names out of a file may hold line breaks or terminal escapes.
+    // Names from files may contain line breaks or terminal escapes.
     std::replace_if(
         line.begin(), line.end(), [](char character) { return static_cast<unsigned char>(character) < 0x20; },
         ' ');

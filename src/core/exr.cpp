@@ -160,7 +160,7 @@ std::vector<std::byte> encode_exr(const ExrFile& file)
 
 namespace {
 
-/// Encodes red, green, blue and alpha as floats, bit for bit. Throws Error when the picture is empty.
+/// Encodes red, green, blue and alpha as floats, bit-exact. Throws Error if the picture is empty.
 std::vector<std::byte> encode_float_exr(uint32_t width, uint32_t height, std::span<const glm::vec4> texels)
 {
     if (texels.empty() || texels.size() != static_cast<size_t>(width) * height) {
@@ -169,7 +169,7 @@ std::vector<std::byte> encode_float_exr(uint32_t width, uint32_t height, std::sp
     Imf::Header header(static_cast<int>(width), static_cast<int>(height));
     header.compression() = Imf::ZIP_COMPRESSION;
     Imf::FrameBuffer channels;
-    std::vector<glm::vec4> rows(texels.begin(), texels.end()); // the library wants them writable
+    std::vector<glm::vec4> rows(texels.begin(), texels.end()); // The library requires writable data
     static constexpr const char* names[] = {"R", "G", "B", "A"};
     for (int i = 0; i < 4; ++i) {
         header.channels().insert(names[i], Imf::Channel(Imf::FLOAT));
@@ -195,11 +195,11 @@ std::vector<std::byte> encode_exr(uint32_t width, uint32_t height, std::span<con
     }
     Imf::Header header(static_cast<int>(width), static_cast<int>(height));
     header.compression() = Imf::ZIP_COMPRESSION;
-    Imf::addChromaticities(header, Imf::Chromaticities()); // of Rec. 709
+    Imf::addChromaticities(header, Imf::Chromaticities()); // Rec. 709
     for (const auto& [key, text] : texts) {
         header.insert(key, Imf::StringAttribute(text));
     }
-    // One row of each channel at a time, where the library finds it whatever the row.
+    // One buffer row per channel, which serves all rows of the picture.
     const bool is_half = numbers == ExrNumbers::half;
     std::vector<std::vector<float>> rows(channels.size(), std::vector<float>(width));
     std::vector<std::vector<Imath::half>> halves(channels.size(),

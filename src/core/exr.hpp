@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// OpenEXR, both ways, and what is in the files of lightmaps and motion.
+// Reads and writes OpenEXR files, with the header attributes of lightmaps and motion.
 
 #include <cstddef>
 #include <filesystem>
@@ -16,42 +16,43 @@
 
 namespace estampe {
 
-/// An OpenEXR picture with attributes of our own in its header.
+/// An OpenEXR picture with this program's attributes in its header.
 struct ExrFile {
     LightImage image;
     std::map<std::string, std::string> texts;
     std::map<std::string, std::vector<float>> numbers;
 };
 
-/// Encodes red, green and blue as half floats, without loss beyond that; the same picture gives the same
-/// bytes. Values are held to what a half can carry. Throws Error when the image is empty.
+/// Encodes red, green and blue as half floats with lossless compression; the same picture gives the same
+/// bytes. Values are clamped to the range of a half. Throws Error if the image is empty.
 [[nodiscard]] std::vector<std::byte> encode_exr(const ExrFile& file);
 
-/// One channel of a picture in linear light, by its name: "R", or "layer.R" of a layer.
+/// One channel of a picture in linear light, named "R", or "layer.R" for a layer.
 struct ExrChannel {
     std::string name;
-    /// Fills one row, from left to right.
+    /// Fills row `y` from left to right.
     std::function<void(uint32_t y, std::span<float> row)> fill;
 };
 
-/// Encodes channels as halves or floats, and names the primaries of Rec. 709 in the header, besides `texts`.
-/// Values are held to what a half can carry where they become halves. Throws Error when the picture is empty.
+/// Encodes channels as halves or floats, with the Rec. 709 primaries and `texts` in the header. Halves are
+/// clamped to their range. Throws Error if the picture is empty.
 [[nodiscard]] std::vector<std::byte> encode_exr(uint32_t width, uint32_t height,
                                                 std::span<const ExrChannel> channels, ExrNumbers numbers,
                                                 const std::map<std::string, std::string>& texts = {});
 
-/// Decodes the first part of an OpenEXR picture; grey becomes three channels, alpha is left out. Negative and
-/// non-finite values become zero. Throws Error with `name` as its place when the data is none, damaged or
-/// beyond the limits of image_codec.hpp.
+/// Decodes the first part of an OpenEXR picture. Grey becomes three channels, alpha is ignored, negative and
+/// non-finite values become zero. Throws Error with `name` as its place if the data is not OpenEXR, is
+/// damaged, or exceeds the limits of image_codec.hpp.
 [[nodiscard]] ExrFile decode_exr(std::span<const std::byte> bytes, const std::string& name);
 
-/// Whether the bytes begin as an OpenEXR picture does.
+/// Whether the bytes start with OpenEXR's magic number.
 [[nodiscard]] bool is_exr(std::span<const std::byte> bytes);
 
-/// Whether the header is that of a map which `estampe bake` made.
+/// Whether the header marks a lightmap of `estampe bake`.
 [[nodiscard]] bool is_baked(const ExrFile& file);
 
-/// The map in such a picture. Throws Error with `path` as its place when it is none or damaged.
+/// The lightmap in an OpenEXR picture. Throws Error with `path` as its place if the picture is not a
+/// lightmap or is damaged.
 [[nodiscard]] Lightmap baked_lightmap(ExrFile file, const std::filesystem::path& path);
 
 } // namespace estampe

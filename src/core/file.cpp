@@ -27,7 +27,8 @@
 namespace estampe {
 namespace {
 
-/// What is pending in this program. Never taken down: a signal may come while the program ends.
+/// The unpublished files and folders of this program. Never destroyed, because a signal may arrive while the
+/// program ends.
 struct Registry {
     std::mutex guard;
     std::set<std::filesystem::path> paths;
@@ -44,7 +45,7 @@ std::string reason_of(int error)
     return std::generic_category().message(error);
 }
 
-/// Beside `target`, hidden, and short enough for any target whose own name is not too long.
+/// A hidden name beside `target`, short enough for every target whose own name is not too long.
 std::string name_beside(const std::filesystem::path& target)
 {
     constexpr size_t longest = 200;
@@ -150,7 +151,7 @@ void AtomicFile::publish()
 
 void remove_all_pending() noexcept
 {
-    registry().guard.lock(); // for ever
+    registry().guard.lock(); // Never unlocked
     for (const std::filesystem::path& path : registry().paths) {
         std::error_code failure;
         std::filesystem::remove_all(path, failure);
@@ -243,7 +244,7 @@ void check_output(const std::filesystem::path& output, const std::vector<std::fi
                     "create it first, or write elsewhere with -o");
     }
     const std::filesystem::file_status status = std::filesystem::status(output, problem);
-    if (problem == std::errc::filename_too_long) { // found out now, before other files have their names
+    if (problem == std::errc::filename_too_long) { // Detected now, before other files are renamed
         throw Error(fmt::format("cannot write: {}", problem.message()), output.string(),
                     "choose a shorter name");
     }

@@ -19,7 +19,7 @@ namespace {
 
 constexpr uint64_t no_limit = std::numeric_limits<uint64_t>::max();
 
-/// The number after `key` in a file of such pairs; the first number of all for an empty key.
+/// The number after `key` in a file of key-value pairs; with an empty key, the first number of the file.
 std::optional<uint64_t> number_in(const std::filesystem::path& path, std::string_view key)
 {
     std::ifstream file(path);
@@ -37,7 +37,8 @@ uint64_t free_on_machine(const std::filesystem::path& root)
     return memory ? (*memory + swap.value_or(0)) * kibibyte : no_limit;
 }
 
-/// Of a group with a limit, files that were read count as taken and can be given up.
+/// Free memory of a control group with a limit. Its cached files count as used, but the system can release
+/// them.
 uint64_t free_in_group(const std::filesystem::path& group, const char* limit_name, const char* taken_name,
                        const char* files_name)
 {
@@ -51,7 +52,7 @@ uint64_t free_in_group(const std::filesystem::path& group, const char* limit_nam
     return *limit - std::min(used, *limit);
 }
 
-/// What the limit of address space leaves.
+/// Address space left under the process limit.
 uint64_t free_for_process(const std::filesystem::path& root)
 {
     rlimit limit{};

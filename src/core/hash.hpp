@@ -10,9 +10,9 @@
 
 namespace estampe {
 
-/// A fingerprint of values in turn, the same on every machine of the same byte order: eight bytes at a time
-/// through the finaliser of Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators", 2014.
-/// Not for secrets.
+/// Fingerprint of a sequence of values, equal on all machines of the same byte order. Mixes eight bytes at a
+/// time with the finaliser of Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators", 2014.
+/// Not cryptographic.
 class Hash {
 public:
     template <class T>
@@ -62,8 +62,8 @@ private:
     uint64_t state_ = 0;
 };
 
-/// Integer hash after O'Neill's PCG output permutation, as surveyed by Jarzynski and Olano, "Hash Functions
-/// for GPU Rendering", JCGT 2020. The numbers of shaders/hash.glsl.
+/// Integer hash with O'Neill's PCG output permutation, from Jarzynski and Olano, "Hash Functions for GPU
+/// Rendering", JCGT 2020. Gives the same values as shaders/hash.glsl.
 [[nodiscard]] constexpr uint32_t hash(uint32_t x)
 {
     const uint32_t state = x * 747796405U + 2891336453U;

@@ -14,53 +14,53 @@
 
 namespace estampe {
 
-/// The longest side and the most pixels of an image that is read.
+/// Limits of images that are read: longest side and number of pixels.
 inline constexpr uint32_t max_image_side = 16384;
 inline constexpr uint64_t max_image_pixels = uint64_t{1} << 26;
 
-/// Decodes PNG (libpng), JPEG (libjpeg), WebP (libwebp), TIFF (libtiff), TGA, BMP or GIF (stb_image) or PSD,
-/// told apart by their first bytes, whatever the file is called. Grey, palette, 16-bit and opaque images all
-/// become four 8-bit channels; colours are not converted, but for CMYK, see inks_to_rgb(). Of a GIF the first
-/// frame is taken.
+/// Decodes PNG (libpng), JPEG (libjpeg), WebP (libwebp), TIFF (libtiff), TGA, BMP or GIF (stb_image) or PSD.
+/// The first bytes decide the format, not the file name. Grey, palette, 16-bit and opaque images become four
+/// 8-bit channels. Colours are not converted, except CMYK; see inks_to_rgb(). Of a GIF, the first frame is
+/// decoded.
 ///
-/// Throws Error with `name` as its place when the data is of another kind, truncated, corrupt, or beyond the
-/// limits above. Cost: about 20 ms a megapixel for PNG, half of it for JPEG. Any number of threads may call
-/// it.
+/// Throws Error with `name` as its place if the data is of another kind, truncated, corrupt, or beyond the
+/// limits above. Cost: about 20 ms per megapixel for PNG, half of it for JPEG. Thread-safe.
 [[nodiscard]] Image decode_image(std::span<const std::byte> data, const std::string& name);
 
-/// Rows of four channels, from top to bottom.
+/// A 16-bit image: rows of four channels, from top to bottom.
 struct DeepImage {
     uint32_t width = 0;
     uint32_t height = 0;
     std::vector<uint16_t> rgba;
 };
 
-/// The same of a PNG of 16 bits a channel, of which none is lost; nothing of any other data.
+/// Decodes a PNG with 16 bits per channel without loss; empty for any other data. Throws Error as
+/// decode_image() does.
 [[nodiscard]] std::optional<DeepImage> decode_deep_image(std::span<const std::byte> data,
                                                          const std::string& name);
 
-/// Encodes as PNG that says to be sRGB, for speed rather than size. Throws Error when the image is empty or
-/// its size and bytes disagree. `dots_per_m` is how finely it is to be printed; 0 says nothing of that.
+/// Encodes as PNG marked as sRGB, optimised for speed rather than size. `dots_per_m` is the print
+/// resolution; 0 leaves it out. Throws Error if the image is empty or its size and bytes disagree.
 [[nodiscard]] std::vector<std::byte> encode_png(const Image& image, uint32_t dots_per_m = 0);
 
-/// The same of 16 bits a channel, red, green, blue and with four channels alpha.
+/// Encodes as PNG with 16 bits per channel: red, green, blue, and alpha if there are four channels.
 [[nodiscard]] std::vector<std::byte> encode_png(uint32_t width, uint32_t height, uint32_t channels,
                                                 std::span<const uint16_t> values, uint32_t dots_per_m = 0);
 
-/// A PNG picture of eight bits a channel that is written as it comes, row by row, for pictures that memory
-/// does not hold. Until publish() the file of that name is what it was.
+/// An 8-bit PNG file that is written row by row, for pictures larger than memory. The file appears at its
+/// path with publish().
 class PngFile {
 public:
-    /// `dots_per_m` of 0 says nothing of the size on paper. Throws Error when the file cannot be written.
+    /// `dots_per_m` is the print resolution; 0 leaves it out. Throws Error if the file cannot be written.
     PngFile(const std::filesystem::path& path, uint32_t width, uint32_t height, uint32_t dots_per_m = 0);
     ~PngFile();
     PngFile(const PngFile&) = delete;
     PngFile& operator=(const PngFile&) = delete;
 
-    /// The next rows, of four bytes a pixel. Throws Error when the disk is full.
+    /// Adds rows of four bytes per pixel. Throws Error if the disk is full.
     void add_rows(std::span<const uint8_t> rgba);
 
-    /// To be called after the last row. Throws Error when the disk is full, and for rows too few.
+    /// Completes the file after its last row. Throws Error if the disk is full or rows are missing.
     void publish();
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the decoders behind image_codec.hpp share: single formats, images of a checked size, how libpng and
-// libjpeg fail.
+// Shared by the decoders behind image_codec.hpp: decoders of single formats, size-checked images, and error
+// handling of libpng and libjpeg.
 
 #include <csetjmp>
 #include <cstddef>
@@ -23,14 +23,14 @@
 
 namespace estampe {
 
-/// How libpng and libjpeg come back from an error, which they tell by calling a function that must not
-/// return: whatever has a destructor lives outside the frame that longjmp leaves.
+/// Error state for libpng and libjpeg, whose error functions must not return. Objects with destructors must
+/// live outside the stack frame that longjmp leaves.
 struct CodecFailure {
     std::jmp_buf jump;
     char message[256] = {};
 };
 
-/// Of libpng, whose error pointer is a CodecFailure.
+/// Error function for libpng; its error pointer must be a CodecFailure.
 [[noreturn]] inline void png_failed(png_structp png, png_const_charp message)
 {
     auto* failure = static_cast<CodecFailure*>(png_get_error_ptr(png));
@@ -40,7 +40,7 @@ struct CodecFailure {
 
 inline void png_warned(png_structp /*png*/, png_const_charp /*message*/) {}
 
-/// Throws Error with `name` as its place when an image of that size is beyond the limits of what is read.
+/// Throws Error with `name` as its place if an image of this size exceeds the limits for reading.
 inline void check_image_size(uint64_t width, uint64_t height, const std::string& name)
 {
     if (width == 0 || height == 0 || width > max_image_side || height > max_image_side ||
@@ -51,7 +51,7 @@ inline void check_image_size(uint64_t width, uint64_t height, const std::string&
     }
 }
 
-/// An image of that size, all zeros, after its size and the free memory have been checked.
+/// A zeroed image, after checks of its size and the free memory.
 template <class Picture = Image>
 Picture new_image(uint64_t width, uint64_t height, const std::string& name)
 {
@@ -63,23 +63,22 @@ Picture new_image(uint64_t width, uint64_t height, const std::string& name)
     return image;
 }
 
-/// Replaces pixels of cyan, magenta, yellow and black, 8 bits each, by opaque sRGB, in place. Converts with
-/// the ICC profile where that is one for CMYK (lcms2), else as if each ink removed its share of the light.
-/// `inverted`: 255 means no ink.
+/// Converts 8-bit CMYK pixels to opaque sRGB in place. Uses `profile` if it is an ICC profile for CMYK
+/// (lcms2); otherwise each ink absorbs its share of the light. `inverted`: 255 means no ink.
 void inks_to_rgb(std::span<uint8_t> pixels, bool inverted, std::span<const std::byte> profile);
 
-/// Decodes a TGA, BMP or GIF (its first frame) with stb_image, or the flattened picture of a PSD; nothing
-/// when the data is none of these. Told apart by content: TGA has no magic number, so its header has to be
-/// sound in every field. Throws Error with `name` as its place when the data is cut short, damaged or of an
-/// unusual kind: stb_image itself would take missing bytes for zeros.
+/// Decodes a TGA, BMP or GIF (its first frame) with stb_image, or the flattened picture of a PSD; empty for
+/// other data. The content decides the format; TGA has no magic number, so every field of its header must be
+/// valid. Throws Error with `name` as its place if the data is truncated, damaged or of an unsupported kind.
+/// stb_image itself would read missing bytes as zeros.
 [[nodiscard]] std::optional<Image> decode_older_picture(std::span<const std::byte> data,
                                                         const std::string& name);
 
 [[nodiscard]] bool is_tiff(std::span<const std::byte> data);
 
 /// Decodes the first picture of a TIFF or BigTIFF file with libtiff: strips and tiles, palettes, grey, RGB,
-/// CMYK and YCbCr, 1 to 16 bits per channel, alpha associated or not. Throws Error with `name` as its place
-/// when the data is damaged, too large, or of a kind that cannot be shown in 8 bits per channel.
+/// CMYK and YCbCr, 1 to 16 bits per channel, associated or unassociated alpha. Throws Error with `name` as
+/// its place if the data is damaged, too large, or cannot be shown in 8 bits per channel.
 [[nodiscard]] Image decode_tiff(std::span<const std::byte> data, const std::string& name);
 
 } // namespace estampe

@@ -81,7 +81,7 @@ Bytes encode_webp(const Image& image)
     return bytes;
 }
 
-/// A PNG of another kind, through libpng's simple interface.
+/// Encodes a PNG of any format with libpng's simple interface.
 Bytes encode_png_as(uint32_t format, uint32_t width, uint32_t height, const void* pixels)
 {
     png_image image{};
@@ -116,7 +116,8 @@ TEST(Image, saving_replaces_the_old_file)
 
 TEST(Image, png_of_many_strips_comes_back_whole)
 {
-    // Rows of a prime number of pixels, so that no strip ends where another buffer would; noise over a ramp.
+    // A prime number of pixels per row, so that strip ends do not coincide with buffer ends; noise over a
+    // ramp.
     std::mt19937 random(7);
     Image image = gradient(1009, 1201);
     for (size_t i = 0; i < image.rgba.size() / 2; ++i) {
@@ -229,7 +230,7 @@ TEST(Image, random_bytes_never_crash)
     }
 }
 
-/// The header of a PNG that claims to be `side` pixels wide and high, and nothing else.
+/// Only the header of a PNG that claims `side` x `side` pixels.
 Bytes png_header(uint32_t side)
 {
     Bytes bytes = encode_png(gradient(1, 1));

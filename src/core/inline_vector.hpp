@@ -12,8 +12,8 @@
 
 namespace estampe {
 
-/// A short list in place, for what is put together anew in every frame and should not ask the heap for it.
-/// Throws std::length_error for more than `most` items.
+/// Fixed-capacity vector with inline storage; never allocates. Throws std::length_error for more than `most`
+/// items.
 template <class T, size_t most>
 
 requires(std::is_trivially_copyable_v<T>&& std::is_trivially_destructible_v<T>) class InlineVector {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Picture formats that textures of FBX, DAE and OBJ files are often in: TGA, BMP, GIF and PSD.
+// Older picture formats that FBX, DAE and OBJ files often use for textures: TGA, BMP, GIF and PSD.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +21,7 @@
 namespace estampe {
 namespace {
 
-/// The bytes of a file, which all lie within it or are refused.
+/// Bounds-checked access to the bytes of a file.
 class PictureBytes {
 public:
     PictureBytes(std::span<const std::byte> data, const char* format, const std::string& name)
@@ -31,7 +31,7 @@ public:
 
     [[nodiscard]] size_t size() const { return data_.size(); }
 
-    /// From that byte on; need() says whether it is there.
+    /// The bytes from `place` on; need() checks that they exist.
     [[nodiscard]] const std::byte* at(size_t place) const { return data_.data() + place; }
 
     [[nodiscard]] uint32_t byte(size_t at) const
@@ -89,7 +89,7 @@ Head read_head(const PictureBytes& bytes)
     return head;
 }
 
-/// Unpacks runs of one row of one channel; what is missing stays zero.
+/// Unpacks the runs of one row of one channel; missing pixels stay zero.
 void unpack_row(const PictureBytes& bytes, uint64_t at, uint64_t packed, std::vector<uint8_t>& row)
 {
     size_t filled = 0;
@@ -112,7 +112,7 @@ void unpack_row(const PictureBytes& bytes, uint64_t at, uint64_t packed, std::ve
         bytes.refuse("is corrupt: a row is too short");
 }
 
-/// Photoshop has laid what is clear over white.
+/// Removes the white that Photoshop composites transparent pixels onto.
 void take_white_away(Image& image)
 {
     for (size_t i = 0; i < image.rgba.size(); i += 4) {
@@ -123,8 +123,8 @@ void take_white_away(Image& image)
     }
 }
 
-/// Decodes the flattened picture of a PSD file, RGB with 8 or 16 bits per channel; a fourth channel is alpha.
-/// Throws Error with `name` as its place when the data is damaged or of another kind.
+/// Decodes the flattened picture of a PSD file: RGB with 8 or 16 bits per channel, and alpha as the fourth.
+/// Throws Error with `name` as its place if the data is damaged or of another kind.
 Image decode_psd(const PictureBytes& bytes, const std::string& name)
 {
     const Head head = read_head(bytes);
@@ -191,7 +191,7 @@ bool starts_with(std::span<const std::byte> data, std::string_view magic)
 struct TgaHead {
     static constexpr size_t bytes = 18;
     uint32_t map_type = 0;
-    uint32_t kind = 0; ///< 1 with a colour map, 2 of colours, 3 grey; run-length encoded 8 more
+    uint32_t kind = 0; ///< 1 colour-mapped, 2 true-colour, 3 grey; plus 8 if run-length encoded
     uint32_t map_first = 0;
     uint32_t map_entries = 0;
     uint32_t map_bits = 0;
@@ -262,7 +262,8 @@ void check_tga(const PictureBytes& bytes)
     }
 }
 
-/// Many programs leave the fourth byte zero where it means nothing; and rows may run from right to left.
+/// Corrects what stb_image ignores: an unused fourth byte, often zero, is no alpha, and rows may run from
+/// right to left.
 void finish_tga(const PictureBytes& bytes, Image& image)
 {
     constexpr uint32_t right_to_left = 0x10;
@@ -297,11 +298,11 @@ void check_bmp(const PictureBytes& bytes)
     if (compression != 0 && compression != 3)
         bytes.refuse("holds another format, which is not read");
     if (width > max_image_side || height > max_image_side)
-        return; // the decoder refuses such sizes, with its own message
+        return; // The decoder rejects such sizes with its own message
     bytes.need(pixels_at, (width * bits + 31) / 32 * 4 * height);
 }
 
-/// Up to the end of the first picture.
+/// Checks a GIF up to the end of its first picture.
 void check_gif(const PictureBytes& bytes)
 {
     const auto table_bytes = [](uint32_t flags) -> uint64_t {
@@ -336,9 +337,9 @@ Image decode_with_stb(std::span<const std::byte> data, const char* format, const
     int channels = 0;
     if (stbi_info_from_memory(first, size, &width, &height, &channels) == 0)
         throw Error(fmt::format("{} cannot be read: {}", format, stbi_failure_reason()), name);
-    height = std::abs(height); // negative for a BMP from the top
+    height = std::abs(height); // Negative for a top-down BMP
     Image image = new_image(static_cast<uint64_t>(width), static_cast<uint64_t>(height), name);
-    constexpr uint64_t bytes_of_decoder = 9; // for each pixel: a picture, what was behind it, and marks
+    constexpr uint64_t bytes_of_decoder = 9; // Per pixel: the picture, the background, and flags
     require_memory(bytes_of_decoder * image.width * image.height, fmt::format("decoding a {}", format), name);
     const std::unique_ptr<stbi_uc, StbFree> pixels(
         stbi_load_from_memory(first, size, &width, &height, &channels, 4));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PNG out: a picture at once, its rows deflated by all cores, and a file row by row.
+// PNG encoding: a whole picture with its rows deflated on all cores, or a file row by row.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -27,21 +27,21 @@
 
 namespace estampe {
 
-/// What a PNG file says ahead of its pixels.
+/// Header of a PNG file.
 struct PngHead {
     uint32_t width = 0;
     uint32_t height = 0;
     uint32_t channels = 4;
     uint32_t bits = 8;
-    uint32_t dots_per_m = 0; ///< 0: nothing is said
+    uint32_t dots_per_m = 0; ///< 0: not stored
 };
 
 namespace {
 
-/// Of deflate: as fast as 3 on drawings, which it makes smaller.
+/// Deflate level: as fast as level 3 on drawings, and smaller.
 constexpr int png_level = 4;
 
-/// Writes that, of sRGB, and sets compression for speed rather than size. May jump, see CodecFailure.
+/// Writes the header, marked as sRGB, and sets the compression. May longjmp; see CodecFailure.
 void png_write_head(png_structp png, png_infop info, const PngHead& head)
 {
     png_set_compression_level(png, png_level);
@@ -56,7 +56,7 @@ void png_write_head(png_structp png, png_infop info, const PngHead& head)
     png_write_info(png, info);
 }
 
-/// Pixels as they lie in memory, row by row without gaps, of 8 or 16 bits a sample.
+/// Pixels in memory, row by row without gaps, with 8 or 16 bits per sample.
 struct PngPixels {
     uint32_t width = 0;
     uint32_t height = 0;
@@ -69,11 +69,11 @@ struct PngPixels {
     [[nodiscard]] uint64_t row_bytes() const { return uint64_t{width} * pixel_bytes(); }
 };
 
-constexpr uint64_t strip_bytes = 1U << 20U;                       // of rows, or a single row
-constexpr size_t window_bytes = 32768;                            // how far deflate looks back
-constexpr std::array zlib_head{std::byte{0x78}, std::byte{0x5e}}; // a window of that size, a fast level
+constexpr uint64_t strip_bytes = 1U << 20U;                       // Bytes per strip of rows; at least one row
+constexpr size_t window_bytes = 32768;                            // Window of deflate
+constexpr std::array zlib_head{std::byte{0x78}, std::byte{0x5e}}; // Zlib header: 32 KiB window, fast level
 
-/// Rows ready to deflate: each behind the number of its filter, each byte less the one a pixel before it.
+/// Filtered rows for deflate: the filter byte, then each byte minus that of the pixel to its left.
 std::vector<std::byte> filtered(const PngPixels& pixels, uint64_t first, uint64_t end)
 {
     constexpr std::byte less_left{1};
@@ -150,7 +150,7 @@ Strip deflated(const PngPixels& pixels, uint64_t first, uint64_t end)
     return strip;
 }
 
-/// All strips, by as many threads as there are cores.
+/// Deflates all strips, with one thread per core.
 std::vector<Strip> deflate_all(const PngPixels& pixels, uint64_t rows_each)
 {
     std::vector<Strip> strips((pixels.height + rows_each - 1) / rows_each);
@@ -173,12 +173,11 @@ std::vector<Strip> deflate_all(const PngPixels& pixels, uint64_t rows_each)
     return strips;
 }
 
-/// What the IDAT chunks of a PNG file hold, one after another: rows less their left neighbours, deflated for
-/// speed rather than size, in strips that the machine's cores share. The bytes do not depend on how many
-/// those are. Throws Error when memory ends. Cost: a megapixel of a drawing takes a core 65 ms.
+/// The content of the IDAT chunks of a PNG file, one after another: rows with the Sub filter, deflated for
+/// speed rather than size, in strips on all cores. The bytes do not depend on the number of cores. Throws
+/// Error if memory runs out. Cost: 65 ms of one core per megapixel of a drawing.
 ///
-/// Source  the PNG specification, 9 (filters); strips as in Adler's pigz, 2007: each knows the 32 KiB before
-/// it
+/// Source  the PNG specification, 9 (filters); Adler's pigz, 2007 (strips that share the 32 KiB before)
 std::vector<std::vector<std::byte>> deflate_png_rows(const PngPixels& pixels)
 {
     const uint64_t rows_each = std::max<uint64_t>(strip_bytes / (pixels.row_bytes() + 1), 1);
@@ -228,7 +227,7 @@ bool write(PngWriter& writer, const PngHead& head, const std::vector<std::vector
         png_write_chunk(writer.png, reinterpret_cast<png_const_bytep>("IDAT"),
                         reinterpret_cast<png_const_bytep>(part.data()), part.size());
     }
-    // png_write_end() wants to have deflated the rows itself.
+    // png_write_end() would fail, because libpng did not deflate the rows.
     png_write_chunk(writer.png, reinterpret_cast<png_const_bytep>("IEND"), nullptr, 0);
     return true;
 }

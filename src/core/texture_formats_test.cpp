@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Formats that textures come in besides PNG, JPEG and WebP.
+// Texture formats other than PNG, JPEG and WebP.
 #include <cstdlib>
 #include <functional>
 #include <random>
@@ -57,7 +57,7 @@ Pixel at(const Image& image, uint32_t x, uint32_t y)
     return {first[0], first[1], first[2], first[3]};
 }
 
-/// Red and green above, blue and white below.
+/// Expects four pixels: red and green above, blue and white below.
 void expect_four(const Image& image)
 {
     ASSERT_EQ(image.width, 2U);
@@ -68,7 +68,7 @@ void expect_four(const Image& image)
     EXPECT_EQ(at(image, 1, 1), white);
 }
 
-/// That every shorter file is refused, with its name.
+/// Expects an Error with the file's name for every truncation of the file.
 void expect_refused_when_cut(const std::string& file, size_t from = 0)
 {
     for (size_t size = from; size < file.size(); ++size) {
@@ -93,7 +93,7 @@ std::string tga(int kind, int bits, const std::string& pixels, int descriptor, c
 constexpr int from_the_top = 0x20;
 constexpr int from_the_right = 0x10;
 
-// Blue, green and red, as TGA and BMP have them.
+// TGA and BMP store blue, green, red.
 const std::string r3 = bytes({0, 0, 255});
 const std::string g3 = bytes({0, 255, 0});
 const std::string b3 = bytes({255, 0, 0});
@@ -112,7 +112,8 @@ TEST(TextureFormats, TgaDepths)
         tga(2, 16, little16(31 << 10) + little16(31 << 5) + little16(31) + little16(32767), from_the_top)));
     const std::string x = bytes({0});
     expect_four(
-        decode(tga(2, 32, r3 + x + g3 + x + b3 + x + w3 + x, from_the_top))); // the fourth byte says nothing
+        // The fourth byte is not alpha.
+        decode(tga(2, 32, r3 + x + g3 + x + b3 + x + w3 + x, from_the_top)));
     const Image clear = decode(tga(2, 32, r3 + x + g3 + bytes({128}) + b3 + x + w3 + x, from_the_top | 8));
     EXPECT_EQ(at(clear, 0, 0), (Pixel{255, 0, 0, 0}));
     EXPECT_EQ(at(clear, 1, 0), (Pixel{0, 255, 0, 128}));
@@ -165,7 +166,7 @@ TEST(TextureFormats, Bmp)
 TEST(TextureFormats, GifGivesItsFirstFrame)
 {
     const std::string palette = bytes({255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255});
-    // Codes of 3 bits: clear, 0, 1, clear, 2, 3, end.
+    // 3-bit codes: clear, 0, 1, clear, 2, 3, end.
     const auto codes = [](std::initializer_list<uint32_t> list) {
         uint32_t packed = 0;
         uint32_t shift = 0;
@@ -213,7 +214,7 @@ TEST(TextureFormats, Psd)
     EXPECT_THROW((void)decode(psd(4, big16(0) + planes)), Error) << "CMYK";
 }
 
-/// Writes a TIFF of 2 x 2 pixels; `fill` sets what it is, and writes it.
+/// Writes a TIFF of 2 x 2 pixels; `fill` sets its tags and writes the pixels.
 std::string tiff(const std::function<void(TIFF*)>& fill, const char* mode = "w")
 {
     const test::Folder folder;
@@ -304,7 +305,7 @@ TEST(TextureFormats, TiffAlphaStaysStraight)
     EXPECT_EQ(at(multiplied, 0, 1), (Pixel{1, 2, 3, 255}));
 }
 
-/// The rows of floating-point numbers as a TIFF.
+/// Encodes rows of floating-point numbers as a TIFF.
 template <class Number>
 std::string float_tiff(const std::vector<Number>& numbers, int photometric, int compression,
                        const char* mode = "wl", int extra_kind = -1)
@@ -374,7 +375,7 @@ TEST(TextureFormats, CutAndAbsurdTiffIsRefused)
     EXPECT_THROW((void)decode(wide), Error);
 }
 
-/// A picture of one colour of inks, 0 none and 255 full.
+/// A JPEG of one CMYK colour; 0 is no ink and 255 full ink.
 std::string ink_jpeg(const std::array<uint8_t, 4>& inks, bool adobe, bool as_ycck,
                      const std::vector<uint8_t>& profile = {})
 {
@@ -428,7 +429,7 @@ TEST(TextureFormats, JpegOfInks)
     expect_about(at(decode(ink_jpeg({0, 255, 255, 0}, false, false)), 3, 3), red);
 }
 
-/// A profile for which cyan is dark grey, and everything else light grey.
+/// A CMYK profile that maps cyan to dark grey and everything else to light grey.
 std::vector<uint8_t> profile_of_inks()
 {
     const cmsHPROFILE profile = cmsCreateProfilePlaceholder(nullptr);

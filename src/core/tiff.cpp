@@ -26,7 +26,7 @@ namespace {
 struct TiffSource {
     std::span<const std::byte> data;
     uint64_t position = 0;
-    char message[1024] = {}; ///< as long as TIFFRGBAImageOK() asks for
+    char message[1024] = {}; ///< Size that TIFFRGBAImageOK() requires
 };
 
 TiffSource& source_of(thandle_t handle)
@@ -69,7 +69,7 @@ toff_t size_of(thandle_t handle)
     return source_of(handle).data.size();
 }
 
-/// libtiff reads from mapped memory alone, and does not write there.
+/// libtiff reads from mapped memory only, and does not write there.
 int map_all(thandle_t handle, void** base, toff_t* size)
 {
     const TiffSource& source = source_of(handle);
@@ -80,7 +80,7 @@ int map_all(thandle_t handle, void** base, toff_t* size)
 
 void unmap_nothing(thandle_t /*handle*/, void* /*base*/, toff_t /*size*/) {}
 
-/// The first error says most: those that follow are its consequences.
+/// Keeps the first error; later ones are its consequences.
 int keep_message(TIFF* /*tiff*/, void* target, const char* /*module*/, const char* format, va_list values)
 {
     auto& source = *static_cast<TiffSource*>(target);
@@ -117,8 +117,8 @@ Tiff open_tiff(TiffSource& source)
 
 enum class Alpha { straight, premultiplied };
 
-/// libtiff multiplies colours by an alpha that is not associated. Textures want it straight, so libtiff is
-/// told that it has been done.
+/// libtiff premultiplies colours by unassociated alpha. Textures use straight alpha, so libtiff is told that
+/// the alpha is already associated.
 Alpha take_alpha(TIFF* tiff)
 {
     uint16_t count = 0;
@@ -145,15 +145,15 @@ void divide_by_alpha(Image& image)
     }
 }
 
-constexpr uint16_t most_samples = 16; // more are bands of a satellite
+constexpr uint16_t most_samples = 16; // More samples are bands of satellite images
 
 struct FloatLayout {
     uint16_t samples = 1;
     uint16_t bits = 1;
-    uint16_t colors = 1; ///< 1 for grey, 3 for RGB
+    uint16_t colors = 1; ///< 1: grey, 3: RGB
     bool has_alpha = false;
-    bool is_alpha_in_colors = false; ///< colours are multiplied by it
-    bool is_planar = false;          ///< one plane after another, which is not read
+    bool is_alpha_in_colors = false; ///< Colours are premultiplied by alpha
+    bool is_planar = false;          ///< Channels in separate planes, which is not supported
     bool is_from_bottom = false;
 };
 
@@ -199,7 +199,7 @@ float sample_at(const std::vector<std::byte>& row, size_t index, uint16_t bits)
 
 float within_one(float value)
 {
-    return value > 0.0F ? std::min(value, 1.0F) : 0.0F; // 0 for what is no number
+    return value > 0.0F ? std::min(value, 1.0F) : 0.0F; // NaN becomes 0
 }
 
 uint8_t byte_of(float value)
@@ -207,7 +207,7 @@ uint8_t byte_of(float value)
     return static_cast<uint8_t>(std::lround(255.0F * value));
 }
 
-/// The bytes of a pixel whose samples are these: colours, then alpha.
+/// Converts the samples of one pixel, colours then alpha, to bytes.
 void put_pixel(const std::array<float, 4>& samples, const FloatLayout& layout, uint8_t* rgba)
 {
     const float alpha = layout.has_alpha ? within_one(samples[layout.colors]) : 1.0F;
@@ -219,8 +219,8 @@ void put_pixel(const std::array<float, 4>& samples, const FloatLayout& layout, u
     rgba[3] = byte_of(alpha);
 }
 
-/// Whether the samples are floating-point numbers of 16, 32 or 64 bits, grey or RGB, in strips and
-/// pixel by pixel. libtiff itself does not turn these into bytes.
+/// Whether the samples are 16, 32 or 64-bit floats, grey or RGB, in strips and interleaved. libtiff does not
+/// convert these to bytes.
 bool has_float_samples(TIFF* tiff)
 {
     uint16_t format = SAMPLEFORMAT_UINT;
@@ -232,9 +232,9 @@ bool has_float_samples(TIFF* tiff)
            TIFFIsTiled(tiff) == 0;
 }
 
-/// Decodes a TIFF of floating-point samples. Colours are linear, as programs write them, and become sRGB;
-/// what is beyond 0 to 1 is clamped. Throws Error naming the picture when a row cannot be read. Memory: the
-/// picture, and a row.
+/// Decodes a TIFF of floating-point samples. Colours are linear, as programs write them, and are encoded as
+/// sRGB; values outside 0 to 1 are clamped. Throws Error that names the picture if a row is unreadable.
+/// Memory: the picture and one row.
 Image decode_float_tiff(TIFF* tiff, uint32_t width, uint32_t height, const std::string& name)
 {
     const FloatLayout layout = float_layout_of(tiff);
@@ -291,7 +291,7 @@ Image decode_tiff(std::span<const std::byte> data, const std::string& name)
     TIFFGetFieldDefaulted(tiff.get(), TIFFTAG_COMPRESSION, &compression);
     if (compression == COMPRESSION_OJPEG)
         throw Error("TIFF holds JPEG data in the form of 1992, which is not read", name);
-    constexpr uint64_t best_ratio = 1040; // that of deflate
+    constexpr uint64_t best_ratio = 1040; // Best ratio of deflate
     if (uint64_t{width} * height > 64 * best_ratio * data.size())
         throw Error(
             fmt::format("corrupt TIFF: {} x {} pixels cannot come from {} bytes", width, height, data.size()),

@@ -9,8 +9,8 @@
 
 namespace estampe {
 
-/// A zip archive that grows in memory, in the order in which files are added; the same files give the same
-/// bytes. What is added must outlive it. All throw Error when memory runs out.
+/// Builds a zip archive in memory, with entries in the order of add(); the same entries give the same bytes.
+/// Data passed to add() must outlive the writer. Throws Error if memory runs out.
 class ZipWriter {
 public:
     ZipWriter();

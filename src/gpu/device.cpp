@@ -104,7 +104,7 @@ bool offers_compute_raster(const Features& have)
 
 namespace {
 
-/// Enables what drawing needs, and what raster in compute does.
+/// Enables the required features, and those for raster in compute if asked.
 void enable_features(VkPhysicalDeviceFeatures& core, VkPhysicalDeviceVulkan12Features& v12,
                      VkPhysicalDeviceVulkan13Features& v13, bool compute_raster)
 {
@@ -119,7 +119,7 @@ void enable_features(VkPhysicalDeviceFeatures& core, VkPhysicalDeviceVulkan12Fea
     core.shaderClipDistance = VK_TRUE;
 }
 
-/// Loads Vulkan; throws Error with the package to install when there is no loader.
+/// Loads Vulkan. Throws Error that names the package to install if there is no loader.
 void load_vulkan()
 {
     if (volkInitialize() != VK_SUCCESS) {
@@ -127,7 +127,8 @@ void load_vulkan()
     }
 }
 
-/// Loads Vulkan as the host has it, and judges its physical device. Throws Error saying what that lacks.
+/// Loads Vulkan through the host's loader and examines its physical device. Throws Error that says what the
+/// device lacks.
 Candidate host_candidate(const VulkanHost& host)
 {
     if (host.instance == VK_NULL_HANDLE || host.physical_device == VK_NULL_HANDLE) {
@@ -147,7 +148,7 @@ Candidate host_candidate(const VulkanHost& host)
     return candidate;
 }
 
-/// All devices of `instance`, judged: usable, or why not.
+/// All devices of `instance`, each with whether it is usable or why not.
 std::vector<Candidate> list_candidates(VkInstance instance)
 {
     uint32_t count = 0;
@@ -196,11 +197,11 @@ const Candidate& choose(const std::vector<Candidate>& candidates, const std::str
 
 namespace {
 
-/// Throws Error unless the system lets this process start as many threads as a driver on the processor will:
-/// Mesa's waits for ever for those that it could not start. Cost: about 1 ms.
+/// Throws Error unless this process can start as many threads as a driver on the processor will start: Mesa
+/// waits forever for a thread that fails to start. Cost: about 1 ms.
 void require_driver_threads()
 {
-    // As many as there are cores for triangles, the same again for computing, and a few that wait.
+    // One thread per core for triangles, one per core for compute, and a few that only wait.
     constexpr unsigned most_cores_used = 16;
     constexpr unsigned waiting = 4;
     const unsigned count = 2 * std::clamp(std::thread::hardware_concurrency(), 1U, most_cores_used) + waiting;

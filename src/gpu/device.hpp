@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Physical devices and what they lack, and the one that is opened.
+// Lists the physical devices with what each lacks, and opens one.
 
 #include <memory>
 #include <string>
@@ -15,10 +15,11 @@
 
 namespace estampe::gpu {
 
-/// One Vulkan device with one queue, which does everything: compute, copies, and raster where it is used.
+/// One Vulkan device with one queue for compute, copies and raster.
 ///
-/// Needs Vulkan 1.3 with scalar block layout; throws Error saying what a device lacks. Without 64-bit buffer
-/// atomics it has no raster in compute (DeviceInfo::compute_raster).
+/// Requires Vulkan 1.3 with scalar block layout. The constructors throw Error that says what the device
+/// lacks. Devices without 64-bit buffer atomics do not support raster in compute
+/// (DeviceInfo::compute_raster).
 class Device {
 public:
     explicit Device(const RendererOptions& options);
@@ -47,13 +48,13 @@ public:
 
     [[nodiscard]] const MemoryAllocator& memory() const { return *memory_; }
 
-    /// Whether it is a host application's.
+    /// Whether the device belongs to the host application.
     [[nodiscard]] bool is_borrowed() const { return is_borrowed_; }
 
-    /// Runs `commands` and waits until the GPU is done. Throws Error when the device is lost.
+    /// Runs `commands` and waits until the GPU has finished. Throws Error if the device is lost.
     void submit_and_wait(VkCommandBuffer commands);
 
-    /// Gives an object its name, for debuggers and validation messages; free without the validation layer.
+    /// Names an object for debuggers and validation messages; does nothing without the validation layer.
     void name(VkObjectType type, uint64_t object, const std::string& name) const;
 
 private:
@@ -73,23 +74,23 @@ private:
     bool is_borrowed_ = false;
     DeviceInfo info_;
     VkPhysicalDeviceLimits limits_{};
-    std::unique_ptr<std::function<void(const std::string&)>>
-        on_validation_message_; ///< stays put for the messenger
+    /// On the heap, because the messenger keeps its address.
+    std::unique_ptr<std::function<void(const std::string&)>> on_validation_message_;
     std::unique_ptr<MemoryAllocator> memory_;
 };
 
-/// A physical device and what we think of it.
+/// A physical device with its properties and whether it is usable.
 struct Candidate {
     VkPhysicalDevice physical = VK_NULL_HANDLE;
     DeviceInfo info;
     bool discrete = false;
 };
 
-/// Picks by "auto" (discrete GPU, other GPU, processor), "cpu" or an index. Throws Error listing what there
-/// is.
+/// Selects a device by "auto" (discrete GPU, else other GPU, else processor), "cpu" or an index. Throws
+/// Error that lists the devices.
 [[nodiscard]] const Candidate& choose(const std::vector<Candidate>& candidates, const std::string& choice);
 
-/// The feature chain we need, to be asked of a device or enabled on it.
+/// The chain of Vulkan feature structures, to query a device or to enable features on it.
 struct Features {
     Features();
     Features(const Features&) = delete;
@@ -100,10 +101,11 @@ struct Features {
     VkPhysicalDeviceFeatures2 core{};
 };
 
-/// Names of the features that drawing cannot do without and `have` lacks; empty when it lacks none.
+/// Names of the required features that `have` lacks; empty if there are none.
 [[nodiscard]] std::string missing_features(const Features& have);
 
-/// Whether words of depth and triangle can be drawn in compute, by an atomic maximum.
+/// Whether the device supports 64-bit atomics, with which compute shaders rasterise depth and triangle by an
+/// atomic maximum.
 [[nodiscard]] bool offers_compute_raster(const Features& have);
 
 } // namespace estampe::gpu

@@ -10,12 +10,12 @@
 namespace estampe::gpu {
 
 enum class MemoryUse : uint8_t {
-    device,   ///< only the GPU touches it
-    upload,   ///< written by the processor, read by the GPU; mapped
-    readback, ///< written by the GPU, read by the processor; mapped, cached where offered
+    device,   ///< Only the GPU accesses it
+    upload,   ///< Written by the processor, read by the GPU; mapped
+    readback, ///< Written by the GPU, read by the processor; mapped, and cached if the device supports that
 };
 
-/// A piece of device memory. `mapped` is null for MemoryUse::device.
+/// A range of device memory. `mapped` is null for MemoryUse::device.
 struct Allocation {
     VkDeviceMemory memory = VK_NULL_HANDLE;
     VkDeviceSize offset = 0;
@@ -24,9 +24,10 @@ struct Allocation {
     uint32_t block = UINT32_MAX;
 };
 
-/// Hands out device memory from 64 MiB blocks, first fit; anything of 16 MiB or more gets memory of its own.
+/// Allocates device memory from 64 MiB blocks, first fit; allocations of 16 MiB or more get their own
+/// memory.
 ///
-/// Images and buffers live in separate blocks, so bufferImageGranularity never matters. Not thread-safe.
+/// Images and buffers use separate blocks, so bufferImageGranularity does not apply. Not thread-safe.
 class MemoryAllocator {
 public:
     MemoryAllocator(VkPhysicalDevice physical, VkDevice device);
@@ -34,19 +35,19 @@ public:
     MemoryAllocator(const MemoryAllocator&) = delete;
     MemoryAllocator& operator=(const MemoryAllocator&) = delete;
 
-    /// Throws Error when the device has no such memory left.
+    /// Throws Error if the device has too little memory of this kind left.
     [[nodiscard]] Allocation allocate(const VkMemoryRequirements& needs, MemoryUse use, bool for_image);
     void free(const Allocation& allocation);
 
-    /// Throws Error unless as many bytes that only the device touches can still be allocated. To be asked
-    /// before a lot is: drivers on the processor promise more than the machine has.
+    /// Throws Error unless `bytes` of MemoryUse::device can still be allocated. Call this before large
+    /// allocations: drivers on the processor promise more memory than the machine has.
     void require(VkDeviceSize bytes) const;
     [[nodiscard]] bool has(VkDeviceSize bytes) const;
 
-    /// All that was allocated and not freed.
+    /// Bytes that are allocated at present.
     [[nodiscard]] VkDeviceSize used_bytes() const;
 
-    /// All that the device has for itself, taken or not.
+    /// Total size of the device's own memory, used or not.
     [[nodiscard]] VkDeviceSize whole_bytes() const;
 
 private:
@@ -60,7 +61,7 @@ private:
         void* mapped = nullptr;
         uint32_t memory_type = 0;
         bool for_images = false;
-        std::vector<Range> free_ranges; ///< sorted by offset, never touching one another
+        std::vector<Range> free_ranges; ///< Sorted by offset; no two are adjacent
     };
 
     [[nodiscard]] uint32_t pick_type(uint32_t allowed_types, MemoryUse use) const;
@@ -70,7 +71,8 @@ private:
     [[nodiscard]] bool take(Block& block, const VkMemoryRequirements& needs, VkDeviceSize& offset) const;
 
     VkDevice device_;
-    VkPhysicalDeviceMemoryProperties properties_{}; ///< heaps as large as the machine really has them
+    /// On a processor, heap sizes are the free memory of the machine.
+    VkPhysicalDeviceMemoryProperties properties_{};
     std::vector<Block> blocks_;
 };
 

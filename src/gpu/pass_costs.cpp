@@ -37,11 +37,11 @@ std::vector<PassTiming> PassHistory::medians() const
     return result;
 }
 
-// After Khronos, "SPIR-V Specification", version 1.6: 2.3 Physical Layout, 3 Binary Form.
+// Source: Khronos, "SPIR-V Specification", version 1.6: 2.3 Physical Layout, 3 Binary Form.
 
 namespace {
 
-/// Opcodes, as the specification numbers them.
+/// Opcodes with the numbers of the specification.
 namespace code {
 constexpr uint32_t undefined = 1;
 constexpr uint32_t ext_inst = 12;
@@ -103,7 +103,7 @@ constexpr uint32_t ext_mix = 46;
 
 struct Instruction {
     uint32_t op = 0;
-    std::span<const uint32_t> operands; ///< the words after the first
+    std::span<const uint32_t> operands; ///< Words of the instruction after the first
 
     [[nodiscard]] uint32_t at(size_t i) const
     {
@@ -114,7 +114,7 @@ struct Instruction {
     }
 };
 
-/// What an operation comes to, of whole numbers that are known. Nothing for others.
+/// Result of an integer operation with known operands; empty for other operations.
 std::optional<uint32_t> value_of(uint32_t op, uint32_t a, uint32_t b)
 {
     switch (op) {
@@ -178,7 +178,8 @@ public:
 
 private:
     struct Function {
-        std::vector<std::vector<Instruction>> blocks; ///< the first begins it; each with its label
+        /// The first block is the entry; each block includes its label.
+        std::vector<std::vector<Instruction>> blocks;
         std::optional<uint64_t> operations;
     };
 
@@ -242,11 +243,10 @@ private:
         }
     }
 
-    /// Whether the first two operands are its type and what names it.
+    /// Whether the operands begin with result type and result id.
     static bool has_result(uint32_t op)
     {
-        constexpr std::array without{56U, 62U, 63U, 64U,
-                                     99U}; // a function's end, stores, copies, texels written
+        constexpr std::array without{56U, 62U, 63U, 64U, 99U}; // OpFunctionEnd, stores, copies, image writes
         if (std::ranges::find(without, op) != without.end()) {
             return false;
         }
@@ -318,7 +318,7 @@ private:
         return counts ? components(instruction.at(0)) : 0;
     }
 
-    /// Where a block goes on to, where that is decided already only there.
+    /// Labels that a block branches to; only the taken one if the condition is known.
     [[nodiscard]] std::vector<uint32_t> targets(const Instruction& end) const
     {
         if (end.op == code::branch) {
@@ -377,13 +377,14 @@ private:
     uint32_t variant_;
     uint32_t variant_id_ = 0;
     uint32_t entry_ = 0;
-    uint32_t here_ = 0; ///< function that is being read
+    uint32_t here_ = 0; ///< Function that is being read
     glm::uvec3 group_{1U};
     std::unordered_map<uint32_t, Function> functions_;
     std::unordered_map<uint32_t, size_t> block_of_label_;
-    std::unordered_map<uint32_t, uint32_t> known_;                              ///< values of constants
-    std::unordered_map<uint32_t, uint32_t> type_of_;                            ///< of results
-    std::unordered_map<uint32_t, std::pair<uint32_t, uint32_t>> parts_of_type_; ///< a part's, and how many
+    std::unordered_map<uint32_t, uint32_t> known_;   ///< Values of constants, by id
+    std::unordered_map<uint32_t, uint32_t> type_of_; ///< Types of results, by id
+    /// Component type and component count, by type id.
+    std::unordered_map<uint32_t, std::pair<uint32_t, uint32_t>> parts_of_type_;
 };
 
 } // namespace
@@ -420,7 +421,7 @@ bool are_runs_watched()
 
 namespace {
 
-/// Tells who watches.
+/// Reports a run to the watcher.
 void tell_run(std::span<const PassWork> passes)
 {
     watching()(passes);

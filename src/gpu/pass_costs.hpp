@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What passes cost: their times, frame by frame, the bytes that they bind and the arithmetic in their
-// shaders.
+// Costs of passes: their times in each frame, the bytes that they bind, and the arithmetic in their shaders.
 
 #include <cstdint>
 #include <functional>
@@ -38,45 +37,45 @@ private:
 };
 
 struct ShaderOps {
-    /// Additions, multiplications and the like, on floats and whole numbers, of each component; a fused
-    /// multiply-add is two, a square root or a sine one.
+    /// Arithmetic operations on floats and integers, counted per component; a fused multiply-add counts as
+    /// two, a square root or a sine as one.
     uint64_t operations = 0;
-    glm::uvec3 group{1U}; ///< threads of a workgroup
+    glm::uvec3 group{1U}; ///< Threads of a workgroup
 };
 
-/// Counts what a thread comes by when no branch leaves anything out and each loop runs once, with
-/// specialization constant 0 at `variant`: branches that this decides count on the side taken alone. Of
-/// kernels that loop it is the least; of those that branch it may be more than is done. Throws
-/// std::logic_error when the words are no SPIR-V.
+/// Counts the operations of one thread if no branch skips code and each loop runs once, with specialization
+/// constant 0 set to `variant`; of branches on that constant, only the taken side counts. The result is a
+/// lower bound for kernels with loops, and may be too high for kernels with branches. Throws
+/// std::logic_error if the words are not SPIR-V.
 ///
-/// Cost    linear in words, some 0.1 ms for a large shader
+/// Cost    linear in words, about 0.1 ms for a large shader
 /// Source  Khronos, "SPIR-V Specification", version 1.6
 [[nodiscard]] ShaderOps ops_of(std::span<const uint32_t> spirv, uint32_t variant);
 
-/// What one pass did and took.
+/// Measured costs of one pass.
 struct PassWork {
     std::string name;
-    double ms = 0.0; ///< GPU time; on a processor wall time, less what an empty run takes
-    /// What it binds, each image and buffer once, and twice where it is read and written: what memory has to
-    /// move at least, but for buffers that are larger than what is in them.
+    double ms = 0.0; ///< GPU time; on a processor wall time minus that of an empty run
+    /// Size of the images and buffers that the pass binds, counted twice if it reads and writes them. This
+    /// is the least memory traffic, unless a buffer is larger than its content.
     uint64_t bytes = 0;
-    /// Threads times what ops_of() counts in the shader. Nothing where only the device knows how many
-    /// threads, and for passes without a shader.
+    /// Threads times the count of ops_of(). Empty for passes without a shader, and if only the device knows
+    /// the number of threads.
     std::optional<uint64_t> operations;
 };
 
 using RunWatch = std::function<void(std::span<const PassWork>)>;
 
-/// From now on each run of any executor of this process runs pass by pass, waits for each, and tells `watch`
-/// afterwards; an empty one ends that. Not while anything runs.
+/// From now on, every executor of this process runs its graphs pass by pass, waits for each pass, and
+/// reports to `watch` afterwards. An empty `watch` ends this. Must not be called during a run.
 void watch_runs(RunWatch watch);
 
 [[nodiscard]] bool are_runs_watched();
 
-/// Bytes of `pass` as PassWork has them.
+/// The value of PassWork::bytes for `pass`.
 [[nodiscard]] uint64_t bytes_of(const Graph& graph, const PassRecord& pass);
 
-/// Operations of `pass` as PassWork has them.
+/// The value of PassWork::operations for `pass`.
 [[nodiscard]] std::optional<uint64_t> operations_of(const Graph& graph, const PassRecord& pass);
 
 } // namespace estampe::gpu

@@ -27,7 +27,7 @@ std::atomic<bool>& are_kept_on_disk()
 
 constexpr uint64_t most_bytes = 256ULL << 20U;
 
-/// What stands before the driver's own bytes.
+/// Header of the cache file, before the driver's bytes.
 struct FileHead {
     std::array<char, 8> magic{};
     uint64_t size_bytes = 0;
@@ -43,7 +43,7 @@ FileHead head_of(std::span<const std::byte> pipelines)
     return {.magic = magic_of_pipelines, .size_bytes = pipelines.size(), .hash = hash.value()};
 }
 
-/// Whether the driver's bytes are for this owner: drivers should look, and some did not.
+/// Whether the driver's bytes match this owner. Drivers should check this themselves, but some do not.
 bool is_for(std::span<const std::byte> pipelines, const PipelineOwner& owner)
 {
     VkPipelineCacheHeaderVersionOne head{};
@@ -100,7 +100,7 @@ std::vector<std::byte> read_pipelines(const std::filesystem::path& file, const P
             head.magic == wanted.magic && head.size_bytes == wanted.size_bytes && head.hash == wanted.hash;
         return is_whole && is_for(bytes, owner) ? bytes : std::vector<std::byte>();
     } catch (const std::exception&) {
-        return {}; // there is none yet, most likely
+        return {}; // Usually the file does not exist yet
     }
 }
 
@@ -114,7 +114,7 @@ void write_pipelines(const std::filesystem::path& file, std::span<const std::byt
         bytes.insert(bytes.end(), pipelines.begin(), pipelines.end());
         write_file_atomically(file, bytes);
     } catch (const std::exception&) {
-        return; // the next run compiles again
+        return; // The next run compiles again
     }
 }
 
@@ -145,7 +145,7 @@ void PipelineStore::write_back() const
 {
     size_t size = 0;
     const bool is_known = vkGetPipelineCacheData(device_, cache_, &size, nullptr) == VK_SUCCESS;
-    // Of one with nothing in it there is the head alone.
+    // An empty cache consists of the header only.
     if (!is_known || size <= std::max(size_read_, sizeof(VkPipelineCacheHeaderVersionOne)) ||
         size > most_bytes) {
         return;
@@ -190,7 +190,7 @@ VkShaderModule make_module(VkDevice device, const Shader& shader)
     return made;
 }
 
-/// Triangles without vertex buffers; reversed depth; nothing blended; viewport and scissor set as one draws.
+/// Triangles without vertex buffers, reversed depth, no blending, dynamic viewport and scissor.
 VkResult create_draw_pipeline(VkDevice device, VkPipelineCache kept, const DrawState& state,
                               const std::vector<VkPipelineShaderStageCreateInfo>& stages, Pipeline& made)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Pipelines, made at first use and kept on disk from one run to the next.
+// Pipelines, compiled at first use and cached on disk between runs.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,32 +16,34 @@
 
 namespace estampe::gpu {
 
-/// Whether devices opened from now on keep pipelines on disk, and use those that are there: they do, until
-/// this says otherwise. Any thread may call it.
+/// Whether devices that are opened from now on cache pipelines on disk. The default is true. Thread-safe.
 void keep_pipelines(bool are_kept);
 
-/// What pipelines are kept for: another device, driver or version of the program has a file of its own.
+/// Identifies the device and driver of cached pipelines. Each device, driver and version of the program has
+/// its own file.
 struct PipelineOwner {
     uint32_t vendor = 0;
     uint32_t device = 0;
     uint32_t driver_version = 0;
-    uint8_t uuid[VK_UUID_SIZE]{}; ///< of the driver's compiler
+    uint8_t uuid[VK_UUID_SIZE]{}; ///< Identity of the driver's compiler
 };
 
 [[nodiscard]] PipelineOwner owner_of(VkPhysicalDevice physical);
 
-/// Where they are kept: in `estampe` under $XDG_CACHE_HOME, or ~/.cache. Empty where neither is a place.
+/// Path of the cache file: in `estampe` under $XDG_CACHE_HOME or ~/.cache. Empty if neither is a folder.
 [[nodiscard]] std::filesystem::path pipeline_file(const PipelineOwner& owner);
 
-/// What the file holds; empty when there is none, or it is cut off, changed, or of another owner.
+/// Content of the cache file; empty if the file does not exist, is truncated or changed, or belongs to
+/// another owner.
 [[nodiscard]] std::vector<std::byte> read_pipelines(const std::filesystem::path& file,
                                                     const PipelineOwner& owner);
 
-/// Makes the folder and writes the file whole, or leaves the one before: no error, it is a cache.
+/// Creates the folder and replaces the file as a whole. A failure keeps the old file and is no error,
+/// because this is a cache.
 void write_pipelines(const std::filesystem::path& file, std::span<const std::byte> pipelines);
 
-/// Vulkan's cache of a device's pipelines, read from disk when it is made and written back at its end where
-/// it has grown. Drivers that keep nothing in it, as lavapipe's, have no file.
+/// Vulkan's pipeline cache of a device. It is read from disk by the constructor, and written by the
+/// destructor if it has grown. Drivers whose cache stays empty, such as lavapipe, have no file.
 class PipelineStore {
 public:
     explicit PipelineStore(Device& device);
@@ -56,28 +58,28 @@ private:
 
     VkDevice device_;
     VkPipelineCache cache_ = VK_NULL_HANDLE;
-    std::filesystem::path file_; ///< empty: not kept
+    std::filesystem::path file_; ///< Empty: not cached on disk
     size_t size_read_ = 0;
 };
 
-/// What a graphics pipeline draws, into what.
+/// Shaders and fixed-function state of a graphics pipeline.
 struct DrawState {
     const Shader* vertex = nullptr;
-    const Shader* fragment = nullptr; ///< may be null
+    const Shader* fragment = nullptr; ///< May be null
     std::span<const VkFormat> color_formats = {};
-    VkFormat depth_format = VK_FORMAT_UNDEFINED; ///< undefined for no depth test
+    VkFormat depth_format = VK_FORMAT_UNDEFINED; ///< VK_FORMAT_UNDEFINED: no depth test
     bool cull_back_faces = false;
 };
 
-/// A pipeline with the layouts that a pass's declaration implies.
+/// A pipeline with the layouts that follow from the pass's declaration.
 struct Pipeline {
     VkDescriptorSetLayout set_layout = VK_NULL_HANDLE;
     VkPipelineLayout layout = VK_NULL_HANDLE;
     VkPipeline pipeline = VK_NULL_HANDLE;
 };
 
-/// Makes pipelines on first use and keeps them, on disk too (see PipelineStore). Cost of a first use: 1 to
-/// 100 ms of driver compilation, less where it was made in a run before.
+/// Creates pipelines at first use and keeps them, also on disk (see PipelineStore). Cost of a first use: 1
+/// to 100 ms of driver compilation, less if an earlier run has compiled it.
 class PipelineCache {
 public:
     explicit PipelineCache(Device& device);
@@ -85,12 +87,12 @@ public:
     PipelineCache(const PipelineCache&) = delete;
     PipelineCache& operator=(const PipelineCache&) = delete;
 
-    /// The pipeline of `shader` whose bindings 0, 1, ... have these types, with `push_bytes` of push
-    /// constants and specialization constant 0 set to `variant`.
+    /// Returns the compute pipeline of `shader`, whose bindings 0, 1, ... have the types `bindings`. It has
+    /// `push_bytes` of push constants, and specialization constant 0 is `variant`.
     [[nodiscard]] const Pipeline& get(const Shader& shader, std::span<const VkDescriptorType> bindings,
                                       uint32_t push_bytes, uint32_t variant);
 
-    /// The graphics pipeline of `state`, with the same meaning of the rest.
+    /// Returns the graphics pipeline of `state`. The other parameters are those of the compute pipeline.
     [[nodiscard]] const Pipeline& get(const DrawState& state, std::span<const VkDescriptorType> bindings,
                                       uint32_t push_bytes, uint32_t variant);
 
@@ -100,9 +102,9 @@ public:
     }
 
 private:
-    /// All that a pipeline hangs on, and how it is kept; looking it up asks nothing of the heap.
+    /// Lookup key of a pipeline as views of the caller's data; a lookup does not allocate.
     struct Wanted {
-        const uint32_t* words = nullptr; ///< of the compute or the vertex shader
+        const uint32_t* words = nullptr; ///< Words of the compute or vertex shader
         const uint32_t* fragment = nullptr;
         VkFormat depth_format = VK_FORMAT_UNDEFINED;
         bool cull_back_faces = false;
@@ -112,7 +114,7 @@ private:
     };
 
     struct Key {
-        Wanted wanted; ///< whose lists are these:
+        Wanted wanted; ///< Its spans refer to the vectors below
         std::vector<VkFormat> color_formats;
         std::vector<VkDescriptorType> bindings;
     };

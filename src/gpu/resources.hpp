@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Buffers and images: made, filled, and brought into a graph; Vulkan's names for formats, layouts and
+// Buffers and images: creation, upload and import into a graph; Vulkan's equivalents of formats, layouts and
 // accesses.
 
 #include <algorithm>
@@ -20,13 +20,13 @@
 
 namespace estampe::gpu {
 
-/// A buffer in device or mapped memory. Move-only; the device must outlive it, and no frame may be in flight
-/// when it dies.
+/// A buffer in device or mapped memory. Move-only. The device must outlive it, and no frame may be in flight
+/// when it is destroyed.
 class Buffer {
 public:
     Buffer() = default;
-    /// `size_bytes` of zero makes a 16-byte buffer, so that it can still be bound. Throws Error when memory
-    /// runs out or the device cannot bind so much at once.
+    /// A `size_bytes` of zero makes a 16-byte buffer, which can still be bound. Throws Error if memory runs
+    /// out or the buffer exceeds the device's largest binding.
     Buffer(Device& device, const std::string& name, uint64_t size_bytes, MemoryUse use);
 
     ~Buffer() { destroy(); }
@@ -46,8 +46,8 @@ public:
     /// The bytes of a mapped buffer; empty for MemoryUse::device.
     [[nodiscard]] std::span<std::byte> mapped() const;
 
-    /// The buffer as texels of `format`, for a samplerBuffer or usamplerBuffer; made when it is first asked
-    /// for. Throws Error when it has more texels than the device can view at once.
+    /// View of the buffer as texels of `format`, for a samplerBuffer or usamplerBuffer; created at the first
+    /// call. Throws Error if it has more texels than the device can view.
     [[nodiscard]] VkBufferView texels(Format format) const;
 
 private:
@@ -60,11 +60,11 @@ private:
     uint64_t size_bytes_ = 0;
 };
 
-/// An image in device memory with one view over all of it (2D, or 2D array). Move-only, as Buffer.
+/// An image in device memory with one view of the whole image (2D or 2D array). Move-only, as Buffer.
 class Image {
 public:
     Image() = default;
-    /// `as_array` views even a single layer as an array, as the shaders' sampler2DArray wants.
+    /// `as_array` makes the view an array even for a single layer, as a sampler2DArray requires.
     Image(Device& device, const std::string& name, const ImageDesc& desc, bool as_array = false);
 
     ~Image() { destroy(); }
@@ -81,7 +81,7 @@ public:
 
     [[nodiscard]] const ImageDesc& desc() const { return desc_; }
 
-    /// Whether the view is of an array.
+    /// Whether the view is an array.
     [[nodiscard]] bool is_array() const { return is_array_; }
 
     [[nodiscard]] bool empty() const { return image_ == VK_NULL_HANDLE; }
@@ -97,19 +97,20 @@ private:
     bool is_array_ = false;
 };
 
-/// All of `buffer`, which must outlive the run of `graph`.
+/// Imports all of `buffer`, which must outlive the run of `graph`.
 [[nodiscard]] inline BufferId import_whole(Graph& graph, std::string_view name, Buffer& buffer)
 {
     return graph.import_buffer(name, buffer, {.size_bytes = buffer.size_bytes()});
 }
 
-/// All of `image`, in the layout that uploads leave it in; it must outlive the run of `graph`.
+/// Imports all of `image`, in the layout that an upload leaves. It must outlive the run of `graph`.
 [[nodiscard]] inline ImageId import_uploaded(Graph& graph, std::string_view name, Image& image)
 {
     return graph.import_image(name, image, image.desc(), Layout::shader_read);
 }
 
-/// A host-visible buffer that holds `items`. Without items it has room for one, which is not set.
+/// A host-visible buffer that holds `items`. Without items it has room for one item, which is not
+/// initialised.
 template <std::ranges::contiguous_range Items>
 [[nodiscard]] Buffer mapped_buffer(Device& device, const char* name, const Items& items)
 {
@@ -134,10 +135,10 @@ void upload_items(Device& device, const char* name, const Items& items, Buffer& 
     std::ranges::copy(bytes, buffer.mapped().begin());
 }
 
-/// Records commands with `record`, runs them, and waits: for uploads and read-backs outside the frame.
+/// Records commands with `record`, runs them, and waits; for uploads and read-backs outside the frame.
 void run_once(Device& device, const std::function<void(VkCommandBuffer)>& record);
 
-/// A device buffer filled with `bytes`. Cost: one staging copy, and a wait.
+/// A device buffer filled with `bytes`. Cost: one staging copy and one wait.
 [[nodiscard]] Buffer upload_buffer(Device& device, const std::string& name, std::span<const std::byte> bytes);
 
 template <class T>
@@ -146,13 +147,13 @@ template <class T>
     return upload_buffer(device, name, std::as_bytes(std::span(items)));
 }
 
-/// The levels of one layer of an image, finest first, each tightly packed.
+/// The mip levels of one image layer, finest first, each tightly packed.
 struct LayerPixels {
     std::vector<std::vector<std::byte>> levels;
 };
 
-/// Fills all layers and levels of `image` and leaves it in the shader-read layout. Layers go through one
-/// staging buffer in turn, so the peak of host memory is one layer.
+/// Fills all layers and levels of `image` and leaves it in the shader-read layout. Layers share one staging
+/// buffer, so the peak of host memory is one layer.
 void upload_layers(Device& device, Image& image,
                    const std::function<LayerPixels(uint32_t layer)>& layer_pixels);
 
@@ -164,7 +165,7 @@ struct StageAccess {
 /// Vulkan's pipeline stage and access mask of an access.
 [[nodiscard]] StageAccess stage_access(Access access);
 
-/// The union over a set; nothing at all for the empty set.
+/// Union of the stages and accesses of a set; none for the empty set.
 [[nodiscard]] StageAccess stage_access(AccessSet accesses);
 
 [[nodiscard]] VkImageLayout vulkan_layout(Layout layout);
@@ -172,7 +173,7 @@ struct StageAccess {
 /// Vulkan's name for a format.
 [[nodiscard]] VkFormat vulkan_format(Format format);
 
-/// What the texels of such an image take, with all of its layers and mips; a driver may add to that.
+/// Memory of the texels of an image, with all layers and mip levels. A driver may need more.
 [[nodiscard]] uint64_t size_bytes(const ImageDesc& desc);
 
 } // namespace estampe::gpu

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// After Khronos, "SPIR-V Specification", version 1.6: 2.3 Physical Layout, 3 Binary Form.
+// Source: Khronos, "SPIR-V Specification", version 1.6: 2.3 Physical Layout, 3 Binary Form.
 #include "gpu/shader_bindings.hpp"
 
 #include <algorithm>
@@ -43,21 +43,22 @@ enum StorageClass : uint32_t { class_uniform_constant = 0, class_uniform = 2, cl
 constexpr uint32_t dim_buffer = 5;
 constexpr uint32_t image_is_sampled = 1;
 
-/// Of an instruction, the words after the first.
+/// Words of an instruction after the first.
 using Operands = std::span<const uint32_t>;
 
 struct Type {
     Op op = op_type_struct;
-    Operands operands; ///< from the result on
+    Operands operands; ///< Starting with the result id
 };
 
-/// What of a module tells of its bindings.
+/// The parts of a SPIR-V module that describe its bindings.
 struct Module {
     std::unordered_map<uint32_t, Type> types;
     std::unordered_map<uint32_t, uint32_t> constants;
     std::unordered_map<uint32_t, uint32_t> binding_of_variable;
     std::unordered_map<uint32_t, uint32_t> set_of_variable;
-    std::vector<std::pair<uint32_t, uint32_t>> variables; ///< and the types of their pointers
+    /// Variable ids with the ids of their pointer types.
+    std::vector<std::pair<uint32_t, uint32_t>> variables;
 };
 
 void take_in(Module& module, uint32_t op, Operands operands)
@@ -118,7 +119,7 @@ TexelKind texel_kind(const Module& module, uint32_t type)
     return component.operands[2] != 0 ? TexelKind::signed_whole : TexelKind::unsigned_whole;
 }
 
-/// Operands of an image's type: result, component, dimensions, depth, arrayed, multisampled, sampled, format.
+/// Operands of OpTypeImage: result, component, dimensions, depth, arrayed, multisampled, sampled, format.
 Binding image_binding(const Module& module, Operands image)
 {
     const bool is_sampled_image = image[6] == image_is_sampled;
@@ -172,7 +173,7 @@ struct NamedFormat {
     const char* name;
 };
 
-/// The formats that images can be stored in, with SPIR-V's numbers.
+/// Formats of storage images, with SPIR-V's numbers.
 constexpr std::array named_formats{NamedFormat{Format::r32ui, 33, "r32ui"},
                                    NamedFormat{Format::rg32ui, 35, "rg32ui"},
                                    NamedFormat{Format::rgba32ui, 30, "rgba32ui"},
@@ -238,10 +239,10 @@ std::string element_in_words(const Binding& binding)
     return "something that no pass can bind";
 }
 
-/// What the shader declares, by number of the binding. Declarations that the compiler found unused are not
-/// there. Throws std::logic_error when the words are no SPIR-V.
+/// The bindings that the shader declares, by binding number. Declarations that the compiler removed as
+/// unused are missing. Throws std::logic_error if the words are not SPIR-V.
 ///
-/// Cost    linear in words, some 50 us for a large shader
+/// Cost    linear in words, about 50 us for a large shader
 /// Source  Khronos, "SPIR-V Specification", version 1.6
 std::map<uint32_t, Binding> bindings_of(const Shader& shader)
 {
@@ -260,7 +261,7 @@ std::map<uint32_t, Binding> bindings_of(const Shader& shader)
     return bindings;
 }
 
-/// What a pass fills a binding with.
+/// The binding that results from a pass's use of a resource.
 Binding binding_of(const Use& use, const ResourceRecord& resource)
 {
     if (resource.is_image) {
@@ -275,7 +276,7 @@ Binding binding_of(const Use& use, const ResourceRecord& resource)
     return {.kind = is_uniform(use.access) ? BindingKind::uniform_buffer : BindingKind::storage_buffer};
 }
 
-/// "storage image of r16f", "texel buffer of unsigned numbers".
+/// Describes a binding, such as "storage image of r16f" or "texel buffer of unsigned numbers".
 std::string in_words(const Binding& binding)
 {
     std::string words = element_in_words(binding);
@@ -288,7 +289,7 @@ std::string in_words(const Binding& binding)
     return words;
 }
 
-/// The use at a binding; null where the pass binds fewer.
+/// The use at a binding number; null if the pass binds fewer.
 const Use* bound_at(const PassRecord& pass, uint32_t number)
 {
     for (const Use& use : pass.uses) {
@@ -338,13 +339,14 @@ namespace {
 
 struct Replacement {
     Shader shader;
-    bool is_checked = false; ///< against the one it replaces
+    bool is_checked = false; ///< Checked against the original
 };
 
 struct Replacements {
     std::atomic<bool> any = false;
     std::mutex guard;
-    std::deque<std::vector<uint32_t>> words; ///< of all there ever were: pipelines are known by their place
+    /// All replacements ever made: pipelines are identified by the address of their words.
+    std::deque<std::vector<uint32_t>> words;
     std::map<std::string, Replacement> by_name;
 };
 
@@ -354,7 +356,7 @@ Replacements& replacements()
     return all;
 }
 
-/// Throws Error unless what is bound for `shader` does for `other`.
+/// Throws Error unless the bindings for `shader` are also valid for `other`.
 void check_bindings_alike(const Shader& shader, const Shader& other)
 {
     const std::map<uint32_t, Binding> own = bindings_of(shader);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a compiled shader declares at its bindings, read from its SPIR-V; whether passes bind that, and
-// shaders that replace it may stand there.
+// Reads the bindings that a compiled shader declares from its SPIR-V, checks that passes match them, and
+// replaces shaders at run time.
 
 #include <cstdint>
 #include <map>
@@ -20,43 +20,43 @@ enum class BindingKind : uint8_t {
     texel_buffer,
     sampled_image,
     storage_image,
-    other, ///< nothing that a pass can bind
+    other, ///< Cannot be bound by a pass
 };
 
-/// What texels are to the shader.
+/// Number type of the texels in the shader.
 enum class TexelKind : uint8_t { none, real, signed_whole, unsigned_whole };
 
-/// One binding, as a shader declares it or as a pass fills it.
+/// One binding, as declared by a shader or as filled by a pass.
 struct Binding {
     BindingKind kind = BindingKind::other;
-    TexelKind texel = TexelKind::none; ///< of texel buffers and sampled images
-    uint32_t image_format = 0;         ///< of storage images, as SPIR-V numbers formats
+    TexelKind texel = TexelKind::none; ///< Only for texel buffers and sampled images
+    uint32_t image_format = 0;         ///< SPIR-V's format number; only for storage images
     uint32_t set = 0;
-    uint32_t count = 1; ///< elements of an array; 0 for one without a size
+    uint32_t count = 1; ///< Length of an array; 0 for a runtime-sized array
     bool operator==(const Binding&) const = default;
 };
 
-/// Compares passes with their shaders, and remembers what each shader declares.
+/// Checks passes against their shaders. Caches what each shader declares.
 class BindingCheck {
 public:
-    /// Throws std::logic_error naming pass, shader and binding, what the pass binds and what the shader
-    /// declares, unless all that its shaders declare is bound, and both agree in kind, count and texels. The
-    /// compiler leaves out declarations that a shader does not use, and shaders that differ little share the
-    /// list of one, so a pass may bind more.
+    /// Throws std::logic_error unless the pass binds everything that its shaders declare, with the same
+    /// kind, count and texels. The message names pass, shader, binding and both sides. A pass may bind more,
+    /// because the compiler removes unused declarations and similar shaders share one list of bindings.
     void check(const Graph& graph, const PassRecord& pass);
 
 private:
     [[nodiscard]] const std::map<uint32_t, Binding>& declared_by(const Shader& shader);
 
-    std::map<const uint32_t*, std::map<uint32_t, Binding>> declared_; ///< by a shader's words
+    /// By the address of a shader's words.
+    std::map<const uint32_t*, std::map<uint32_t, Binding>> declared_;
 };
 
-/// From now on all devices draw with these words in place of the shader of that name; empty: with its own
-/// again. Any thread may call it. The words stay for as long as the program runs.
+/// From now on all devices use these words in place of the shader named `name`; empty words restore the
+/// original. Thread-safe. The words stay in memory until the program ends.
 void replace_shader(const std::string& name, std::vector<uint32_t> spirv);
 
-/// The shader, or what replaces it. Throws Error, once, for a replacement that declares a binding that the
-/// shader does not, in the same words: it is then dropped. Cost: nothing while nothing is replaced.
+/// Returns the shader or its replacement. Throws Error once, and drops the replacement, if it declares a
+/// binding that the original does not declare identically. Cost: none while nothing is replaced.
 [[nodiscard]] Shader current_build(const Shader& shader);
 
 } // namespace estampe::gpu

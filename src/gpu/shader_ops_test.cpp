@@ -10,7 +10,7 @@
 namespace estampe::gpu {
 namespace {
 
-/// SPIR-V, put together an instruction at a time.
+/// Builds SPIR-V one instruction at a time.
 class Words {
 public:
     Words& add(uint32_t op, std::initializer_list<uint32_t> operands)
@@ -26,7 +26,7 @@ private:
     std::vector<uint32_t> words_{0x07230203U, 0x00010600U, 0U, 100U, 0U};
 };
 
-// Numbers of results, made up.
+// Arbitrary result ids.
 constexpr uint32_t void_type = 1;
 constexpr uint32_t function_type = 2;
 constexpr uint32_t float_type = 3;
@@ -41,7 +41,7 @@ constexpr uint32_t zero = 11;
 constexpr uint32_t vector = 20;
 constexpr uint32_t entry = 30;
 
-/// A shader with a specialization constant, whose lowest bit is `is_set`, up to its first block.
+/// A shader with a specialization constant whose lowest bit is `is_set`, up to its first block.
 Words begun()
 {
     Words words;
@@ -71,7 +71,7 @@ TEST(ShaderOps, CountsComponentsOfArithmetic)
     words.add(148, {float_type, 51, vector, vector});               // Dot: 7
     words.add(12, {vec4_type, 52, 99, 50, vector, vector, vector}); // Fma: 8
     words.add(12, {float_type, 53, 99, 31, 51});                    // Sqrt: 1
-    words.add(61, {vec4_type, 54, 98});                             // a load: nothing
+    words.add(61, {vec4_type, 54, 98});                             // A load: not counted
     words.add(253, {}).add(56, {});
     const ShaderOps ops = ops_of(words.all(), 0);
     EXPECT_EQ(ops.operations, 4U + 7U + 8U + 1U);
@@ -93,7 +93,7 @@ TEST(ShaderOps, CountsOfASwitchThatTheVariantDecidesOneSide)
 TEST(ShaderOps, CountsOfABranchThatDataDecidesBothSides)
 {
     Words words = begun();
-    words.add(180, {bool_type, 60, 98, 98}); // FOrdEqual: 1, and not known
+    words.add(180, {bool_type, 60, 98, 98}); // FOrdEqual: 1, with an unknown result
     words.add(250, {60, 41, 42});
     words.add(248, {41}).add(129, {vec4_type, 50, vector, vector}).add(249, {43});
     words.add(248, {42}).add(129, {float_type, 51, 98, 98}).add(249, {43});

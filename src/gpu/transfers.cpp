@@ -12,7 +12,8 @@
 namespace estampe::gpu {
 namespace {
 
-/// Four words, and zeros from a place on. Each command has a GPU to itself.
+/// A new buffer: `words` if `zeros_from` is not 0, and zeros from there on. A GPU runs each of these
+/// commands alone.
 BufferId add_words(Graph& graph, std::string_view name, uint64_t size_bytes, const glm::uvec4& words,
                    uint64_t zeros_from)
 {
@@ -79,7 +80,7 @@ BufferId add_empty_group_list(Graph& graph, std::string_view name, uint64_t most
 
 namespace {
 
-/// `copy` is called with the recorder and the handle of `to`.
+/// Calls `copy` with the recorder and the handle of `to`.
 template <class Id, class Copy>
 void add_copy(Graph& graph, std::string_view name, Id from, Buffer& to, const Copy& copy)
 {
@@ -98,7 +99,7 @@ void change_layout(VkCommandBuffer commands, const VkImageMemoryBarrier2& change
     vkCmdPipelineBarrier2(commands, &dependency);
 }
 
-/// Returns the version of `to` whose start has been overwritten.
+/// Copies the first `size_bytes` of `from` over the start of `to`. Returns the new version of `to`.
 BufferId add_copy_between(Graph& graph, std::string_view name, BufferId from, BufferId to,
                           uint64_t size_bytes)
 {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Passes that are commands of the device, without a shader: fills, copies, and what the host reads after the
-// run.
+// Passes that are device commands without a shader: fills, copies, and read-backs by the host.
 
 #include <cstdint>
 #include <span>
@@ -17,47 +16,48 @@
 
 namespace estampe::gpu {
 
-/// A new image that is `color` everywhere; of whole numbers, all bits 0 are the only ones to ask for. Cost: a
-/// GPU fills a page quicker by threads.
+/// A new image filled with `color`. Integer images can only be filled with zero bits. Cost: a GPU fills a
+/// page faster with a compute pass.
 [[nodiscard]] ImageId add_filled_image(Graph& graph, std::string_view name, const ImageDesc& desc,
                                        const glm::vec4& color);
 
-/// The same of an image that is there already, all layers of it.
+/// Fills all layers of an existing image with `color`.
 [[nodiscard]] ImageId add_fill(Graph& graph, std::string_view name, ImageId image, const glm::vec4& color);
 
-/// A new buffer of zeros, of at least 16 bytes.
+/// A new buffer of zeros, at least 16 bytes long.
 [[nodiscard]] BufferId add_zeros(Graph& graph, std::string_view name, uint64_t size_bytes);
 
-/// The same behind the arguments of a dispatch of no workgroups: 0, 1, 1.
+/// A new buffer that starts with the arguments of a dispatch of no workgroups (0, 1, 1), followed by zeros.
 [[nodiscard]] BufferId add_empty_list(Graph& graph, std::string_view name, uint64_t size_bytes);
 
-/// A list with room for all tiles of a page, and none in it, see shaders/tiles.glsl.h. What is not listed
-/// is left as it was.
+/// An empty list with room for all tiles of a page; see shaders/tiles.glsl.h. The entries are not
+/// initialised.
 [[nodiscard]] BufferId add_empty_tile_list(Graph& graph, std::string_view name, glm::uvec2 size_px);
 
-/// The same with room for so many words, each of which a workgroup works on, and so many zeros behind it.
+/// An empty list with room for `most` entries, one workgroup each, followed by `zeros` words of zero.
 [[nodiscard]] BufferId add_empty_group_list(Graph& graph, std::string_view name, uint64_t most,
                                             uint64_t zeros = 0);
 
-/// Copies `from` to the start of `to`, which is at least as large, of MemoryUse::readback, and outlives the
-/// run of `graph`.
+/// Copies `from` to the start of `to`, a buffer of MemoryUse::readback that is at least as large and
+/// outlives the run of `graph`.
 void add_read_back(Graph& graph, std::string_view name, BufferId from, Buffer& to);
 
-/// The same of an image, its first layer and mip, row by row without gaps.
+/// Copies the first layer and mip level of an image to `to`, row by row without gaps. `to` is as for
+/// buffers.
 void add_read_back(Graph& graph, std::string_view name, ImageId from, Buffer& to);
 
-/// The host reads `written`, an imported buffer of MemoryUse::readback, after the run.
+/// Declares that the host reads `written` after the run; an imported buffer of MemoryUse::readback.
 void add_host_read(Graph& graph, std::string_view name, BufferId written);
 
-/// Copies the start of `from`, as much as `to` holds, for graphs that run later; `to` is no larger, and
-/// outlives the run of `graph`. Returns the copy.
+/// Fills `to` from the start of `from`, for graphs that run later. `to` is no larger than `from` and
+/// outlives the run of `graph`. Returns the handle of the copy.
 BufferId add_copy_out(Graph& graph, std::string_view name, BufferId from, Buffer& to);
 
-/// A new buffer of the device's own memory with the first `size_bytes` of `from`.
+/// A new buffer in device memory with the first `size_bytes` of `from`.
 [[nodiscard]] BufferId add_copy_of_start(Graph& graph, std::string_view name, BufferId from,
                                          uint64_t size_bytes);
 
-/// What lies in a buffer of mapped memory, from an offset on.
+/// The items in a mapped buffer, from an offset on.
 template <class T>
 [[nodiscard]] std::span<const T> items_of(const Buffer& buffer, uint64_t offset_bytes = 0)
 {
@@ -65,8 +65,8 @@ template <class T>
     return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
 }
 
-/// Copies `pixels`, four bytes each, into an image of the host application's, which no graph knows of: its
-/// layout is changed here.
+/// Copies `pixels`, four bytes each, into an image of the host application. The graph does not know that
+/// image, so this pass changes its layout itself.
 void add_hand_over(Graph& graph, BufferId pixels, const VulkanPicture& picture, glm::uvec2 size_px);
 
 } // namespace estampe::gpu

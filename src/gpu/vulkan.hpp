@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The one place that includes Vulkan: volk loads it at run time, so no binary of ours links a loader, and an
-// application that does so itself shares no symbol with us.
+// The only header that includes Vulkan. volk loads Vulkan at run time, so binaries do not link a loader, and
+// share no symbols with an application that links one.
 
 #include "gpu/volk_names.hpp"
 
@@ -11,7 +11,8 @@
 
 namespace estampe::gpu {
 
-/// Throws Error naming `call` when `result` is a failure; lost devices and exhausted memory are told apart.
+/// Throws Error that names `call` if `result` is a failure. A lost device and exhausted memory have their
+/// own messages.
 void vk_check(VkResult result, const char* call);
 
 } // namespace estampe::gpu

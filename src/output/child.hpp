@@ -10,29 +10,30 @@
 
 namespace estampe::output {
 
-/// A program that reads what we write. It gets none of the terminal's signals, so that what it writes is
-/// whole when we are stopped. A thread's own; it is ended, if it still runs, with the object.
+/// A child process that reads data from this one. It does not receive the terminal's signals, so it can
+/// complete its output when this program is interrupted. Belongs to one thread. The destructor ends the
+/// process if it still runs.
 class Child {
 public:
-    /// Throws Error when there is no such program, with `to_install` as advice.
+    /// Throws Error, with `to_install` as remedy, if the program is not installed.
     Child(const std::vector<std::string>& command, const std::string& to_install);
     ~Child();
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
 
-    /// False when it reads no more.
+    /// Returns false if the process no longer reads.
     [[nodiscard]] bool write(std::span<const std::byte> bytes) const;
 
-    /// Ends its input and waits for it. True when it says that all went well.
+    /// Closes the input of the process and waits for it. Returns whether it reports success.
     [[nodiscard]] bool finish();
 
-    /// The first lines of what it said on stderr, once it has finished.
+    /// The first lines of its stderr, after it has finished.
     [[nodiscard]] std::string complaint() const;
 
 private:
-    pid_t id_ = -1; ///< negative: it has ended
+    pid_t id_ = -1; ///< Negative: the process has ended
     int input_ = -1;
-    int errors_ = -1; ///< a file without a name
+    int errors_ = -1; ///< An unnamed file
 };
 
 } // namespace estampe::output

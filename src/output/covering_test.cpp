@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pixels of transparent pictures, laid on papers as programs do: in sRGB-encoded whole numbers.
+// Pixels of transparent pictures, composited onto paper as programs do: in sRGB-encoded integers.
 #include "output/layer_bytes.hpp"
 
 #include <random>
@@ -9,7 +9,7 @@
 namespace estampe::output {
 namespace {
 
-/// The largest difference of any channel between a pixel laid on paper and what a drawing there shows.
+/// Largest channel difference between a pixel composited onto paper and the drawing there.
 double difference(const glm::ivec4& pixel, const glm::vec3& paper, const glm::vec3& drawn,
                   const Arithmetic& in)
 {
@@ -58,7 +58,7 @@ TEST_P(Straight, KeepsWhatIsOpaqueAndWhatIsNotThere)
     for (int i = 0; i < 3; ++i) {
         EXPECT_EQ(opaque[i], in.nearest(in.encoded(color)[i]));
     }
-    // White on white paper is there all the same.
+    // White must stay opaque on white paper.
     EXPECT_EQ(straight(glm::vec4(1.0F), glm::vec3(1.0F), in).w, in.top());
     EXPECT_NEAR(straight(glm::vec4(0.5F), glm::vec3(1.0F), in).w, 0.5 * in.top(), 0.5);
 }
@@ -79,7 +79,7 @@ TEST_P(Straight, DarkInkLooksOnAnyPaperAsIfDrawnThere)
         }
     }
     RecordProperty("worst of 255", std::to_string(worst));
-    EXPECT_LT(worst, 14.0); // thin ink on black, where there is next to nothing to see
+    EXPECT_LT(worst, 14.0); // Thin ink on black, where almost nothing is visible
 }
 
 INSTANTIATE_TEST_SUITE_P(Bits, Straight, testing::Values(8, 16));

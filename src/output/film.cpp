@@ -19,11 +19,11 @@ namespace {
 struct Codec {
     const char* container;
     std::vector<std::string> arguments;
-    bool wants_even_sides = false;            ///< colour is kept for squares of two pixels
-    std::vector<std::string> with_alpha = {}; ///< in place of `arguments`; empty: it has no alpha
+    bool wants_even_sides = false;            ///< Chroma is stored per 2 x 2 pixels
+    std::vector<std::string> with_alpha = {}; ///< Replaces `arguments`; empty: no alpha support
 };
 
-/// Each without dates, names of programs and whatever else would make two runs differ.
+/// Codec settings without dates, program names and anything else that differs between runs.
 const Codec* codec_of(const std::filesystem::path& path)
 {
     static const std::string video_filter =
@@ -38,7 +38,7 @@ const Codec* codec_of(const std::filesystem::path& path)
     };
     static const std::vector<std::string> vp9{"-c:v",      "libvpx-vp9", "-b:v",      "0", "-crf",    "22",
                                               "-deadline", "good",       "-cpu-used", "4", "-row-mt", "1"};
-    // Frames of two streams, colour and alpha, cannot be hidden ones.
+    // VP9 with a separate alpha stream does not allow hidden frames.
     std::vector<std::string> vp9_of_alpha = vp9;
     vp9_of_alpha.insert(vp9_of_alpha.end(), {"-auto-alt-ref", "0", "-metadata:s:v:0", "alpha_mode=1"});
     static const std::map<std::string, Codec> codecs{
@@ -80,7 +80,7 @@ std::vector<std::string> command_for(const Codec& codec, const std::filesystem::
     return command;
 }
 
-/// With its last row and column twice where they are odd in number.
+/// The image with its last row or column doubled if their number is odd.
 Image with_even_sides(const Image& image)
 {
     Image even{.width = image.width + image.width % 2, .height = image.height + image.height % 2};
@@ -113,7 +113,7 @@ struct FilmWriter::Impl {
     {
     }
 
-    /// Once the encoder has ended.
+    /// Call after the encoder has ended.
     [[noreturn]] void fail() const { throw Error("ffmpeg cannot write the film", name, encoder.complaint()); }
 
     std::string name;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Films are read back by ffmpeg, as raw pixels.
+// Films are decoded by ffmpeg to raw pixels.
 #include <estampe/film.hpp>
 
 #include <cmath>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr glm::uvec2 size_px(64, 48);
 
-/// A soft ball on paper that goes to the right.
+/// A soft ball on paper that moves to the right.
 Image frame_at(uint32_t number, glm::uvec2 size = size_px)
 {
     Image image{.width = size.x, .height = size.y};
@@ -52,7 +52,7 @@ std::string bytes_of(const std::filesystem::path& path)
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// All frames of a film, one after another, red, green and blue.
+/// Decodes all frames of a film to consecutive red, green and blue bytes.
 std::string pixels_of(const std::filesystem::path& film, const std::filesystem::path& scratch)
 {
     const std::string command =
@@ -134,7 +134,7 @@ TEST(FilmErrors, AreToldInWords)
     const std::string search = std::getenv("PATH");
     setenv("PATH", folder.path().c_str(), 1);
     EXPECT_NE(message([&] { FilmWriter(path, 8, 8, 24.0); }).find("install"), std::string::npos);
-    // A program that gives up, as ffmpeg does on a full disk.
+    // A program that fails like ffmpeg on a full disk.
     std::ofstream(folder.path() / "ffmpeg") << "#!/bin/sh\necho 'No space left on device' >&2\nexit 1\n";
     std::filesystem::permissions(folder.path() / "ffmpeg", std::filesystem::perms::owner_all);
     const auto give_up = [&] {

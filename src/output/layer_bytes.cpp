@@ -17,23 +17,23 @@
 namespace estampe::output {
 namespace {
 
-/// A colour of whole numbers.
+/// A colour of integers.
 using Numbers = glm::ivec3;
 
-/// What lies at a pixel when the layers up to one have been laid.
+/// Composite of the layers so far at one pixel.
 struct Laid {
-    Numbers rounded{0};    ///< as a program shows it that rounds at every layer
-    glm::dvec3 exact{0.0}; ///< as one shows it that works in floats, in the same unit
+    Numbers rounded{0};    ///< In a program that rounds after every layer
+    glm::dvec3 exact{0.0}; ///< In a program that works in floats; same unit
 };
 
-/// What the next layer is to make of it.
+/// Composite that is wanted after the next layer.
 struct Wanted {
     Numbers rounded{0};
     glm::dvec3 exact{0.0};
 };
 
-/// The number nearest to `start` for which `result`, which grows with it, is what is wanted, or as near as
-/// can be.
+/// The number nearest to `start` for which the increasing function `result` is `wanted`, or as near as
+/// possible.
 template <class Result>
 int tuned(int start, int wanted, int top, const Result& result)
 {
@@ -46,7 +46,7 @@ int tuned(int start, int wanted, int top, const Result& result)
     return start;
 }
 
-/// The least share of a layer that can turn `below` into `wanted`, whatever its colour.
+/// Least alpha with which a layer of any colour can turn `below` into `wanted`.
 double least_alpha(double below, double wanted, double top)
 {
     if (wanted > below) {
@@ -55,8 +55,8 @@ double least_alpha(double below, double wanted, double top)
     return below > wanted ? (below - wanted) / below : 0.0;
 }
 
-/// The alpha by which a pigment comes nearest to what is wanted; where it differs too little from what is
-/// below to tell, its share of the pixel.
+/// Alpha with which a pigment comes nearest to the wanted colour. If the pigment is too similar to what is
+/// below, its coverage of the pixel is used.
 double pigment_alpha(const Laid& laid, const Wanted& wanted, const glm::dvec3& pigment, double share, int top)
 {
     const glm::dvec3 way = laid.exact - pigment;
@@ -65,9 +65,9 @@ double pigment_alpha(const Laid& laid, const Wanted& wanted, const glm::dvec3& p
     return length_2 > least_way * least_way ? glm::dot(laid.exact - wanted.exact, way) / length_2 : share;
 }
 
-/// Colour and alpha of a layer of ink or paint that turns `laid` into what is wanted, of which `paint` lies
-/// there in linear light: its colour times alpha, and alpha. It keeps that colour wherever some alpha gives
-/// what is wanted, and else takes the colour that does. `laid` becomes what the layer has made of it.
+/// Colour and alpha of a layer of ink or paint that turns `laid` into `wanted`. `paint` is its premultiplied
+/// colour and alpha in linear light. The paint's colour is kept if some alpha gives the wanted result, and
+/// changed otherwise. Updates `laid` to the composite.
 glm::ivec4 covering(Laid& laid, const Wanted& wanted, const glm::vec4& paint, const Arithmetic& in)
 {
     if (paint.w <= 0.0F) {
@@ -120,7 +120,7 @@ glm::ivec4 straight(const glm::vec4& page, const glm::vec3& paper, const Arithme
 
 namespace {
 
-/// Colour and alpha of a layer that multiplies.
+/// Colour and alpha of a multiply layer that turns `laid` into `wanted`.
 glm::ivec4 multiplying(Laid& laid, const Wanted& wanted, const Arithmetic& in)
 {
     glm::ivec4 pixel(in.top());
@@ -136,7 +136,7 @@ glm::ivec4 multiplying(Laid& laid, const Wanted& wanted, const Arithmetic& in)
     return is_white ? glm::ivec4(0) : pixel;
 }
 
-/// Which layer is the last to change each pixel.
+/// Index of the last layer that changes each pixel.
 std::vector<size_t> topmost_layers(const LayeredImage& image)
 {
     std::vector<size_t> topmost(image.layers.front().image.pixels.size(), 0);
@@ -209,7 +209,7 @@ std::vector<EncodedLayer> encoded_layers(const LayeredImage& image, int bits)
     check_opaque(image.layers.front());
     const Arithmetic in(bits);
     LinearImage stage = image.layers.front().image;
-    if (image.paper) { // its relief is not that of what will lie below the others
+    if (image.paper) { // The user's own paper will not have this relief
         std::ranges::fill(stage.pixels, glm::vec4(*image.paper, 1.0F));
     }
     std::vector<Laid> laid(stage.pixels.size());
@@ -281,14 +281,14 @@ LinearImage on_white(const LayeredImage& image)
             .paper = std::nullopt};
 }
 
-/// What lies on white, without the white: what is darker than it hides as little as will do.
+/// Removes the white below a colour, with the smallest alpha that allows it.
 glm::vec4 without_white(const glm::vec3& laid)
 {
     const float alpha = std::clamp(1.0F - std::min({laid.x, laid.y, laid.z}), 0.0F, 1.0F);
     return {glm::max(laid - (1.0F - alpha), 0.0F), alpha};
 }
 
-/// The layer or mask on nothing in place of white, which it is then found to lie on.
+/// Replaces the white below a layer or mask by transparency; white becomes its paper colour.
 void take_white_away(LinearImage& alone, const PictureLayer* layer)
 {
     for (size_t i = 0; i < alone.pixels.size(); ++i) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Layers, and colours, as programs lay them on each other that know of whole numbers and sRGB-encoded values
-// alone.
+// Layers and colours for programs that composite sRGB-encoded integers.
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +17,7 @@
 
 namespace estampe::output {
 
-/// What layers do, in numbers of 0 to `top`.
+/// Compositing with integers from 0 to `top`.
 class Arithmetic {
 public:
     explicit Arithmetic(int bits) : top_((1 << bits) - 1) {}
@@ -61,37 +60,36 @@ private:
     int top_;
 };
 
-/// A pixel of a picture that is transparent, in numbers that are not multiplied by alpha: laid on its own
-/// `paper` it is the drawing, to half a step. `page` is linear colour times alpha, and alpha.
+/// Straight (not premultiplied) colour and alpha of a pixel of a transparent picture: composited onto its
+/// `paper` it gives the drawing to within half a step. `page` is premultiplied linear colour and alpha.
 [[nodiscard]] glm::ivec4 straight(const glm::vec4& page, const glm::vec3& paper, const Arithmetic& in);
 
-/// A layer of whole numbers, 0 to the top of the picture's depth: red, green, blue and alpha, sRGB-encoded,
-/// colours not multiplied by alpha.
+/// A layer of integers from 0 to the top of the bit depth: red, green, blue and alpha, sRGB-encoded,
+/// straight alpha.
 struct EncodedLayer {
     std::string name;
     LayerBlend blend = LayerBlend::normal;
     bool is_visible = true;
-    std::vector<uint16_t> rgba; ///< four a pixel of the page
+    std::vector<uint16_t> rgba; ///< Four values per pixel of the page
 };
 
-/// Finds layers of whole numbers which, laid on each other in sRGB-encoded values by svg:src-over and
-/// svg:multiply, give the picture. Each is found against what those below it come to when every step is
-/// rounded, so that a program that works in bytes shows the picture itself; where more than one number does
-/// that, the one is taken that serves programs that work in floats. Throws Error as check_whole() does,
-/// and when the bottom layer is not opaque.
+/// Converts layers to integers that give the picture when composited in sRGB-encoded values by svg:src-over
+/// and svg:multiply. Each layer is computed against the rounded result of those below, so a program that
+/// works in bytes shows the exact picture. If several values do, the one that is best for programs that work
+/// in floats is used. Throws Error as check_whole() does, and if the bottom layer is not opaque.
 [[nodiscard]] std::vector<EncodedLayer> encoded_layers(const LayeredImage& image, int bits);
 
-/// Throws Error as well when the picture is not as large as its layers.
+/// Throws Error as flattened() does, and if the picture and its layers differ in size.
 void check_whole(const LayeredImage& image);
 
-/// Lays one layer on another in linear light.
+/// Composites a layer onto `below` in linear light.
 void lay(LinearImage& below, const PictureLayer& layer);
 
-/// The layer of that name on white, or what its mask leaves of white. Throws Error naming those that there
-/// are when none has it, and as flattened() does.
+/// The layer with this name on white, or white minus the mask with this name. Throws Error that lists the
+/// names if there is none, and as flattened() does.
 [[nodiscard]] LinearImage one_layer(const LayeredImage& image, const std::string& name);
 
-/// In bytes, sRGB-encoded.
+/// Encodes a linear image as sRGB bytes.
 [[nodiscard]] Image encoded_bytes(const LinearImage& image);
 
 } // namespace estampe::output

@@ -27,7 +27,7 @@
 namespace estampe::output {
 namespace {
 
-/// A strong colour for each of many things, neighbours far apart.
+/// A saturated colour for each number; consecutive numbers give very different colours.
 std::array<uint8_t, 3> color_of(size_t number)
 {
     constexpr double golden = 0.61803398875;
@@ -85,7 +85,7 @@ LayerFile layer_file(const LayeredImage& image, const EncodedLayer& layer, int b
     return file;
 }
 
-/// A name that any disk takes: letters and digits of ASCII, the rest as dashes, and not too long.
+/// A file name that is valid on any disk: ASCII letters and digits, the rest as dashes, limited in length.
 std::string plain_name(const std::string& name)
 {
     constexpr size_t longest = 60;
@@ -172,7 +172,7 @@ std::string layer_element(const LayerFile& file, const std::string& source)
                        file.blend == "multiply" ? "svg:multiply" : "svg:src-over");
 }
 
-/// The list of layers, the topmost first; objects on top in a group of their own.
+/// The layer stack, topmost first; objects are in a group at the top.
 std::string stack_of(const LayeredImage& image, const std::vector<LayerFile>& files,
                      const std::vector<std::string>& sources)
 {
@@ -191,8 +191,7 @@ std::string stack_of(const LayeredImage& image, const std::vector<LayerFile>& fi
                        image.picture.width, image.picture.height, objects, others);
 }
 
-/// The picture at a size of at most 256 pixels, each the mean of the light and the alpha of those it stands
-/// for.
+/// The picture scaled to at most 256 pixels per side; colours and alpha are averaged in linear light.
 Image thumbnail_of(const Image& picture)
 {
     constexpr uint32_t longest_side = 256;
@@ -213,7 +212,7 @@ Image thumbnail_of(const Image& picture)
             const uint32_t bottom = std::max(top + 1, place(y + 1, picture.height, thumbnail.height));
             const uint32_t left = place(x, picture.width, thumbnail.width);
             const uint32_t right = std::max(left + 1, place(x + 1, picture.width, thumbnail.width));
-            glm::vec4 sum(0.0F); // colour times alpha
+            glm::vec4 sum(0.0F); // Premultiplied colour and alpha
             for (uint32_t from_y = top; from_y < bottom; ++from_y) {
                 for (uint32_t from_x = left; from_x < right; ++from_x) {
                     const uint8_t* pixel = &picture.rgba[4 * (size_t{from_y} * picture.width + from_x)];
@@ -248,7 +247,7 @@ std::vector<std::byte> encode_openraster(const LayeredImage& image)
     const std::vector<std::byte> thumbnail = encode_png(thumbnail_of(image.picture));
     ZipWriter archive;
     archive.add("mimetype", std::as_bytes(std::span(mimetype)),
-                false); // first and as it is: so files are told apart
+                false); // Uncompressed and first, so that programs recognise the format
     archive.add("stack.xml", std::as_bytes(std::span(stack)), true);
     for (size_t i = 0; i < files.size(); ++i) {
         archive.add(sources[i], files[i].png, false);
@@ -260,7 +259,7 @@ std::vector<std::byte> encode_openraster(const LayeredImage& image)
 
 namespace {
 
-/// Names of layers in OpenEXR: dots part a layer from its channels, and no two may be alike.
+/// Unique OpenEXR layer names. Dots separate a layer from its channels, so names have none.
 class ChannelNames {
 public:
     std::string make(std::string name)
@@ -275,7 +274,7 @@ public:
     }
 
 private:
-    static constexpr size_t longest = 200; // OpenEXR takes 255 with the channel's own
+    static constexpr size_t longest = 200; // OpenEXR allows 255 including the channel's name
     std::set<std::string> taken_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Layers and masks as the bytes of files.
+// Encodes layers and masks as files.
 
 #include <cstddef>
 #include <string>
@@ -13,19 +13,20 @@
 
 namespace estampe::output {
 
-/// As save_openraster() and save_layers_exr() write them. Throw Error as those do, but name no file.
+/// Encode the files of save_openraster() and save_layers_exr(). They throw the same Errors, but without a
+/// file name.
 [[nodiscard]] std::vector<std::byte> encode_openraster(const LayeredImage& image);
 [[nodiscard]] std::vector<std::byte> encode_layers_exr(const LayeredImage& image, ExrNumbers numbers);
 
-/// The folder of save_layers() before it has its name.
+/// The folder of save_layers(), not yet published.
 [[nodiscard]] AtomicFile pending_layers(const LayeredImage& image, std::filesystem::path folder, int bits);
 
-/// A layer or mask as a picture of its own, and where it lies.
+/// A layer or mask encoded as a PNG, with its position.
 struct LayerFile {
     std::string name;
     std::string blend; ///< "normal" or "multiply"
     bool is_visible = true;
-    bool is_object = false; ///< a mask of one
+    bool is_object = false; ///< A mask of an object
     uint32_t x = 0;
     uint32_t y = 0;
     uint32_t width = 0;
@@ -33,11 +34,11 @@ struct LayerFile {
     std::vector<std::byte> png;
 };
 
-/// All of them from the bottom up, layers of `bits` a channel. Masks are flat: each object in a colour of its
-/// own, the shadow black, and their cover is alpha.
+/// Encodes all layers and masks from bottom to top, with `bits` per channel for layers. Masks have one flat
+/// colour, a different one for each object and black for the shadow, and their coverage as alpha.
 [[nodiscard]] std::vector<LayerFile> layer_files(const LayeredImage& image, int bits);
 
-/// What layers.json says of them, all but the pixels.
+/// The content of layers.json: everything except the pixels.
 [[nodiscard]] std::string manifest_of(const LayeredImage& image, const std::vector<LayerFile>& files,
                                       const std::vector<std::string>& file_names);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Layers of all kinds of colours, read back by other code and laid on each other as the formats say.
+// Layers of all kinds of colours, read back by independent code and composited as the formats specify.
 #include "output/layer_files.hpp"
 
 #include <cmath>
@@ -25,7 +25,7 @@
 namespace estampe {
 namespace {
 
-constexpr uint32_t width = 300; // more than a thumbnail's
+constexpr uint32_t width = 300; // Larger than a thumbnail
 constexpr uint32_t height = 90;
 
 Image picture_of(const LinearImage& linear)
@@ -41,7 +41,7 @@ Image picture_of(const LinearImage& linear)
     return image;
 }
 
-/// Pale and dark paper, paints of any strength, and inks of any colour, light ones too, of any cover.
+/// Random layers: light and dark paper, paints of any strength, and inks of any colour and coverage.
 LayeredImage any_layers(uint32_t seed)
 {
     std::mt19937 random(seed);
@@ -135,7 +135,7 @@ TEST(Layers, OpenRasterIsAsTheFormatWantsIt)
     }
 }
 
-/// Where the pigment itself serves, a layer of ink is of that colour wherever there is enough to see it.
+/// An ink layer keeps its pigment's colour wherever that works and enough ink is visible.
 TEST(Layers, InkKeepsItsColour)
 {
     LayeredImage image = any_layers(5);
@@ -189,12 +189,12 @@ TEST(Layers, FolderListsItsFiles)
                  .image = load_image(target / layer.at("file").get<std::string>())});
             EXPECT_EQ(raster.layers.back().image.width, layer.at("width"));
         }
-        // The reader makes bytes of 16 bits, layer by layer.
+        // The reader converts 16 bits to bytes layer by layer.
         EXPECT_LE(test::largest_difference(test::composite(raster, false), image.picture),
                   bits == 8 ? 1.0 : 2.5);
         EXPECT_THROW(save_layers(image, target, bits), Error) << "it is not empty";
     }
-    // In numbers of 16 bits the layers give the picture as it was before it became bytes.
+    // With 16 bits, the layers give the picture from before its conversion to bytes.
     const LinearImage whole = flattened(image);
     const std::vector<output::EncodedLayer> layers = output::encoded_layers(image, 16);
     double worst = 0.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Pictures as the bytes of files, and files of them.
+// Encodes pictures as files of all formats.
 
 #include <cstddef>
 #include <filesystem>
@@ -16,21 +16,22 @@
 
 namespace estampe::output {
 
-/// A profile of the ICC, version 4, that says sRGB; always the same bytes, some 600.
+/// An sRGB profile of ICC version 4, about 600 bytes; always the same bytes.
 [[nodiscard]] const std::vector<std::byte>& srgb_profile();
 
-/// As save_jpeg(), save_webp(), save_png() and save_exr() write them. Throw Error as those do, but name no
-/// file.
-/// `dots_per_m` is how finely a picture is to be printed, where the format can tell; 0 says nothing of that.
+/// Encode the files of save_jpeg(), save_webp(), save_png() and save_exr(). They throw the same Errors, but
+/// without a file name. `dots_per_m` is the print resolution, where the format can store it; 0 leaves it
+/// out.
 [[nodiscard]] std::vector<std::byte> encode_jpeg(const Image& image, int quality, uint32_t dots_per_m = 0);
 [[nodiscard]] std::vector<std::byte> encode_webp(const Image& image, std::optional<int> quality);
 [[nodiscard]] std::vector<std::byte> encode_deep_png(const LinearImage& image, uint32_t dots_per_m = 0);
 [[nodiscard]] std::vector<std::byte> encode_picture_exr(const LinearImage& image, ExrNumbers numbers);
 
-/// Throws Error when the picture is empty, or its size and number of pixels disagree.
+/// Throws Error if the picture is empty or its size and pixel count disagree.
 void check_pixels(const LinearImage& image);
 
-/// Writes the bytes that `encode` makes to `path`, beside it first. What `encode` throws names the file.
+/// Writes the result of `encode` to `path` through a temporary file. Adds the file name to Errors of
+/// `encode`.
 template <class Encode>
 void save_as(const std::filesystem::path& path, const Encode& encode)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures are read back by the libraries themselves, in ways that the writers do not use.
+// Pictures are decoded with the libraries themselves, by functions that the writers do not use.
 #include "output/pictures.hpp"
 
 #include <cmath>
@@ -52,7 +52,7 @@ Image waves(uint32_t width, uint32_t height)
     return image;
 }
 
-/// From black to a little above white, in more steps than bytes have.
+/// A ramp from black to slightly above white, in more steps than bytes have.
 LinearImage ramp()
 {
     LinearImage image{.width = 64, .height = 64, .pixels = {}};
@@ -82,7 +82,7 @@ std::string message_of(const std::function<void()>& job)
     return {};
 }
 
-/// By lcms: colours by the profile are the colours that sRGB means by these numbers.
+/// Checks with lcms that the profile gives the colours of sRGB.
 void expect_srgb(const void* profile_bytes, size_t size)
 {
     struct Close {
@@ -98,7 +98,7 @@ void expect_srgb(const void* profile_bytes, size_t size)
     cmsHTRANSFORM to_lab = cmsCreateTransform(profile.get(), TYPE_RGB_8, lab.get(), TYPE_Lab_DBL,
                                               INTENT_RELATIVE_COLORIMETRIC, cmsFLAGS_NOOPTIMIZE);
     ASSERT_NE(to_lab, nullptr);
-    // Lindbloom's values of sRGB, adapted to D50: red, green, blue, a middle grey.
+    // Lindbloom's sRGB values, adapted to D50: red, green, blue, mid grey.
     const uint8_t colors[4][3] = {{255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {119, 119, 119}};
     const double wanted[4][3] = {
         {54.29, 80.81, 69.89}, {87.82, -79.29, 80.99}, {29.57, 68.30, -112.03}, {50.03, 0.0, 0.0}};
@@ -117,7 +117,7 @@ struct PngFacts {
     int intent = -1;
     double gamma = 0.0;
     double red_x = 0.0;
-    std::vector<uint16_t> values; ///< of a picture of 16 bits
+    std::vector<uint16_t> values; ///< Only for 16-bit pictures
 };
 
 PngFacts read_png(const Bytes& bytes)
@@ -176,7 +176,7 @@ TEST(Pictures, DeepPngCarriesSixteenBits)
     EXPECT_GT(reds.size(), 3900U);
 }
 
-/// What libjpeg says of a file besides its pixels.
+/// Properties of a JPEG file besides its pixels.
 struct JpegFacts {
     int components = 0;
     bool has_full_color = true;
@@ -256,7 +256,7 @@ TEST(Pictures, WebpIsLosslessUnlessToldOtherwise)
     }
 }
 
-/// By OpenEXR's general reader, into floats.
+/// Content of a file according to OpenEXR's general reader, as floats.
 struct ExrFacts {
     std::map<std::string, Imf::PixelType> types;
     std::map<std::string, std::vector<float>> values;
@@ -350,7 +350,7 @@ TEST(Pictures, TheSamePictureGivesTheSameBytes)
     EXPECT_EQ(output::encode_webp(image, {}), output::encode_webp(image, {}));
     EXPECT_EQ(output::encode_picture_exr(ramp(), ExrNumbers::half),
               output::encode_picture_exr(ramp(), ExrNumbers::half));
-    // Year and month of the profile, which says when it was made: not today.
+    // Creation year and month in the profile must not be today's.
     const Bytes& profile = output::srgb_profile();
     EXPECT_EQ(std::to_integer<int>(profile.at(24)) * 256 + std::to_integer<int>(profile.at(25)), 2000);
 }

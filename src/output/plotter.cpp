@@ -14,11 +14,11 @@ namespace estampe::output {
 namespace {
 
 constexpr float parallel_cosine = 0.995F; // 6 degrees
-constexpr float least_overlap_mm = 1.0F;  // what crosses at a low angle stays
+constexpr float least_overlap_mm = 1.0F;  // Shorter overlaps are crossings at a low angle, which stay
 constexpr float cell_mm = 1.0F;
 constexpr float sample_mm = 0.25F;
 
-/// A short piece of a stroke that is drawn already.
+/// A short piece of a stroke that is already drawn.
 struct Piece {
     glm::vec2 from{0.0F};
     glm::vec2 to{0.0F};
@@ -26,7 +26,7 @@ struct Piece {
 
 class DrawnPieces {
 public:
-    /// Whether a piece lies within `reach_mm` of the place and runs along `way`.
+    /// Whether a piece lies within `reach_mm` of `place` and is parallel to `way`.
     [[nodiscard]] bool covers(const glm::vec2& place, const glm::vec2& way, float reach_mm) const
     {
         const glm::ivec2 middle = cell_of(place);
@@ -89,7 +89,7 @@ VectorStroke without_points(const VectorStroke& stroke)
     return copy;
 }
 
-/// The same stroke with points no farther apart than `step_mm`.
+/// Resamples a stroke with points at most `step_mm` apart.
 VectorStroke refined(const VectorStroke& stroke, float step_mm)
 {
     VectorStroke fine = stroke;
@@ -117,7 +117,7 @@ float length_mm(const VectorStroke& stroke, size_t first, size_t last)
     return sum;
 }
 
-/// Keeps runs of covered points that are too short to be a double line, unless they are all there is.
+/// Keeps covered runs that are too short to be a double line, unless they are the whole stroke.
 void keep_short_runs(const VectorStroke& stroke, std::vector<bool>& is_kept)
 {
     const auto end = is_kept.end();
@@ -133,7 +133,7 @@ void keep_short_runs(const VectorStroke& stroke, std::vector<bool>& is_kept)
     }
 }
 
-/// The stretches of `stroke` whose points are kept, as strokes of their own; lone points are lost.
+/// The parts of `stroke` whose points are kept, as separate strokes; single points are dropped.
 std::vector<VectorStroke> kept_stretches(const VectorStroke& stroke, const std::vector<bool>& is_kept)
 {
     std::vector<VectorStroke> kept;
@@ -225,11 +225,11 @@ void remove_thin_hatching(VectorDrawing& drawing)
     drawing.strokes = std::move(kept);
 }
 
-// Croes, "A Method for Solving Traveling-Salesman Problems", Operations Research 6, 1958.
+// Source: Croes, "A Method for Solving Traveling-Salesman Problems", Operations Research 6, 1958.
 
 namespace {
 
-/// Ends of strokes not yet drawn, by the cell of a grid that they lie in.
+/// Ends of the strokes not yet drawn, in a grid.
 class Ends {
 public:
     explicit Ends(std::span<const PenStroke> strokes) : strokes_(strokes)
@@ -252,7 +252,7 @@ public:
         }
     }
 
-    /// The end nearest to a place.
+    /// The stroke end nearest to a place.
     [[nodiscard]] PenStep nearest(const glm::vec2& from) const
     {
         const glm::ivec2 middle = cell_of(from);
@@ -260,7 +260,7 @@ public:
         float least = std::numeric_limits<float>::max();
         const int rings = std::max(size_.x, size_.y);
         for (int ring = 0; ring <= rings; ++ring) {
-            // No end in a ring is nearer than the ring is to a place within the middle cell.
+            // A ring of cells is at least this far from any place within the middle cell.
             if (best && static_cast<float>(ring - 1) * cell_mm_ > least) {
                 break;
             }
@@ -341,7 +341,7 @@ void turn(std::vector<PenStep>& order, size_t first, size_t last)
     }
 }
 
-/// What turning the stretch from `first` to `last` around saves.
+/// Travel saved by reversing the steps from `first` to `last`.
 double saving(std::span<const PenStroke> strokes, std::span<const PenStep> order, size_t first, size_t last,
               const glm::vec2& origin)
 {
@@ -372,7 +372,7 @@ double travel_mm(std::span<const PenStroke> strokes, std::span<const PenStep> or
 std::vector<PenStep> shortest_order(std::span<const PenStroke> strokes, const glm::vec2& origin,
                                     uint64_t turn_budget)
 {
-    constexpr size_t farthest = 1500; // strokes that are turned around at once
+    constexpr size_t farthest = 1500; // Longest reversed part, in strokes
     constexpr double least_saving_mm = 1e-4;
     std::vector<PenStep> order;
     if (strokes.empty()) {
@@ -407,7 +407,7 @@ std::vector<PenStep> shortest_order(std::span<const PenStroke> strokes, const gl
 namespace estampe {
 namespace {
 
-constexpr uint64_t turn_budget = 200'000'000; // about a second
+constexpr uint64_t turn_budget = 200'000'000; // About one second
 
 std::vector<output::PenStroke> pen_strokes(const std::vector<VectorStroke>& strokes)
 {
@@ -462,7 +462,7 @@ void prepare_for_plotter(VectorDrawing& drawing)
     output::cut_dashes(drawing);
     output::remove_overlaps(drawing);
     std::erase_if(drawing.strokes, [&](const VectorStroke& stroke) {
-        return length_mm(stroke) < drawing.hatch_width_mm; // a pen would make a blot of it
+        return length_mm(stroke) < drawing.hatch_width_mm; // A pen would draw it as a blot
     });
     std::vector<std::vector<VectorStroke>> pens = by_pen(drawing);
     drawing.strokes.clear();

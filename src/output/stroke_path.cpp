@@ -53,7 +53,7 @@ std::vector<double> chord_lengths(std::span<const dvec2> points)
     return at;
 }
 
-/// The cubic with these directions at its ends that comes nearest to the points by least squares.
+/// Least-squares cubic for the points, with the given end tangents.
 Cubic nearest_cubic(std::span<const dvec2> points, std::span<const double> at, const dvec2& leaving,
                     const dvec2& arriving)
 {
@@ -84,7 +84,7 @@ Cubic nearest_cubic(std::span<const dvec2> points, std::span<const double> at, c
         reach_0 = (x0 * c11 - x1 * c01) / determinant;
         reach_1 = (c00 * x1 - c01 * x0) / determinant;
     }
-    // Arms longer than the whole line would swing out between the points.
+    // Handles longer than the whole line would make the curve swing out between the points.
     const double longest = length_of(points);
     if (reach_0 < 1e-3 * chord || reach_1 < 1e-3 * chord || reach_0 > longest || reach_1 > longest) {
         reach_0 = chord / 3.0;
@@ -93,7 +93,7 @@ Cubic nearest_cubic(std::span<const dvec2> points, std::span<const double> at, c
     return {first, first + leaving * reach_0, last + arriving * reach_1, last};
 }
 
-/// Moves each place on the curve towards the nearest to its point: a step of Newton's method.
+/// Moves each curve parameter towards the nearest point on the curve, by one Newton step.
 void improve(std::span<const dvec2> points, const Cubic& curve, std::vector<double>& at)
 {
     for (size_t i = 1; i + 1 < points.size(); ++i) {
@@ -123,7 +123,7 @@ Worst worst_of(std::span<const dvec2> points, const Cubic& curve, std::span<cons
     return worst;
 }
 
-/// Points [first, last] and the directions in which a curve leaves the one and leaves the other backwards.
+/// Points [first, last] with the end tangents, both of which point into the span.
 struct Span {
     size_t first = 0;
     size_t last = 0;
@@ -136,7 +136,7 @@ dvec2 direction_at(std::span<const dvec2> points, size_t i)
     return unit(points[i + 1] - points[i - 1]);
 }
 
-/// Fits the span, or tells where to divide it.
+/// Fits the span, or sets `middle` to where it must be divided.
 bool fit_span(std::span<const dvec2> points, const Span& span, double tolerance, Cubic& curve, size_t& middle)
 {
     const auto part = points.subspan(span.first, span.last - span.first + 1);
@@ -232,7 +232,7 @@ std::vector<Cubic> fit_curve(std::span<const dvec2> points, double tolerance, bo
 
 namespace {
 
-using Grid = glm::i64vec2; // whole thousandths of a millimetre
+using Grid = glm::i64vec2; // Integer thousandths of a millimetre
 
 constexpr double steps_per_mm = 1000.0;
 
@@ -247,7 +247,7 @@ std::string decimal(int64_t thousandths)
     return text;
 }
 
-/// Path data in steps from point to point, which are short; whole numbers keep them from drifting.
+/// Builds path data in relative coordinates, which are short. Integers avoid accumulated rounding errors.
 class PathText {
 public:
     void move_to(const dvec2& point)
@@ -271,7 +271,7 @@ public:
         step_to(point);
     }
 
-    /// Half a circle around to `point`, the way of a clock's hand as the page shows it.
+    /// Half circle to `point`, clockwise on the page.
     void turn_to(const dvec2& point, double radius)
     {
         const auto steps = static_cast<int64_t>(std::llround(radius * steps_per_mm));
@@ -343,7 +343,7 @@ dvec2 direction_of(const dvec2& v)
     return length > 0.0 ? v / length : dvec2(1.0, 0.0);
 }
 
-/// One side of a smooth piece, half the width away.
+/// One side of a smooth part, half the width from the centre line.
 std::vector<dvec2> side_of(std::span<const dvec2> middle, std::span<const VectorPoint> points, double sign,
                            const dvec2* seam)
 {

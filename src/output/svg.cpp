@@ -20,7 +20,7 @@
 namespace estampe::output {
 namespace {
 
-/// Length of the UTF-8 sequence that starts at `i`; 0 where none does.
+/// Length of the UTF-8 sequence at `i`; 0 if it is not valid.
 size_t sequence_length(const std::string& text, size_t i)
 {
     const auto first = static_cast<unsigned char>(text[i]);
@@ -78,7 +78,7 @@ std::string color_text(const glm::vec3& srgb)
     return fmt::format("#{:02x}{:02x}{:02x}", byte(srgb.x), byte(srgb.y), byte(srgb.z));
 }
 
-/// Names that may stand as ids: letters and digits, none given twice.
+/// Unique names that are valid as ids: letters and digits.
 class Ids {
 public:
     std::string make(const std::string& name)
@@ -139,10 +139,10 @@ std::string path_of(const VectorDrawing& drawing, const VectorStroke& stroke, fl
     return fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", output::area_path(stroke, tolerance_mm), ink);
 }
 
-/// Layers by kind, those of hidden lines below; in each a group for every object.
+/// One layer per kind, hidden lines below the visible ones; each layer has one group per object.
 std::string layers_by_kind(const VectorDrawing& drawing, float tolerance_mm)
 {
-    using Key = std::tuple<bool, StrokeKind, uint32_t>; // seen, kind, object
+    using Key = std::tuple<bool, StrokeKind, uint32_t>; // Visible, kind, object
     std::map<Key, std::vector<const VectorStroke*>> groups;
     for (const VectorStroke& stroke : drawing.strokes) {
         groups[{!stroke.is_hidden, stroke.kind, stroke.object}].push_back(&stroke);
@@ -175,8 +175,8 @@ std::string layers_by_kind(const VectorDrawing& drawing, float tolerance_mm)
     return text + (is_open ? "</g>\n" : "");
 }
 
-/// A layer for each pen, its strokes in the order of the drawing. Numbers lead the labels, as programs that
-/// drive plotters want them.
+/// One layer per pen, with its strokes in the order of the drawing. Labels start with a number, as plotter
+/// programs require.
 std::string layers_by_pen(const VectorDrawing& drawing, float tolerance_mm)
 {
     std::vector<std::vector<const VectorStroke*>> pens(drawing.inks_srgb.size());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Drawings as SVG.
+// Encodes drawings as SVG.
 
 #include <string>
 
@@ -9,11 +9,10 @@
 
 namespace estampe::output {
 
-/// Text between quotes: what XML would take for its own is written out, what it cannot hold becomes a space
-/// or a question mark.
+/// Escapes text for XML attributes; characters that XML cannot hold become a space or a question mark.
 [[nodiscard]] std::string escaped(const std::string& text);
 
-/// As save_svg() writes it. Throws Error as that does, but names no file.
+/// Encodes the file of save_svg(). Throws the same Errors, but without a file name.
 [[nodiscard]] std::string encode_svg(const VectorDrawing& drawing, const SvgSettings& settings);
 
 } // namespace estampe::output

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Films with alpha are read back by ffmpeg, as raw pixels.
+// Films with alpha are decoded by ffmpeg to raw pixels.
 #include <estampe/film.hpp>
 
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr uint32_t side_px = 64;
 
-/// A red disc that goes to the right over nothing, solid but for its soft edge.
+/// A red disc with a soft edge that moves to the right on a transparent background.
 Image frame_at(uint32_t number)
 {
     Image image{.width = side_px, .height = side_px};
@@ -39,7 +39,7 @@ std::string bytes_of(const std::filesystem::path& path)
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// All frames of a film of `count`, one after another, red, green, blue and alpha.
+/// Writes a film of `count` frames and decodes it to consecutive red, green, blue and alpha bytes.
 std::string film_of(uint32_t count, const std::filesystem::path& path, const std::string& decoder)
 {
     FilmWriter film(path, side_px, side_px, 24.0, true);
@@ -88,7 +88,7 @@ TEST(TransparentFilm, OfGifShowsOrHidesEachPixel)
         for (size_t i = 0; i < frame.rgba.size(); i += 4) {
             const auto alpha = static_cast<uint8_t>(pixels[number * frame.rgba.size() + i + 3]);
             const bool is_edge = frame.rgba[i + 3] > 100 && frame.rgba[i + 3] < 156;
-            // Nothing of a frame is left in the next.
+            // The next frame must show nothing of the previous one.
             EXPECT_TRUE(is_edge || alpha == (frame.rgba[i + 3] >= 128 ? 255 : 0)) << number << " " << i;
         }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Transparent pictures as files, read back by the libraries themselves.
+// Transparent pictures as files, decoded with the libraries themselves.
 #include "output/pictures.hpp"
 
 #include <cmath>
@@ -24,7 +24,7 @@ namespace {
 
 const glm::vec3 paper(0.92F, 0.87F, 0.76F);
 
-/// From nothing to solid, from left to right; each row of a colour of its own.
+/// A ramp from transparent to opaque, from left to right; each row has its own colour.
 LinearImage fade()
 {
     LinearImage image{.width = 33, .height = 4, .pixels = {}, .paper = paper};
@@ -59,7 +59,7 @@ TEST(TransparentPictures, OfSixteenBitsHaveAnAlphaChannel)
     const output::Arithmetic in(8);
     for (size_t i = 0; i < image.rgba.size(); ++i) {
         if (i % 4 == 3) {
-            // White is so near to the paper that whole bytes tell its alpha less well.
+            // White is so similar to the paper that bytes store its alpha less precisely.
             EXPECT_NEAR(deep.rgba[i], image.rgba[i], 12) << i;
             continue;
         }

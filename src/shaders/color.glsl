@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_COLOR
 #define ESTAMPE_COLOR
 
-// Relative luminance of linear Rec. 709 colour.
+// Relative luminance of a linear Rec. 709 colour.
 float luminance(vec3 linear)
 {
     return dot(linear, vec3(0.2126, 0.7152, 0.0722));
@@ -15,7 +15,7 @@ vec3 srgb_from_linear(vec3 linear)
     return mix(high, low, lessThanEqual(linear, vec3(0.0031308)));
 }
 
-// Red in the lowest byte, opaque.
+// Packs an opaque sRGB-encoded pixel, with red in the lowest byte.
 uint srgb_bytes(vec3 linear)
 {
     return packUnorm4x8(vec4(srgb_from_linear(clamp(linear, 0.0, 1.0)), 1.0));
@@ -27,24 +27,25 @@ vec3 linear_from_srgb(vec3 encoded)
     return mix(high, encoded / 12.92, lessThanEqual(encoded, vec3(0.04045)));
 }
 
-// A vertex's colour: linear, stored as its square root; alpha as it is.
+// Unpacks a vertex colour. Colour is linear and stored as its square root; alpha is stored as it is.
 vec4 vertex_color(uint packed)
 {
     vec4 stored = unpackUnorm4x8(packed);
     return vec4(stored.rgb * stored.rgb, stored.a);
 }
 
-// Colour of a light alone, its brightest channel 1. Darkness has none, and counts as white.
+// Hue of a light, scaled so that its brightest channel is 1. No light gives white.
 vec3 light_tint(vec3 light)
 {
     return (light + 1e-3) / (max(light.r, max(light.g, light.b)) + 1e-3);
 }
 
-// A transparent picture as bytes. Programs lay such pictures on each other in sRGB-encoded values, where the
-// covers of linear light would draw bolder strokes; so alpha and colour are found such that the result over
-// the drawing's own paper is the opaque drawing. output/layer_bytes.cpp does the same on the processor.
+// Conversion of a transparent picture to bytes. Programs composite such pictures in sRGB-encoded values,
+// where coverage computed in linear light would give bolder strokes. Alpha and colour are therefore chosen
+// so that the result over the drawing's own paper is the opaque drawing. output/layer_bytes.cpp does this on
+// the CPU.
 
-// The least alpha by which some colour turns `below` into `wanted`, both 0 to 1.
+// Least alpha with which some colour turns `below` into `wanted`, both 0 to 1.
 float least_alpha(vec3 below, vec3 wanted)
 {
     vec3 darker = (below - wanted) / max(below, 1e-6);
@@ -53,14 +54,14 @@ float least_alpha(vec3 below, vec3 wanted)
     return min(max(least.r, max(least.g, least.b)), 1.0);
 }
 
-// What was laid on paper that now shows `color`, of that alpha: linear colour times alpha, and alpha.
+// Premultiplied linear colour and alpha of ink or paint with this alpha, which on `paper` shows `color`.
 vec4 lifted_off(vec3 paper, vec3 color, float alpha)
 {
     return vec4(max(color - (1.0 - alpha) * paper, vec3(0.0)), alpha);
 }
 
-// Bytes of a pixel, red in the lowest: its colour not multiplied by alpha. `color` is what the drawing's own
-// paper shows there, and `shown` that as an opaque picture would have it.
+// Packs a pixel with straight alpha, red in the lowest byte. `color` is the linear colour of the drawing on
+// its own paper, and `shown` the colour of the opaque picture.
 uint straight_srgb_bytes(vec3 paper, vec3 color, float page_alpha, vec3 shown)
 {
     if (page_alpha <= 0.0) {
@@ -73,8 +74,8 @@ uint straight_srgb_bytes(vec3 paper, vec3 color, float page_alpha, vec3 shown)
     vec3 wanted = srgb_from_linear(clamp(shown, 0.0, 1.0));
     vec3 below = srgb_from_linear(clamp(paper, 0.0, 1.0));
     vec3 pigment = srgb_from_linear(clamp(page.rgb / page.a, 0.0, 1.0));
-    // The alpha by which the pigment comes nearest; where it differs too little from the paper to tell, its
-    // share of the pixel.
+    // The alpha with which the pigment comes nearest to the wanted colour. If the pigment is too similar to
+    // the paper, its coverage of the pixel is used.
     const float least_way = 0.02;
     vec3 way = below - pigment;
     float length_2 = dot(way, way);
@@ -87,7 +88,8 @@ uint straight_srgb_bytes(vec3 paper, vec3 color, float page_alpha, vec3 shown)
         return 0u;
     }
     vec3 straight = below_byte + (wanted_byte - below_byte) * (255.0 / alpha);
-    // The pigment itself, wherever that gives the same byte: rounding is not blown up at a small alpha.
+    // Keep the pigment's colour where it gives the same byte, so that a small alpha does not amplify
+    // rounding.
     vec3 own = round(255.0 * pigment);
     vec3 off = abs(mix(below_byte, own, alpha / 255.0) - wanted_byte);
     straight = mix(straight, own, lessThan(off, vec3(0.5)));

@@ -2,13 +2,13 @@
 #ifndef ESTAMPE_DRAW_TEXELS
 #define ESTAMPE_DRAW_TEXELS
 
-// Draws read as texels of four words, of DRAW_TEXELS_BINDING.
+// Reads draw records as texels of four words. Requires DRAW_TEXELS_BINDING.
 
 #include "shaders/scene.glsl.h"
 
 layout(binding = DRAW_TEXELS_BINDING) uniform usamplerBuffer draw_texels;
 
-// The part of a DrawRecord that shading asks for.
+// Fields of a DrawRecord for shading.
 struct DrawPart {
     uint first_posed_vertex;
     uint first_rest_vertex;
@@ -22,7 +22,7 @@ DrawPart draw_at(uint draw)
     return DrawPart(words.x, words.y, words.z, words.w);
 }
 
-// The part of a DrawRecord that poses its vertices.
+// Fields of a DrawRecord for posing its vertices.
 struct DrawPose {
     mat4 anchor_from_object;
     uint vertex_count;
@@ -45,7 +45,7 @@ DrawPose draw_pose_at(uint draw)
     return DrawPose(place, lists.x, lists.y, lists.z, lists.w, morph.x, morph.y);
 }
 
-// The part of a DrawRecord that says which lights reach it.
+// Fields of a DrawRecord that link it to lights.
 struct DrawLinks {
     uint flags;
     uint groups;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_FIELD_SECTOR_GLSL_H
 #define ESTAMPE_FIELD_SECTOR_GLSL_H
-// What is wanted of fields of heights that are worked out together: the texels on the inner sides of two
-// lines.
+// The part of height fields that is computed, for several fields at once: the texels on the inner sides of
+// two lines.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
@@ -10,10 +10,11 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-// A texel is within where dot(side, texel) + offset is not below 0, of both lines. Zeros let all in.
+// A texel is inside if dot(side, texel) + offset is at least 0 for both lines. All zeros include every
+// texel.
 struct FieldSector {
-    vec2 sides[2];   // square to the lines, inwards
-    vec2 offsets[5]; // of both lines, for each field
+    vec2 sides[2];   // Normals of the lines, pointing inside
+    vec2 offsets[5]; // Offsets of both lines, for each field
 };
 
 #ifdef __cplusplus

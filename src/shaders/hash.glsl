@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_HASH
 #define ESTAMPE_HASH
 
-// Integer hashing after O'Neill's PCG output permutation, as surveyed by Jarzynski and Olano, "Hash Functions
-// for GPU Rendering", JCGT 2020.
+// Integer hash with O'Neill's PCG output permutation, from Jarzynski and Olano, "Hash Functions for GPU
+// Rendering", JCGT 2020.
 
 uint hash(uint x)
 {
@@ -22,7 +22,7 @@ uint hash(uint x, uint y, uint z)
     return hash(x ^ hash(y ^ hash(z)));
 }
 
-// Uniform in [0, 1), from the top 24 bits.
+// Uniform number in [0, 1) from the top 24 bits.
 float unit_float(uint bits)
 {
     return float(bits >> 8u) * (1.0f / 16777216.0f);

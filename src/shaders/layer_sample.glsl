@@ -2,12 +2,12 @@
 #ifndef ESTAMPE_LAYER_SAMPLE
 #define ESTAMPE_LAYER_SAMPLE
 
-// What lies on the paper at a place, in parts that may be added: blurred so, layers on paper are the picture
-// blurred, and the paper is not.
+// The layers of a drawing at one place, in a form that may be added. Samples are blurred in this form: the
+// blurred layers on paper give the blurred picture, with sharp paper.
 
 struct LayerSample {
-    vec4 paint; // what the paint lets through beside the ink; ink of strokes beside lines
-    vec4 lines; // colour of lines times their cover; their cover
+    vec4 paint; // Paint that is visible beside the ink; in w, ink of strokes that is visible beside lines
+    vec4 lines; // Premultiplied colour of lines, and their coverage
 };
 
 const LayerSample no_sample = LayerSample(vec4(0.0), vec4(0.0));
@@ -22,7 +22,8 @@ LayerSample sum_of(LayerSample a, LayerSample b)
     return LayerSample(a.paint + b.paint, a.lines + b.lines);
 }
 
-// Combines paint, the ink of strokes over it, and lines over both. The colour of lines comes as square roots.
+// Combines paint, the ink of strokes over it, and lines over both. Colours of lines are given as square
+// roots.
 LayerSample sample_of_layers(vec3 paint, float hatch, vec4 lines)
 {
     float shown = 1.0 - lines.a;
@@ -30,7 +31,7 @@ LayerSample sample_of_layers(vec3 paint, float hatch, vec4 lines)
                        vec4(lines.rgb * lines.rgb * lines.a, lines.a));
 }
 
-// Splits a sample into layers. Where ink leaves no paint to see, the paint is `paint_below`.
+// Splits a sample into layers. Where ink hides the paint completely, the paint is `paint_below`.
 void layers_of_sample(LayerSample layers, vec3 paint_below, out vec3 paint, out float hatch, out vec4 lines)
 {
     float cover = clamp(layers.lines.a, 0.0, 1.0);
@@ -40,7 +41,7 @@ void layers_of_sample(LayerSample layers, vec3 paint_below, out vec3 paint, out 
     lines = vec4(sqrt(layers.lines.rgb / max(cover, 1e-4)), cover);
 }
 
-// Packs a sample into three words; `rest` is the fourth.
+// Packs a sample into three words; the fourth is `rest`.
 uvec4 pack_sample(LayerSample layers, uint rest)
 {
     return uvec4(packHalf2x16(layers.paint.xy), packHalf2x16(layers.paint.zw),

@@ -2,12 +2,13 @@
 #ifndef ESTAMPE_LAYERS
 #define ESTAMPE_LAYERS
 
-// The layers of a drawing before they are on paper. Whoever includes this has their images, and `has_sky`.
+// The layers of a drawing before they are put on paper. The including shader declares their images and
+// `has_sky`.
 
 struct Layers {
     vec4 wash;
-    float hatch; // the sky's strokes too, where nothing is seen
-    vec4 lines;  // roots of colour, cover
+    float hatch; // Includes the strokes of the sky, where no surface is visible
+    vec4 lines;  // Square roots of the colour, and coverage
 };
 
 Layers layers_at(ivec2 pixel)

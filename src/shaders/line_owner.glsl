@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_LINE_OWNER
 #define ESTAMPE_LINE_OWNER
 
-// Whoever includes this has `depth_image`, reversed.
+// Requires `depth_image`, with reversed depth.
 
 const ivec2 ways_about[8] = ivec2[8](ivec2(1, 0), ivec2(0, 1), ivec2(-1, 0), ivec2(0, -1), ivec2(1, 1),
                                      ivec2(-1, 1), ivec2(-1, -1), ivec2(1, -1));
@@ -12,8 +12,8 @@ struct LineOwner {
     float depth;
 };
 
-// Half of a line lies beyond the edge of what it belongs to: that is the nearest of what is seen within the
-// pen's reach, `depth_image` says where. The pixel itself is looked at first, which is all where no line is.
+// Finds the surface that a line belongs to. Half of a line lies outside of its surface, which is the nearest
+// one in `depth_image` within the pen's reach. Where no line is, only the pixel itself is sampled.
 LineOwner owner_of(ivec2 pixel, float line_cover, float reach_px, ivec2 last)
 {
     LineOwner owner = LineOwner(pixel, -1.0);

@@ -4,14 +4,14 @@
 
 #include "shaders/hash.glsl"
 
-// Dyadic line hatching: strokes are the iso-lines v = i S of a surface coordinate v, where the spacing S is a
-// power of two of v's unit, chosen from the width on the page and the darkness t so that S t lies between one
-// and two widths. Lines of the coarser spacing have the full width W; those between them, the newborn, carry
-// the rest, t S - W, so that the ink is t at every distance and tilt, lines are only ever added on approach,
-// and darker tone adds lines to those of lighter tone. The idea of nested strokes: Praun et al., "Real-Time
-// Hatching", SIGGRAPH 2001.
+// Dyadic line hatching: strokes are the iso-lines v = i S of a surface coordinate v. The spacing S is a
+// power of two in the unit of v, chosen from the page width and the darkness t so that S t lies between one
+// and two widths. Lines of the coarser spacing (old lines) have the full width W. Lines between them
+// (newborn lines) carry the rest, t S - W. So the ink is t at every distance and tilt, approaching only adds
+// lines, and a darker tone adds lines to those of a lighter tone. Nested strokes are from Praun et al.,
+// "Real-Time Hatching", SIGGRAPH 2001.
 
-// Powers of two by their bits, exact and much cheaper than by exp2 and log2, for x above 0.
+// Powers of two by bit operations, for x above 0: exact, and much cheaper than exp2 and log2.
 float power_of_two(int exponent)
 {
     return intBitsToFloat((exponent + 127) << 23);
@@ -27,38 +27,38 @@ int ceil_log2(float x)
     return ((floatBitsToInt(x) + 0x7fffff) >> 23) - 127;
 }
 
-// A line or a cell boundary keeps its number at every zoom: i = odd * 2^level.
+// Identity of a line or cell boundary, which stays the same at every zoom: i = odd * 2^level.
 uint dyadic_identity(int i, int level, uint seed)
 {
-    // The lowest bit that is set, as a power of two: its exponent as a float has it.
+    // The exponent of the lowest set bit, read from its float representation.
     int shift = (floatBitsToInt(float(i & -i)) >> 23) - 127;
     uint number =
         i == 0 ? 0x5bd1e995u : uint(i >> (shift & 31)) * 0x9e3779b1u ^ uint(level + shift) * 0x85ebca77u;
     return hash(number ^ seed);
 }
 
-// On a coordinate that is only known up to whole numbers and sign, the i-th of `count` a unit, a power of
-// two, is the same line as all others that differ so.
+// For a coordinate that is only known up to integers and sign: maps the i-th of `count` lines per unit (a
+// power of two) to a representative of all equivalent lines.
 int folded(int i, int count)
 {
     int inside = ((i - 1) & (count - 1)) + 1;
     return inside == count ? count : min(inside, count - inside);
 }
 
-// One of several independent numbers in [0, 1) that go with an identity.
+// One of several independent random numbers in [0, 1) of an identity.
 float trait(uint identity, uint which)
 {
     return unit_float(identity * (2u * which + 0x9e3779b1u) ^ (which * 0x632be5abu));
 }
 
-// A sine of period one, near enough: two parabolas.
+// Approximate sine of period one, from two parabolas.
 float wave(float x)
 {
     float y = x - round(x);
     return y * (8.0f - 16.0f * abs(y));
 }
 
-// Rises from 0 to 1 about x = 0 within half of `breadth` to either side.
+// Smooth step from 0 to 1 at x = 0; `breadth` is the width of the transition.
 float soft_step(float x, float breadth)
 {
     float y = clamp(x / max(breadth, 1e-3f) + 0.5f, 0.0f, 1.0f);
@@ -66,12 +66,12 @@ float soft_step(float x, float breadth)
 }
 
 struct LineField {
-    float v;        // across the strokes
-    float v_per_px; // length of v's gradient on the page
-    float u;        // along the strokes
-    float u_per_px; // change of u over one pixel along the stroke
-    vec2 wander;    // two coordinates that waver along the stroke, in u's unit: they drive the wobble
-    bool wraps;     // v and u are known up to whole numbers and sign only
+    float v;        // Across the strokes
+    float v_per_px; // Length of the gradient of v on the page
+    float u;        // Along the strokes
+    float u_per_px; // Change of u per pixel along the stroke
+    vec2 wander;    // Two coordinates that vary along the stroke, in the unit of u; they drive the wobble
+    bool wraps;     // v and u are only known up to integers and sign
 };
 
 struct LineLook {
@@ -81,24 +81,26 @@ struct LineLook {
     float taper_px;
     float cell_px;
     float pressure;
-    float growth; // how newborn lines carry their ink: 0 all along and thin, 1 in short strokes of full width
+    // How newborn lines carry their ink: 0 thin along their whole length, 1 as short strokes of full width.
+    float growth;
 };
 
-// The lines of one family about a pixel. Numbers of lines count halves of the spacing: even ones are old, odd
-// ones newborn.
+// The lines of one family near a pixel. Line numbers count half spacings: even lines are old, odd ones
+// newborn.
 struct Lines {
-    int level; // of the spacing
+    int level; // Exponent of the spacing
     float spacing;
-    float width;   // of an old line, in v's unit
-    float newborn; // ink of a newborn line as a share of an old one's, 0 to 1
+    float width;   // Width of an old line, in the unit of v
+    float newborn; // Ink of a newborn line as a share of that of an old line, 0 to 1
 };
 
-// `darkness` in (0, 1]: what the lines have to cover where they are not interrupted.
+// `darkness` is in (0, 1]: the coverage of lines without gaps.
 Lines lines_of(LineField field, float width_px, float darkness)
 {
     Lines lines;
     lines.width = width_px * max(field.v_per_px, 1e-12f);
-    // Seen along its own plane a field does not change at all: spacing stays such that lines can be counted.
+    // Seen edge-on, the field is constant on the page; the spacing is limited so that line numbers stay
+    // countable.
     lines.level = max(ceil_log2(lines.width / darkness), ceil_log2(max(abs(field.v), 1e-6f)) - 24);
     lines.level = field.wraps ? min(lines.level, 0) : lines.level;
     lines.spacing = power_of_two(lines.level);
@@ -110,20 +112,20 @@ Lines lines_of(LineField field, float width_px, float darkness)
 
 uint line_identity(LineField field, Lines lines, int number, uint seed)
 {
-    // Halves of the spacing a unit: 2 / spacing.
+    // Lines per unit: 2 / spacing.
     int count = 1 << clamp(1 - lines.level, 0, 30);
     return dyadic_identity(field.wraps ? folded(number, count) : number, lines.level, seed);
 }
 
-// What the lines of one family share at a pixel, worked out once.
+// Values that the lines of one family share at a pixel.
 struct LineScale {
-    float wobble_frequency; // per unit of u, dyadic: a wavelength of about two cells
-    float wobble_fade;      // towards twice that wavelength
+    float wobble_frequency; // Per unit of u, a power of two; the wavelength is about two cells
+    float wobble_fade;      // Blend towards twice that wavelength
     float wobble_px;
     float pressure;
-    float cell; // in u
+    float cell; // Length of a cell in u
     int cell_level;
-    float cell_growth; // how far the boundaries halfway have opened
+    float cell_growth; // How far the boundaries at half cells are open
     float gap_scale;
     float px_per_u;
 };
@@ -136,7 +138,7 @@ LineScale scale_of(LineField field, LineLook look, float dark)
     wavelength = field.wraps ? min(wavelength, 0.5f) : wavelength;
     scale.wobble_frequency = power_of_two(-floor_log2(wavelength));
     scale.wobble_fade = log2(wavelength * scale.wobble_frequency);
-    // Ends, wobble and pressure give way as the paper fills up: lines that touch would lose ink.
+    // Gaps, wobble and pressure fade as the paper fills up, because lines that touch would lose ink.
     scale.gap_scale = clamp(2.0f * (1.0f - dark), 0.0f, 1.0f);
     scale.wobble_px = min(look.wobble_px, 0.17f * look.width_px / dark * (1.0f - dark));
     scale.pressure = min(look.pressure, 0.5f * (1.0f - dark) / dark);
@@ -158,22 +160,22 @@ float wobble(LineField field, LineScale scale, uint identity)
     return 1.15f * scale.wobble_px * mix(wave(fine + phase), wave(0.5f * fine + phase), scale.wobble_fade);
 }
 
-// How far a boundary is open on average, of all that there may be. One in four stays closed; a line without
-// gaps runs through.
+// Mean opening of cell boundaries, as a share of the largest opening. One in four boundaries stays closed. 0
+// if the lines have no gaps.
 float mean_opening(LineLook look, float gap_scale)
 {
     return look.gap_px > 0.0f ? 0.75f * gap_scale : 0.0f;
 }
 
-// Share of a line that is left, on average, after gaps and tapers.
+// Mean share of a line that remains after gaps and tapers.
 float kept_share(LineLook look, float gap_scale)
 {
     return 1.0f - mean_opening(look, gap_scale) * (look.gap_px + look.taper_px) / look.cell_px;
 }
 
-// Width factor along a line: 0 in gaps, rising over the taper. Cells are dyadic in u and as long as one to
-// two cell_px. As the paper fills up and on going away gaps shrink to a third; then they close one after the
-// other, each nearly at once: one that is hardly open would be a white nick.
+// Width factor along a line: 0 in gaps, rising over the taper. Cells are dyadic in u, with a length of one
+// to two cell_px. As the paper fills up, or with distance, gaps shrink to a third and then close one after
+// another. Each closes almost at once, because a nearly closed gap would be a white nick.
 float stroke_profile(LineField field, LineLook look, LineScale scale, uint identity)
 {
     float u = field.u + 16.0f * trait(identity, 3u);
@@ -194,16 +196,16 @@ float stroke_profile(LineField field, LineLook look, LineScale scale, uint ident
                           : 1.0f;
 }
 
-// Where `share` of the ink of a newborn line has been drawn, in strokes that lengthen one after the other:
-// 0 or 1, with soft ends. The strokes have a fixed place in u for as long as the line is newborn.
+// Profile of a newborn line of which `share` of the ink is drawn, as strokes that grow one after another: 0
+// or 1 with soft ends. The strokes keep their places in u while the line is newborn.
 float grown_profile(LineField field, LineLook look, Lines lines, uint identity, float share)
 {
-    const float spread = 0.5f; // how much of the growing a single stroke takes
+    const float spread = 0.5f; // Share of the growth that a single stroke takes
     float cell = 4.0f * lines.spacing;
     float at = field.u / cell + trait(identity, 6u);
     float number = floor(at);
     float order = trait(hash(identity ^ uint(int(number)) * 0x9e3779b1u), 7u);
-    // Lengths that are, over all orders from 0 to 1, `share` on average.
+    // Stroke lengths whose mean over all orders from 0 to 1 is `share`.
     float front = share < 0.5f * spread          ? sqrt(2.0f * spread * share)
                   : share < 1.0f - 0.5f * spread ? share + 0.5f * spread
                                                  : 1.0f + spread - sqrt(2.0f * spread * (1.0f - share));
@@ -219,15 +221,15 @@ float pressure_at(LineField field, LineScale scale, uint identity)
     return 1.0f + scale.pressure * wave(scale.wobble_frequency * field.u + trait(identity, 5u));
 }
 
-// The lines of one family as they are drawn about a pixel.
+// The lines of one family near a pixel, as drawn.
 struct DrawnLines {
     Lines lines;
     LineScale scale;
-    float newborn_length; // share of a newborn line that is drawn
+    float newborn_length; // Share of the length of a newborn line that is drawn
     float newborn_width;
 };
 
-// `dark` is the darkness that the family has to draw.
+// `dark` is the darkness that the family must reach.
 DrawnLines drawn_lines(LineField field, LineLook look, float dark)
 {
     DrawnLines drawn;
@@ -237,7 +239,7 @@ DrawnLines drawn_lines(LineField field, LineLook look, float dark)
     drawn.newborn_length = 1.0f;
     drawn.newborn_width = drawn.lines.width * drawn.lines.newborn;
     if (look.growth > 0.0f) {
-        // A newborn stroke is never so wide that it touches the old lines beside it.
+        // The width of newborn strokes is limited so that they do not touch the old lines beside them.
         float room = 0.7f * (drawn.lines.spacing - drawn.lines.width) / drawn.lines.width;
         float share = max(pow(drawn.lines.newborn, look.growth), drawn.lines.newborn / room);
         drawn.newborn_length = clamp(share, 1e-6f, 1.0f);
@@ -246,7 +248,7 @@ DrawnLines drawn_lines(LineField field, LineLook look, float dark)
     return drawn;
 }
 
-// Width of the i-th line at the pixel, in v's unit.
+// Width of the i-th line at the pixel, in the unit of v.
 float drawn_width(LineField field, LineLook look, DrawnLines drawn, int i, uint identity)
 {
     bool is_old = (i & 1) == 0;
@@ -258,12 +260,12 @@ float drawn_width(LineField field, LineLook look, DrawnLines drawn, int i, uint 
     return (is_old ? drawn.lines.width : drawn.newborn_width) * profile;
 }
 
-// Ink of one family of lines at a pixel whose darkness is `dark`, box-filtered over the pixel.
+// Ink of one family of lines at a pixel of darkness `dark`, box-filtered over the pixel.
 float line_ink(LineField field, LineLook look, float dark, uint seed)
 {
     float g = max(field.v_per_px, 1e-12f);
     DrawnLines drawn = drawn_lines(field, look, dark);
-    // The lines that may touch the pixel: no more than four, since they keep apart.
+    // The lines that may touch the pixel; at most four, because lines keep their distance.
     float reach =
         0.5f * drawn.lines.width * (1.0f + drawn.scale.pressure) + g * (1.15f * drawn.scale.wobble_px + 0.5f);
     int first = int(ceil(2.0f * (field.v - reach) / drawn.lines.spacing));

@@ -2,24 +2,24 @@
 #ifndef ESTAMPE_LOOPS
 #define ESTAMPE_LOOPS
 
-// Numbers of threads, and loops that compilers are to leave loops.
+// Thread indices, and loops that the compiler must not unroll.
 
-// The number of this thread's item, for dispatches that may need more workgroups than one direction allows.
-// They are of 64 threads; gl_WorkGroupSize would be 1 before a shader has said so.
+// Index of this thread's item, for dispatches that may exceed one dimension's limit of workgroups.
+// Workgroups have 64 threads; gl_WorkGroupSize would be 1 before the shader declares it.
 uint item_index()
 {
     return gl_GlobalInvocationID.y * (64u * gl_NumWorkGroups.x) + gl_GlobalInvocationID.x;
 }
 
-// `count`, for loops that are to stay loops: what is in them is compiled once, as the compiler does not know
-// that `not_negative` is that, and so not how often they run.
+// Returns `count`, as a loop bound that prevents unrolling, so that the loop body is compiled once. The
+// compiler does not know that `not_negative` is never negative, so it does not know the number of rounds.
 int loop_rounds(int count, int not_negative)
 {
     return count + min(not_negative, 0);
 }
 
-// A rectangle of cells or pixels, both ends within it, to be gone through row by row in one loop. As its size
-// is not known before, compilers leave the loop a loop: what is in it is compiled once.
+// A rectangle of cells or pixels, with both ends included, for one loop over all rows. Its size is unknown
+// at compile time, which prevents unrolling, so the loop body is compiled once.
 
 struct Cells {
     ivec2 low;

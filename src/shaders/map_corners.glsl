@@ -2,11 +2,11 @@
 #ifndef ESTAMPE_MAP_CORNERS
 #define ESTAMPE_MAP_CORNERS
 
-// Where triangles lie in the map of shaders/surface_map.glsl. Wanted before: MAP_CORNERS_BINDING.
+// Positions of triangle corners in the map of shaders/surface_map.glsl. Requires MAP_CORNERS_BINDING.
 
-layout(binding = MAP_CORNERS_BINDING) uniform usamplerBuffer map_corners; // three a triangle
+layout(binding = MAP_CORNERS_BINDING) uniform usamplerBuffer map_corners; // Three per triangle
 
-// In texels, of which the middles lie at halves; negative where a triangle lies in no map.
+// In texels, whose centres are at halves; negative if the triangle is not in the map.
 vec2 map_corner_at(uint corner)
 {
     return uintBitsToFloat(texelFetch(map_corners, int(corner)).xy);

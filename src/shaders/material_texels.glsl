@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_MATERIAL_TEXELS
 #define ESTAMPE_MATERIAL_TEXELS
 
-// Materials read as texels of four words, of MATERIAL_TEXELS_BINDING, part by part as they are needed.
+// Reads materials as texels of four words, field by field as required. Requires MATERIAL_TEXELS_BINDING.
 
 #include "shaders/scene.glsl.h"
 
@@ -43,7 +43,7 @@ vec3 outline_color_of(uint material)
     return uintBitsToFloat(material_words(material, 3u).xyz);
 }
 
-// 0: the style's outline.
+// 0: the width of the style's outline.
 float outline_width_m_of(uint material)
 {
     return uintBitsToFloat(material_words(material, 3u).w);
@@ -54,7 +54,7 @@ vec3 emissive_of(uint material)
     return uintBitsToFloat(material_words(material, 4u).xyz);
 }
 
-// The nth: of the base colour, of the normal, of the occlusion.
+// Texture number `nth`: 0 base colour, 1 normal, 2 occlusion.
 TextureSlot texture_of(uint material, uint nth)
 {
     uint texel = 5u + 2u * nth;

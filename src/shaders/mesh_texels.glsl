@@ -2,15 +2,15 @@
 #ifndef ESTAMPE_MESH_TEXELS
 #define ESTAMPE_MESH_TEXELS
 
-// Triangles and posed vertices read as texels of four words, which processors gather several at once.
-// Wanted before: MESH_TEXELS_BINDING, of the triangles; that of the posed vertices comes next.
+// Reads triangles and posed vertices as texels of four words, because processors gather several texels at
+// once. Requires MESH_TEXELS_BINDING for the triangles; the next binding is that of the posed vertices.
 
 #include "shaders/scene.glsl.h"
 
 layout(binding = MESH_TEXELS_BINDING) uniform usamplerBuffer triangle_texels;
 layout(binding = MESH_TEXELS_BINDING + 1) uniform usamplerBuffer posed_vertex_texels;
 
-// Three posed vertices, then the draw and the flags of scene.glsl.h.
+// Three indices of posed vertices, then the draw with the flags of scene.glsl.h.
 uvec4 triangle_at(uint triangle)
 {
     return texelFetch(triangle_texels, int(triangle));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_SCENE_GLSL_H
 #define ESTAMPE_SCENE_GLSL_H
-// The scene as shaders see it: the one kind of mesh that the renderer knows, what is uploaded and what a pose
-// makes of it, and materials. Textures live in array images, one array per size class; a slot says where.
+// The scene in shaders: the single mesh format of the renderer, as uploaded and as posed, and materials.
+// Textures are layers of array images, one array per size class; a TextureSlot locates one.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
@@ -14,19 +14,18 @@ SHARED_CONSTANT uint no_skin = 0xffffffffU;
 
 // Flags of DrawRecord.
 SHARED_CONSTANT uint draw_has_uv = 1U;
-SHARED_CONSTANT uint draw_follows_uv = 2U; // its UVs can carry strokes
-SHARED_CONSTANT uint draw_mirrored = 4U;   // its place turns it inside out
-SHARED_CONSTANT uint draw_unshadowed = 8U; // receives no shadow
-SHARED_CONSTANT uint draw_is_cut =
-    16U; // by its material's alpha, or wholly clear: it does not end where its edges are
+SHARED_CONSTANT uint draw_follows_uv = 2U; // Its UVs are suitable for strokes
+SHARED_CONSTANT uint draw_mirrored = 4U;   // Its transform mirrors it
+SHARED_CONSTANT uint draw_unshadowed = 8U; // Receives no shadow
+SHARED_CONSTANT uint draw_is_cut = 16U;    // Cut out or clear by alpha, so it may end before its edges
 
-// A triangle's fourth number: the draw, and two flags that the rasteriser needs at once.
+// The fourth word of a triangle: the draw, and two flags for the rasteriser.
 SHARED_CONSTANT uint triangle_mirrored = 1U << 31U;
 SHARED_CONSTANT uint triangle_two_sided = 1U << 30U;
 SHARED_CONSTANT uint triangle_draw_mask = (1U << 28U) - 1U;
 
-// A vertex as the file has it, three texels of 16 bytes, see shaders/rest_texels.glsl. Normal octahedral in
-// two signed 16-bit parts; colour in four unsigned 8-bit parts.
+// A vertex of the rest pose: three texels of 16 bytes, see shaders/rest_texels.glsl. The normal is
+// octahedral with two signed 16-bit parts; the colour has four unsigned 8-bit parts.
 struct RestVertex {
     vec3 position;
     uint normal;
@@ -36,7 +35,7 @@ struct RestVertex {
     uvec3 unused;
 };
 
-// Up to eight influences: joint numbers in 16-bit pairs, weights in unsigned normalised 16-bit pairs.
+// Up to eight joint influences: joint indices in 16-bit pairs, weights in unsigned normalised 16-bit pairs.
 struct SkinVertex {
     uvec4 joints;
     uvec4 weights;
@@ -47,60 +46,61 @@ struct MorphOffset {
     vec3 normal;
 };
 
-// One mesh primitive in one place of the scene: seven texels of 16 bytes, see shaders/draw_texels.glsl.
+// One mesh primitive of one node: seven texels of 16 bytes, see shaders/draw_texels.glsl.
 struct DrawRecord {
     mat4 anchor_from_object;
     uint first_posed_vertex;
     uint first_rest_vertex;
     uint material;
-    uint object; // what an outline goes around: one number a node
+    uint object; // Node number; outlines are drawn around all primitives of one object
     uint vertex_count;
     uint first_skin_vertex; // no_skin: rigid
-    uint first_joint;       // into the joint matrices, anchor_from_bind
+    uint first_joint;       // Index into the joint matrices, anchor_from_bind
     uint first_morph_offset;
     uint morph_target_count;
     uint first_morph_weight;
     uint flags;
-    uint groups; // lit by those of bits 0-15, throws shadows for those of bits 16-31
+    // Bits 0-15: groups of the lights that light it; bits 16-31: groups that it casts shadows for.
+    uint groups;
 };
 
-// Position relative to the anchor; normal as in RestVertex.
+// Position in anchor space; normal as in RestVertex.
 struct PosedVertex {
     vec3 position;
     uint normal;
 };
 
 SHARED_CONSTANT uint no_texture = 0xffffffffU;
-SHARED_CONSTANT uint texture_class_mask = 31U; // of variants: a bit for each size class that holds anything
+SHARED_CONSTANT uint texture_class_mask = 31U; // Variant bits: one per size class that contains textures
 SHARED_CONSTANT uint material_unlit = 1U;
-SHARED_CONSTANT uint material_paper = 2U; // takes shadow, but neither wash nor outline
+SHARED_CONSTANT uint material_paper = 2U; // Receives shadow, but neither wash nor outline
 SHARED_CONSTANT uint material_emissive = 4U;
-SHARED_CONSTANT float least_cover = 0.02F; // of a blended surface that is seen at all
+SHARED_CONSTANT float least_cover = 0.02F; // Least alpha of a visible blended surface
 
-// Where a texture lives and how its coordinates are made: uv' = column_u * u + column_v * v + offset.
+// Location of a texture and transform of its coordinates: uv' = column_u * u + column_v * v + offset.
 struct TextureSlot {
-    uint location; // no_texture, or: size class in bits 0-3, layer in 4-23, UV set in 24, wrap of u in 25-26,
-                   // of v in 27-28
+    // no_texture, or bits: size class 0-3, layer 4-23, UV set 24, wrap of u 25-26, wrap of v 27-28.
+    uint location;
     vec2 column_u;
     vec2 column_v;
     vec2 offset;
-    float strength; // of a normal or an occlusion texture, 0 to 1 and more
+    float strength; // Strength of a normal or occlusion texture; usually 0 to 1
 };
 
-// Eleven texels of 16 bytes, see shaders/material_texels.glsl.
+// A material: eleven texels of 16 bytes, see shaders/material_texels.glsl.
 struct MaterialRecord {
     vec4 base_color;
-    vec3 mean_color; // of texture times factor: what a flat wash takes
+    vec3 mean_color; // Mean of texture times factor, for flat washes
     uint flags;
-    vec3 shade_color;      // multiplied into the wash in shadow
-    float alpha_cutoff;    // of masked materials; least_cover of blended ones
-    vec3 outline_color;    // with an outline of its own
+    vec3 shade_color;      // Multiplied into the wash in shadow
+    float alpha_cutoff;    // Cutoff of masked materials; least_cover for blended ones
+    vec3 outline_color;    // Only used if outline_width_m is not 0
     float outline_width_m; // 0: the style's outline
     vec3 emissive;
     float unused;
     TextureSlot base_texture;
     TextureSlot normal_texture;
-    TextureSlot occlusion_texture; // share of the light that gets through, in red: 1 + strength * (red - 1)
+    TextureSlot occlusion_texture; // Light that passes, in red: 1 + strength * (red - 1)
 };
 
 #ifdef __cplusplus

@@ -2,24 +2,24 @@
 #ifndef ESTAMPE_STROKE_FIELD
 #define ESTAMPE_STROKE_FIELD
 
-// Which coordinate of a surface its strokes are the iso-lines of, layer by layer.
+// Selects the surface coordinate whose iso-lines are the strokes, for each layer.
 
 #include "shaders/surface_images.glsl"
 #include "shaders/lines.glsl"
 #include "shaders/stroke_kind.glsl.h"
 
 struct StrokeAxes {
-    vec2 flat_axis_0; // across the strokes of each layer, over UVs and on the page
+    vec2 flat_axis_0; // Direction across the strokes of each layer, over UVs and on the page
     vec2 flat_axis_1;
     vec2 flat_axis_2;
-    vec2 wind;        // horizontal direction x, z
-    vec2 ground_wind; // that which made the ground's dunes
+    vec2 wind;        // Horizontal direction x, z
+    vec2 ground_wind; // Wind that formed the dunes of the terrain
     vec3 towards_light;
-    bool has_directions; // some strokes follow wind, light, height or slope
+    bool has_directions; // Some strokes follow wind, light, height or slope
 };
 
-// Each layer slices the solid by parallel planes; where a surface lies nearly in such a plane a second
-// family, the level one, takes over. Normals of the planes:
+// Normals of the parallel planes that slice the solid in each layer. Where a surface is nearly parallel to
+// these planes, a second family with the level axis takes over.
 vec3 slice_axis(uint layer)
 {
     return layer == 0u   ? vec3(0.2998, 0.8995, -0.3198)
@@ -34,7 +34,7 @@ vec3 level_axis(uint layer)
                          : vec3(0.7216, 0.0401, 0.6915);
 }
 
-// The horizontal direction across the wind, turned as the layers of flat strokes are.
+// Horizontal direction across the wind, rotated per layer like flat strokes.
 vec3 across_wind(vec2 wind, uint layer)
 {
     vec2 turn = layer == 0u ? vec2(1.0, 0.0) : layer == 1u ? vec2(0.4695, 0.8829) : vec2(0.7547, -0.6561);
@@ -42,7 +42,7 @@ vec3 across_wind(vec2 wind, uint layer)
     return vec3(across.x * turn.x - across.y * turn.y, 0.0, across.x * turn.y + across.y * turn.x);
 }
 
-// Planes that contain the direction of the light, so that strokes run along it.
+// Planes that contain the light direction, so that strokes run along it.
 vec3 along_light(StrokeAxes axes, uint family)
 {
     vec3 light = axes.towards_light;
@@ -56,8 +56,8 @@ vec3 along_light(StrokeAxes axes, uint family)
                           : 0.7071 * (upright + lying);
 }
 
-// Planes that lean against the wind, so that where a slope cuts them its form shows: level ground has lines
-// as its ripples lie, which bend with what rises and sinks; slip faces have those that run down them aslant.
+// Planes that are tilted against the wind, so that the strokes show the form of slopes. Level ground gets
+// lines along its ripples, which bend where it rises or falls; slip faces get oblique lines down the slope.
 vec3 along_slope(vec2 wind, uint layer, bool is_level)
 {
     vec3 across = across_wind(wind, layer);
@@ -82,8 +82,8 @@ vec3 solid_axis(StrokeAxes axes, uint kind, uint family)
     return axis;
 }
 
-// Over UVs and on the page the layers are turned against each other; along the form they are its two
-// directions and the diagonal, because only whole combinations of the two are continuous everywhere.
+// Over UVs and on the page, layers are rotated against each other. Along the form they use its two
+// directions and their diagonal, because only integer combinations of the two are continuous everywhere.
 vec3 flat_axis(StrokeAxes axes, uint kind, uint layer)
 {
     vec2 turned = layer == 0u ? axes.flat_axis_0 : layer == 1u ? axes.flat_axis_1 : axes.flat_axis_2;

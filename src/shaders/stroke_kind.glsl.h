@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_STROKE_KIND_GLSL_H
 #define ESTAMPE_STROKE_KIND_GLSL_H
-// What the strokes of a surface follow: three bits of the draw word. All but uv, form and page are slices
-// through the rest pose and differ in the planes that slice.
+// What the strokes of a surface follow: three bits of the draw word. All kinds except uv, form and page
+// slice the rest pose by planes, and differ in these planes.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
@@ -17,9 +17,9 @@ SHARED_CONSTANT uint strokes_height = 3U;
 SHARED_CONSTANT uint strokes_wind = 4U;
 SHARED_CONSTANT uint strokes_light = 5U;
 SHARED_CONSTANT uint strokes_page = 6U;
-SHARED_CONSTANT uint strokes_slope = 7U; // along the ripples of the ground, bent by its slopes
+SHARED_CONSTANT uint strokes_slope = 7U; // Along the ripples of the terrain, bent by its slopes
 SHARED_CONSTANT uint strokes_automatic =
-    8U; // in no word: the ground's slope, uv where they can carry strokes, else solid
+    8U; // Never in a draw word: slope for terrain, uv if suitable, else solid
 
 #ifdef __cplusplus
 } // namespace estampe::shared

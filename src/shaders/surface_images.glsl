@@ -2,17 +2,16 @@
 #ifndef ESTAMPE_SURFACE_IMAGES
 #define ESTAMPE_SURFACE_IMAGES
 
-// What the images of techniques/surface hold, packed.
+// Packed content of the images of techniques/surface.
 
 #include "shaders/stroke_kind.glsl.h"
 
-// What the surface's draw image holds: draw + 1 (0: nothing is seen), and what many passes ask of its
-// material at once.
+// Word of the surface's draw image: draw + 1 (0: no surface), and material flags that many passes test.
 
-#define DRAW_PAPER (1u << 31) // takes shadow, but neither wash nor outline
+#define DRAW_PAPER (1u << 31) // Receives shadow, but neither wash nor outline
 #define DRAW_UNLIT (1u << 30)
 #define DRAW_EMISSIVE (1u << 29)
-#define DRAW_STROKES_SHIFT 26 // what strokes follow, see shaders/stroke_kind.glsl.h
+#define DRAW_STROKES_SHIFT 26 // Kind of strokes, see shaders/stroke_kind.glsl.h
 #define DRAW_NUMBER_MASK ((1u << DRAW_STROKES_SHIFT) - 1u)
 
 bool sees_draw(uint word)
@@ -30,14 +29,14 @@ uint strokes_of(uint word)
     return (word >> DRAW_STROKES_SHIFT) & 7u;
 }
 
-// Nothing at all, or bare paper: no line goes between two of these.
+// No surface, or bare paper. No line is drawn between two such pixels.
 bool is_paper(uint word)
 {
     return word == 0u || (word & DRAW_PAPER) != 0u;
 }
 
-// How a surface coordinate changes over one pixel, to the right and down: six numbers in 16 bytes, as parts
-// of the largest of them, to 1/32767.
+// Change of a surface coordinate over one pixel to the right and down. Packed to 16 bytes: six numbers
+// relative to the largest of them, to 1/32767.
 struct Footprint {
     vec3 dx;
     vec3 dy;

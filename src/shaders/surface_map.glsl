@@ -2,16 +2,15 @@
 #ifndef ESTAMPE_SURFACE_MAP
 #define ESTAMPE_SURFACE_MAP
 
-// Texels of a map that lies on all surfaces, see features/common/surface_map.hpp. Wanted before:
-// MAP_TEXELS_BINDING.
+// Texels of a map over all surfaces; see features/common/surface_map.hpp. Requires MAP_TEXELS_BINDING.
 
-layout(binding = MAP_TEXELS_BINDING) uniform usamplerBuffer map_texels; // row by row
+layout(binding = MAP_TEXELS_BINDING) uniform usamplerBuffer map_texels; // Row by row
 
-// What of the surface lies at the middle of a texel.
+// Surface point at the centre of a texel.
 struct MapPoint {
     bool is_there;
     uint triangle;
-    vec3 weight; // of its corners
+    vec3 weight; // Barycentric weights of the triangle's corners
 };
 
 uint map_texel_count()

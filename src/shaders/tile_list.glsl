@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_TILE_LIST
 #define ESTAMPE_TILE_LIST
 
-// A list of tiles to work on, see tiles.glsl.h. Wanted before: TILE_LIST_BINDING.
+// A list of tiles to process; see tiles.glsl.h. Requires TILE_LIST_BINDING.
 
 #include "shaders/tiles.glsl.h"
 
@@ -11,14 +11,14 @@ layout(scalar, binding = TILE_LIST_BINDING) readonly buffer TileList
     uint tile_list[];
 };
 
-// Whether this group has a tile of its own.
+// Whether this group has a tile in the list.
 bool has_listed_tile()
 {
     return gl_WorkGroupID.y * tile_list_groups + gl_WorkGroupID.x < tile_list[tile_list_count];
 }
 
-// First pixel of the tile of this group. Groups past the end of the list do the last one again, which changes
-// nothing: to leave them out would cost a processor a mask for all others.
+// First pixel of this group's tile. Groups beyond the end of the list repeat the last tile, which changes
+// nothing; skipping them would cost a processor a mask for all groups.
 uvec2 listed_from_px()
 {
     uint number = gl_WorkGroupID.y * tile_list_groups + gl_WorkGroupID.x;

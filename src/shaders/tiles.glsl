@@ -2,28 +2,28 @@
 #ifndef ESTAMPE_TILES
 #define ESTAMPE_TILES
 
-// Tiles of the page that share how far a blur looks, and those about them.
+// Tiles of the page with a common blur radius, and their neighbours.
 
-// Pixel `i` of a tile of `side` pixels, in rows.
+// Pixel `i`, row by row, of a tile of `side` x `side` pixels.
 ivec2 pixel_of_tile(ivec2 tile, int side, int i)
 {
     return side * tile + ivec2(i % side, i / side);
 }
 
-// One of the tiles about a tile.
+// A tile in the neighbourhood of another.
 struct TileAbout {
     ivec2 tile;
-    ivec2 away;    // tiles, along each axis
-    ivec2 between; // whole tiles that lie between the two
+    ivec2 away;    // Distance in tiles, along each axis
+    ivec2 between; // Whole tiles between the two
 };
 
-// How many tiles to each side something reaches that goes so far.
+// Number of tiles to each side that a radius reaches.
 int tiles_to_each_side(float reach_px, uint tile_px)
 {
     return int(ceil(max(reach_px, 1.0) / float(tile_px)));
 }
 
-// Tile `i` of the square about `tile`, of those that there are.
+// The `i`-th tile of the square around `tile`, clamped to the page.
 TileAbout tile_about(ivec2 tile, int reach, int i, ivec2 count)
 {
     int side = 2 * reach + 1;

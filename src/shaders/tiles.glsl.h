@@ -8,18 +8,20 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-// A list of tiles of 8 x 8 pixels that one pass finds and others work on, a group each: the arguments of
-// their dispatches, how many there are, then the tiles, columns in the lower half of a word and rows in the
-// upper. gpu::add_empty_tile_list() makes an empty one.
+// A list of 8 x 8 pixel tiles that one pass fills and others process, one group per tile. It holds the
+// dispatch arguments, the number of tiles, and the tiles, with columns in the lower half of a word and rows
+// in the upper half. gpu::add_empty_tile_list() creates an empty list.
 
-SHARED_CONSTANT uint tile_list_count = 3U;   // the word that holds it, after three of arguments
-SHARED_CONSTANT uint tile_list_first = 4U;   // and the first tile's
-SHARED_CONSTANT uint tile_list_groups = 64U; // in a row of the dispatch; lists may be longer than a row
+// Index of the word with the number of tiles, after three arguments.
+SHARED_CONSTANT uint tile_list_count = 3U;
+SHARED_CONSTANT uint tile_list_first = 4U; // Index of the word with the first tile
+// Groups in a row of the dispatch; lists may be longer than a row.
+SHARED_CONSTANT uint tile_list_groups = 64U;
 
-// Tiles of pictures that are squares, a word each: which picture from bit 16 on, the tile's row in bits 8-15,
-// its column in 0-7.
+// Tiles of square images, one word each: image from bit 16 on, the tile's row in bits 8-15, its column in
+// 0-7.
 
-SHARED_CONSTANT uint square_tile_texels = 64U; // a side
+SHARED_CONSTANT uint square_tile_texels = 64U; // Texels per side of a tile
 
 #ifdef __cplusplus
 } // namespace estampe::shared

@@ -4,14 +4,14 @@
 
 #include "shaders/tone.glsl.h"
 
-// Light that is left where the share `open` of it gets through, by the material's occlusion texture.
+// Light that remains if the material's occlusion texture lets the share `open` through.
 float occluded(ToneConstants tone, float light, float open)
 {
     return light * mix(1.0f, open, tone.occlusion);
 }
 
-// Light as a share of white. The filmic curve is straight up to 0.6, then bends so that it reaches white
-// nowhere.
+// Maps light to a share of white. The filmic curve is linear up to 0.6, and approaches white without
+// reaching it.
 float toned(ToneConstants tone, float value)
 {
     float shoulder = 0.6f + 0.4f * (1.0f - exp(-max(value - 0.6f, 0.0f) / 0.4f));
@@ -19,9 +19,9 @@ float toned(ToneConstants tone, float value)
     return tone.curve == tone_linear ? bent : pow(bent, tone.gamma);
 }
 
-// Darkness to be drawn, 0 (paper) to 1 (ink), of a surface that is lit with `light` and has brightness
-// `local_value`. The contrast multiplies about the middle and saturates (Zanuttini, "Recherches en rendu non
-// réaliste temps réel", Université Paris 8, 2008, annex 1). Below the floor the paper stays white.
+// Darkness to draw, 0 (paper) to 1 (ink), for a surface with brightness `local_value` in the light `light`.
+// Contrast is a factor about the middle, with saturation (Zanuttini, "Recherches en rendu non réaliste temps
+// réel", Université Paris 8, 2008, annex 1). Below the floor the paper stays white.
 float darkness(ToneConstants tone, float light, float local_value)
 {
     float value = light * tone.exposure * mix(1.0f, local_value, tone.local_value);

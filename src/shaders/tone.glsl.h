@@ -12,16 +12,16 @@ SHARED_CONSTANT uint tone_gamma = 0U;
 SHARED_CONSTANT uint tone_linear = 1U;
 SHARED_CONSTANT uint tone_filmic = 2U;
 
-// How light becomes darkness on the page.
+// Parameters that map light to darkness on the page.
 struct ToneConstants {
     uint curve; // tone_gamma, tone_linear or tone_filmic
     float exposure;
     float gamma;
     float contrast;
-    float floor;       // darkness under it stays paper
-    float ceiling;     // darkness over it is no darker
-    float local_value; // how much a dark material is drawn darker, 0 to 1
-    float occlusion;   // how much of the light is kept off occluded places, 0 to 1
+    float floor;       // Lower darkness stays paper
+    float ceiling;     // Upper limit of darkness
+    float local_value; // How much darker dark materials are drawn, 0 to 1
+    float occlusion;   // Strength of the occlusion texture, 0 to 1
 };
 
 #ifdef __cplusplus

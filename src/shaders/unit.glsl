@@ -2,10 +2,10 @@
 #ifndef ESTAMPE_UNIT
 #define ESTAMPE_UNIT
 
-// Unit vectors, and how they are packed.
+// Unit vectors and their packing.
 
-// As normalize and length are, but for vectors of middling size only: processors pay much for what those do
-// about very large and very small ones.
+// Replacements of normalize and length for vectors of moderate size. On processors the built-in functions
+// spend much time on very large and very small vectors.
 vec3 unit(vec3 v)
 {
     return v * inversesqrt(dot(v, v));
@@ -21,8 +21,8 @@ float size_of(vec2 v)
     return sqrt(dot(v, v));
 }
 
-// Unit vectors as two numbers in [-1, 1]: Cigolle et al., "A Survey of Efficient Representations for
-// Independent Unit Vectors", JCGT 2014.
+// Unit vectors packed as two numbers in [-1, 1] (Cigolle et al., "A Survey of Efficient Representations for
+// Independent Unit Vectors", JCGT 2014).
 
 vec2 sign_not_zero(vec2 v)
 {

@@ -2,8 +2,9 @@
 #ifndef ESTAMPE_VISIBILITY
 #define ESTAMPE_VISIBILITY
 
-// A visibility buffer holds one 64-bit word a pixel, read here as two halves: the triangle, and reversed
-// depth above it. Depth zero, which no triangle has, means that nothing is there.
+// A visibility buffer holds one 64-bit word per pixel, here read as two halves: the triangle in the low
+// half, reversed depth in the high half. Triangles never have depth zero, which means that the pixel is
+// empty.
 
 bool sees_triangle(uvec2 word)
 {

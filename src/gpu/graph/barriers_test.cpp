@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The exact barrier lists for every kind of hazard, and the errors for handles used out of order.
+// The exact barrier lists for every kind of hazard, and the errors for handles used in the wrong order.
 #include <gtest/gtest.h>
 
 #include "gpu/graph/compile.hpp"
@@ -146,7 +146,7 @@ TEST(BarrierTest, AnImageStartsUndefinedAndChangesLayout)
     EXPECT_EQ(frame.before("s"), Barriers{frame.between(compute_storage_write, compute_sampled,
                                                         Layout::general, Layout::shader_read)});
     EXPECT_EQ(frame.before("s again"), Barriers{});
-    // A layout change writes, so it waits for the readers in the old layout.
+    // A layout change counts as a write, so it waits for the readers in the old layout.
     EXPECT_EQ(frame.before("copy"), Barriers{frame.between(compute_sampled, transfer_read,
                                                            Layout::shader_read, Layout::transfer_source)});
     EXPECT_EQ(frame.before("s at last"),
@@ -212,7 +212,8 @@ TEST(BarrierTest, TheNextHolderOfASlotWaitsForTheLast)
 TEST(BarrierTest, TheNextHolderOfAnImageSlotStartsUndefined)
 {
     Frame frame;
-    frame.write_image("w", compute_storage_write); // read by nobody, so the write itself is waited for
+    // No pass reads it, so the next access waits for the write itself.
+    frame.write_image("w", compute_storage_write);
     const ImageId next = frame.graph.image("next", small_image);
     (void)frame.graph.custom("reuse").keep().touch_write(next, compute_storage_write);
     EXPECT_EQ(frame.before("reuse"), (Barriers{{.resource = next.resource,
@@ -233,7 +234,7 @@ TEST(BarrierTest, ImportedImagesStartFromTheirLayout)
     (void)pass.write(target);
     (void)graph.custom("overwrite").touch_write(albedo, transfer_write);
     const CompiledGraph compiled = compile(graph);
-    // Before both, which run side by side.
+    // The barrier comes before both passes, which may overlap.
     EXPECT_EQ(barriers_of(graph, compiled, "r"), (Barriers{{.resource = target.resource,
                                                             .after = compute_storage_write,
                                                             .old_layout = Layout::shader_read,

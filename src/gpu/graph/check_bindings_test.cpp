@@ -13,18 +13,18 @@ namespace {
 
 using Words = std::vector<uint32_t>;
 
-/// A module that declares nothing but what is asked of it, in the order of calls. Types and variables take
-/// identities from a counter.
+/// Builds a module with only the requested declarations, in the order of the calls. Types and variables get
+/// consecutive ids.
 class Assembler {
 public:
-    /// A block of one word behind a storage (12) or a uniform (2) buffer's pointer.
+    /// A one-word block behind a pointer of a storage (12) or uniform (2) buffer.
     Assembler& buffer(uint32_t number, uint32_t storage_class)
     {
         const uint32_t block = type(30, {natural_});
         return variable(number, storage_class, block);
     }
 
-    /// `dim` is 1 for two dimensions, 5 for a buffer; `sampled` 1, or 2 for storage.
+    /// `dim` is 1 for two dimensions or 5 for a buffer; `sampled` is 1, or 2 for storage.
     Assembler& image(uint32_t number, bool is_whole, uint32_t dim, uint32_t sampled, uint32_t format,
                      uint32_t count = 1)
     {
@@ -72,7 +72,7 @@ private:
     uint32_t real_ = type(22, {32});
 };
 
-/// A pass that binds a uniform buffer, texels, an image, a storage image and a storage buffer, in that order.
+/// A shader with a uniform buffer, texels, an image, a storage image and a storage buffer, in that order.
 Assembler shader_of_five()
 {
     Assembler made;
@@ -207,7 +207,7 @@ TEST(CheckBindings, RefuseWordsThatAreNoShader)
     Assembler cut;
     cut.put(71, {});
     Words words(cut.shader().spirv.begin(), cut.shader().spirv.end());
-    words.back() = 9U << 16U | 71U; // nine words, and eight are not there
+    words.back() = 9U << 16U | 71U; // Claims nine words, of which eight are missing
     const Shader shader{"cut.comp", words};
     EXPECT_EQ(complaint(graph, pass_of_five(graph, shader)), "shader 'cut.comp' ends within an instruction");
 }

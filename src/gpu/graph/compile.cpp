@@ -18,7 +18,7 @@ namespace {
 
 constexpr uint32_t none = UINT32_MAX;
 
-/// What checking knows about a resource while it walks the passes in order.
+/// State of a resource while checks walk the passes in order.
 struct History {
     uint32_t version = 0;
     const PassRecord* writer = nullptr;
@@ -67,11 +67,11 @@ void check(const Graph& graph, std::vector<History>& histories)
     }
 }
 
-/// How resources share slots.
+/// Assignment of resources to slots.
 struct Sharing {
-    std::vector<size_t> last_use;   ///< by resource: the level
-    std::vector<uint8_t> unshared;  ///< by resource
-    std::vector<size_t> busy_until; ///< by slot, the level; SIZE_MAX when never to be shared
+    std::vector<size_t> last_use;   ///< Level of the last use, by resource
+    std::vector<uint8_t> unshared;  ///< Whether the resource needs its own slot, by resource
+    std::vector<size_t> busy_until; ///< Last busy level, by slot; SIZE_MAX: never shared
 };
 
 void find_last_uses(const Graph& graph, const Schedule& schedule, Sharing& sharing)
@@ -123,16 +123,18 @@ void assign_slots(const Graph& graph, const Schedule& schedule, Sharing& sharing
     }
 }
 
-/// What one piece of memory has seen so far: a slot, or an imported resource.
+/// Earlier accesses to one piece of memory: a slot or an imported resource.
 struct MemoryState {
-    uint32_t holder = none; ///< the resource that lives there
+    uint32_t holder = none; ///< Resource that occupies the memory
     Layout layout = Layout::undefined;
-    AccessSet source;  ///< the last write, or what waited for the last layout change
-    AccessSet readers; ///< reads since then, all of which have waited for `source`
-    AccessSet covered; ///< those of `readers` that another of them has waited for, so that nobody else need
+    AccessSet source;  ///< The last write, or the accesses that waited for the last layout change
+    AccessSet readers; ///< Reads since `source`; all have waited for it
+    /// The subset of `readers` that another reader has waited for, so later accesses need not.
+    AccessSet covered;
 };
 
-/// Brings `state` past `use`, and returns the barrier in between; its `after` is empty when none is needed.
+/// Updates `state` with `use` and returns the barrier before it; its `after` is empty if no barrier is
+/// required.
 Barrier advance(MemoryState& state, const PassUse& use)
 {
     const bool changes_layout = state.layout != use.layout;
@@ -141,7 +143,7 @@ Barrier advance(MemoryState& state, const PassUse& use)
     state.holder = use.resource;
     state.layout = use.layout;
     if (use.writes || changes_layout || changes_holder) {
-        // The readers have waited for the source, so whoever waits for them waits for it too.
+        // The readers have waited for the source, so waiting for the readers includes the source.
         barrier.before = state.readers.empty() ? state.source : state.readers.without(state.covered);
         if (changes_layout || !barrier.before.empty())
             barrier.after = use.accesses;
@@ -154,7 +156,7 @@ Barrier advance(MemoryState& state, const PassUse& use)
         barrier.before = state.source;
         barrier.after = use.accesses.without(state.readers);
     }
-    // The source is a reader where that reader changed the layout.
+    // If a reader changed the layout, the source is that reader.
     if (!barrier.after.empty())
         state.covered |= state.source.without(state.source.without(state.readers));
     state.covered = state.covered.without(use.accesses);
@@ -162,13 +164,13 @@ Barrier advance(MemoryState& state, const PassUse& use)
     return barrier;
 }
 
-/// What barriers are found with.
+/// Working memory of the barrier computation.
 struct Memory {
     std::vector<MemoryState> slots;
     std::vector<MemoryState> imported;
     std::vector<PassUse> uses_of_level;
-    std::vector<uint32_t> use_in_level;      ///< by resource: which of these is its own
-    std::vector<std::vector<Barrier>> spare; ///< room that passes of the graph before had
+    std::vector<uint32_t> use_in_level;      ///< Index into `uses_of_level`, by resource
+    std::vector<std::vector<Barrier>> spare; ///< Barrier lists of the previous graph, for reuse
 };
 
 void take_back(CompiledGraph& compiled, Memory& memory)
@@ -178,7 +180,7 @@ void take_back(CompiledGraph& compiled, Memory& memory)
         memory.spare.push_back(std::move(pass.barriers));
     }
     compiled.passes.clear();
-    std::ranges::reverse(memory.spare); // each pass gets its own again
+    std::ranges::reverse(memory.spare); // Gives each pass its previous list
 }
 
 void add_pass(CompiledGraph& compiled, Memory& memory, uint32_t pass)
@@ -190,7 +192,7 @@ void add_pass(CompiledGraph& compiled, Memory& memory, uint32_t pass)
     }
 }
 
-/// All that the passes of a level do to a resource is one use: they agree on its layout.
+/// Merges the uses of each resource by the passes of a level into one use; they require the same layout.
 void add_uses(std::span<const PassUse> uses, Memory& memory)
 {
     for (const PassUse& use : uses) {
@@ -228,7 +230,7 @@ void add_barriers(const Graph& graph, const Schedule& schedule, Memory& memory, 
             const uint32_t slot = compiled.slot_of_resource[use.resource];
             MemoryState& state = slot == none ? memory.imported[use.resource] : memory.slots[slot];
             if (state.holder != use.resource)
-                state.layout = Layout::undefined; // the new resource does not want the old content
+                state.layout = Layout::undefined; // The new resource discards the old content
             const Barrier barrier = advance(state, use);
             if (!barrier.after.empty())
                 pass.barriers.push_back(barrier);
@@ -265,7 +267,7 @@ Layout layout_for(Access access)
     case Access::raster_uniform:
     case Access::indirect:
     case Access::host_read:
-        break; // buffers only
+        break; // Buffers only
     }
     return Layout::undefined;
 }
@@ -380,7 +382,7 @@ std::string to_dot(const Graph& graph, const CompiledGraph& compiled)
             nodes += fmt::format("    p{} [shape=box, label=\"{}\\n{} barriers\"];\n", i, escaped(pass.name),
                                  kept->barriers.size());
         for (const Use& use : pass.uses) {
-            // Version 0 of a transient has no content, so nothing flows from it.
+            // Version 0 of a transient resource has no content, so no edge starts at it.
             if (is_read(use.access) && (use.version > 0 || !is_write(use.access))) {
                 edges += fmt::format("    r{}_{} -> p{} [label=\"{}\"];\n", use.resource, use.version, i,
                                      name_of(use.access));

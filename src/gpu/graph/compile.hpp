@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Turns a declared graph into an order, lists of barriers between passes, and an assignment of transient
-// resources to physical slots. Pure data in, pure data out: no device.
+// Compiles a declared graph to an execution order, lists of barriers between passes, and an assignment of
+// transient resources to memory slots. It is a pure function and needs no device.
 
 #include <cstdint>
 #include <memory>
@@ -69,68 +69,68 @@ constexpr AccessSet operator|(Access a, Access b)
     return AccessSet(a) | AccessSet(b);
 }
 
-/// A dependency to record before a pass: one a resource and pass at most. Its source scope is the union over
-/// `before`, its destination scope the union over `after`. One barrier must name every earlier access,
-/// because a layout change is ordered only after the source scope of the barrier that carries it.
+/// A dependency that is recorded before a pass; at most one per resource and pass. Its source scope is the
+/// union of the accesses in `before`, its destination scope the union in `after`. The barrier must name
+/// every earlier access, because a layout change is ordered only after the source scope of its own barrier.
 struct Barrier {
     uint32_t resource = 0;
-    AccessSet before = {};                 ///< what must have finished; see first_use() when empty
-    AccessSet after = {};                  ///< what waits
-    Layout old_layout = Layout::undefined; ///< images only; equal to `new_layout` when nothing changes
-    Layout new_layout = Layout::undefined; ///< images only
+    AccessSet before = {};                 ///< Accesses that must have finished; if empty, see first_use()
+    AccessSet after = {};                  ///< Accesses that wait
+    Layout old_layout = Layout::undefined; ///< Images only; equal to `new_layout` if the layout stays
+    Layout new_layout = Layout::undefined; ///< Images only
     bool operator==(const Barrier&) const = default;
 
-    /// Nothing in this frame came before on this resource or its slot: only a layout change. What earlier
-    /// frames did is for whoever executes the graph to wait for, before the first pass and as the source of
-    /// these barriers.
+    /// Whether the resource and its slot were not used before in this frame, so the barrier only changes the
+    /// layout. The executor must itself wait for accesses of earlier frames, before the first pass and in
+    /// the source scope of these barriers.
     [[nodiscard]] constexpr bool first_use() const { return before.empty(); }
 };
 
-/// Memory that several transients with the same description share, one after another.
+/// Memory that several transient resources with the same description share, one after another.
 struct Slot {
     bool is_image = false;
     ImageDesc image;
     BufferDesc buffer;
-    AccessSet accesses; ///< every access in this frame: decides the usage flags
+    AccessSet accesses; ///< All accesses in this frame, which determine the usage flags
 };
 
 struct CompiledPass {
-    uint32_t pass = 0;             ///< index into Graph::passes()
-    std::vector<Barrier> barriers; ///< to be issued together, before it and those that run beside it
+    uint32_t pass = 0;             ///< Index into Graph::passes()
+    std::vector<Barrier> barriers; ///< Recorded together before the first pass of the level
 };
 
 struct CompiledGraph {
-    std::vector<CompiledPass> passes;       ///< in execution order, level by level; culled passes are absent
+    std::vector<CompiledPass> passes;       ///< In execution order, level by level; without culled passes
     std::vector<uint32_t> slot_of_resource; ///< UINT32_MAX for imported and unused resources
     std::vector<Slot> slots;
-    std::vector<Layout> final_layout; ///< per resource: the layout images are left in
+    std::vector<Layout> final_layout; ///< Final layout of each image, by resource
 };
 
-/// Layout that an access needs an image in.
+/// Image layout that an access requires.
 [[nodiscard]] Layout layout_for(Access access);
 
-/// The enumerator's name, for messages and pictures of the graph.
+/// The enumerator's name, for messages and graph drawings.
 [[nodiscard]] std::string_view name_of(Access access);
 
-/// Compiles `graph`. Throws std::logic_error naming pass and resource when a pass reads a version that was
-/// never written or has been overwritten, binds one resource twice with clashing accesses, or overwrites what
-/// the host is to read after the frame; and when an exported resource is never written. A depth attachment
-/// needs no earlier write: its first pass clears it.
+/// Compiles `graph`. Throws std::logic_error that names pass and resource if a pass reads a version that was
+/// never written or is overwritten, binds one resource twice with incompatible accesses, or overwrites what
+/// the host reads after the frame; and if an exported resource is never written. A depth attachment needs no
+/// earlier write, because its first pass clears it.
 ///
-/// Order: in levels. Passes of one level hang on none of each other and share the barriers before the level's
-/// first, so that a device may run them side by side; Scheduler says which level that is. Side effects keep
-/// their order. Culling: a pass stays when it has a side effect, is a host read, writes an exported or
-/// imported resource, or writes what a kept pass reads. Slots: transients of equal description whose levels
-/// do not overlap share one (buffers: same size); sharing adds the barrier that orders them. What is exported
-/// or read by the host has a slot of its own.
+/// Order: passes are grouped into levels; see Scheduler. The passes of a level do not depend on each other
+/// and share the barriers before the level's first pass, so a device may overlap them. Passes with side
+/// effects keep their order. Culling: a pass is kept if it has a side effect, is a host read, writes an
+/// exported or imported resource, or writes what a kept pass reads. Slots: transient resources with equal
+/// descriptions (buffers: equal sizes) share a slot if their levels do not overlap; a barrier orders them.
+/// Exported resources and those read by the host have their own slots.
 ///
-/// Barriers: a write waits for every access since the last write, a read for the last write unless its kind
-/// of access has already waited; a layout change counts as a write. Cost: linear in uses, but for slots,
-/// quadratic at worst, and a sort of the passes.
+/// Barriers: a write waits for every access since the last write. A read waits for the last write, unless
+/// its kind of access has already waited. A layout change counts as a write. Cost: linear in uses, plus the
+/// slots, quadratic at worst, and a sort of the passes.
 [[nodiscard]] CompiledGraph compile(const Graph& graph);
 
-/// Compiles graph after graph in the same room: those that are no larger than the ones before ask nothing of
-/// the heap.
+/// Compiles graphs repeatedly with reused memory: a graph that is no larger than the earlier ones causes no
+/// heap allocation.
 class Compiler {
 public:
     Compiler();
@@ -138,7 +138,7 @@ public:
     Compiler(const Compiler&) = delete;
     Compiler& operator=(const Compiler&) = delete;
 
-    /// As estampe::gpu::compile(), into `compiled`, whose own room is taken too.
+    /// As estampe::gpu::compile(), but writes to `compiled`, whose memory is also reused.
     void compile(const Graph& graph, CompiledGraph& compiled);
 
 private:
@@ -146,7 +146,8 @@ private:
     std::unique_ptr<Room> room_;
 };
 
-/// The graph as Graphviz text: passes as boxes, resources as ellipses (one a version), culled passes dashed.
+/// The graph as Graphviz text: passes are boxes, each version of a resource is an ellipse, culled passes are
+/// dashed.
 [[nodiscard]] std::string to_dot(const Graph& graph, const CompiledGraph& compiled);
 
 } // namespace estampe::gpu

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Uses the shaders of a graph without running them.
+// Uses the shaders of a graph without running them, so that the driver compiles them.
 #include "gpu/graph/compile_ahead.hpp"
 
 #include <chrono>
@@ -33,7 +33,7 @@ void Executor::use_shaders(const Graph& graph, const std::function<bool()>& go_o
     graph_ = nullptr;
 }
 
-/// One for each resource, because what a driver compiles may depend on an image's size and format.
+/// Creates one stand-in per resource, because the compiled code may depend on an image's size and format.
 void Executor::ensure_stand_ins()
 {
     for (const ResourceRecord& resource : graph_->resources()) {
@@ -62,7 +62,7 @@ void Executor::use_shader(const PassRecord& pass)
     record_barriers(commands_, layouts);
     PassRecord unrun = pass;
     unrun.dispatch = {};
-    unrun.draw.vertex_count = 3; // of no area: all corners are the same
+    unrun.draw.vertex_count = 3; // An empty triangle: all corners are the same
     unrun.draw.indirect_resource = UINT32_MAX;
     if (pass.shader != nullptr) {
         record_dispatch(commands_, unrun);
@@ -74,9 +74,9 @@ void Executor::use_shader(const PassRecord& pass)
 
 namespace {
 
-/// A shader that is in the cache takes less, one that has to be compiled more.
+/// A shader takes less time than this if it is cached, and more if it must be compiled.
 constexpr std::chrono::milliseconds cached_time{25};
-/// How many of the last passes have to be in the cache for all of them to be taken as known.
+/// If this many of the last passes are cached, all are assumed to be cached.
 constexpr int passes_tried = 2;
 
 void compile_on_twin(RendererOptions options, std::future<const Graph*> wanted, const std::atomic<bool>& stop)
@@ -98,7 +98,7 @@ void compile_on_twin(RendererOptions options, std::future<const Graph*> wanted, 
             return !stop && passes_cached < passes_tried;
         });
     } catch (const std::exception&) {
-        // The device that draws meets the same trouble and reports it, or has none.
+        // The device that draws has the same problem and reports it, or has none.
         return;
     }
 }
@@ -112,7 +112,7 @@ CompileAhead::CompileAhead(const RendererOptions& options)
             compile_on_twin(options, std::move(wanted), stop_);
         });
     } catch (const std::system_error&) {
-        // Without a second thread the device that draws compiles all by itself.
+        // Without a second thread, the device that draws compiles everything itself.
         return;
     }
 }

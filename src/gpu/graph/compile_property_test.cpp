@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Compiles random graphs and lets a simulator that shares no code with compile.cpp look for hazards, wrong
-// layouts and clashing slots. The simulator is tested too: without any one part of any barrier it must
-// complain.
+// Compiles random graphs and checks them with a simulator that shares no code with compile.cpp: hazards,
+// wrong layouts and overlapping slots. The simulator is tested too: it must complain about every graph from
+// which one part of one barrier is removed.
 #include <algorithm>
 #include <map>
 #include <random>
@@ -16,14 +16,14 @@ namespace {
 
 using enum Access;
 
-/// Something that touched a piece of memory, and what is ordered after it by the barriers since.
+/// An access to a piece of memory, with the accesses that later barriers order after it.
 struct Event {
     std::string what;
     uint32_t resource;
     bool writes;
-    AccessSet
-        reached; ///< its own accesses and all that have waited for it: where a further barrier may start from
-    AccessSet waited; ///< those that have waited for it
+    /// Its own accesses and all that have waited for it, from which a later barrier may continue.
+    AccessSet reached;
+    AccessSet waited; ///< Accesses that have waited for this event
 };
 
 bool meets(AccessSet a, AccessSet b)
@@ -36,14 +36,14 @@ bool covers(AccessSet all, AccessSet some)
     return some.without(all).empty();
 }
 
-/// Replays a compiled graph, access by access. A barrier orders an event before what it names in `after`, if
-/// its `before` names the event or something already ordered after the event. A layout change is an event of
+/// Replays a compiled graph, access by access. A barrier orders an event before the accesses in `after` if
+/// its `before` names the event or an access already ordered after the event. A layout change is an event of
 /// its own.
 class Simulator {
 public:
     Simulator(const Graph& graph, const CompiledGraph& compiled) : graph_(graph), compiled_(compiled) {}
 
-    /// The complaints; none when all is well.
+    /// Returns the complaints; none if the graph is correct.
     std::vector<std::string> run()
     {
         for (const CompiledPass& pass : compiled_.passes) {
@@ -128,7 +128,7 @@ private:
     std::vector<std::string> complaints_;
 };
 
-/// Draws graphs that are valid by construction, small enough to clash often.
+/// Generates random graphs that are valid by construction, and so small that resources often conflict.
 class GraphMaker {
 public:
     explicit GraphMaker(uint32_t seed) : random_(seed) {}
@@ -193,7 +193,8 @@ private:
         }
     }
 
-    /// Each resource is used during a stretch of the frame only, so that others can have its memory.
+    /// Whether a resource is in use at a pass. Each is used only for a part of the frame, so that others can
+    /// share its memory.
     static bool is_alive(uint32_t resource, uint32_t pass)
     {
         return pass >= 2 * resource && pass < 2 * resource + 8;
@@ -254,7 +255,7 @@ TEST(CompilePropertyTest, RandomGraphsHaveNoHazards)
             std::ranges::count_if(compiled.slot_of_resource, [](uint32_t s) { return s != UINT32_MAX; });
         shared_count += static_cast<size_t>(in_slots) - compiled.slots.size();
     }
-    // The graphs must be worth looking at.
+    // The random graphs must contain enough barriers and shared slots.
     EXPECT_GT(barrier_count, 5 * graph_count);
     EXPECT_GT(shared_count, graph_count / 2);
 }
@@ -283,7 +284,7 @@ TEST(CompilePropertyTest, ACompilerThatHasSeenOtherGraphsDoesTheSame)
     }
 }
 
-/// Calls `check` for each compiled graph that differs from `compiled` by a missing part of one barrier.
+/// Calls `check` for each variant of `compiled` in which one part of one barrier is missing.
 template <class Check>
 void for_each_weakened(const CompiledGraph& compiled, Check&& check)
 {
@@ -331,7 +332,7 @@ TEST(CompilePropertyTest, SlotsHoldOneResourceAtATime)
     for (uint32_t seed = 0; seed < graph_count; ++seed) {
         const Graph graph = GraphMaker(seed).make();
         const CompiledGraph compiled = compile(graph);
-        std::map<uint32_t, std::vector<uint32_t>> holders; // by slot, one entry a use, in order
+        std::map<uint32_t, std::vector<uint32_t>> holders; // By slot, one entry per use, in order
         for (const CompiledPass& pass : compiled.passes) {
             for (const Use& use : graph.passes()[pass.pass].uses) {
                 const uint32_t slot = compiled.slot_of_resource[use.resource];
@@ -356,7 +357,7 @@ TEST(CompilePropertyTest, SlotsHoldOneResourceAtATime)
     }
 }
 
-/// Whether the work of each pass is wanted, by looking for a reason until no more is found.
+/// Whether the work of each pass is needed, found by repeating the search until no further reason is found.
 std::vector<bool> wanted_passes(const Graph& graph)
 {
     const std::span<const PassRecord> passes = graph.passes();

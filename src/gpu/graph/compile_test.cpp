@@ -15,13 +15,13 @@ ImageId made_image(Graph& graph, const std::string& name, const ImageDesc& desc 
     return graph.compute("make " + name, fake_shader).write(graph.image(name, desc));
 }
 
-/// A pass that reads `image` and is kept.
+/// Adds a pass that reads `image` and is kept.
 void show(Graph& graph, const std::string& name, ImageId image)
 {
     graph.compute(name, fake_shader).sample(image).keep();
 }
 
-/// As made_image(), but not before what has side effects.
+/// Like made_image(), but after the passes with side effects that precede it.
 ImageId made_after(Graph& graph, const std::string& name, ImageDesc desc = small_image)
 {
     return graph.compute("make " + name, fake_shader).keep().write(graph.image(name, desc));
@@ -130,7 +130,8 @@ TEST(CullingTest, CulledPassesLeaveNoBarriersAndNoLifetimes)
     const ImageId a = made_image(graph, "a");
     show(graph, "show a", a);
     const ImageId b = made_after(graph, "b");
-    // Kept, this would hold `a` alive beyond the birth of `b`, and change its layout.
+    // If it were kept, it would extend the lifetime of `a` beyond the creation of `b`, and change its
+    // layout.
     auto culled = graph.custom("culled");
     culled.touch(a, Access::transfer_read);
     (void)culled.touch_write(graph.image("c", small_image), Access::transfer_write);

@@ -165,7 +165,8 @@ uint64_t Executor::find_slots()
 
 void Executor::ensure_slots()
 {
-    // Frames have other graphs between them, such as steps of cloth, and should find their own again.
+    // Graphs of other kinds run between frames, such as cloth steps. A frame should still find its
+    // resources.
     constexpr uint64_t runs_kept = 8;
     drop_unused(runs_kept);
     uint64_t missing_bytes = find_slots();
@@ -227,8 +228,8 @@ void Executor::record_barriers(VkCommandBuffer commands, const std::vector<Barri
     buffer_barriers_.clear();
     for (const Barrier& barrier : barriers) {
         const ResourceRecord& resource = graph_->resources()[barrier.resource];
-        // Nothing in this frame came before, and the frame before was waited for: there is nothing to wait
-        // on.
+        // The resource has no earlier use in this frame and the previous frame has finished, so there is
+        // nothing to wait for.
         const StageAccess before = stage_access(barrier.before);
         const StageAccess after = stage_access(barrier.after);
         if (resource.is_image) {
@@ -377,7 +378,7 @@ void Executor::note_timing(const std::string& pass, double gpu_ms)
     if (timing_count_ == timings_.size()) {
         timings_.emplace_back();
     }
-    timings_[timing_count_].name = pass; // in the room of the one before
+    timings_[timing_count_].name = pass; // Reuses the memory of the previous name
     timings_[timing_count_].gpu_ms = gpu_ms;
     ++timing_count_;
 }
@@ -390,19 +391,19 @@ void Executor::end_timings()
     }
 }
 
-// Raster passes: dynamic rendering into the attachments that the pass declares.
+// Raster passes use dynamic rendering into the attachments that they declare.
 
 namespace {
 
-constexpr size_t most_colors = 8; // devices promise four
+constexpr size_t most_colors = 8; // Vulkan guarantees four
 
-/// What a raster pass draws into.
+/// Attachments of a raster pass.
 struct Targets {
     std::array<VkRenderingAttachmentInfo, most_colors> colors{};
     std::array<VkFormat, most_colors> color_formats{};
     uint32_t color_count = 0;
     std::optional<VkRenderingAttachmentInfo> depth;
-    VkExtent2D extent{UINT32_MAX, UINT32_MAX}; ///< what all of them have
+    VkExtent2D extent{UINT32_MAX, UINT32_MAX}; ///< Size shared by all attachments
 };
 
 void add_target(Targets& targets, const Use& use, const Image& image, bool clears)
@@ -413,7 +414,7 @@ void add_target(Targets& targets, const Use& use, const Image& image, bool clear
                                          .loadOp = clears ? VK_ATTACHMENT_LOAD_OP_CLEAR
                                                           : VK_ATTACHMENT_LOAD_OP_LOAD,
                                          .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
-                                         .clearValue = {}}; // zeros: in reversed depth, the farthest
+                                         .clearValue = {}}; // Zero is the farthest in reversed depth
     targets.extent = {std::min(targets.extent.width, image.desc().width),
                       std::min(targets.extent.height, image.desc().height)};
     if (use.access == Access::depth_attachment) {

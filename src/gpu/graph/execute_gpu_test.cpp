@@ -37,7 +37,7 @@ TEST(Execute, RunsPassesInOrderWithBarriersBetween)
     EXPECT_TRUE(test::take_validation_messages().empty());
 }
 
-// The canary: a hazard planted inside one pass, where no graph can see it, must reach the gate.
+// Checks the check: validation must report a hazard inside one pass, which the graph cannot know about.
 TEST(Execute, ValidationSeesAPlantedHazard)
 {
     Graph graph;
@@ -63,7 +63,7 @@ TEST(Execute, TheGateFailsATestThatLeavesAMessage)
     };
     test::validated().on_validation_message("planted");
     EXPECT_NONFATAL_FAILURE(gate(), "validation: planted");
-    gate(); // nothing is left to say
+    gate(); // All messages have been taken
 }
 
 TEST(Execute, TimesEachPass)
@@ -124,7 +124,7 @@ TEST(Execute, TimesTheWholeWhenPassesAreNotTimed)
     EXPECT_EQ(executor.gpu_ms(), 0.0);
 }
 
-/// Graphs that take turns find their transient memory as they left it.
+/// Graphs that run alternately keep their transient memory.
 TEST(Execute, KeepsTransientMemoryWhileOtherGraphsRun)
 {
     Device& device = test::shared_device();

@@ -53,7 +53,7 @@ void require_kind(const PassRecord& pass, Access access, bool wants_write)
                                            is_write(access) ? "touch_write" : "touch"));
 }
 
-/// The same kind of read, by the stages of the pass's own kind.
+/// The access of the pass's own kind, compute or raster.
 Access read_by(const PassRecord& pass, Access by_compute, Access by_raster)
 {
     return pass.is_raster() ? by_raster : by_compute;
@@ -242,7 +242,7 @@ Pass& Pass::estimated_duration_us(uint32_t us)
 
 void Pass::dispatch_items(uint32_t count)
 {
-    constexpr uint32_t most_groups_x = 32768; // devices promise 65535 in each direction
+    constexpr uint32_t most_groups_x = 32768; // Vulkan guarantees 65535 per dimension
     const uint32_t groups = (count + 63) / 64;
     const uint32_t across = std::min(groups, most_groups_x);
     dispatch(across, across == 0 ? 0 : (groups + across - 1) / across);
@@ -369,7 +369,8 @@ uint32_t Graph::take_in(std::string_view name, const ResourceRecord& imported)
     }
     const bool is_alike = known->image == imported.image && known->buffer == imported.buffer &&
                           known->initial_layout == imported.initial_layout;
-    // Once it is written, neither its first version nor its newest need be the one that is meant.
+    // After a write, neither the first version nor the newest is certain to be the one that the caller
+    // means.
     if (!is_alike || known->newest_version > 0) {
         throw std::logic_error(fmt::format("'{}' is imported again, as '{}', {}", known->name, name,
                                            is_alike ? "after a pass has written it: use that pass's handle"

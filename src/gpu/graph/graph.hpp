@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The frame graph: passes say what they read and write; order, culling, memory reuse and barriers follow.
+// The frame graph: passes declare what they read and write; order, culling, memory reuse and barriers are
+// derived.
 //
-// A technique is a function from handles to handles. Writing to a handle gives a new version of it; the old
-// one may still be read by passes declared before the write, and is an error afterwards. Nothing here touches
-// a device: building and compiling run (and are tested) without one; src/gpu/graph/execute.hpp records the
-// result.
+// A technique is a function from handles to handles. Writing to a handle returns a new version of it. Passes
+// declared before the write may still read the old version; later reads are an error. A graph is built and
+// compiled (and tested) without a device; src/gpu/graph/execute.hpp records the result.
 //
 //     auto pass = graph.compute("hatch", shaders::hatch_comp);
 //     pass.sample(in.light).sample(in.coordinates);
@@ -30,12 +30,12 @@
 
 namespace estampe::gpu {
 
-class Image;    // a device image owned outside the graph
-class Buffer;   // a device buffer owned outside the graph
-class Recorder; // what a custom pass records into
+class Image;    // A device image owned outside the graph
+class Buffer;   // A device buffer owned outside the graph
+class Recorder; // Argument of a custom pass while it is recorded
 
-/// The name of a pass or a resource while it is put together: frames are declared anew all the time, and
-/// should not ask the heap for that. Cut off after 119 characters.
+/// Name of a pass or resource, in inline storage: graphs are declared every frame and must not allocate.
+/// Truncated to 119 characters.
 class Name {
 public:
     Name(std::string_view text) { *this += text; } // NOLINT(google-explicit-constructor): names are texts
@@ -63,8 +63,8 @@ private:
     size_t size_ = 0;
 };
 
-/// What a custom pass records: a callable of one Recorder&, or nothing. As std::function, but what it holds
-/// on to stands within it, up to 256 bytes, and not on the heap.
+/// What a custom pass records: a callable that takes Recorder&, or nothing. Like std::function, but stores
+/// captures of up to 256 bytes inline instead of on the heap.
 class Recording {
 public:
     Recording() = default;
@@ -165,8 +165,8 @@ struct BufferDesc {
     bool operator==(const BufferDesc&) const = default;
 };
 
-/// One version of an image of one graph. There is no "none": it has no default, so that a forgotten input
-/// does not compile.
+/// One version of an image of one graph. It has no default constructor and no null value, so a forgotten
+/// input does not compile.
 struct ImageId {
     constexpr ImageId(uint32_t resource_index, uint32_t version_number)
         : resource(resource_index), version(version_number)
@@ -178,7 +178,7 @@ struct ImageId {
     bool operator==(const ImageId&) const = default;
 };
 
-/// One version of a buffer of one graph. It has no default either.
+/// One version of a buffer of one graph. It has no default constructor and no null value.
 struct BufferId {
     constexpr BufferId(uint32_t resource_index, uint32_t version_number)
         : resource(resource_index), version(version_number)
@@ -190,23 +190,23 @@ struct BufferId {
     bool operator==(const BufferId&) const = default;
 };
 
-/// How a pass touches a resource: decides stage, access mask and image layout.
+/// How a pass accesses a resource; determines stage, access mask and image layout.
 enum class Access : uint8_t {
     compute_sampled,        ///< texelFetch or a sampler
-    compute_storage_read,   ///< storage image or buffer, read
-    compute_storage_write,  ///< storage image or buffer, every texel or byte that matters is written
-    compute_storage_modify, ///< read and written, atomics
-    compute_uniform,        ///< uniform buffer
-    raster_sampled,         ///< as compute_sampled, by the vertex or the fragment stage
-    raster_storage_read,    ///< as compute_storage_read, by the vertex or the fragment stage
-    raster_uniform,         ///< as compute_uniform, by the vertex or the fragment stage
-    indirect,               ///< arguments of a dispatch or a draw
+    compute_storage_read,   ///< Storage image or buffer, read
+    compute_storage_write,  ///< Storage image or buffer, written wherever its content is used
+    compute_storage_modify, ///< Read and written, atomics
+    compute_uniform,        ///< Uniform buffer
+    raster_sampled,         ///< As compute_sampled, in the vertex or fragment stage
+    raster_storage_read,    ///< As compute_storage_read, in the vertex or fragment stage
+    raster_uniform,         ///< As compute_uniform, in the vertex or fragment stage
+    indirect,               ///< Arguments of a dispatch or a draw
     transfer_read,
     transfer_write,
-    color_attachment,        ///< cleared, then drawn into
-    color_attachment_modify, ///< drawn over
-    depth_attachment,        ///< tested and written; cleared first when nothing was there
-    host_read,               ///< read back after the frame
+    color_attachment,        ///< Cleared, then drawn into
+    color_attachment_modify, ///< Drawn over
+    depth_attachment,        ///< Tested and written; cleared first if it has no content
+    host_read,               ///< Read back after the frame
 };
 
 [[nodiscard]] constexpr bool is_write(Access access)
@@ -216,7 +216,7 @@ enum class Access : uint8_t {
            access == Access::color_attachment_modify || access == Access::depth_attachment;
 }
 
-/// Whether what was there before matters: false for a plain overwrite.
+/// Whether the access depends on the earlier content; false for an overwrite.
 [[nodiscard]] constexpr bool is_read(Access access)
 {
     return access != Access::compute_storage_write && access != Access::transfer_write &&
@@ -254,39 +254,39 @@ enum class Sampling : uint8_t { nearest, linear, linear_repeat };
 
 struct Use {
     uint32_t resource = 0;
-    uint32_t version = 0; ///< read version; for a write, the version before
+    uint32_t version = 0; ///< Version read; for a write, the version before
     Access access = Access::compute_sampled;
     Sampling sampling = Sampling::nearest;
-    Format texel = Format::rgba32ui; ///< of a sampled buffer
-    bool bound = true; ///< takes the next binding number of the pass (indirect arguments do not)
+    Format texel = Format::rgba32ui; ///< Only for sampled buffers
+    bool bound = true;               ///< Takes the next binding number of the pass; indirect arguments do not
 };
 
 struct Dispatch {
     uint32_t groups_x = 0, groups_y = 0, groups_z = 0;
-    uint32_t indirect_resource = UINT32_MAX; ///< when set, the groups come from this buffer
+    uint32_t indirect_resource = UINT32_MAX; ///< If set, this buffer holds the number of groups
     uint64_t indirect_offset_bytes = 0;
 };
 
-/// How a raster pass draws.
+/// Draw call of a raster pass.
 struct Draw {
     const Shader* vertex = nullptr;
-    const Shader* fragment = nullptr; ///< null when depth is all that is wanted
+    const Shader* fragment = nullptr; ///< Null: only depth is drawn
     uint32_t vertex_count = 0;
-    uint32_t indirect_resource = UINT32_MAX; ///< when set, the counts come from this buffer
+    uint32_t indirect_resource = UINT32_MAX; ///< If set, this buffer holds the counts
     bool cull_back_faces = false;
 };
 
 struct PassRecord {
     std::string name;
-    const Shader* shader = nullptr; ///< compute passes only
-    Draw draw = {};                 ///< raster passes only
+    const Shader* shader = nullptr; ///< Compute passes only
+    Draw draw = {};                 ///< Raster passes only
     std::vector<Use> uses = {};
     std::vector<std::byte> push = {};
-    uint32_t variant = 0; ///< the shaders' specialization constant 0
+    uint32_t variant = 0; ///< The shaders' specialization constant 0
     Dispatch dispatch = {};
-    uint32_t estimated_duration_us = 0; ///< about, as Pass::estimated_duration_us() told; 0: not told
-    Recording record = {};              ///< custom passes only
-    bool has_side_effect = false;       ///< never culled
+    uint32_t estimated_duration_us = 0; ///< See Pass::estimated_duration_us(); 0: unknown
+    Recording record = {};              ///< Custom passes only
+    bool has_side_effect = false;       ///< Never culled
 
     [[nodiscard]] bool is_raster() const { return draw.vertex != nullptr; }
 };
@@ -298,8 +298,8 @@ struct ResourceRecord {
     BufferDesc buffer = {};
     Image* imported_image = nullptr;
     Buffer* imported_buffer = nullptr;
-    Layout initial_layout = Layout::undefined; ///< imported images: the layout they come in
-    bool exported = false;                     ///< its content is wanted after the frame
+    Layout initial_layout = Layout::undefined; ///< Layout of an imported image before the frame
+    bool exported = false;                     ///< The content is needed after the frame
     uint32_t newest_version = 0;
 
     [[nodiscard]] bool is_imported() const { return imported_image != nullptr || imported_buffer != nullptr; }
@@ -307,12 +307,12 @@ struct ResourceRecord {
 
 class Graph;
 
-/// Declares one pass. Bindings are numbered 0, 1, 2, ... in the order of the calls that bind.
+/// Declares one pass. Bindings are numbered 0, 1, 2, ... in the order of the binding calls.
 class Pass {
 public:
     Pass& sample(ImageId image, Sampling sampling = Sampling::nearest);
-    /// A buffer as texels, four unsigned words unless said (usamplerBuffer, samplerBuffer): processors gather
-    /// those for several threads at once, storage buffers word by word.
+    /// Binds a buffer as texels (usamplerBuffer, samplerBuffer), by default of four unsigned words.
+    /// Processors gather texels for several threads at once, but storage buffers word by word.
     Pass& sample(BufferId buffer, Format texel = Format::rgba32ui);
     Pass& read(ImageId image);
     Pass& read(BufferId buffer);
@@ -322,25 +322,25 @@ public:
     [[nodiscard]] ImageId modify(ImageId image);
     [[nodiscard]] BufferId modify(BufferId buffer);
 
-    /// Raster passes: draws into `image`, at the fragment shader's next output. The first pass that draws
-    /// into an image of the graph clears it to zeros; the passes after it, and all that draw into an imported
-    /// image, draw over what is there.
+    /// Raster passes: draws into `image` as the fragment shader's next output. The first pass that draws
+    /// into an image of the graph clears it to zeros. Later passes, and all passes on imported images, keep
+    /// the content.
     [[nodiscard]] ImageId color(ImageId image);
-    /// Raster passes: keeps what is nearest, in reversed depth; of two equal depths, the later. Cleared as
-    /// by color(), to the farthest.
+    /// Raster passes: depth test with reversed depth; of equal depths, the later wins. The first pass clears
+    /// the image to the farthest depth, as with color().
     [[nodiscard]] ImageId depth(ImageId image);
-    /// Raster passes: draws no triangle whose corners run clockwise on the page.
+    /// Raster passes: skips triangles whose corners are clockwise on the page.
     Pass& cull_back_faces();
 
-    /// For custom passes: an access that takes no binding. `touch` is for reads, `touch_write` for writes;
-    /// the wrong kind, or one that the resource cannot have, throws std::logic_error. So does a handle of
-    /// another graph, anywhere.
+    /// Custom passes: declares an access without a binding; `touch` for reads, `touch_write` for writes.
+    /// Throws std::logic_error for the wrong kind of access, for an access that the resource does not allow,
+    /// and, as all functions of the graph do, for a handle of another graph.
     Pass& touch(ImageId image, Access access);
     Pass& touch(BufferId buffer, Access access);
     [[nodiscard]] ImageId touch_write(ImageId image, Access access);
     [[nodiscard]] BufferId touch_write(BufferId buffer, Access access);
 
-    /// Constants of this dispatch: any trivially copyable struct of at most 128 bytes.
+    /// Push constants: any trivially copyable struct of at most 128 bytes.
     template <class T>
 
     requires(std::is_trivially_copyable_v<T> && sizeof(T) <= 128) Pass& push(const T& constants)
@@ -348,29 +348,33 @@ public:
         return push_bytes(std::as_bytes(std::span<const T, 1>(&constants, 1)));
     }
 
-    /// Sets specialization constant 0 of the shader, or of both: bits that say what this scene needs of it,
-    /// so that the rest of the code is left out. Each value makes a pipeline of its own.
+    /// Sets specialization constant 0 of the pass's shaders: bits for the parts that this scene uses, so
+    /// that the driver removes the rest. Each value compiles its own pipeline.
     Pass& variant(uint32_t bits);
 
-    /// About how long the pass takes on a large GPU, if it leaves that idle meanwhile: few groups that work
-    /// long, or threads that wait for one thing after another. Such passes then run beside each other.
+    /// Approximate duration on a large GPU of a pass that leaves most of the GPU idle: few groups that run
+    /// long, or threads with long dependency chains. Such passes are scheduled in parallel.
     Pass& estimated_duration_us(uint32_t us);
 
-    /// One thread a pixel, in groups of 8 x 8 as the shaders declare.
+    /// Dispatches one thread per pixel, in groups of 8 x 8 as the shaders declare.
     void dispatch_over(uint32_t width, uint32_t height, uint32_t layers = 1);
-    /// The same in groups of 8 x 32: a GPU takes long to start as many as a page has of 8 x 8.
+    /// Dispatches one thread per pixel in groups of 8 x 32; starting a page's number of 8 x 8 groups takes a
+    /// GPU long.
     void dispatch_over_page(uint32_t width, uint32_t height, uint32_t layers = 1);
-    /// One thread an item, in groups of 64; shaders number items by item_index() of shaders/loops.glsl.
+    /// Dispatches one thread per item, in groups of 64; shaders get the item's index from item_index() of
+    /// shaders/loops.glsl.
     void dispatch_items(uint32_t count);
     void dispatch(uint32_t groups_x, uint32_t groups_y = 1, uint32_t groups_z = 1);
     void dispatch_indirect(BufferId arguments, uint64_t offset_bytes = 0);
-    /// Raster passes: one triangle for every three vertices. The vertex shader finds them by gl_VertexIndex.
+    /// Raster passes: draws one triangle per three vertices. The vertex shader fetches them by
+    /// gl_VertexIndex.
     void draw(uint32_t vertex_count);
-    /// The same with counts of vertices and instances from a buffer that holds a VkDrawIndirectCommand.
+    /// Raster passes: draws with the vertex and instance counts of a buffer that holds a
+    /// VkDrawIndirectCommand.
     void draw_indirect(BufferId arguments);
     /// Custom passes: `record` is called when the pass is executed.
     void execute(const Recording& record);
-    /// Keeps the pass even if nobody reads what it writes.
+    /// Keeps the pass even if no pass reads its results.
     Pass& keep();
 
 private:
@@ -381,7 +385,7 @@ private:
     Pass& push_bytes(std::span<const std::byte> bytes);
     PassRecord& record();
     uint32_t use(uint32_t resource, uint32_t version, bool is_image,
-                 Use how); ///< returns the version afterwards
+                 Use how); ///< Returns the version afterwards
 
     Graph& graph_;
     uint32_t index_;
@@ -389,35 +393,36 @@ private:
 
 class Graph {
 public:
-    /// Transient: lives from its first write to its last read, and shares memory with others outside that
-    /// time.
+    /// A transient resource: it exists from its first write to its last read, and shares memory with other
+    /// resources outside that time.
     [[nodiscard]] ImageId image(std::string_view name, const ImageDesc& desc);
     [[nodiscard]] BufferId buffer(std::string_view name, const BufferDesc& desc);
 
-    /// Whoever imports the same image or buffer again gets the same handle, of the name it had first. Throws
-    /// std::logic_error when the two descriptions differ, or when a pass has written it: what was written is
-    /// known by the handle that the pass gave.
+    /// Importing the same image or buffer again returns the same handle, with its first name. Throws
+    /// std::logic_error if the descriptions differ, or if a pass has already written it: use the handle that
+    /// the pass returned.
     [[nodiscard]] ImageId import_image(std::string_view name, Image& image, const ImageDesc& desc,
                                        Layout initial_layout);
     [[nodiscard]] BufferId import_buffer(std::string_view name, Buffer& buffer, const BufferDesc& desc);
 
-    /// Marks the content as wanted after the frame: what makes it is not culled, and its memory is not
-    /// reused. Throws std::logic_error when the handle has been overwritten.
+    /// Marks the content as needed after the frame: its pass is not culled and its memory not reused. Throws
+    /// std::logic_error if the handle is overwritten.
     void export_image(ImageId image);
     void export_buffer(BufferId buffer);
 
     [[nodiscard]] Pass compute(std::string_view name, const Shader& shader);
-    /// A pass that draws triangles by the device's own rasteriser. It may sample, read and take uniforms;
-    /// it writes attachments only.
+    /// A pass that draws triangles with the device's rasteriser. It may sample, read and take uniforms, and
+    /// writes only attachments.
     [[nodiscard]] Pass raster(std::string_view name, const Shader& vertex, const Shader& fragment);
-    /// The same without a fragment shader: only depth is drawn.
+    /// A raster pass without a fragment shader, which only draws depth.
     [[nodiscard]] Pass raster(std::string_view name, const Shader& vertex);
     [[nodiscard]] Pass custom(std::string_view name);
 
     [[nodiscard]] const ImageDesc& describe(ImageId image) const;
     [[nodiscard]] const BufferDesc& describe(BufferId buffer) const;
 
-    /// Forgets all passes and resources, but not the room that they took: what is declared next needs none.
+    /// Removes all passes and resources but keeps their memory, so that the next declarations do not
+    /// allocate.
     void clear();
 
     [[nodiscard]] std::span<const PassRecord> passes() const { return {passes_.data(), pass_count_}; }
@@ -437,10 +442,10 @@ private:
 
     [[nodiscard]] Pass last_pass() { return {*this, pass_count_ - 1}; }
 
-    /// Returns its index.
+    /// Adds an imported resource and returns its index.
     uint32_t take_in(std::string_view name, const ResourceRecord& imported);
 
-    std::vector<PassRecord> passes_; ///< the rest is room for more
+    std::vector<PassRecord> passes_; ///< Entries from `pass_count_` on are spare
     std::vector<ResourceRecord> resources_;
     uint32_t pass_count_ = 0;
     uint32_t resource_count_ = 0;

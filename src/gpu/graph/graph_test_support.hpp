@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the tests of the frame graph share: resources to import that are never looked at, readable failures,
-// and the text of the error that something throws.
+// Helpers of the frame graph tests: imported resources that are never accessed, readable failures, and the
+// message of a thrown error.
 
 #include <array>
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace estampe::gpu {
 
 inline constexpr size_t fake_count = 16;
 
-/// Building and compiling only pass these references on, so any address will do: one for each number.
+/// Building and compiling only pass these references on, so any address is valid; each number has its own.
 inline Image& fake_image(size_t number = 0)
 {
     static std::array<std::max_align_t, fake_count> storage;
@@ -47,7 +47,7 @@ inline std::ostream& operator<<(std::ostream& out, const Barrier& barrier)
                << static_cast<int>(barrier.new_layout);
 }
 
-/// The barriers before the kept pass called `name`.
+/// The barriers before the kept pass named `name`.
 inline std::vector<Barrier> barriers_of(const Graph& graph, const CompiledGraph& compiled,
                                         const std::string& name)
 {

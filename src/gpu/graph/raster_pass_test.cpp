@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Raster passes without a device: what they declare, the barriers around attachments, and misuse.
+// Raster passes without a device: their declarations, the barriers around attachments, and misuse.
 #include <gtest/gtest.h>
 
 #include "gpu/graph/compile.hpp"
@@ -30,7 +30,7 @@ struct Frame {
     {
     }
 
-    /// A pass that draws `points` into both images.
+    /// Adds a pass that draws `points` into both images.
     void draw(const char* name)
     {
         auto pass = graph.raster(name, vertex_shader, fragment_shader);

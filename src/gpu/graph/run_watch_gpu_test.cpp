@@ -13,7 +13,7 @@
 namespace estampe::gpu {
 namespace {
 
-/// Zeros, copied to where the host reads them.
+/// Adds a buffer of zeros and a read-back of it.
 void declare_copy(Graph& graph, Buffer& back)
 {
     add_read_back(graph, "back", add_zeros(graph, "zeros", 64), back);
@@ -35,7 +35,7 @@ TEST(RunWatch, TellsEachPassOfARunThatDoesTheSame)
     EXPECT_EQ(told[0].name, "zeros");
     EXPECT_EQ(told[0].bytes, 64U);
     EXPECT_EQ(told[1].name, "back");
-    EXPECT_EQ(told[1].bytes, 128U); // read here, written there
+    EXPECT_EQ(told[1].bytes, 128U); // 64 bytes read and 64 written
     EXPECT_EQ(told[2].name, "back/host");
     for (const PassWork& pass : told) {
         EXPECT_FALSE(pass.operations.has_value()) << pass.name;
@@ -45,7 +45,7 @@ TEST(RunWatch, TellsEachPassOfARunThatDoesTheSame)
     EXPECT_EQ(executor.timings().size(), 3U);
     told.clear();
     executor.run(graph);
-    EXPECT_TRUE(told.empty()); // nobody watches any more
+    EXPECT_TRUE(told.empty()); // Watching has ended
     EXPECT_TRUE(test::take_validation_messages().empty());
 }
 
@@ -61,7 +61,8 @@ TEST(RunWatch, CountsBytesThatAreReadAndWrittenTwice)
     second.dispatch_indirect(list);
     EXPECT_EQ(bytes_of(graph, graph.passes()[0]), 100U);
     EXPECT_EQ(bytes_of(graph, graph.passes()[1]), 2U * 100U + 10U * 5U * 8U);
-    EXPECT_FALSE(operations_of(graph, graph.passes()[1]).has_value()); // only the device knows how many
+    // Only the device knows the number of threads.
+    EXPECT_FALSE(operations_of(graph, graph.passes()[1]).has_value());
 }
 
 } // namespace

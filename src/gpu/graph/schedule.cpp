@@ -11,7 +11,7 @@
 namespace estampe::gpu {
 namespace {
 
-/// Adds what `pass` does to `merged`.
+/// Adds the uses of `pass` to `merged`.
 void merge_uses(const Graph& graph, const PassRecord& pass, std::vector<PassUse>& merged)
 {
     const size_t first = merged.size();
@@ -33,7 +33,7 @@ void merge_uses(const Graph& graph, const PassRecord& pass, std::vector<PassUse>
     }
 }
 
-/// Of all passes: clashes count in those that are culled too.
+/// Covers all passes: incompatible accesses are also an error in culled passes.
 void find_uses(const Graph& graph, Schedule& schedule)
 {
     schedule.uses.clear();
@@ -45,8 +45,8 @@ void find_uses(const Graph& graph, Schedule& schedule)
     schedule.first_use.push_back(static_cast<uint32_t>(schedule.uses.size()));
 }
 
-/// Whether a pass keeps a device busy by itself. How many groups an indirect one has is known too late:
-/// mostly they work on lists.
+/// Whether a pass fills a device by itself. The group count of an indirect pass is not known here; such
+/// passes mostly process lists.
 bool is_wide(const PassRecord& pass)
 {
     constexpr uint64_t groups_that_fill = 1024;

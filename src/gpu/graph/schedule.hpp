@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Which passes of a graph run, and when: those that do not hang on each other side by side.
+// Decides which passes of a graph run, and in which order; independent passes may overlap.
 
 #include <cstdint>
 #include <span>
@@ -11,20 +11,21 @@
 
 namespace estampe::gpu {
 
-/// All that one pass does to one resource.
+/// All accesses of one pass to one resource.
 struct PassUse {
     uint32_t resource = 0;
     AccessSet accesses;
     bool writes = false;
-    Layout layout = Layout::undefined; ///< images only
+    Layout layout = Layout::undefined; ///< Images only
 };
 
-/// The kept passes in the order they run in, and what each does.
+/// The kept passes in execution order, with their uses.
 struct Schedule {
     std::vector<uint32_t> passes;
-    std::vector<uint32_t> levels;    ///< by kept pass, rising: passes of one level do not wait for each other
-    std::vector<PassUse> uses;       ///< of all passes of the graph, one after another
-    std::vector<uint32_t> first_use; ///< by pass of the graph, and the end of the last
+    /// Level of each kept pass, ascending; passes of one level are independent.
+    std::vector<uint32_t> levels;
+    std::vector<PassUse> uses;       ///< Uses of all passes of the graph, consecutively
+    std::vector<uint32_t> first_use; ///< Index of each pass's first use, and the total at the end
 
     [[nodiscard]] std::span<const PassUse> uses_of(size_t step) const
     {
@@ -33,24 +34,26 @@ struct Schedule {
     }
 };
 
-/// Makes schedule after schedule in the same room.
+/// Computes schedules repeatedly with reused memory.
 class Scheduler {
 public:
-    /// Keeps the passes of `graph` whose work is wanted, and gives each a level after those that it needs and
-    /// before those that need it: as few levels as the longest chain has passes. What a level takes is about
-    /// what its longest pass does. So passes that wait (Pass::estimated_duration_us()) go where others wait
-    /// as long, passes of many groups where the fewest such are, of several levels the first, and all others
-    /// as early as they can; in declared order. In a level those of few groups stand first: the time that
-    /// they wait for memory is then that of others. Passes with side effects keep their order. Throws
-    /// std::logic_error when a pass, kept or not, binds one resource twice with clashing accesses. Cost:
-    /// linear in uses, a sort of the passes, levels for each pass of many groups, and levels and passes that
-    /// wait for each such pass.
+    /// Keeps the passes of `graph` whose results are needed, and assigns each to a level after its inputs
+    /// and before its users. The number of levels is that of the longest dependency chain. A level lasts
+    /// about as long as its longest pass. Therefore passes with Pass::estimated_duration_us() go to levels
+    /// with passes of similar duration, passes of many groups to the levels with the fewest such passes (the
+    /// first of several), and all others to their earliest level, in declared order. Within a level, passes
+    /// of few groups come first, so that the others hide their memory latency. Passes with side effects keep
+    /// their order.
+    ///
+    /// Throws std::logic_error if a pass, kept or not, binds one resource twice with incompatible accesses.
+    /// Cost: linear in uses, a sort of the passes, all levels for each pass of many groups, and all levels
+    /// and long passes for each long pass.
     void run(const Graph& graph, Schedule& schedule);
 
 private:
-    /// Versions of resources that some kept pass reads.
+    /// Versions of resources that a kept pass reads.
     struct Wanted {
-        std::vector<uint32_t> first; ///< by resource
+        std::vector<uint32_t> first; ///< Index of a resource's first version, by resource
         std::vector<uint8_t> is_wanted;
 
         void forget(const Graph& graph);
@@ -61,23 +64,23 @@ private:
         }
     };
 
-    /// The uses of a resource that may be made at the same time, going through passes in order or backwards.
+    /// Uses of a resource that may overlap, while the passes are walked in order or backwards.
     struct Wave {
         bool is_begun = false;
         bool writes = false;
         Layout layout = Layout::undefined;
-        uint32_t from_level = 0; ///< counted from where one begins
-        uint32_t past_level = 0; ///< beyond all of them
+        uint32_t from_level = 0; ///< First level of the uses, counted in the direction of the walk
+        uint32_t past_level = 0; ///< First level after all of the uses
     };
 
-    /// A pass that told how long it takes.
+    /// A pass with an estimated duration.
     struct Long {
         uint32_t step = 0;
         uint32_t us = 0;
     };
 
     void find_kept(const Graph& graph, Schedule& schedule);
-    /// The first level that the passes gone through leave to the next, whose waves begin.
+    /// The earliest level of a pass after those walked so far, whose waves are started.
     [[nodiscard]] uint32_t next_level(const Schedule& schedule, size_t step);
     void take_level(Schedule& schedule, size_t step, uint32_t level);
     void find_latest(const Graph& graph, Schedule& schedule);
@@ -87,8 +90,8 @@ private:
     void sort_by_levels(const Graph& graph, Schedule& schedule);
 
     Wanted wanted_;
-    std::vector<Wave> waves_;        ///< by resource
-    std::vector<uint32_t> level_of_; ///< of each kept pass: the latest, until it is given one
+    std::vector<Wave> waves_;        ///< By resource
+    std::vector<uint32_t> level_of_; ///< Latest level of each kept pass, until its level is chosen
     std::vector<uint32_t> wide_in_level_;
     std::vector<Long> long_;
     uint32_t level_count_ = 0;

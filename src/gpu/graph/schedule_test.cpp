@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What runs beside what. That barriers then still suffice is for compile_property_test.cpp to find out.
+// Tests which passes share a level. compile_property_test.cpp checks that the barriers are then still
+// sufficient.
 #include <algorithm>
 #include <random>
 #include <string>
@@ -81,7 +82,7 @@ TEST(ScheduleTest, WhatFillsADeviceGoesWhereNothingElseDoesAndStandsBehindInItsL
         join.sample(image);
     }
     join.sample(end).keep();
-    // At the latest all would be in the last level: each in turn goes where there is the most room.
+    // All three could be in the last level; each in turn goes to the level with the most room.
     EXPECT_EQ(kept_names(graph, compile(graph)),
               (Names{"not as wide", "make first", "a", "second", "b", "third", "c", "join"}));
     EXPECT_EQ(schedule_of(graph).levels, (std::vector<uint32_t>{0, 0, 0, 1, 1, 2, 2, 3}));
@@ -105,7 +106,7 @@ TEST(ScheduleTest, WhatWaitsGoesBesideWhatWaitsAsLong)
     const ImageId end = next(graph, "third", waiting("second", 100, 12, next(graph, "first", few)));
     auto join = graph.compute("join", fake_shader);
     join.sample(early).sample(wide).sample(longer).sample(end).keep();
-    // All could run beside "first"; 40 us cost nothing beside 100, and 200 cost the least there.
+    // All could overlap "first": 40 us cost nothing beside 100 us, and 200 us cost the least there.
     EXPECT_EQ(kept_names(graph, compile(graph)),
               (Names{"make few", "make source", "first", "waits a little, few", "waits longer", "second",
                      "waits a little, many", "third", "join"}));
@@ -152,7 +153,7 @@ TEST(ScheduleTest, ReadersInOneLayoutGoSideBySideAndThoseInTwoDoNot)
     EXPECT_EQ(schedule_of(graph).levels, (std::vector<uint32_t>{0, 1, 1, 2, 3}));
 }
 
-/// Passes at random, each of which reads some buffers and images and writes others.
+/// Random passes, each of which reads some buffers and images and writes others.
 Graph random_graph(uint32_t seed)
 {
     std::mt19937 random(seed);
@@ -217,7 +218,8 @@ TEST(ScheduleTest, EachPassIsAfterThoseItHangsOnInNoMoreLevelsThanTheLongestChai
         }
         std::vector<uint32_t> in_declared_order = schedule.passes;
         std::ranges::sort(in_declared_order);
-        std::vector<uint32_t> chain(graph.passes().size(), 1); // passes of the longest that ends with each
+        // Length of the longest dependency chain that ends with each pass.
+        std::vector<uint32_t> chain(graph.passes().size(), 1);
         uint32_t longest = 0;
         for (const uint32_t later : in_declared_order) {
             for (const uint32_t pass : in_declared_order) {
@@ -231,7 +233,7 @@ TEST(ScheduleTest, EachPassIsAfterThoseItHangsOnInNoMoreLevelsThanTheLongestChai
         }
         EXPECT_EQ(schedule.levels.back() + 1, longest) << "seed " << seed;
     }
-    EXPECT_GT(side_by_side, graph_count); // the graphs must be worth looking at
+    EXPECT_GT(side_by_side, graph_count); // The random graphs must contain enough parallel passes
 }
 
 } // namespace
