@@ -146,7 +146,7 @@ Outlines outlines_of(const VectorDrawing& drawing, const std::string& object)
     return outlines;
 }
 
-TEST(Looks, LinesHaveTheInkAndTheWidthOfTheirObject)
+TEST(StyleVariants, LinesHaveTheInkAndTheWidthOfTheirObject)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(still_life());
@@ -169,7 +169,7 @@ TEST(Looks, LinesHaveTheInkAndTheWidthOfTheirObject)
     EXPECT_GT(outlines_of(drawing, "ball").hatching, 0U);
 }
 
-TEST(Looks, LinesInThePictureHaveTheInkOfTheirObject)
+TEST(StyleVariants, LinesInThePictureHaveTheInkOfTheirObject)
 {
     const Image image =
         draw(style_with({"hatch.drawn=false", "wash.strength=0", "paper.grain=0", "contour.ink=#000000",
@@ -184,7 +184,7 @@ TEST(Looks, LinesInThePictureHaveTheInkOfTheirObject)
     EXPECT_GT(black, 50U);
 }
 
-TEST(Looks, PathsOfAMapAreAnErrorWhicheverLookHasIt)
+TEST(StyleVariants, PathsOfAMapAreAnErrorWhicheverVariantHasIt)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(still_life());
