@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <exception>
 #include <filesystem>
 #include <map>
@@ -102,13 +101,11 @@ BatchCommand BatchOptions::read() const
 {
     BatchCommand batch{.jobs = jobs_, .report = report_};
     if (!shard_.empty()) {
-        const char* const end = shard_.data() + shard_.size();
-        const auto first = std::from_chars(shard_.data(), end, batch.shard);
-        const bool has_slash = first.ec == std::errc{} && first.ptr != end && *first.ptr == '/';
-        const auto second = has_slash ? std::from_chars(first.ptr + 1, end, batch.shards) : first;
+        const size_t slash = std::min(shard_.find('/'), shard_.size() - 1);
+        batch.shard = number_from<uint32_t>(shard_.substr(0, slash)).value_or(0);
+        batch.shards = number_from<uint32_t>(shard_.substr(slash + 1)).value_or(0);
         constexpr uint32_t most_shards = 1000000;
-        if (!has_slash || second.ec != std::errc{} || second.ptr != end || batch.shard < 1 ||
-            batch.shard > batch.shards || batch.shards > most_shards) {
+        if (batch.shard < 1 || batch.shard > batch.shards || batch.shards > most_shards) {
             throw UsageError(fmt::format("{} is no part of jobs", in_quotes(shard_)), "--shard",
                              "write 1/4 for the first of four");
         }

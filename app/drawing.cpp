@@ -2,7 +2,6 @@
 #include "drawing.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -88,11 +87,8 @@ Index choose_animation(const DrawOptions& draw, const Scene& scene)
     if (draw.animation == all_animations && !names.empty()) {
         return 0; // the only one
     }
-    Index index = 0;
-    const char* const end = draw.animation.data() + draw.animation.size();
-    const auto [stop, problem] = std::from_chars(draw.animation.data(), end, index);
-    if (problem == std::errc{} && stop == end && index < names.size()) {
-        return index;
+    if (const auto index = number_from<Index>(draw.animation); index && *index < names.size()) {
+        return *index;
     }
     throw Error(fmt::format("no animation {}", in_quotes(draw.animation)), draw.scene,
                 names.empty() ? "the file has none"

@@ -81,10 +81,8 @@ std::string joined(const std::vector<std::string>& words)
 /// All parameters, as "hatch.width_mm=".
 std::vector<std::string> style_keys()
 {
-    features::StyleTables tables;
     std::vector<std::string> keys;
-    const style::Sheet sheet = features::sheet_of(tables);
-    for (const style::Sheet::Section& section : sheet.sections()) {
+    for (const style::Section& section : features::style_schema().sections()) {
         for (const style::Parameter& parameter : section.parameters) {
             keys.push_back(fmt::format("{}.{}=", section.name, parameter.key));
         }

@@ -2,7 +2,6 @@
 #include "option_values.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <initializer_list>
 #include <optional>
 #include <string_view>
@@ -23,15 +22,6 @@ namespace {
 
 constexpr const char* camera_syntax =
     "write \"eye=2,1,3 target=0,0.5,0 fov=35\", \"azimuth=30 elevation=20\", a camera's name, or auto";
-
-template <typename Number>
-std::optional<Number> parse_number(std::string_view text)
-{
-    Number number{};
-    const char* const end = text.data() + text.size();
-    const auto [stop, problem] = std::from_chars(text.data(), end, number);
-    return problem == std::errc{} && stop == end ? std::optional(number) : std::nullopt;
-}
 
 [[noreturn]] void fail_camera(const std::string& what)
 {
@@ -59,10 +49,10 @@ bool has_any(const std::string& text, std::initializer_list<const char*> keys)
 std::pair<uint32_t, uint32_t> parse_size(const std::string& text)
 {
     const size_t cross = text.find('x');
-    const auto width = parse_number<uint32_t>(std::string_view(text).substr(0, cross));
+    const auto width = number_from<uint32_t>(std::string_view(text).substr(0, cross));
     const auto height = cross == std::string::npos
                             ? std::nullopt
-                            : parse_number<uint32_t>(std::string_view(text).substr(cross + 1));
+                            : number_from<uint32_t>(std::string_view(text).substr(cross + 1));
     if (!width || !height) {
         throw UsageError(fmt::format("{} is not a size", in_quotes(text)), "--size",
                          "write WIDTHxHEIGHT in pixels, such as 1920x1080");
@@ -155,7 +145,7 @@ RasterPath parse_raster_path(const std::string& text)
 
 void check_device(const std::string& text)
 {
-    if (text != "auto" && text != "cpu" && !parse_number<uint32_t>(text)) {
+    if (text != "auto" && text != "cpu" && !number_from<uint32_t>(text)) {
         throw UsageError(fmt::format("{} is not a device", in_quotes(text)), "--device",
                          "write auto, cpu, or an index that estampe devices lists");
     }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -44,14 +43,6 @@ constexpr std::array named_pages{NamedPage{"a0", {841.0, 1189.0}},   NamedPage{"
                                  NamedPage{"a6", {105.0, 148.0}},    NamedPage{"letter", {215.9, 279.4}},
                                  NamedPage{"legal", {215.9, 355.6}}, NamedPage{"tabloid", {279.4, 431.8}}};
 
-std::optional<double> number_in(std::string_view text)
-{
-    double number = 0.0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, problem] = std::from_chars(text.data(), end, number);
-    return problem == std::errc{} && stop == end ? std::optional(number) : std::nullopt;
-}
-
 /// "210x297mm"
 std::optional<Millimetres> typed_page(std::string_view text)
 {
@@ -59,8 +50,8 @@ std::optional<Millimetres> typed_page(std::string_view text)
     if (cross == std::string_view::npos || !text.ends_with("mm")) {
         return std::nullopt;
     }
-    const auto width = number_in(text.substr(0, cross));
-    const auto height = number_in(text.substr(cross + 1, text.size() - cross - 3));
+    const auto width = number_from<double>(text.substr(0, cross));
+    const auto height = number_from<double>(text.substr(cross + 1, text.size() - cross - 3));
     return width && height ? std::optional(Millimetres{*width, *height}) : std::nullopt;
 }
 
@@ -156,10 +147,8 @@ constexpr uint32_t most_frames = 1000000;
 /// A whole number of 1 to most_frames that is all of `text`, else 0.
 uint32_t frame_number(std::string_view text)
 {
-    uint32_t number = 0;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool is_number = problem == std::errc{} && end == text.data() + text.size();
-    return is_number && number <= most_frames ? number : 0;
+    const uint32_t number = number_from<uint32_t>(text).value_or(0);
+    return number <= most_frames ? number : 0;
 }
 
 /// "48", or "25-48".

@@ -130,16 +130,13 @@ namespace {
 /// Sets in `style` each parameter that differs between `chosen.style` and its base.
 void keep_choices(Style& style, const ChosenStyle& chosen)
 {
-    features::StyleTables changed = chosen.style.tables();
-    features::StyleTables base = chosen.base.tables();
-    const style::Sheet to = features::sheet_of(style.tables());
-    const style::Sheet from = features::sheet_of(changed);
-    const style::Sheet before = features::sheet_of(base);
-    for (size_t i = 0; i < from.sections().size(); ++i) {
-        for (const style::Parameter& parameter : from.sections()[i].parameters) {
-            const style::Value value = parameter.get(from.sections()[i].values);
-            if (value != parameter.get(before.sections()[i].values)) {
-                parameter.set(to.sections()[i].values, value);
+    const features::StyleTables& changed = chosen.style.tables();
+    const features::StyleTables& base = chosen.base.tables();
+    for (const style::Section& section : features::style_schema().sections()) {
+        for (const style::Parameter& parameter : section.parameters) {
+            const style::Value value = parameter.get(section.place.in(&changed));
+            if (value != parameter.get(section.place.in(&base))) {
+                parameter.set(section.place.in(&style.tables()), value);
             }
         }
     }

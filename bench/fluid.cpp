@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// What a step of fluid costs, pass by pass, and how long each solver takes to a given divergence.
+// What fluids cost and how right they are: the time of a step, pass by pass; how long each solver takes to a
+// given divergence; the lid-driven cavity against Ghia, Ghia and Shin; smoke as a picture.
 // estampe_bench_fluid --help
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <functional>
 #include <map>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
@@ -17,6 +20,7 @@
 #include "common/measuring.hpp"
 #include "gpu/resources.hpp"
 #include "gpu/transfers.hpp"
+#include "techniques/fluid/cavity.hpp"
 #include "techniques/fluid/fluid.hpp"
 #include "techniques/fluid/pressure/projection.hpp"
 #include "techniques/fluid/pressure/solvers.hpp"
@@ -25,18 +29,17 @@ namespace {
 
 using namespace estampe; // NOLINT(google-build-using-namespace): a program of one file
 
-struct Options {
+/// Of "steps" and "solvers".
+struct CostOptions {
     std::string device = "auto";
     std::vector<uint32_t> sizes{256, 512, 1024, 2048, 4096};
     uint32_t depth = 1;
-    uint32_t rounds = 40;
-    uint32_t most_projections = 100;
     bool periodic = false;
-    bool steps_only = false;
-    bool solvers_only = false;
+    uint32_t rounds = 40;            ///< of "steps"
+    uint32_t most_projections = 100; ///< of "solvers"
 };
 
-fluid::Grid grid_of(const Options& options, uint32_t side)
+fluid::Grid grid_of(const CostOptions& options, uint32_t side)
 {
     const fluid::Edge edge = options.periodic ? fluid::Edge::periodic : fluid::Edge::no_slip;
     return {.cells = {side, side, options.depth},
@@ -143,7 +146,7 @@ double divergence_left(bench::Machine& machine, fluid::Fluid& flow, const fluid:
     return divergence_of(machine, flow.grid(), after, left.velocity, left.solids) / all;
 }
 
-void measure_steps(bench::Machine& machine, const Options& options, uint32_t side)
+void measure_steps(bench::Machine& machine, const CostOptions& options, uint32_t side)
 {
     constexpr uint32_t channels = 4;
     const fluid::Grid grid = grid_of(options, side);
@@ -166,6 +169,29 @@ void measure_steps(bench::Machine& machine, const Options& options, uint32_t sid
             passes, divergence_left(machine, flow, one.style), residual, rounds.passes_table());
         static_cast<void>(std::fflush(stdout));
     }
+}
+
+void add_cost_options(CLI::App& command, CostOptions& options)
+{
+    bench::add_device_option(command, options.device);
+    command.add_option("--sizes", options.sizes, "Cells of a side, one or several");
+    command.add_option("--depth", options.depth, "Cells along z; 1 for two dimensions");
+    command.add_flag("--periodic", options.periodic, "Edges that meet in place of walls");
+}
+
+bench::Job add_steps(CLI::App& command)
+{
+    const auto options = std::make_shared<CostOptions>();
+    add_cost_options(command, *options);
+    command.add_option("--rounds", options->rounds, "Steps to take the median of")
+        ->check(CLI::Range(1, 100000));
+    return [options] {
+        bench::Machine machine(options->device);
+        fmt::print("{}, {}\n", machine.name(), machine.device.info().driver);
+        for (const uint32_t side : options->sizes) {
+            measure_steps(machine, *options, side);
+        }
+    };
 }
 
 /// A velocity that is projected again and again.
@@ -223,7 +249,7 @@ private:
     gpu::Buffer angles_;
 };
 
-void measure_solver(bench::Machine& machine, const Options& options, const fluid::Grid& grid,
+void measure_solver(bench::Machine& machine, const CostOptions& options, const fluid::Grid& grid,
                     fluid::Solver solver, const std::vector<float>& start)
 {
     constexpr std::array<double, 5> goals{1e-1, 1e-2, 1e-3, 1e-4, 1e-5};
@@ -251,7 +277,7 @@ void measure_solver(bench::Machine& machine, const Options& options, const fluid
     static_cast<void>(std::fflush(stdout));
 }
 
-void measure_solvers(bench::Machine& machine, const Options& options, uint32_t side)
+void measure_solvers(bench::Machine& machine, const CostOptions& options, uint32_t side)
 {
     const fluid::Grid grid = grid_of(options, side);
     std::mt19937 random(11);
@@ -272,42 +298,178 @@ void measure_solvers(bench::Machine& machine, const Options& options, uint32_t s
     }
 }
 
-void measure(const Options& options)
+bench::Job add_solvers(CLI::App& command)
+{
+    const auto options = std::make_shared<CostOptions>();
+    add_cost_options(command, *options);
+    command
+        .add_option("--most-projections", options->most_projections,
+                    "Most projections before a solver is given up")
+        ->check(CLI::PositiveNumber);
+    return [options] {
+        bench::Machine machine(options->device);
+        fmt::print("{}, {}\nMilliseconds (and projections) until so much of the divergence is left, each "
+                   "projection from anew:\n"
+                   "| cells | field | solver | one projection | 0.1 | 0.01 | 1e-3 | 1e-4 | 1e-5 |\n"
+                   "|---|---|---|---|---|---|---|---|---|\n",
+                   machine.name(), machine.device.info().driver);
+        for (const uint32_t side : options->sizes) {
+            measure_solvers(machine, *options, side);
+        }
+    };
+}
+
+struct CavityOptions {
+    std::string device = "auto";
+    int reynolds = 1000;
+    uint32_t side = 128;
+    double time_s = 50.0;
+    double courant = 0.5;
+    fluid::Advection advection = fluid::Advection::maccormack;
+    fluid::Stepping stepping = fluid::Stepping::reflect;
+    fluid::Solver solver = fluid::Solver::automatic;
+};
+
+void measure_cavity(const CavityOptions& options)
 {
     bench::Machine machine(options.device);
-    fmt::print("{}, {}\n", machine.name(), machine.device.info().driver);
-    for (const uint32_t side : options.sizes) {
-        if (!options.solvers_only) {
-            measure_steps(machine, options, side);
+    const fluid::Grid grid = fluid::cavity_grid(options.side);
+    fluid::Fluid cavity(machine.device, grid);
+    const fluid::FluidStyle style{.step_s = static_cast<float>(options.courant / options.side),
+                                  .stepping = options.stepping,
+                                  .velocity_advection = options.advection,
+                                  .projection = {.solver = options.solver},
+                                  .viscosity_m2_s = 1.0F / static_cast<float>(options.reynolds)};
+    const auto steps = static_cast<uint32_t>(options.time_s * options.side / options.courant);
+    const bench::WallClock clock;
+    constexpr uint32_t reports = 10;
+    uint32_t taken = 0;
+    uint32_t reported = 0;
+    bench::in_batches(steps, cavity.most_steps(style), [&](uint32_t count, bool /*is_last*/) {
+        gpu::Graph graph;
+        const fluid::FluidFields fields = cavity.add_steps(graph, style, count);
+        taken += count;
+        if (taken * reports / steps == reported) {
+            machine.executor.run(graph);
+            return;
         }
-    }
-    if (options.steps_only) {
-        return;
-    }
-    fmt::print(
-        "Milliseconds (and projections) until so much of the divergence is left, each projection from anew:\n"
-        "| cells | field | solver | one projection | 0.1 | 0.01 | 1e-3 | 1e-4 | 1e-5 |\n"
-        "|---|---|---|---|---|---|---|---|---|\n");
-    for (const uint32_t side : options.sizes) {
-        measure_solvers(machine, options, side);
-    }
+        reported = taken * reports / steps;
+        const std::vector<float> velocity =
+            fluid::run_and_read(machine.device, machine.executor, graph, fields.velocity);
+        const fluid::CavityFit fit = fluid::cavity_fit(grid, velocity, options.reynolds);
+        fmt::print("after {:6.2f} s: rms of u {:.4f}, of v {:.4f}; u from {:.4f}, v from {:.4f} to {:.4f}\n",
+                   static_cast<double>(taken) * static_cast<double>(style.step_s), fit.rms_u, fit.rms_v,
+                   fit.least_u, fit.least_v, fit.most_v);
+        static_cast<void>(std::fflush(stdout));
+    });
+    fmt::print("{}: {} steps of {:.3f} ms\n", machine.name(), steps, clock.ms() / steps);
+}
+
+bench::Job add_cavity(CLI::App& command)
+{
+    const auto options = std::make_shared<CavityOptions>();
+    bench::add_device_option(command, options->device);
+    command.add_option("--reynolds", options->reynolds)->check(CLI::IsMember({100, 400, 1000}));
+    command.add_option("--side", options->side, "Cells");
+    command.add_option("--time-s", options->time_s);
+    command.add_option("--courant", options->courant, "Cells that the lid goes in a step");
+    command.add_option("--advection", options->advection)
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, fluid::Advection>{{"linear", fluid::Advection::linear},
+                                                    {"cubic", fluid::Advection::cubic},
+                                                    {"maccormack", fluid::Advection::maccormack}}));
+    command.add_option("--stepping", options->stepping)
+        ->transform(CLI::CheckedTransformer(std::map<std::string, fluid::Stepping>{
+            {"project", fluid::Stepping::project}, {"reflect", fluid::Stepping::reflect}}));
+    command.add_option("--solver", options->solver)
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, fluid::Solver>{{"jacobi", fluid::Solver::jacobi},
+                                                 {"multigrid", fluid::Solver::multigrid},
+                                                 {"spectral", fluid::Solver::spectral}}));
+    return [options] { measure_cavity(*options); };
+}
+
+struct SmokeOptions {
+    std::string device = "auto";
+    std::string picture = "smoke.png";
+    uint32_t width = 256;
+    double time_s = 6.0;
+};
+
+/// Three metres high, two wide, from the floor's left end.
+std::vector<fluid::Shape> obstacles()
+{
+    fluid::Shape oar = fluid::box({1.3F, 2.1F, 0.0F}, {0.28F, 0.03F, 0.0F}, 0.3F);
+    oar.spin_rad_s = 1.5F;
+    return {fluid::disc({0.9F, 1.2F, 0.0F}, 0.2F), oar};
+}
+
+fluid::Source fire()
+{
+    fluid::Source source{.shape = fluid::disc({1.0F, 0.25F, 0.0F}, 0.12F)};
+    source.gain_per_s = {2.0F, 6.0F};
+    return source;
+}
+
+uint8_t gray_of(float density)
+{
+    const double light = std::exp(-2.0 * std::max(static_cast<double>(density), 0.0));
+    return static_cast<uint8_t>(std::lround(255.0 * std::pow(light, 1.0 / 2.2)));
+}
+
+void draw_smoke(const SmokeOptions& options)
+{
+    bench::Machine machine(options.device);
+    const fluid::Grid grid{.cells = {options.width, options.width * 3 / 2, 1},
+                           .cell_m = 2.0F / static_cast<float>(options.width)};
+    fluid::Fluid smoke(machine.device, grid, 2);
+    smoke.set_shapes(obstacles(), std::vector{fire()});
+    const fluid::FluidStyle style{.step_s = 1.0F / 60.0F,
+                                  .forces = {.lift_m_s2 = 1.5F},
+                                  .matter = {.fading_per_s = 0.05F, .cooling_per_s = 0.15F}};
+    const auto steps = static_cast<uint32_t>(options.time_s / static_cast<double>(style.step_s));
+    bench::in_batches(steps, smoke.most_steps(style), [&](uint32_t count, bool /*is_last*/) {
+        gpu::Graph graph;
+        static_cast<void>(smoke.add_steps(graph, style, count));
+        machine.executor.run(graph);
+    });
+    gpu::Graph graph;
+    const fluid::FluidFields fields = smoke.add_steps(graph, style, 0);
+    const std::vector<float> density =
+        fluid::run_and_read(machine.device, machine.executor, graph, *fields.quantities);
+    bench::save_gray_picture(
+        grid.cells.x, grid.cells.y,
+        [&](uint32_t x, uint32_t y) {
+            const uint32_t row = grid.cells.y - 1 - y; // y of the grid is up
+            return gray_of(density[row * grid.cells.x + x]);
+        },
+        options.picture);
+}
+
+bench::Job add_smoke(CLI::App& command)
+{
+    const auto options = std::make_shared<SmokeOptions>();
+    bench::add_device_option(command, options->device);
+    command.add_option("--picture", options->picture, "PNG file to write")->capture_default_str();
+    command.add_option("--width", options->width, "Cells; half as many more along y")
+        ->capture_default_str()
+        ->check(CLI::Range(16, 2048));
+    command.add_option("--time-s", options->time_s)->capture_default_str()->check(CLI::Range(0.0, 600.0));
+    return [options] { draw_smoke(*options); };
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-    Options options;
-    CLI::App app("Measures what fluids cost", "estampe_bench_fluid");
-    bench::add_device_option(app, options.device);
-    app.add_option("--sizes", options.sizes, "Cells of a side, one or several");
-    app.add_option("--depth", options.depth, "Cells along z; 1 for two dimensions");
-    app.add_option("--rounds", options.rounds, "Steps to take the median of")->check(CLI::Range(1, 100000));
-    app.add_option("--most-projections", options.most_projections,
-                   "Most projections before a solver is given up")
-        ->check(CLI::PositiveNumber);
-    app.add_flag("--periodic", options.periodic, "Edges that meet in place of walls");
-    app.add_flag("--steps-only", options.steps_only);
-    app.add_flag("--solvers-only", options.solvers_only);
-    return bench::run(app, argc, argv, [&] { measure(options); });
+    CLI::App app("Measures fluids", "estampe_bench_fluid");
+    app.require_subcommand(1);
+    bench::Job job;
+    bench::add_command(app, "steps", "Time a step, pass by pass", add_steps, job);
+    bench::add_command(app, "solvers", "Time each pressure solver to a given divergence", add_solvers, job);
+    bench::add_command(app, "cavity",
+                       "Let a lid drive the fluid in a cavity, and compare with the literature", add_cavity,
+                       job);
+    bench::add_command(app, "smoke", "Draw smoke that rises past obstacles", add_smoke, job);
+    return bench::run(app, argc, argv, [&] { job(); });
 }

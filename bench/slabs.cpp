@@ -12,7 +12,7 @@
 #include "common/command_line.hpp"
 #include "common/measuring.hpp"
 #include "gpu/transfers.hpp"
-#include "style/sheet.hpp"
+#include "style/schema.hpp"
 #include "techniques/terrain/slabs/slabs.hpp"
 
 namespace {
@@ -97,10 +97,9 @@ void tell_slopes(const Ground& ground)
 void measure(const Options& options)
 {
     terrain::SlabStyle style;
-    style::Sheet sheet;
-    sheet.bind(terrain::slab_table(), style);
+    const style::Schema schema(terrain::slab_table());
     for (const std::string& setting : options.settings) {
-        sheet.set(setting);
+        schema.set(style, setting);
     }
     bench::Machine machine(options.device);
     terrain::SlabField field(machine.device, style, options.side);

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "features/common/style_tables.hpp"
-#include "style/sheet.hpp"
+#include "style/schema.hpp"
 #include "support/files.hpp"
 
 namespace estampe {
@@ -48,17 +48,15 @@ TEST(Presets, ReadBackEqual)
     for (const std::string& name : Style::presets()) {
         const std::string text = Style::load(name).to_toml();
         features::StyleTables tables;
-        features::sheet_of(tables).read_toml_text(text, name);
-        EXPECT_EQ(features::sheet_of(tables).to_toml(), text);
+        features::style_schema().read_text(tables, text, name);
+        EXPECT_EQ(features::style_schema().to_toml(tables), text);
     }
 }
 
 TEST(Parameters, EachHasHelpOnOneLineAndAUniqueName)
 {
-    features::StyleTables tables;
     std::vector<std::string> names;
-    const style::Sheet sheet = features::sheet_of(tables);
-    for (const style::Sheet::Section& section : sheet.sections()) {
+    for (const style::Section& section : features::style_schema().sections()) {
         for (const style::Parameter& parameter : section.parameters) {
             names.push_back(section.name + "." + parameter.key);
             EXPECT_FALSE(parameter.help.empty()) << names.back();
@@ -72,23 +70,28 @@ TEST(Parameters, EachHasHelpOnOneLineAndAUniqueName)
 TEST(Parameters, EachTakesItsOwnDefaultAndEndsOfRange)
 {
     features::StyleTables tables;
-    style::Sheet sheet = features::sheet_of(tables);
-    for (const style::Sheet::Section& section : sheet.sections()) {
+    const auto& schema = features::style_schema();
+    for (const style::Section& section : schema.sections()) {
         for (const style::Parameter& parameter : section.parameters) {
             const std::string name = section.name + "." + parameter.key;
             if (parameter.kind == style::Kind::number) {
-                EXPECT_NO_THROW(sheet.set(fmt::format("{}={}", name, parameter.range.minimum))) << name;
-                EXPECT_NO_THROW(sheet.set(fmt::format("{}={}", name, parameter.range.maximum))) << name;
-                EXPECT_THROW(sheet.set(fmt::format("{}={}", name, parameter.range.maximum * 2 + 1)), Error)
+                EXPECT_NO_THROW(schema.set(tables, fmt::format("{}={}", name, parameter.range.minimum)))
+                    << name;
+                EXPECT_NO_THROW(schema.set(tables, fmt::format("{}={}", name, parameter.range.maximum)))
+                    << name;
+                EXPECT_THROW(schema.set(tables, fmt::format("{}={}", name, parameter.range.maximum * 2 + 1)),
+                             Error)
                     << name;
             } else if (parameter.kind == style::Kind::integer) {
-                EXPECT_NO_THROW(sheet.set(fmt::format("{}={}", name, parameter.integers.minimum))) << name;
-                EXPECT_THROW(sheet.set(fmt::format("{}={}", name, parameter.integers.maximum + 1)), Error)
+                EXPECT_NO_THROW(schema.set(tables, fmt::format("{}={}", name, parameter.integers.minimum)))
+                    << name;
+                EXPECT_THROW(schema.set(tables, fmt::format("{}={}", name, parameter.integers.maximum + 1)),
+                             Error)
                     << name;
             } else if (parameter.kind == style::Kind::choice) {
                 for (const std::string& choice : parameter.choices) {
-                    sheet.set(name + "=" + choice);
-                    EXPECT_EQ(parameter.get(section.values), style::Value(choice)) << name;
+                    schema.set(tables, name + "=" + choice);
+                    EXPECT_EQ(parameter.get(section.place.in(&tables)), style::Value(choice)) << name;
                 }
             }
         }

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "style/parameter.hpp"
-#include "style/sheet.hpp"
+#include "style/schema.hpp"
 #include "viewer/studio.hpp"
 
 namespace estampe::viewer {
@@ -54,11 +54,11 @@ void show_timings_tab(Studio& studio);
 void show_parameters(Studio& studio, const std::string& search, std::span<const char* const> sections);
 
 /// Whether each word of `search` is found in the name of the parameter, its section or its help.
-[[nodiscard]] bool matches(const style::Sheet::Section& section, const style::Parameter& parameter,
+[[nodiscard]] bool matches(const style::Section& section, const style::Parameter& parameter,
                            const std::string& search);
 
 /// Whether any parameter of the section matches.
-[[nodiscard]] bool matches(const style::Sheet::Section& section, const std::string& search);
+[[nodiscard]] bool matches(const style::Section& section, const std::string& search);
 
 /// What a person did to a row.
 struct RowEdit {

@@ -10,10 +10,8 @@ namespace {
 
 std::vector<std::string> found(const std::string& search)
 {
-    features::StyleTables tables;
-    const style::Sheet sheet = features::sheet_of(tables);
     std::vector<std::string> names;
-    for (const style::Sheet::Section& section : sheet.sections()) {
+    for (const style::Section& section : features::style_schema().sections()) {
         for (const style::Parameter& parameter : section.parameters) {
             if (matches(section, parameter, search)) {
                 names.push_back(section.name + "." + parameter.key);

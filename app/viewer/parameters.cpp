@@ -16,8 +16,7 @@
 
 namespace estampe::viewer {
 
-bool matches(const style::Sheet::Section& section, const style::Parameter& parameter,
-             const std::string& search)
+bool matches(const style::Section& section, const style::Parameter& parameter, const std::string& search)
 {
     const std::string text = lower_case(section.name + "." + parameter.key + " " + parameter.help);
     std::istringstream words(lower_case(search));
@@ -30,7 +29,7 @@ bool matches(const style::Sheet::Section& section, const style::Parameter& param
     return true;
 }
 
-bool matches(const style::Sheet::Section& section, const std::string& search)
+bool matches(const style::Section& section, const std::string& search)
 {
     return std::ranges::any_of(section.parameters, [&](const style::Parameter& parameter) {
         return matches(section, parameter, search);
@@ -244,13 +243,12 @@ void set_value(Studio& studio, const std::string& section, const Parameter& para
 }
 
 /// `base` are the values to go back to.
-void show_row(Studio& studio, const style::Sheet::Section& section, const Parameter& parameter,
+void show_row(Studio& studio, const std::string& section, const Parameter& parameter, void* values,
               const void* base)
 {
-    const RowEdit edit =
-        show_parameter_row(section.name, parameter, parameter.get(section.values), parameter.get(base));
+    const RowEdit edit = show_parameter_row(section, parameter, parameter.get(values), parameter.get(base));
     if (edit.value) {
-        set_value(studio, section.name, parameter, section.values, *edit.value);
+        set_value(studio, section, parameter, values, *edit.value);
     }
     if (edit.is_finished) {
         studio.look.finish_change_if_any(); // of a drag once, at its end
@@ -266,19 +264,16 @@ bool is_wanted(std::span<const char* const> sections, const std::string& name)
 
 void show_parameters(Studio& studio, const std::string& search, std::span<const char* const> sections)
 {
-    style::Sheet sheet = features::sheet_of(studio.look.style().tables());
-    features::StyleTables base = studio.look.base().tables();
-    const style::Sheet base_sheet = features::sheet_of(base);
     bool any = false;
-    for (size_t i = 0; i < sheet.sections().size(); ++i) {
-        const style::Sheet::Section& section = sheet.sections()[i];
-        const void* base_values = base_sheet.sections()[i].values;
+    for (const style::Section& section : features::style_schema().sections()) {
+        void* const values = section.place.in(&studio.look.style().tables());
+        const void* const base = section.place.in(&studio.look.base().tables());
         if (!is_wanted(sections, section.name) || !matches(section, search)) {
             continue;
         }
         any = true;
         const auto changed = std::ranges::count_if(section.parameters, [&](const Parameter& parameter) {
-            return parameter.get(section.values) != parameter.get(base_values);
+            return parameter.get(values) != parameter.get(base);
         });
         // What a search opens is closed again after it.
         const std::string id = section.name + (search.empty() ? "" : " found");
@@ -298,13 +293,13 @@ void show_parameters(Studio& studio, const std::string& search, std::span<const 
         }
         if (changed > 0 && ImGui::SmallButton(("\u21ba all of " + section.name).c_str())) {
             for (const Parameter& parameter : section.parameters) {
-                parameter.set(section.values, parameter.get(base_values));
+                parameter.set(values, parameter.get(base));
             }
             studio.look.finish_change();
         }
         for (const Parameter& parameter : section.parameters) {
             if (matches(section, parameter, search)) {
-                show_row(studio, section, parameter, base_values);
+                show_row(studio, section.name, parameter, values, base);
             }
         }
     }

@@ -17,6 +17,7 @@
 #include <estampe/error.hpp>
 
 #include "core/file.hpp"
+#include "core/text.hpp"
 #include "style/toml.hpp"
 #include "techniques/terrain/graph/language.hpp"
 #include "techniques/terrain/graph/program.hpp"
@@ -303,10 +304,8 @@ void TerrainEdit::take_draft()
     } catch (const Error& error) {
         Problem problem{.text = error.what()};
         const std::string& where = error.where();
-        size_t node = 0;
-        const auto [end, trouble] = std::from_chars(where.data(), where.data() + where.size(), node);
-        if (trouble == std::errc() && end == where.data() + where.size() && node < draft_.nodes.size()) {
-            problem.node = node;
+        if (const auto node = number_from<size_t>(where); node && *node < draft_.nodes.size()) {
+            problem.node = *node;
             problem.text.erase(0, where.size() + 2);
         }
         problem_ = std::move(problem);

@@ -60,6 +60,13 @@ int run(CLI::App& app, int argc, char** argv, const std::function<void()>& measu
     return 0;
 }
 
+void add_command(CLI::App& app, const std::string& name, const std::string& about,
+                 Job (*add_options)(CLI::App&), Job& job)
+{
+    CLI::App& command = *app.add_subcommand(name, about);
+    command.callback([&job, chosen = add_options(command)] { job = chosen; });
+}
+
 std::istream& operator>>(std::istream& stream, Size& size)
 {
     constexpr uint32_t most = 65535;

@@ -16,7 +16,7 @@
 
 namespace estampe::lab {
 
-using Job = std::function<void()>;
+using bench::Job;
 
 /// Measures the series, or compares two results.
 [[nodiscard]] Job add_series(CLI::App& command);

@@ -7,17 +7,16 @@
 
 int main(int argc, char** argv)
 {
-    using namespace estampe::lab; // NOLINT(google-build-using-namespace): a program of one file
+    using namespace estampe;      // NOLINT(google-build-using-namespace): a program of one file
+    using namespace estampe::lab; // NOLINT(google-build-using-namespace)
     CLI::App app("Measures what drawing costs, on scenes of its own.", "estampe_lab");
     app.require_subcommand(0, 1);
     app.get_formatter()->column_width(34);
     Job job = add_series(app);
-    const auto add = [&](const char* name, const char* about, Job (*add_options)(CLI::App&)) {
-        CLI::App& command = *app.add_subcommand(name, about);
-        command.callback([&job, chosen = add_options(command)] { job = chosen; });
-    };
-    add("lights", "Measure cost against the number of lights", add_lights);
-    add("kernels", "Run small kernels that show what makes a shader quick or slow here", add_kernels);
-    add("roofline", "Hold each pass against what the device can copy and compute", add_roofline);
-    return estampe::bench::run(app, argc, argv, [&] { job(); });
+    bench::add_command(app, "lights", "Measure cost against the number of lights", add_lights, job);
+    bench::add_command(app, "kernels", "Run small kernels that show what makes a shader quick or slow here",
+                       add_kernels, job);
+    bench::add_command(app, "roofline", "Hold each pass against what the device can copy and compute",
+                       add_roofline, job);
+    return bench::run(app, argc, argv, [&] { job(); });
 }

@@ -15,7 +15,7 @@
 #include "gpu/resources.hpp"
 #include "gpu/transfers.hpp"
 #include "stipple.hpp"
-#include "style/sheet.hpp"
+#include "style/schema.hpp"
 
 namespace {
 
@@ -76,10 +76,9 @@ int main(int argc, char** argv)
     }
     try {
         estampe::stipple::StippleStyle dots;
-        estampe::style::Sheet sheet;
-        sheet.bind(estampe::stipple::stipple_table(), dots);
+        const estampe::style::Schema schema(estampe::stipple::stipple_table());
         for (int i = 3; i < argc; ++i) {
-            sheet.set(argv[i]);
+            schema.set(dots, argv[i]);
         }
         const estampe::Scene scene = estampe::load_scene(argv[1]);
         estampe::Renderer renderer;

@@ -9,7 +9,10 @@
 // said otherwise. Cost: linear in vertices, but quadratic in the corners of an extruded outline.
 
 #include <cstdint>
+#include <map>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -83,8 +86,47 @@ struct FlutedColumn {
 /// Solid stairs that rise towards -z.
 [[nodiscard]] Primitive stairs(float width, float rise, float run, uint32_t steps);
 
+/// A rod from `a` to `b`, as limbs and poles are, whose ends are half balls about these two points, each in
+/// `rings` steps.
+[[nodiscard]] Primitive rod(const glm::vec3& a, const glm::vec3& b, float radius_a, float radius_b,
+                            uint32_t segments = 16, uint32_t rings = 4);
+
+/// Moves to a place after a turn about the y axis, counter-clockwise from above.
+[[nodiscard]] glm::mat4 at(const glm::vec3& place, float turn_deg = 0.0F);
+
 /// Adds `part`, placed by `to_from_part`, to `whole`; the material of `whole` stays. Mirroring turns
-/// triangles over.
+/// triangles over. If either has edge marks, triangles without any get the mark 0: none of their edges is
+/// drawn.
 void append(Primitive& whole, const Primitive& part, const glm::mat4& to_from_part);
+
+/// Gathers placed shapes of several materials into one mesh:
+///
+///     MeshBuilder lamp;
+///     lamp.add(iron, cylinder(0.05F, 3.0F));
+///     lamp.add(glass, sphere(0.2F), at({0.0F, 3.2F, 0.0F}));
+///     scene.meshes.push_back(lamp.mesh("lamp"));
+///
+/// Shapes with edge marks stay apart from those without, whose sharp folds are drawn.
+class MeshBuilder {
+public:
+    /// `material` is an index of Scene::materials, or a value of an enumeration of them.
+    template <typename Material>
+    void add(Material material, const Primitive& shape, const glm::mat4& placed = glm::mat4(1.0F))
+    {
+        append(part(static_cast<Index>(material), !shape.edge_marks.empty()), shape, placed);
+    }
+
+    /// Adds all of `other`, placed.
+    void add(const MeshBuilder& other, const glm::mat4& placed = glm::mat4(1.0F));
+
+    /// What has been gathered of a material, for vertices and triangles of one's own.
+    [[nodiscard]] Primitive& part(Index material, bool has_edge_marks);
+
+    /// A primitive for each material, in the order of their numbers, unmarked ones first.
+    [[nodiscard]] Mesh mesh(const std::string& name) const;
+
+private:
+    std::map<std::pair<Index, bool>, Primitive> parts_;
+};
 
 } // namespace estampe::shapes

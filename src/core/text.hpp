@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <charconv>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace estampe {
 
@@ -17,6 +20,17 @@ namespace estampe {
 
 /// `text` in lower case. Non-ASCII letters are unchanged, because their case depends on the language.
 [[nodiscard]] std::string lower_case(std::string_view text);
+
+/// The number that is all of `text`, as std::from_chars reads it; nothing if there is none or it does not fit
+/// the type.
+template <typename Number>
+[[nodiscard]] std::optional<Number> number_from(std::string_view text)
+{
+    Number number{};
+    const char* const end = text.data() + text.size();
+    const auto [stop, problem] = std::from_chars(text.data(), end, number);
+    return problem == std::errc{} && stop == end ? std::optional(number) : std::nullopt;
+}
 
 /// Replaces each `what` in `text` by `with`, from left to right. Replacements are not searched again.
 void replace_all(std::string& text, const std::string& what, const std::string& with);

@@ -157,7 +157,7 @@ std::optional<sky::CloudPlan> plan_clouds(const PlanInputs& in, const PagePlan& 
 
 /// Runs of solid triangles whose looks are chosen.
 template <typename Chosen>
-std::vector<raster::Batch> runs_of(const pose::MeshData& layout, const features::LookPlan& looks,
+std::vector<raster::Batch> runs_of(const pose::MeshData& layout, const features::StyleVariants& looks,
                                    const Chosen& chosen)
 {
     std::vector<raster::Batch> runs;
@@ -165,7 +165,7 @@ std::vector<raster::Batch> runs_of(const pose::MeshData& layout, const features:
         bool goes_on = false;
         for (uint32_t triangle = range->first; triangle < range->first + range->count; ++triangle) {
             const uint32_t draw = layout.triangles[triangle].w & shared::triangle_draw_mask;
-            const uint32_t look = looks.has_several() ? looks.look_of_draw[draw] : 0U;
+            const uint32_t look = looks.has_several() ? looks.variant_of_draw[draw] : 0U;
             const bool is_chosen = chosen(looks.styles[look].subsurface);
             if (is_chosen && !goes_on) {
                 runs.push_back({.first_triangle = triangle, .masked = range == &layout.masked});
@@ -179,8 +179,8 @@ std::vector<raster::Batch> runs_of(const pose::MeshData& layout, const features:
     return runs;
 }
 
-std::optional<SubsurfacePlan> plan_subsurface(const pose::MeshData& layout, const features::LookPlan& looks,
-                                              bool has_ground)
+std::optional<SubsurfacePlan> plan_subsurface(const pose::MeshData& layout,
+                                              const features::StyleVariants& looks, bool has_ground)
 {
     if (std::ranges::none_of(looks.styles,
                              [](const features::StyleTables& style) { return style.subsurface.drawn; })) {
@@ -262,8 +262,8 @@ FramePlan shrunk_plan(const FramePlan& plan, uint32_t shrink, glm::uvec2 size_px
 FramePlan plan_frame(const PlanInputs& in, PlanLists room)
 {
     const PagePlan page = plan_page(in);
-    features::LookPlan looks =
-        features::plan_looks(in.loaded.layout, in.loaded.scene, in.style, std::move(room.styles));
+    features::StyleVariants looks =
+        features::style_variants(in.loaded.layout, in.loaded.scene, in.style, std::move(room.styles));
     features::StrokePlan strokes = features::plan_strokes(in.loaded.layout, in.loaded.scene.materials, looks,
                                                           std::move(room.kind_of_draw));
     if (in.loaded.scene.terrain) {

@@ -73,7 +73,7 @@ struct LightPlan {
 
 /// Light that goes into things.
 struct SubsurfacePlan {
-    std::vector<shared::SubsurfaceLook> looks; ///< as many as LookPlan has styles
+    std::vector<shared::SubsurfaceLook> looks; ///< as many as StyleVariants has styles
     std::vector<raster::Batch> bodies;         ///< that light comes through
     std::vector<raster::Batch> clear;          ///< that what lies behind is seen through
     std::vector<raster::Batch> others;         ///< where there are such, all else that is solid
@@ -114,7 +114,7 @@ struct FramePlan {
     PagePlan page;
     RasterPlan raster;
     surface::SceneNeeds needs;
-    features::LookPlan looks;
+    features::StyleVariants looks;
     features::StrokePlan strokes;
     SunPlan sun;
     LightPlan light;

@@ -274,7 +274,7 @@ void Renderer::Impl::ensure_looks(const frame::FramePlan& plan)
         gpu::upload_items(device, "subsurface looks", plan.subsurface->looks, buffers.subsurface_looks);
     }
     if (plan.looks.has_several()) {
-        const std::vector<uint32_t>& looks = plan.looks.look_of_draw;
+        const std::vector<uint32_t>& looks = plan.looks.variant_of_draw;
         gpu::upload_items(device, "looks", looks, buffers.look_of_draw);
     }
 }

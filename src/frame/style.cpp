@@ -10,7 +10,7 @@
 
 #include "features/common/style_tables.hpp"
 #include "style/parameter.hpp"
-#include "style/sheet.hpp"
+#include "style/schema.hpp"
 #include "techniques/light/daylight.hpp"
 #include "techniques/tam/files/map_files.hpp"
 #include "techniques/tam/maker.hpp"
@@ -23,16 +23,8 @@ namespace {
 /// Nothing for a key that is none.
 std::optional<style::Value> value_of(const features::StyleTables& tables, std::string_view key)
 {
-    features::StyleTables copy = tables;
-    const style::Sheet sheet = features::sheet_of(copy);
-    for (const style::Sheet::Section& section : sheet.sections()) {
-        for (const style::Parameter& parameter : section.parameters) {
-            if (key == section.name + "." + parameter.key) {
-                return parameter.get(section.values);
-            }
-        }
-    }
-    return std::nullopt;
+    const auto [section, parameter] = features::style_schema().find(key);
+    return parameter == nullptr ? std::nullopt : std::optional(parameter->get(section->place.in(&tables)));
 }
 
 } // namespace
@@ -56,13 +48,13 @@ Style& Style::operator=(Style&&) noexcept = default;
 Style Style::load(const std::string& file_or_preset)
 {
     Style style;
-    features::sheet_of(*style.tables_).read(file_or_preset);
+    features::style_schema().read(*style.tables_, file_or_preset);
     return style;
 }
 
 void Style::set(std::string_view assignment)
 {
-    features::sheet_of(*tables_).set(assignment);
+    features::style_schema().set(*tables_, assignment);
 }
 
 double Style::number(std::string_view key) const
@@ -100,8 +92,7 @@ std::string Style::text(std::string_view key) const
 
 std::string Style::to_toml() const
 {
-    features::StyleTables copy = *tables_;
-    return features::sheet_of(copy).to_toml();
+    return features::style_schema().to_toml(*tables_);
 }
 
 SunBearing Style::sun_bearing() const
@@ -140,14 +131,12 @@ double Style::window_aspect(uint32_t width, uint32_t height) const
 
 std::string Style::help()
 {
-    features::StyleTables defaults;
-    return features::sheet_of(defaults).help();
+    return features::style_schema().help();
 }
 
 std::string Style::json_schema()
 {
-    features::StyleTables defaults;
-    return features::sheet_of(defaults).json_schema();
+    return features::style_schema().json_schema();
 }
 
 std::string Style::about(const std::string& preset)

@@ -226,7 +226,7 @@ contour::LineWidths hidden_widths_px(const contour::ContourStyle& contour, float
 }
 
 /// Of a line, by LinePoint::ink.
-glm::vec3 ink_of(uint32_t number, const Scene& scene, const features::LookPlan& looks)
+glm::vec3 ink_of(uint32_t number, const Scene& scene, const features::StyleVariants& looks)
 {
     if ((number & shared::ink_of_look) != 0) {
         return looks.styles.at(number & ~shared::ink_of_look).contour.ink;
@@ -236,7 +236,7 @@ glm::vec3 ink_of(uint32_t number, const Scene& scene, const features::LookPlan& 
 }
 
 void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene& drawn,
-               const features::LookPlan& looks, bool with_hidden_lines)
+               const features::StyleVariants& looks, bool with_hidden_lines)
 {
     const contour::ContourStyle& contour = looks.lines;
     const float px_per_mm = features::pixels_per_mm(drawn.size_px.y, looks.styles.front().paper.height_mm);
@@ -271,7 +271,7 @@ void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene&
 
 } // namespace
 
-void check_has_paths(const features::LookPlan& looks)
+void check_has_paths(const features::StyleVariants& looks)
 {
     const auto is_no_line = [](const features::StyleTables& style) {
         return style.hatch.drawn && style.hatch.strokes != hatch::Strokes::lines;
@@ -287,7 +287,7 @@ void check_has_paths(const features::LookPlan& looks)
 }
 
 void declare_stroke_lists(gpu::Graph& graph, const HatchStrokes& hatch, const LineStrokes& lines,
-                          const features::LookPlan& looks, const std::optional<StrokeHaze>& haze,
+                          const features::StyleVariants& looks, const std::optional<StrokeHaze>& haze,
                           StrokeLists& lists)
 {
     gpu::Device& device = lists.device;

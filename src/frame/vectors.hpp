@@ -34,7 +34,7 @@ struct StrokeLists {
 
 /// Throws Error when a look has strokes without paths: those of a tonal art map, and lines that are found
 /// between pixels.
-void check_has_paths(const features::LookPlan& looks);
+void check_has_paths(const features::StyleVariants& looks);
 
 /// What the strokes of hatching come from.
 struct HatchStrokes {
@@ -56,7 +56,7 @@ struct StrokeHaze {
 
 /// Declares what fills `lists` in place of a picture. The lists must outlive the graph.
 void declare_stroke_lists(gpu::Graph& graph, const HatchStrokes& hatch, const LineStrokes& chains,
-                          const features::LookPlan& looks, const std::optional<StrokeHaze>& haze,
+                          const features::StyleVariants& looks, const std::optional<StrokeHaze>& haze,
                           StrokeLists& lists);
 
 /// What strokes belong to.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <latch>
@@ -15,6 +14,8 @@
 
 #include <estampe/error.hpp>
 #include <estampe/vulkan.hpp>
+
+#include "core/text.hpp"
 
 namespace estampe::gpu {
 namespace {
@@ -175,10 +176,8 @@ const Candidate& choose(const std::vector<Candidate>& candidates, const std::str
             }
         }
     } else {
-        uint32_t index = 0;
-        const auto [end, failure] = std::from_chars(choice.data(), choice.data() + choice.size(), index);
-        const bool is_number = failure == std::errc{} && end == choice.data() + choice.size();
-        if (!is_number) {
+        const std::optional<uint32_t> index = number_from<uint32_t>(choice);
+        if (!index) {
             throw Error(fmt::format("\"{}\" is no device", choice), "device",
                         "use auto, cpu or a number of 'estampe devices'");
         }

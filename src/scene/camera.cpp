@@ -3,7 +3,6 @@
 // (estampe/views.hpp).
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -21,6 +20,7 @@
 #include <estampe/scene.hpp>
 #include <estampe/views.hpp>
 
+#include "core/text.hpp"
 #include "scene/framing.hpp"
 #include "scene/pose.hpp"
 #include "scene/view_analysis/surface_points.hpp"
@@ -103,11 +103,10 @@ double CameraWords::parse(std::string_view key, std::string_view digits) const
 {
     if (digits.starts_with('+'))
         digits.remove_prefix(1);
-    double number = 0.0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    if (error != std::errc{} || end != digits.data() + digits.size() || !(std::abs(number) <= 1e12))
+    const std::optional<double> number = number_from<double>(digits);
+    if (!number || !(std::abs(*number) <= 1e12))
         refuse(fmt::format("{}: \"{}\" is not a number up to 1e12", key, digits));
-    return number;
+    return *number;
 }
 
 std::optional<double> CameraWords::number(std::string_view key) const
@@ -172,10 +171,7 @@ std::string list_cameras(const Scene& scene)
 /// The camera of that name (its own or its node's), else the one of that number.
 Index find_camera_node(const Scene& scene, const std::string& name)
 {
-    Index number = no_index;
-    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-    if (error != std::errc{} || end != name.data() + name.size())
-        number = no_index;
+    const Index number = number_from<Index>(name).value_or(no_index);
     Index numbered = no_index;
     for (Index index = 0; index < scene.nodes.size(); ++index) {
         const Node& node = scene.nodes[index];

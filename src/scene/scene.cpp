@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <string>
 #include <string_view>
 
@@ -15,6 +14,7 @@
 
 #include "core/file.hpp"
 #include "core/long_jobs.hpp"
+#include "core/text.hpp"
 #include "scene/importers.hpp"
 #include "scene/mending/repair.hpp"
 #include "scene/scene_limits.hpp"
@@ -75,11 +75,8 @@ size_t find_variant(const Scene& scene, const std::string& variant)
     if (named != scene.variants.end()) {
         return static_cast<size_t>(named - scene.variants.begin());
     }
-    size_t number = 0;
-    const char* const end = variant.data() + variant.size();
-    const auto [stop, problem] = std::from_chars(variant.data(), end, number);
-    if (problem == std::errc{} && stop == end && number < scene.variants.size()) {
-        return number;
+    if (const auto number = number_from<size_t>(variant); number && *number < scene.variants.size()) {
+        return *number;
     }
     if (scene.variants.empty()) {
         throw Error(fmt::format("no variant \"{}\": the scene has no material variants", variant), scene.name,

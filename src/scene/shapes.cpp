@@ -223,6 +223,66 @@ void append(Primitive& whole, const Primitive& part, const glm::mat4& to_from_pa
         const uint32_t c = first + part.indices[i + 2];
         add_triangle(whole, a, mirrored ? c : b, mirrored ? b : c);
     }
+    if (whole.edge_marks.empty() && part.edge_marks.empty())
+        return;
+    whole.edge_marks.resize((whole.indices.size() - part.indices.size()) / 3);
+    for (const uint32_t marks : part.edge_marks) {
+        const uint32_t turned = (marks & 1U) << 2U | (marks & 2U) | marks >> 2U;
+        whole.edge_marks.push_back(static_cast<uint8_t>(mirrored ? turned : marks));
+    }
+    whole.edge_marks.resize(whole.indices.size() / 3);
+}
+
+glm::mat4 at(const glm::vec3& place, float turn_deg)
+{
+    return glm::rotate(glm::translate(glm::mat4(1.0F), place), glm::radians(turn_deg), {0.0F, 1.0F, 0.0F});
+}
+
+Primitive rod(const glm::vec3& a, const glm::vec3& b, float radius_a, float radius_b, uint32_t segments,
+              uint32_t rings)
+{
+    const float length = glm::distance(a, b);
+    const uint32_t steps = std::max(rings, 1U);
+    std::vector<glm::vec2> profile;
+    for (int end = 0; end < 2; ++end)
+        for (uint32_t i = 0; i <= steps; ++i) {
+            const uint32_t step = end == 0 ? i : steps - i;
+            const float angle =
+                0.5F * std::numbers::pi_v<float> * static_cast<float>(step) / static_cast<float>(steps);
+            const float radius = end == 0 ? radius_a : radius_b;
+            const float out = step == 0 ? 0.0F : radius * std::sin(angle);
+            const float along = radius * std::cos(angle);
+            profile.emplace_back(out, end == 0 ? -along : length + along);
+        }
+    const glm::vec3 y = (b - a) / length;
+    const glm::vec3 x =
+        glm::normalize(glm::cross(std::abs(y.y) < 0.9F ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, 1), y));
+    const glm::mat4 placed(glm::vec4(x, 0.0F), glm::vec4(y, 0.0F), glm::vec4(glm::cross(x, y), 0.0F),
+                           glm::vec4(a, 1.0F));
+    Primitive mesh;
+    append(mesh, lathe(profile, segments), placed);
+    return mesh;
+}
+
+void MeshBuilder::add(const MeshBuilder& other, const glm::mat4& placed)
+{
+    for (const auto& [key, primitive] : other.parts_)
+        append(part(key.first, key.second), primitive, placed);
+}
+
+Primitive& MeshBuilder::part(Index material, bool has_edge_marks)
+{
+    Primitive& primitive = parts_[{material, has_edge_marks}];
+    primitive.material = material;
+    return primitive;
+}
+
+Mesh MeshBuilder::mesh(const std::string& name) const
+{
+    Mesh mesh{.name = name};
+    for (const auto& [key, primitive] : parts_)
+        mesh.primitives.push_back(primitive);
+    return mesh;
 }
 
 namespace {

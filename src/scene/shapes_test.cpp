@@ -240,5 +240,51 @@ TEST(Shapes, AppendMirrorsWithoutTurningInsideOut)
     expect_within_percent(volume(whole), 12.0);
 }
 
+TEST(Shapes, ARodGoesFromPointToPointWithRoundEnds)
+{
+    const Primitive mesh = rod({1.0F, 0.0F, 0.0F}, {1.0F, 2.0F, 0.0F}, 0.5F, 0.5F, 64, 16);
+    expect_solid(mesh);
+    expect_within_percent(volume(mesh), pi * 0.25 * 2.0 + 4.0 / 3.0 * pi * 0.125);
+    for (const glm::vec3& place : mesh.positions) {
+        const float along = std::clamp(place.y, 0.0F, 2.0F);
+        EXPECT_NEAR(glm::distance(place, glm::vec3(1.0F, along, 0.0F)), 0.5F, 1e-5F);
+    }
+}
+
+TEST(Shapes, AppendingTurnsEdgeMarksWithTheirTriangles)
+{
+    Primitive marked = quad(1.0F, 1.0F);
+    marked.edge_marks = {0b001, 0b110};
+    Primitive whole = quad(1.0F, 1.0F);
+    append(whole, marked, glm::mat4(1.0F));
+    append(whole, marked, glm::scale(glm::mat4(1.0F), {-1.0F, 1.0F, 1.0F}));
+    append(whole, quad(1.0F, 1.0F), glm::mat4(1.0F));
+    EXPECT_EQ(whole.edge_marks, (std::vector<uint8_t>{0, 0, 0b001, 0b110, 0b100, 0b011, 0, 0}));
+}
+
+TEST(Shapes, ABuilderGathersAPrimitiveForEachMaterial)
+{
+    enum class Paint : Index { red, blue };
+    Primitive marked = quad(1.0F, 1.0F);
+    marked.edge_marks = {1, 2};
+    MeshBuilder post;
+    post.add(Paint::blue, box({1.0F, 2.0F, 1.0F}));
+    post.add(Paint::red, marked);
+    post.add(Paint::red, sphere(0.5F), at({0.0F, 2.5F, 0.0F}));
+    MeshBuilder fence;
+    fence.add(post);
+    fence.add(post, at({4.0F, 0.0F, 0.0F}, 90.0F));
+    const Mesh mesh = fence.mesh("fence");
+    EXPECT_EQ(mesh.name, "fence");
+    ASSERT_EQ(mesh.primitives.size(), 3U);
+    EXPECT_EQ(mesh.primitives[0].material, 0U);
+    EXPECT_TRUE(mesh.primitives[0].edge_marks.empty());
+    EXPECT_EQ(mesh.primitives[1].material, 0U);
+    EXPECT_EQ(mesh.primitives[1].edge_marks, (std::vector<uint8_t>{1, 2, 1, 2}));
+    EXPECT_EQ(mesh.primitives[2].material, 1U);
+    expect_within_percent(volume(mesh.primitives[2]), 4.0);
+    EXPECT_NEAR(glm::distance(mesh.primitives[1].normals.back(), glm::vec3(1.0F, 0.0F, 0.0F)), 0.0F, 1e-6F);
+}
+
 } // namespace
 } // namespace estampe::shapes

@@ -5,7 +5,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "style/sheet.hpp"
+#include "style/schema.hpp"
 #include "style/toml.hpp"
 
 namespace estampe::style {
@@ -99,10 +99,10 @@ std::string_view word_of(Surfaces::By by)
 }
 
 /// The sections whose parameters single surfaces may have otherwise.
-Json describe_surface(std::span<const Sheet::Section> sections)
+Json describe_surface(std::span<const Section> sections)
 {
     Json properties = Json::object();
-    for (const Sheet::Section& section : sections) {
+    for (const Section& section : sections) {
         Json keys = Json::object();
         for (const Parameter& parameter : section.parameters) {
             if (parameter.by_surface) {
@@ -121,11 +121,11 @@ Json describe_surface(std::span<const Sheet::Section> sections)
 }
 
 /// Lists those parameters, for the manual.
-std::string surface_help(std::span<const Sheet::Section> sections)
+std::string surface_help(std::span<const Section> sections)
 {
     std::string text = "Parameters that may differ by material or object, in a section such as "
                        "[material.\"brick*\".hatch]:\n";
-    for (const Sheet::Section& section : sections) {
+    for (const Section& section : sections) {
         std::vector<std::string> keys;
         for (const Parameter& parameter : section.parameters) {
             if (parameter.by_surface) {
@@ -143,12 +143,14 @@ std::string surface_help(std::span<const Sheet::Section> sections)
 
 } // namespace
 
-std::string Sheet::to_toml() const
+std::string AnySchema::write_any(const void* values) const
 {
+    static const std::vector<Override> none;
+    const auto& overrides =
+        overrides_ ? *static_cast<const std::vector<Override>*>(overrides_->in(values)) : none;
     std::string text;
     // Before all sections, where keys of several levels may stand in any order.
-    for (size_t i = 0; overrides_ != nullptr && i < overrides_->size(); ++i) {
-        const Override& change = (*overrides_)[i];
+    for (const Override& change : overrides) {
         text += fmt::format("{}.{}.{}.{} = {}\n", word_of(change.surfaces.by),
                             format_value(change.surfaces.pattern), change.section, change.key,
                             format_value(change.value));
@@ -156,13 +158,14 @@ std::string Sheet::to_toml() const
     for (const Section& section : sections_) {
         text += fmt::format("{}# {}\n[{}]\n", text.empty() ? "" : "\n", section.help, section.name);
         for (const Parameter& parameter : section.parameters) {
-            text += fmt::format("{} = {}\n", parameter.key, format_value(parameter.get(section.values)));
+            text += fmt::format("{} = {}\n", parameter.key,
+                                format_value(parameter.get(section.place.in(values))));
         }
     }
     return text;
 }
 
-std::string Sheet::help() const
+std::string AnySchema::help() const
 {
     constexpr size_t widest_range = 28;
     size_t key_width = 0;
@@ -187,13 +190,13 @@ std::string Sheet::help() const
                             range_width, default_column(parameter), default_width, parameter.help);
         }
     }
-    if (overrides_ != nullptr) {
+    if (overrides_) {
         text += fmt::format("\n{}", surface_help(sections_));
     }
     return text;
 }
 
-std::string Sheet::json_schema() const
+std::string AnySchema::json_schema() const
 {
     Json properties;
     properties["extends"] = {
@@ -215,7 +218,7 @@ std::string Sheet::json_schema() const
                    {"type", "object"},
                    {"properties", properties},
                    {"additionalProperties", false}};
-    if (overrides_ != nullptr) {
+    if (overrides_) {
         schema["$defs"]["surface"] = describe_surface(sections_);
         const Json patterns = {{"type", "object"}, {"additionalProperties", {{"$ref", "#/$defs/surface"}}}};
         schema["properties"]["material"] = patterns;

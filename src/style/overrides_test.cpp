@@ -15,30 +15,29 @@ struct Sample {
     test::LineStyle line;
     std::vector<Override> overrides;
 
-    [[nodiscard]] Sheet sheet()
-    {
-        static const Table<test::HatchStyle> hatch_table = [] {
-            Table<test::HatchStyle> table = test::hatch_table();
-            return table.by_surface_but({"seed"});
-        }();
-        static const Table<test::LineStyle> line_table = [] {
-            Table<test::LineStyle> table = test::line_table();
-            return table.by_surface({"width_mm"});
-        }();
-        Sheet bound;
-        bound.bind(hatch_table, hatch);
-        bound.bind(line_table, line);
-        bound.bind_overrides(overrides);
-        return bound;
-    }
-
-    void read(const std::string& text) { sheet().read_toml_text(text, "a.toml"); }
+    void read(const std::string& text);
 
     [[nodiscard]] std::string error_of(const std::string& text)
     {
         return test::message_of([&] { read(text); });
     }
 };
+
+const Schema<Sample>& schema()
+{
+    static const Table<test::HatchStyle> hatch_table = Table(test::hatch_table()).by_surface_but({"seed"});
+    static const Table<test::LineStyle> line_table = Table(test::line_table()).by_surface({"width_mm"});
+    static const auto schema = Schema<Sample>()
+                                   .section(hatch_table, &Sample::hatch)
+                                   .section(line_table, &Sample::line)
+                                   .overrides(&Sample::overrides);
+    return schema;
+}
+
+void Sample::read(const std::string& text)
+{
+    schema().read_text(*this, text, "a.toml");
+}
 
 Override hatch_width(By by, const std::string& pattern, float width_mm)
 {
@@ -64,7 +63,7 @@ TEST(StyleOverrides, OfTheSameTheLastHolds)
 {
     Sample sample;
     sample.read("material.a.hatch.width_mm = 1\nmaterial.b.hatch.width_mm = 2\n");
-    sample.sheet().set("material.a.hatch.width_mm=3");
+    schema().set(sample, "material.a.hatch.width_mm=3");
     const std::vector<Override> expected{hatch_width(By::material, "b", 2.0F),
                                          hatch_width(By::material, "a", 3.0F)};
     EXPECT_EQ(sample.overrides, expected);
@@ -73,8 +72,8 @@ TEST(StyleOverrides, OfTheSameTheLastHolds)
 TEST(StyleOverrides, AreSetByPatternsWithDotsAndQuotesToo)
 {
     Sample sample;
-    sample.sheet().set("object.wall.001.hatch.width_mm=1");
-    sample.sheet().set("object.\"a b\".hatch.width_mm = 2");
+    schema().set(sample, "object.wall.001.hatch.width_mm=1");
+    schema().set(sample, "object.\"a b\".hatch.width_mm = 2");
     const std::vector<Override> expected{hatch_width(By::object, "wall.001", 1.0F),
                                          hatch_width(By::object, "a b", 2.0F)};
     EXPECT_EQ(sample.overrides, expected);
@@ -87,7 +86,7 @@ TEST(StyleOverrides, AreWrittenSoThatTheyReadBackInTheirOrder)
                 "material.\"a \\\"b\\\".*\".hatch.ink = \"#102030\"\n");
     ASSERT_EQ(sample.overrides.size(), 3U);
     Sample again;
-    again.read(sample.sheet().to_toml());
+    again.read(schema().to_toml(sample));
     EXPECT_EQ(again.overrides, sample.overrides);
     EXPECT_EQ(again.hatch, sample.hatch);
 }
@@ -95,7 +94,7 @@ TEST(StyleOverrides, AreWrittenSoThatTheyReadBackInTheirOrder)
 TEST(StyleOverrides, GoToTheirParameter)
 {
     Sample sample;
-    sample.sheet().apply(hatch_width(By::all, "", 1.5F));
+    schema().apply(sample, hatch_width(By::all, "", 1.5F));
     EXPECT_EQ(sample.hatch.width_mm, 1.5F);
     EXPECT_EQ(sample.line, test::LineStyle());
 }
@@ -116,7 +115,7 @@ TEST(StyleOverrides, MistakesSayWhereAndWhat)
               "[object.\"brick*\".hatch]");
     EXPECT_EQ(sample.error_of("[object.tower.hatch]\nseed = 1\n"),
               "a.toml:2:1: \"hatch.seed\" is the same all over the picture; put it below a line [hatch]");
-    EXPECT_EQ(test::message_of([&] { sample.sheet().set("material.a.line.wobble=0.5"); }),
+    EXPECT_EQ(test::message_of([&] { schema().set(sample, "material.a.line.wobble=0.5"); }),
               "--set: \"line.wobble\" is the same all over the picture; put it below a line [line]");
     EXPECT_TRUE(sample.overrides.empty());
 }
@@ -125,22 +124,22 @@ TEST(StyleOverrides, AreAnErrorWhereNothingDiffers)
 {
     test::Styles plain;
     EXPECT_EQ(test::message_of(
-                  [&] { plain.sheet().read_toml_text("[material.a.hatch]\nwidth_mm = 1\n", "a.toml"); }),
+                  [&] { test::schema().read_text(plain, "[material.a.hatch]\nwidth_mm = 1\n", "a.toml"); }),
               "a.toml:1:13: nothing here differs from surface to surface; sections are hatch, line");
 }
 
 TEST(StyleOverrides, AreInTheSchemaAndTheManual)
 {
     Sample sample;
-    const auto schema = nlohmann::json::parse(sample.sheet().json_schema());
-    const auto& sections = schema["$defs"]["surface"]["properties"];
+    const auto json = nlohmann::json::parse(schema().json_schema());
+    const auto& sections = json["$defs"]["surface"]["properties"];
     EXPECT_TRUE(sections["hatch"]["properties"].contains("width_mm"));
     EXPECT_FALSE(sections["hatch"]["properties"].contains("seed"));
     EXPECT_FALSE(sections["line"]["properties"].contains("wobble"));
     for (const char* by : {"material", "object"}) {
-        EXPECT_EQ(schema["properties"][by]["additionalProperties"]["$ref"], "#/$defs/surface");
+        EXPECT_EQ(json["properties"][by]["additionalProperties"]["$ref"], "#/$defs/surface");
     }
-    EXPECT_NE(sample.sheet().help().find("\n  line: width_mm\n"), std::string::npos);
+    EXPECT_NE(schema().help().find("\n  line: width_mm\n"), std::string::npos);
 }
 
 TEST(StyleOverrides, PatternsAreThoseOfFileNames)

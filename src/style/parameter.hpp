@@ -81,7 +81,7 @@ struct Parameter {
 ///         return table;
 ///     }
 ///
-/// The defaults are those of a default-constructed Style; they must lie within the ranges (Sheet::bind
+/// The defaults are those of a default-constructed Style; they must lie within the ranges (Schema
 /// asserts it).
 template <typename Style>
 class Table {

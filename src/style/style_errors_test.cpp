@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "style/sheet.hpp"
+#include "style/schema.hpp"
 #include "style/style_test_support.hpp"
 #include "support/folder.hpp"
 
@@ -16,7 +16,7 @@ std::string read_error(const std::string& text)
 {
     Styles styles;
     const Styles before = styles;
-    std::string message = message_of([&] { styles.sheet().read_toml_text(text, "ink.toml"); });
+    std::string message = message_of([&] { schema().read_text(styles, text, "ink.toml"); });
     EXPECT_EQ(styles, before) << "a failed read changed a value";
     return message;
 }
@@ -24,7 +24,7 @@ std::string read_error(const std::string& text)
 std::string set_error(const std::string& assignment)
 {
     Styles styles;
-    return message_of([&] { styles.sheet().set(assignment); });
+    return message_of([&] { schema().set(styles, assignment); });
 }
 
 /// A folder of its own for one test, removed afterwards.
@@ -205,12 +205,12 @@ TEST_F(StyleFiles, ExtendsPutsTheBaseFirst)
     const auto top = write("top.toml", "hatch.layers = 2\n");
     const auto path = write("sub/top.toml", "line.width_mm = 1\nextends = \"./middle.toml\"");
     Styles styles;
-    styles.sheet().read_toml_file(path);
+    schema().read(styles, path.string());
     EXPECT_EQ(styles.hatch.layers, 5);
     EXPECT_FALSE(styles.hatch.cross);
     EXPECT_EQ(styles.line.wobble, 0.25F);
     EXPECT_EQ(styles.line.width_mm, 1.0F);
-    styles.sheet().read(top.string());
+    schema().read(styles, top.string());
     EXPECT_EQ(styles.hatch.layers, 2);
 }
 
@@ -220,10 +220,10 @@ TEST_F(StyleFiles, ExtendsMayNotGoInACircle)
     const auto first = write("first.toml", "\nextends = \"./second.toml\"");
     write("second.toml", "extends = \"first.toml\"");
     Styles styles;
-    EXPECT_EQ(message_of([&] { styles.sheet().read_toml_file(itself); }),
+    EXPECT_EQ(message_of([&] { schema().read(styles, itself.string()); }),
               fmt::format("{0}:1:11: extends goes in a circle: {0} -> {0}; remove one extends line",
                           itself.string()));
-    EXPECT_NE(message_of([&] { styles.sheet().read_toml_file(first); }).find("in a circle"),
+    EXPECT_NE(message_of([&] { schema().read(styles, first.string()); }).find("in a circle"),
               std::string::npos);
 }
 
@@ -231,7 +231,7 @@ TEST_F(StyleFiles, ExtendsOfNothing)
 {
     const auto path = write("a.toml", "extends = \"missing.toml\"");
     Styles styles;
-    const std::string message = message_of([&] { styles.sheet().read_toml_file(path); });
+    const std::string message = message_of([&] { schema().read(styles, path.string()); });
     EXPECT_TRUE(message.starts_with(path.string() + ":1:11: ")) << message;
     EXPECT_NE(message.find("missing.toml: cannot open"), std::string::npos) << message;
     EXPECT_NE(read_error("extends = 3").find("is not a name"), std::string::npos);
@@ -242,21 +242,23 @@ TEST_F(StyleFiles, ExtendsOfNothing)
 TEST_F(StyleFiles, FilesThatCannotBeStyles)
 {
     Styles styles;
-    Sheet sheet = styles.sheet();
     EXPECT_NE(message_of([&] {
-                  sheet.read((folder_ / "none.toml").string());
+                  schema().read(styles, (folder_ / "none.toml").string());
               }).find("none.toml: cannot open: No such file"),
               std::string::npos);
-    EXPECT_NE(message_of([&] { sheet.read("no_preset_of_this_name"); }).find("no preset or style file"),
-              std::string::npos);
-    EXPECT_NE(message_of([&] { sheet.read(folder_.path().string()); }).find("is not a regular file"),
-              std::string::npos);
+    EXPECT_NE(
+        message_of([&] { schema().read(styles, "no_preset_of_this_name"); }).find("no preset or style file"),
+        std::string::npos);
+    EXPECT_NE(
+        message_of([&] { schema().read(styles, folder_.path().string()); }).find("is not a regular file"),
+        std::string::npos);
     const auto huge = write("huge.toml", "");
     std::filesystem::resize_file(huge, uintmax_t{1} << 40);
-    EXPECT_NE(message_of([&] { sheet.read(huge.string()); }).find("more than the limit of 1048576"),
-              std::string::npos);
-    EXPECT_NE(message_of([&] { sheet.read("/dev/zero/"); }), "");
-    EXPECT_NE(message_of([&] { sheet.read(""); }), "");
+    EXPECT_NE(
+        message_of([&] { schema().read(styles, huge.string()); }).find("more than the limit of 1048576"),
+        std::string::npos);
+    EXPECT_NE(message_of([&] { schema().read(styles, "/dev/zero/"); }), "");
+    EXPECT_NE(message_of([&] { schema().read(styles, ""); }), "");
 }
 
 } // namespace

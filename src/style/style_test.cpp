@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "style/names.hpp"
-#include "style/sheet.hpp"
+#include "style/schema.hpp"
 #include "style/style_test_support.hpp"
 #include "style/toml.hpp"
 
@@ -27,17 +27,16 @@ TEST(StyleTable, DefaultsAreThoseOfTheStructAndLieInRange)
 TEST(StyleTable, ADefaultOutOfRangeIsCaught)
 {
 #ifndef NDEBUG
-    LineStyle style;
     const auto broken =
         Table<LineStyle>("line", "").number("width_mm", &LineStyle::width_mm, {1.0F, 2.0F}, "", "");
-    EXPECT_DEATH(Sheet().bind(broken, style), "minimum");
+    EXPECT_DEATH(Schema<LineStyle>{broken}, "minimum");
 #endif
 }
 
 TEST(StyleRead, EveryKindOfParameter)
 {
     Styles styles;
-    styles.sheet().read_toml_text(R"(
+    schema().read_text(styles, R"(
         line.wobble = 1
         [hatch]
         width_mm = 2
@@ -48,7 +47,7 @@ TEST(StyleRead, EveryKindOfParameter)
         ink = "#FF0000"
         wash = [0, 0.5, 1.0]
         coordinates = 'uv')",
-                                  "ink.toml");
+                       "ink.toml");
     EXPECT_EQ(styles.line.wobble, 1.0F);
     EXPECT_EQ(styles.hatch.width_mm, 2.0F);
     EXPECT_EQ(styles.hatch.tone_floor, 0.7F);
@@ -63,8 +62,8 @@ TEST(StyleRead, EveryKindOfParameter)
 TEST(StyleRead, AnEmptyTextChangesNothing)
 {
     Styles styles;
-    styles.sheet().read_toml_text("", "empty");
-    styles.sheet().read_toml_text("[hatch]\n# nothing\n", "empty");
+    schema().read_text(styles, "", "empty");
+    schema().read_text(styles, "[hatch]\n# nothing\n", "empty");
     EXPECT_EQ(styles, Styles());
 }
 
@@ -80,13 +79,13 @@ TEST(StyleWrite, ReadsBackEqual)
                     srgb(0x0c80fe),
                     Coordinates::projected};
     Styles copy;
-    copy.sheet().read_toml_text(styles.sheet().to_toml(), "copy");
+    schema().read_text(copy, schema().to_toml(styles), "copy");
     EXPECT_EQ(copy, styles);
-    EXPECT_NE(styles.sheet().to_toml().find("wash = \"#0c80fe\""), std::string::npos);
+    EXPECT_NE(schema().to_toml(styles).find("wash = \"#0c80fe\""), std::string::npos);
 
     Styles defaults;
     Styles defaults_copy = styles;
-    defaults_copy.sheet().read_toml_text(defaults.sheet().to_toml(), "copy");
+    schema().read_text(defaults_copy, schema().to_toml(defaults), "copy");
     EXPECT_EQ(defaults_copy, defaults);
 }
 
@@ -100,37 +99,34 @@ TEST(StyleText, IsTakenAsItIsAndFilesAreFoundBesideTheTextThatNamesThem)
     const auto table = Table<WordStyle>("word", "Words")
                            .text("words", &WordStyle::words, "Words")
                            .file("picture", &WordStyle::picture, "A picture");
+    const Schema<WordStyle> schema(table);
     WordStyle style;
-    Sheet sheet;
-    sheet.bind(table, style);
-    sheet.read_toml_text("[word]\nwords = \"a \\\"b\\\" \\\\\"\npicture = \"nib.png\"", "styles/mine.toml");
+    schema.read_text(style, "[word]\nwords = \"a \\\"b\\\" \\\\\"\npicture = \"nib.png\"",
+                     "styles/mine.toml");
     EXPECT_EQ(style.words, "a \"b\" \\");
     EXPECT_EQ(style.picture, "styles/nib.png");
     WordStyle copy;
-    Sheet copied;
-    copied.bind(table, copy);
-    copied.read_toml_text(sheet.to_toml(), "copy");
+    schema.read_text(copy, schema.to_toml(style), "copy");
     EXPECT_EQ(copy.words, style.words);
     EXPECT_EQ(copy.picture, style.picture);
-    sheet.set("word.picture=other.png");
+    schema.set(style, "word.picture=other.png");
     EXPECT_EQ(style.picture, "other.png");
-    EXPECT_NE(message_of([&] { sheet.set("word.words=\"a\\u0007\""); }), "");
+    EXPECT_NE(message_of([&] { schema.set(style, "word.words=\"a\\u0007\""); }), "");
 }
 
 TEST(StyleText, NamesMayStandInPlaceOfAFile)
 {
     const auto table = Table<WordStyle>("word", "Words")
                            .file_or_name("picture", &WordStyle::picture, {"pen", "pencil"}, "A picture");
+    const Schema<WordStyle> schema(table);
     WordStyle style;
-    Sheet sheet;
-    sheet.bind(table, style);
-    sheet.read_toml_text("[word]\npicture = \"pencil\"", "styles/mine.toml");
+    schema.read_text(style, "[word]\npicture = \"pencil\"", "styles/mine.toml");
     EXPECT_EQ(style.picture, "pencil");
-    sheet.read_toml_text("[word]\npicture = \"nib.png\"", "styles/mine.toml");
+    schema.read_text(style, "[word]\npicture = \"nib.png\"", "styles/mine.toml");
     EXPECT_EQ(style.picture, "styles/nib.png");
-    sheet.set("word.picture=");
+    schema.set(style, "word.picture=");
     EXPECT_EQ(style.picture, "");
-    const std::string message = message_of([&] { sheet.set("word.picture=pencli"); });
+    const std::string message = message_of([&] { schema.set(style, "word.picture=pencli"); });
     EXPECT_NE(message.find("did you mean \"pencil\"?"), std::string::npos) << message;
     EXPECT_NE(message.find("pen, pencil, or the path of a file"), std::string::npos) << message;
 }
@@ -141,7 +137,7 @@ TEST(StyleWrite, AnyColorReadsBackEqual)
         const float part = static_cast<float>(i) / 1000.0F;
         const glm::vec3 color{part, part * part, 1.0F - part};
         Styles styles;
-        styles.sheet().set("hatch.ink=" + format_color(color));
+        schema().set(styles, "hatch.ink=" + format_color(color));
         EXPECT_EQ(styles.hatch.ink, color) << format_color(color);
     }
     for (uint32_t byte = 0; byte < 256; ++byte) {
@@ -152,47 +148,56 @@ TEST(StyleWrite, AnyColorReadsBackEqual)
 TEST(StyleSet, TakesTomlValuesAndBareWords)
 {
     Styles styles;
-    Sheet sheet = styles.sheet();
-    sheet.set("hatch.width_mm=0.5");
-    sheet.set(" hatch.layers = 2 ");
-    sheet.set("hatch.cross=false");
-    sheet.set("hatch.ink=#ffffff");
-    sheet.set("hatch.wash=[1, 0, 0]");
-    sheet.set("hatch.coordinates=projected");
+    schema().set(styles, "hatch.width_mm=0.5");
+    schema().set(styles, " hatch.layers = 2 ");
+    schema().set(styles, "hatch.cross=false");
+    schema().set(styles, "hatch.ink=#ffffff");
+    schema().set(styles, "hatch.wash=[1, 0, 0]");
+    schema().set(styles, "hatch.coordinates=projected");
     EXPECT_EQ(styles.hatch.width_mm, 0.5F);
     EXPECT_EQ(styles.hatch.layers, 2);
     EXPECT_FALSE(styles.hatch.cross);
     EXPECT_EQ(styles.hatch.ink, glm::vec3(1.0F));
     EXPECT_EQ(styles.hatch.wash, glm::vec3(1.0F, 0.0F, 0.0F));
     EXPECT_EQ(styles.hatch.coordinates, Coordinates::projected);
-    sheet.set("hatch.coordinates=\"uv\"");
-    sheet.set("hatch.ink='#000'");
+    schema().set(styles, "hatch.coordinates=\"uv\"");
+    schema().set(styles, "hatch.ink='#000'");
     EXPECT_EQ(styles.hatch.coordinates, Coordinates::uv);
     EXPECT_EQ(styles.hatch.ink, glm::vec3(0.0F));
 }
 
 TEST(StyleHelp, NamesEveryParameterInColumns)
 {
-    Styles styles;
-    const Sheet sheet = styles.sheet();
-    const std::string help = sheet.help();
+    const std::string help = schema().help();
     EXPECT_NE(help.find("hatch: Pen strokes that carry the tone\n"), std::string::npos);
     EXPECT_NE(help.find("  hatch.width_mm     number   0.02 to 10 mm        0.35"), std::string::npos)
         << help;
     EXPECT_NE(help.find("  hatch.ink          colour   #rrggbb              #1b1a22"), std::string::npos)
         << help;
-    for (const Sheet::Section& section : sheet.sections()) {
+    for (const Section& section : schema().sections()) {
         for (const Parameter& parameter : section.parameters) {
             EXPECT_NE(help.find("  " + section.name + "." + parameter.key + " "), std::string::npos);
         }
     }
 }
 
+TEST(StyleSchema, FindsParametersByTheirFullKey)
+{
+    const auto [section, parameter] = schema().find("line.wobble");
+    ASSERT_NE(parameter, nullptr);
+    Styles styles;
+    styles.line.wobble = 0.25F;
+    EXPECT_EQ(parameter->get(section->place.in(&styles)), Value(0.25F));
+    for (const char* key : {"", ".", "line", "line.", "wobble", ".wobble", "line.wobble.", "hatch.wobble"}) {
+        EXPECT_EQ(schema().find(key).parameter, nullptr) << key;
+    }
+    EXPECT_NE(message_of([&] { schema().read_text(styles, "\"line.wobble\" = 1", "ink.toml"); }), "");
+}
+
 TEST(StyleSchema, SaysWhatTheReaderAllows)
 {
-    Styles styles;
-    const auto schema = nlohmann::json::parse(styles.sheet().json_schema());
-    const auto& hatch = schema["properties"]["hatch"]["properties"];
+    const auto json = nlohmann::json::parse(schema().json_schema());
+    const auto& hatch = json["properties"]["hatch"]["properties"];
     EXPECT_EQ(hatch["width_mm"]["type"], "number");
     EXPECT_EQ(hatch["width_mm"]["minimum"], 0.02);
     EXPECT_EQ(hatch["width_mm"]["maximum"], 10.0);
@@ -200,8 +205,8 @@ TEST(StyleSchema, SaysWhatTheReaderAllows)
     EXPECT_EQ(hatch["seed"]["maximum"], 4294967295U);
     EXPECT_EQ(hatch["coordinates"]["enum"].size(), 3U);
     EXPECT_EQ(hatch["ink"]["default"], "#1b1a22");
-    EXPECT_EQ(schema["properties"]["hatch"]["additionalProperties"], false);
-    EXPECT_TRUE(schema["properties"].contains("extends"));
+    EXPECT_EQ(json["properties"]["hatch"]["additionalProperties"], false);
+    EXPECT_TRUE(json["properties"].contains("extends"));
 }
 
 TEST(StylePresets, HaveNamesAndTexts)

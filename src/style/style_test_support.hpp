@@ -6,7 +6,7 @@
 #include <estampe/error.hpp>
 #include <gtest/gtest.h>
 
-#include "style/sheet.hpp"
+#include "style/schema.hpp"
 
 namespace estampe::style::test {
 
@@ -64,16 +64,15 @@ struct Styles {
     HatchStyle hatch;
     LineStyle line;
 
-    [[nodiscard]] Sheet sheet()
-    {
-        Sheet bound;
-        bound.bind(hatch_table(), hatch);
-        bound.bind(line_table(), line);
-        return bound;
-    }
-
     bool operator==(const Styles&) const = default;
 };
+
+inline const Schema<Styles>& schema()
+{
+    static const auto schema =
+        Schema<Styles>().section(hatch_table(), &Styles::hatch).section(line_table(), &Styles::line);
+    return schema;
+}
 
 /// The message of the Error that `action` throws, which has to be a single line; empty when it throws none.
 template <typename Action>

@@ -24,12 +24,13 @@ estampe::style::Source resolve_presets(const std::string& name, const std::strin
 }
 
 /// What is left after a text or an assignment must be a style that reads back.
-void expect_whole(estampe::features::StyleTables& tables)
+void expect_whole(const estampe::features::StyleTables& tables)
 {
-    const std::string text = estampe::features::sheet_of(tables).to_toml();
+    const auto& schema = estampe::features::style_schema();
+    const std::string text = schema.to_toml(tables);
     estampe::features::StyleTables again;
-    estampe::features::sheet_of(again).read_toml_text(text, "again", resolve_presets);
-    if (estampe::features::sheet_of(again).to_toml() != text) {
+    schema.read_text(again, text, "again", resolve_presets);
+    if (schema.to_toml(again) != text) {
         std::abort();
     }
 }
@@ -39,16 +40,17 @@ void expect_whole(estampe::features::StyleTables& tables)
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
+    const auto& schema = estampe::features::style_schema();
     estampe::features::StyleTables tables;
     try {
         if (text.starts_with('!')) { // lines for --set
             for (size_t at = 1; at < text.size();) {
                 const size_t end = std::min(text.size(), text.find('\n', at));
-                estampe::features::sheet_of(tables).set(text.substr(at, end - at));
+                schema.set(tables, text.substr(at, end - at));
                 at = end + 1;
             }
         } else {
-            estampe::features::sheet_of(tables).read_toml_text(text, "fuzz.toml", resolve_presets);
+            schema.read_text(tables, text, "fuzz.toml", resolve_presets);
         }
     } catch (const estampe::Error&) {
     }

@@ -41,7 +41,7 @@ expect_refused() {
     rm "$tree/$1"
 }
 expect_refused src/core/bad.cpp scene/scene.hpp
-expect_refused src/scene/bad.cpp style/sheet.hpp
+expect_refused src/scene/bad.cpp style/schema.hpp
 expect_refused src/gpu/bad.hpp techniques/hatch/hatch.hpp
 expect_refused src/techniques/hatch/bad.cpp techniques/light/light.hpp
 expect_refused src/techniques/hatch/bad.comp techniques/light/light.glsl.h

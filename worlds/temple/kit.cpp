@@ -2,12 +2,6 @@
 #include "kit.hpp"
 
 #include <array>
-#include <cmath>
-#include <numbers>
-
-#include <glm/gtc/matrix_transform.hpp>
-
-#include <estampe/shapes.hpp>
 
 namespace temple {
 namespace {
@@ -45,27 +39,10 @@ std::vector<estampe::Material> materials()
     return all;
 }
 
-void Kit::add(Stuff stuff, const estampe::Primitive& shape, const glm::mat4& placed)
-{
-    const bool is_marked = !shape.edge_marks.empty();
-    estampe::Primitive& part = parts_[{stuff, is_marked}];
-    part.material = static_cast<estampe::Index>(stuff);
-    estampe::shapes::append(part, shape, placed);
-    part.edge_marks.insert(part.edge_marks.end(), shape.edge_marks.begin(), shape.edge_marks.end());
-}
-
-void Kit::add(const Kit& other, const glm::mat4& placed)
-{
-    for (const auto& [key, part] : other.parts_) {
-        add(key.first, part, placed);
-    }
-}
-
 void Kit::add_face(Stuff stuff, std::span<const glm::vec3> corners, const glm::vec3& normal,
                    const Grain& grain, uint32_t drawn)
 {
-    estampe::Primitive& part = parts_[{stuff, true}];
-    part.material = static_cast<estampe::Index>(stuff);
+    estampe::Primitive& part = this->part(static_cast<estampe::Index>(stuff), true);
     const auto first = static_cast<uint32_t>(part.positions.size());
     for (const glm::vec3& corner : corners) {
         part.positions.push_back(corner);
@@ -81,57 +58,6 @@ void Kit::add_face(Stuff stuff, std::span<const glm::vec3> corners, const glm::v
         const uint32_t to_first = k + 2 == count ? drawn >> (k + 1) & 1U : 0U;
         part.edge_marks.push_back(static_cast<uint8_t>(from_first | middle << 1U | to_first << 2U));
     }
-}
-
-estampe::Mesh Kit::mesh(const std::string& name) const
-{
-    estampe::Mesh mesh;
-    mesh.name = name;
-    for (const auto& [key, part] : parts_) {
-        mesh.primitives.push_back(part);
-    }
-    return mesh;
-}
-
-size_t Kit::triangles() const
-{
-    size_t indices = 0;
-    for (const auto& [key, part] : parts_) {
-        indices += part.indices.size();
-    }
-    return indices / 3;
-}
-
-glm::mat4 at(const glm::vec3& place, float turn_deg)
-{
-    return glm::rotate(glm::translate(glm::mat4(1.0F), place), glm::radians(turn_deg), {0.0F, 1.0F, 0.0F});
-}
-
-estampe::Primitive rod(const glm::vec3& a, const glm::vec3& b, float radius_a, float radius_b,
-                       uint32_t segments)
-{
-    constexpr int steps = 3;
-    const float length = glm::distance(a, b);
-    std::vector<glm::vec2> profile;
-    for (int end = 0; end < 2; ++end) {
-        for (int i = 0; i <= steps; ++i) {
-            const int step = end == 0 ? i : steps - i;
-            const float angle =
-                0.5F * std::numbers::pi_v<float> * static_cast<float>(step) / static_cast<float>(steps);
-            const float radius = end == 0 ? radius_a : radius_b;
-            const float out = step == 0 ? 0.0F : radius * std::sin(angle);
-            const float along = radius * std::cos(angle);
-            profile.emplace_back(out, end == 0 ? -along : length + along);
-        }
-    }
-    const glm::vec3 y = (b - a) / length;
-    const glm::vec3 x =
-        glm::normalize(glm::cross(std::abs(y.y) < 0.9F ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, 1), y));
-    const glm::mat4 placed(glm::vec4(x, 0.0F), glm::vec4(y, 0.0F), glm::vec4(glm::cross(x, y), 0.0F),
-                           glm::vec4(a, 1.0F));
-    estampe::Primitive mesh;
-    estampe::shapes::append(mesh, estampe::shapes::lathe(profile, segments), placed);
-    return mesh;
 }
 
 void add_block(Kit& kit, Stuff stuff, const glm::vec3& low, const glm::vec3& high)

@@ -36,7 +36,7 @@ public:
         for (const glm::vec2 side :
              {glm::vec2(0.24F, 0.0F), glm::vec2(-0.12F, 0.2F), glm::vec2(-0.12F, -0.2F)}) {
             lamps_.kit.add(Stuff::iron, rod(place_m + glm::vec3(side.x, 0.0F, side.y),
-                                            {place_m.x, ceiling_m, place_m.z}, 0.012F, 0.012F, 5));
+                                            {place_m.x, ceiling_m, place_m.z}, 0.012F, 0.012F, 5, 3));
         }
         lamps_.flames.push_back({place_m + glm::vec3(0.0F, -0.06F, 0.0F), false});
         light(place_m + glm::vec3(0.0F, 0.22F, 0.0F), candela, false);

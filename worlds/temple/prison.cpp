@@ -183,13 +183,13 @@ void add_bars(Kit& kit, const Plan& plan, const Door& door)
     for (int i = 0; i < bars; ++i) {
         const float share = (static_cast<float>(i) + 0.5F) / bars * 2.0F - 1.0F;
         const glm::vec2 foot = door.place_m + share * door.half_m * along;
-        kit.add(Stuff::iron, rod({foot.x, floor_m, foot.y}, {foot.x, top_m, foot.y}, 0.035F, 0.035F, 6));
+        kit.add(Stuff::iron, rod({foot.x, floor_m, foot.y}, {foot.x, top_m, foot.y}, 0.035F, 0.035F, 6, 3));
     }
     for (const float height_m : {0.35F, 0.62F}) {
         const glm::vec2 from = door.place_m - door.half_m * along;
         const glm::vec2 to = door.place_m + door.half_m * along;
         const float y = glm::mix(floor_m, top_m, height_m);
-        kit.add(Stuff::iron, rod({from.x, y, from.y}, {to.x, y, to.y}, 0.04F, 0.04F, 6));
+        kit.add(Stuff::iron, rod({from.x, y, from.y}, {to.x, y, to.y}, 0.04F, 0.04F, 6, 3));
     }
 }
 

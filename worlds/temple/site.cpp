@@ -25,7 +25,7 @@ void add_egg(Kit& kit, const glm::mat4& placed, const glm::vec3& half_m)
 
 void limb(Kit& kit, const glm::vec3& a, const glm::vec3& b, float radius_a, float radius_b)
 {
-    kit.add(Stuff::marble, rod(a, b, radius_a, radius_b, 24));
+    kit.add(Stuff::marble, rod(a, b, radius_a, radius_b, 24, 3));
 }
 
 /// A giant on a throne, broken at the breast, 9 m to the knees' height of a house.
@@ -420,7 +420,7 @@ void add_statues(Site& site, uint64_t seed)
 void add_pole(Site& site, Kit& kit, const glm::vec3& foot, float height_m, const glm::vec2& cloth_m)
 {
     kit.add(Stuff::iron,
-            rod(foot - glm::vec3(0, 2.5F, 0), foot + glm::vec3(0, height_m, 0), 0.08F, 0.055F, 8));
+            rod(foot - glm::vec3(0, 2.5F, 0), foot + glm::vec3(0, height_m, 0), 0.08F, 0.055F, 8, 3));
     kit.add(Stuff::iron, shapes::sphere(0.17F, 10, 6), at(foot + glm::vec3(0, height_m + 0.12F, 0)));
     // It begins as the wind would have it.
     const glm::vec3 along = cloth_m.x * glm::normalize(glm::vec3(-0.94F, 0.0F, -0.34F));
@@ -444,7 +444,8 @@ void add_flags(Site& site, uint64_t seed)
     // Banners hang between the arches of the western arcade.
     for (const float z : {-18.6F, -7.4F, 3.8F, 15.0F}) {
         const float x = court_west_m + 0.85F;
-        poles.add(Stuff::iron, rod({x - 0.4F, 7.62F, z + 0.9F}, {x - 0.4F, 7.62F, z - 0.9F}, 0.04F, 0.04F, 6),
+        poles.add(Stuff::iron,
+                  rod({x - 0.4F, 7.62F, z + 0.9F}, {x - 0.4F, 7.62F, z - 0.9F}, 0.04F, 0.04F, 6, 3),
                   glm::translate(glm::mat4(1.0F), {0.42F, 0.0F, 0.0F}));
         site.sheets.push_back({{x + 0.06F, 7.6F, z + 0.75F}, {0.0F, 0.0F, -1.5F}, {0.0F, -3.3F, 0.0F}, true});
     }

@@ -23,38 +23,38 @@ const style::Table<PictureStyle>& picture_table()
     return table;
 }
 
-style::Sheet sheet_of(StyleTables& tables)
+const style::Schema<StyleTables>& style_schema()
 {
-    style::Sheet sheet;
-    sheet.bind(picture_table(), tables.picture);
-    sheet.bind(light::light_table(), tables.light);
-    sheet.bind(light::sun_table(), tables.sun);
-    sheet.bind(shadow::shadow_table(), tables.shadow);
-    sheet.bind(lightmap::lightmap_table(), tables.lightmap);
-    sheet.bind(occlusion::occlusion_table(), tables.occlusion);
-    sheet.bind(subsurface::subsurface_table(), tables.subsurface);
-    sheet.bind(light::tone_table(), tables.tone);
-    sheet.bind(transparency::transparency_table(), tables.transparency);
-    sheet.bind(hatch::hatch_table(), tables.hatch);
-    sheet.bind(tam::tam_table(), tables.tam);
-    sheet.bind(contour::contour_table(), tables.contour);
-    sheet.bind(bleed::bleed_table(), tables.bleed);
-    sheet.bind(ink::ink_table(), tables.ink);
-    sheet.bind(smoke::smoke_table(), tables.smoke);
-    sheet.bind(focus::focus_table(), tables.focus);
-    sheet.bind(wash::wash_table(), tables.wash);
-    sheet.bind(haze::haze_table(), tables.haze);
-    sheet.bind(lens::lens_table(), tables.lens);
-    sheet.bind(motion_blur::motion_blur_table(), tables.motion_blur);
-    sheet.bind(terrain::drift_table(), tables.drift);
-    sheet.bind(cloth::wind_table(), tables.wind);
-    sheet.bind(cloth::cloth_table(), tables.cloth);
-    sheet.bind(particles::particle_table(), tables.particles);
-    sheet.bind(sky::sky_table(), tables.sky);
-    sheet.bind(sky::cloud_table(), tables.clouds);
-    sheet.bind(paper::paper_table(), tables.paper);
-    sheet.bind_overrides(tables.overrides);
-    return sheet;
+    static const auto schema = style::Schema<StyleTables>()
+                                   .section(picture_table(), &StyleTables::picture)
+                                   .section(light::light_table(), &StyleTables::light)
+                                   .section(light::sun_table(), &StyleTables::sun)
+                                   .section(shadow::shadow_table(), &StyleTables::shadow)
+                                   .section(lightmap::lightmap_table(), &StyleTables::lightmap)
+                                   .section(occlusion::occlusion_table(), &StyleTables::occlusion)
+                                   .section(subsurface::subsurface_table(), &StyleTables::subsurface)
+                                   .section(light::tone_table(), &StyleTables::tone)
+                                   .section(transparency::transparency_table(), &StyleTables::transparency)
+                                   .section(hatch::hatch_table(), &StyleTables::hatch)
+                                   .section(tam::tam_table(), &StyleTables::tam)
+                                   .section(contour::contour_table(), &StyleTables::contour)
+                                   .section(bleed::bleed_table(), &StyleTables::bleed)
+                                   .section(ink::ink_table(), &StyleTables::ink)
+                                   .section(smoke::smoke_table(), &StyleTables::smoke)
+                                   .section(focus::focus_table(), &StyleTables::focus)
+                                   .section(wash::wash_table(), &StyleTables::wash)
+                                   .section(haze::haze_table(), &StyleTables::haze)
+                                   .section(lens::lens_table(), &StyleTables::lens)
+                                   .section(motion_blur::motion_blur_table(), &StyleTables::motion_blur)
+                                   .section(terrain::drift_table(), &StyleTables::drift)
+                                   .section(cloth::wind_table(), &StyleTables::wind)
+                                   .section(cloth::cloth_table(), &StyleTables::cloth)
+                                   .section(particles::particle_table(), &StyleTables::particles)
+                                   .section(sky::sky_table(), &StyleTables::sky)
+                                   .section(sky::cloud_table(), &StyleTables::clouds)
+                                   .section(paper::paper_table(), &StyleTables::paper)
+                                   .overrides(&StyleTables::overrides);
+    return schema;
 }
 
 namespace {
@@ -98,17 +98,16 @@ std::vector<Matches> matches_of_nodes(const Scene& scene, const std::vector<styl
     return all;
 }
 
-StyleTables look_of(const StyleTables& style, const Matches& matches)
+StyleTables variant_of(const StyleTables& style, const Matches& matches)
 {
-    StyleTables look = style;
-    look.overrides.clear();
-    const style::Sheet sheet = sheet_of(look);
+    StyleTables variant = style;
+    variant.overrides.clear();
     for (size_t i = 0; i < matches.size(); ++i) {
         if (matches[i]) {
-            sheet.apply(style.overrides[i]);
+            style_schema().apply(variant, style.overrides[i]);
         }
     }
-    return look;
+    return variant;
 }
 
 bool is_seen_through(const StyleTables& style, const Material& material)
@@ -117,26 +116,26 @@ bool is_seen_through(const StyleTables& style, const Material& material)
            style.subsurface.transmission && !subsurface::is_clear(style.subsurface);
 }
 
-/// A look for what the file says is seen through: strokes pale on it as behind a screen, colour tints where
-/// colour is painted.
-StyleTables seen_through(StyleTables look, const Material& material)
+/// A variant for what the file says is seen through: strokes pale on it as behind a screen, colour tints
+/// where colour is painted.
+StyleTables seen_through(StyleTables variant, const Material& material)
 {
-    look.subsurface = subsurface::seen_through(look.subsurface, material, look.wash.strength);
-    const float left = 1.0F - 0.7F * look.subsurface.behind;
-    look.tone.exposure /= left;
-    look.tone.ceiling *= left;
-    look.tone.floor *= left;
-    return look;
+    variant.subsurface = subsurface::seen_through(variant.subsurface, material, variant.wash.strength);
+    const float left = 1.0F - 0.7F * variant.subsurface.behind;
+    variant.tone.exposure /= left;
+    variant.tone.ceiling *= left;
+    variant.tone.floor *= left;
+    return variant;
 }
 
 contour::ContourStyle lines_of(const std::vector<StyleTables>& styles)
 {
     contour::ContourStyle lines = styles.front().contour;
-    for (const StyleTables& look : styles) {
-        lines.drawn |= look.contour.drawn;
+    for (const StyleTables& variant : styles) {
+        lines.drawn |= variant.contour.drawn;
         for (const contour::LineKindKeys& keys : contour::line_kind_keys) {
-            lines.*keys.width_mm = std::max(lines.*keys.width_mm, look.contour.*keys.width_mm);
-            lines.*keys.width_m = std::max(lines.*keys.width_m, look.contour.*keys.width_m);
+            lines.*keys.width_mm = std::max(lines.*keys.width_mm, variant.contour.*keys.width_mm);
+            lines.*keys.width_m = std::max(lines.*keys.width_m, variant.contour.*keys.width_m);
         }
     }
     return lines;
@@ -144,10 +143,10 @@ contour::ContourStyle lines_of(const std::vector<StyleTables>& styles)
 
 } // namespace
 
-LookPlan plan_looks(const pose::MeshData& meshes, const Scene& scene, const StyleTables& style,
-                    std::vector<StyleTables> room)
+StyleVariants style_variants(const pose::MeshData& meshes, const Scene& scene, const StyleTables& style,
+                             std::vector<StyleTables> room)
 {
-    LookPlan plan{.styles = std::move(room), .look_of_draw = {}, .lines = style.contour};
+    StyleVariants plan{.styles = std::move(room), .variant_of_draw = {}, .lines = style.contour};
     plan.styles.assign(1, style);
     const bool has_clear = std::ranges::any_of(
         scene.materials, [](const Material& material) { return material.transmission.has_value(); });
@@ -159,8 +158,8 @@ LookPlan plan_looks(const pose::MeshData& meshes, const Scene& scene, const Styl
     for (const Material& material : scene.materials) {
         of_materials.push_back(matches_of(style.overrides, By::material, material.name));
     }
-    std::map<Matches, uint32_t> looks{{Matches(style.overrides.size(), false), 0U}};
-    std::map<std::pair<uint32_t, Index>, uint32_t> clear_looks; // by look and material
+    std::map<Matches, uint32_t> variants{{Matches(style.overrides.size(), false), 0U}};
+    std::map<std::pair<uint32_t, Index>, uint32_t> clear_variants; // by variant and material
     for (size_t draw = 0; draw < meshes.draws.size(); ++draw) {
         Matches matches(style.overrides.size(), false);
         if (draw < meshes.sources.size()) { // else it is the ground
@@ -169,40 +168,42 @@ LookPlan plan_looks(const pose::MeshData& meshes, const Scene& scene, const Styl
                 add(matches, of_materials[meshes.draws[draw].material]);
             }
         }
-        const auto [look, is_new] = looks.try_emplace(matches, static_cast<uint32_t>(plan.styles.size()));
+        const auto [variant, is_new] =
+            variants.try_emplace(matches, static_cast<uint32_t>(plan.styles.size()));
         if (is_new) {
-            plan.styles.push_back(look_of(style, matches));
+            plan.styles.push_back(variant_of(style, matches));
         }
-        uint32_t number = look->second;
+        uint32_t number = variant->second;
         const Index material = meshes.draws[draw].material;
         if (material < scene.materials.size() &&
             is_seen_through(plan.styles[number], scene.materials[material])) {
             const auto [clear, is_first] =
-                clear_looks.try_emplace({number, material}, static_cast<uint32_t>(plan.styles.size()));
+                clear_variants.try_emplace({number, material}, static_cast<uint32_t>(plan.styles.size()));
             if (is_first) {
                 plan.styles.push_back(seen_through(plan.styles[number], scene.materials[material]));
             }
             number = clear->second;
         }
-        plan.look_of_draw.push_back(number);
+        plan.variant_of_draw.push_back(number);
     }
     if (!plan.has_several()) {
-        plan.look_of_draw.clear();
+        plan.variant_of_draw.clear();
     }
     plan.lines = lines_of(plan.styles);
     return plan;
 }
 
-LookPlan looks_of_nodes(const Scene& scene, const StyleTables& style)
+StyleVariants style_variants_of_nodes(const Scene& scene, const StyleTables& style)
 {
-    LookPlan plan{.styles = {style}, .look_of_draw = {}, .lines = {}};
-    std::map<Matches, uint32_t> looks{{Matches(style.overrides.size(), false), 0U}};
+    StyleVariants plan{.styles = {style}, .variant_of_draw = {}, .lines = {}};
+    std::map<Matches, uint32_t> variants{{Matches(style.overrides.size(), false), 0U}};
     for (const Matches& matches : matches_of_nodes(scene, style.overrides)) {
-        const auto [look, is_new] = looks.try_emplace(matches, static_cast<uint32_t>(plan.styles.size()));
+        const auto [variant, is_new] =
+            variants.try_emplace(matches, static_cast<uint32_t>(plan.styles.size()));
         if (is_new) {
-            plan.styles.push_back(look_of(style, matches));
+            plan.styles.push_back(variant_of(style, matches));
         }
-        plan.look_of_draw.push_back(look->second);
+        plan.variant_of_draw.push_back(variant->second);
     }
     return plan;
 }

@@ -9,7 +9,7 @@
 
 #include <estampe/scene.hpp>
 
-#include "style/sheet.hpp"
+#include "style/schema.hpp"
 #include "techniques/bleed/bleed.hpp"
 #include "techniques/cloth/cloth_style.hpp"
 #include "techniques/contour/contour.hpp"
@@ -79,27 +79,28 @@ struct StyleTables {
     std::vector<style::Override> overrides; ///< what single materials and objects have otherwise
 };
 
-/// The readers and writers of `tables`, which must outlive the sheet.
-[[nodiscard]] style::Sheet sheet_of(StyleTables& tables);
+/// The description of every parameter, made once, with the readers and writers of StyleTables:
+/// `style_schema().set(tables, "hatch.width_mm=0.5")`.
+[[nodiscard]] const style::Schema<StyleTables>& style_schema();
 
 /// The styles that occur in a picture, and which surface has which.
-struct LookPlan {
-    std::vector<StyleTables> styles;    ///< the first is that of the picture
-    std::vector<uint32_t> look_of_draw; ///< numbers of `styles`; empty where there is but one
-    /// What is to be found of lines, for whichever look: kinds have the width of their widest.
+struct StyleVariants {
+    std::vector<StyleTables> styles;       ///< the first is that of the picture
+    std::vector<uint32_t> variant_of_draw; ///< numbers of `styles`; empty where there is but one
+    /// What is to be found of lines, for whichever variant: kinds have the width of their widest.
     contour::ContourStyle lines;
 
     [[nodiscard]] bool has_several() const { return styles.size() > 1; }
 };
 
-/// Draws of which the same overrides speak share a look. The list of styles takes `room`. Cost: linear in
+/// Draws of which the same overrides speak share a variant. The list of styles takes `room`. Cost: linear in
 /// draws times overrides.
-[[nodiscard]] LookPlan plan_looks(const pose::MeshData& meshes, const Scene& scene, const StyleTables& style,
-                                  std::vector<StyleTables> room = {});
+[[nodiscard]] StyleVariants style_variants(const pose::MeshData& meshes, const Scene& scene,
+                                           const StyleTables& style, std::vector<StyleTables> room = {});
 
-/// The look of each node by itself, as `styles` of them: what hangs on a node is meant with it. Cost: linear
-/// in nodes times overrides.
-[[nodiscard]] LookPlan looks_of_nodes(const Scene& scene, const StyleTables& style);
+/// The variant of each node by itself, as `styles` of them: what hangs on a node is meant with it. Cost:
+/// linear in nodes times overrides.
+[[nodiscard]] StyleVariants style_variants_of_nodes(const Scene& scene, const StyleTables& style);
 
 /// Of the patterns of the style's overrides those that name nothing in the scene, a line each.
 [[nodiscard]] std::vector<std::string> idle_overrides(const Scene& scene, const StyleTables& style);

@@ -15,7 +15,7 @@
 #include "gpu/resources.hpp"
 #include "shaders/stroke_kind.glsl.h"
 #include "style/names.hpp"
-#include "style/sheet.hpp"
+#include "style/schema.hpp"
 #include "style/toml.hpp"
 #include "techniques/form/form.hpp"
 #include "techniques/tam/files/map_files.hpp"
@@ -94,15 +94,15 @@ GroundForm ground_of(const pose::MeshData& meshes, size_t draw)
     return draw == meshes.sources.size() ? GroundForm::level : GroundForm::no;
 }
 
-const StyleTables& look_of(const LookPlan& looks, size_t draw)
+const StyleTables& look_of(const StyleVariants& looks, size_t draw)
 {
-    return looks.has_several() ? looks.styles[looks.look_of_draw[draw]] : looks.styles.front();
+    return looks.has_several() ? looks.styles[looks.variant_of_draw[draw]] : looks.styles.front();
 }
 
 } // namespace
 
 StrokePlan plan_strokes(const pose::MeshData& meshes, const std::vector<Material>& materials,
-                        const LookPlan& looks, std::vector<uint32_t> room)
+                        const StyleVariants& looks, std::vector<uint32_t> room)
 {
     const std::map<Index, uint32_t> kinds =
         kinds_of_materials(materials, looks.styles.front().hatch.materials);
@@ -221,11 +221,8 @@ std::filesystem::path kept_map(const tam::TamStyle& style)
     if (folder.empty()) {
         return {};
     }
-    tam::TamStyle values = style;
-    style::Sheet sheet;
-    sheet.bind(tam::tam_table(), values);
     Hash hash;
-    hash.add_text(sheet.to_toml());
+    hash.add_text(style::Schema(tam::tam_table()).to_toml(style));
     return folder / "estampe" / fmt::format("map-{}-{:016x}.tam", tam::drawing_version, hash.value());
 }
 

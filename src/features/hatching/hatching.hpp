@@ -40,7 +40,7 @@ struct StrokePlan {
 /// where there are any; grounds have no form, dunes keep to their slopes. The list takes `room`. Throws Error
 /// when `hatch.materials` cannot be read, or names what is not there. Cost: linear in draws.
 [[nodiscard]] StrokePlan plan_strokes(const pose::MeshData& meshes, const std::vector<Material>& materials,
-                                      const LookPlan& looks, std::vector<uint32_t> room = {});
+                                      const StyleVariants& looks, std::vector<uint32_t> room = {});
 
 /// The lines of the hatching that edges of shadows can follow; none where no lines are drawn.
 [[nodiscard]] std::optional<shadow::HatchedLines>

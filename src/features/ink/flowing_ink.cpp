@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -12,6 +11,7 @@
 
 #include <estampe/error.hpp>
 
+#include "core/text.hpp"
 #include "features/common/solver_meter.hpp"
 #include "features/common/style_tables.hpp"
 #include "style/names.hpp"
@@ -55,15 +55,12 @@ ZoneWords zone_words(const std::string& text)
                              : name == "give"   ? &words.give
                              : name == "amount" ? &words.amount
                                                 : nullptr;
-        const std::string number = colon == std::string::npos ? "" : word.substr(colon + 1);
-        float read = 0.0F;
-        const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), read);
-        if (value == nullptr || error != std::errc() || end != number.data() + number.size() ||
-            !std::isfinite(read) || std::abs(read) > 1e4F) {
+        const auto number = number_from<float>(colon == std::string::npos ? "" : word.substr(colon + 1));
+        if (value == nullptr || !number || !(std::abs(*number) <= 1e4F)) {
             throw Error(fmt::format("{} says nothing of ink", style::in_quotes(word)), zones_key,
                         "allowed: blow:20, turn:90, give:1, amount:0.5, with numbers up to 10000");
         }
-        *value = read;
+        *value = *number;
     }
     return words;
 }

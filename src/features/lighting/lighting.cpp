@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -13,6 +12,7 @@
 #include <estampe/error.hpp>
 #include <estampe/terrain.hpp>
 
+#include "core/text.hpp"
 #include "gpu/resources.hpp"
 #include "style/names.hpp"
 #include "style/toml.hpp"
@@ -70,9 +70,8 @@ Groups parse_groups(const std::string& text, const char* key)
     uint32_t bits = 0;
     std::istringstream parts(text);
     for (std::string part; std::getline(parts, part, '+');) {
-        int group = 0;
-        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), group);
-        if (error != std::errc() || end != part.data() + part.size() || group < 1 || group > group_count) {
+        const int group = number_from<int>(part).value_or(0);
+        if (group < 1 || group > group_count) {
             throw Error(fmt::format("{} is not a group", style::in_quotes(part)), key,
                         fmt::format("groups are 1 to {}, joined as in 1+3", group_count));
         }
@@ -83,9 +82,8 @@ Groups parse_groups(const std::string& text, const char* key)
 
 float parse_number(const std::string& text, const char* key)
 {
-    float number = 0.0F;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number) || number < 0.0F) {
+    const float number = number_from<float>(text).value_or(-1.0F);
+    if (!std::isfinite(number) || number < 0.0F) {
         throw Error(fmt::format("{} is not a number that can be used here", style::in_quotes(text)), key,
                     "it is 0 or more");
     }

@@ -157,11 +157,11 @@ struct EmitterGroup {
 };
 
 std::vector<EmitterGroup> groups_of(const std::vector<size_t>& nodes, const ScenePose& pose,
-                                    const LookPlan& looks)
+                                    const StyleVariants& looks)
 {
     std::vector<EmitterGroup> groups(looks.styles.size());
     for (const size_t node : nodes) {
-        EmitterGroup& group = groups[looks.look_of_draw[node]];
+        EmitterGroup& group = groups[looks.variant_of_draw[node]];
         group.nodes.push_back(node);
         group.emitters.push_back(emitter_at(pose.world_from_node[node]));
     }
@@ -219,7 +219,7 @@ std::vector<particles::ParticlePlan> Particles::plan(gpu::Device& device, gpu::E
     if (nodes.empty()) {
         return {};
     }
-    const LookPlan looks = looks_of_nodes(in.scene, in.style);
+    const StyleVariants looks = style_variants_of_nodes(in.scene, in.style);
     std::vector<EmitterGroup> groups = groups_of(nodes, in.pose, looks);
     const std::vector<bool> moves = moving_nodes(in.scene);
     Past past(in);

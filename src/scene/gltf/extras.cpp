@@ -45,11 +45,7 @@ std::optional<double> number_of(const tinygltf::Value& value)
     if (!value.IsString()) {
         return std::nullopt;
     }
-    const auto& text = value.Get<std::string>();
-    double number = 0.0;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool is_whole = problem == std::errc{} && end == text.data() + text.size();
-    return is_whole ? std::optional(number) : std::nullopt;
+    return number_from<double>(value.Get<std::string>());
 }
 
 namespace {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <utility>
 
 #include <fmt/format.h>
@@ -133,11 +132,10 @@ private:
     {
         Element& element = header_.elements.emplace_back();
         element.name = lower_case(words.word());
-        const std::string_view count = words.word();
-        const auto [stopped, error] =
-            std::from_chars(count.data(), count.data() + count.size(), element.count);
-        if (element.name.empty() || error != std::errc() || stopped != count.data() + count.size())
+        const auto count = number_from<decltype(element.count)>(words.word());
+        if (element.name.empty() || !count)
             refuse(fmt::format("\"{}\" has no usable count", line_.substr(0, 80)));
+        element.count = *count;
     }
 
     void read_property(Scanner& words)

@@ -13,6 +13,8 @@
 
 #include <estampe/error.hpp>
 
+#include "core/text.hpp"
+
 namespace estampe::fbx {
 namespace {
 
@@ -203,15 +205,10 @@ bool is_blank(char letter)
 Value value_of_word(std::string_view word)
 {
     const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
-    const char* const end = digits.data() + digits.size();
-    int64_t whole = 0;
-    if (const auto read = std::from_chars(digits.data(), end, whole);
-        read.ec == std::errc{} && read.ptr == end)
-        return whole;
-    double number = 0.0;
-    if (const auto read = std::from_chars(digits.data(), end, number);
-        read.ec == std::errc{} && read.ptr == end)
-        return number;
+    if (const auto whole = number_from<int64_t>(digits))
+        return *whole;
+    if (const auto number = number_from<double>(digits))
+        return *number;
     return std::string(word);
 }
 

@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <random>
 #include <sstream>
 
 #include <estampe/error.hpp>
 #include <fmt/format.h>
+
+#include "core/text.hpp"
 
 namespace estampe {
 namespace {
@@ -26,12 +27,11 @@ constexpr double longest_m = 10000.0;
 
 double number_in(std::string_view text, const std::string& word, const std::string& where)
 {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+    const std::optional<double> value = number_from<double>(text);
+    if (!value || !std::isfinite(*value)) {
         fail(word, where, "is no number");
     }
-    return value;
+    return *value;
 }
 
 struct Setting {

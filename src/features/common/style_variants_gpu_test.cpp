@@ -184,7 +184,7 @@ TEST(StyleVariantPictures, LinesInThePictureHaveTheInkOfTheirObject)
     EXPECT_GT(black, 50U);
 }
 
-TEST(StyleVariantPictures, PathsOfAMapAreAnErrorWhicheverLookHasIt)
+TEST(StyleVariantPictures, PathsOfAMapAreAnErrorWhicheverVariantHasIt)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(still_life());

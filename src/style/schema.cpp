@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "style/sheet.hpp"
+#include "style/schema.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -68,7 +68,7 @@ namespace {
 
 constexpr const char* manual = "estampe --help-style lists every key";
 
-std::string full_key(const Sheet::Section& section, const Parameter& parameter)
+std::string full_key(const Section& section, const Parameter& parameter)
 {
     return section.name + "." + parameter.key;
 }
@@ -92,8 +92,7 @@ std::string beside(const std::string& source, const std::string& path)
 
 /// A checked value on its way to its struct.
 struct Change {
-    const Parameter* parameter;
-    void* values;
+    AnySchema::Found found;
     Value value;
 };
 
@@ -110,8 +109,8 @@ void append(std::vector<Override>& overrides, const Override& change)
 /// Turns entries of texts into changes; whatever a text may get wrong is found here.
 class Reader {
 public:
-    Reader(std::span<const Sheet::Section> sections, bool takes_overrides, const Resolver& resolver)
-        : sections_(sections), takes_overrides_(takes_overrides), resolver_(resolver)
+    Reader(const AnySchema& schema, std::optional<Place> overrides_place, Resolver resolver)
+        : schema_(schema), overrides_place_(overrides_place), resolver_(std::move(resolver))
     {
     }
 
@@ -145,7 +144,7 @@ public:
             value = is_name ? text : beside(chain_.back(), text);
         }
         if (entry.surfaces.by == Surfaces::By::all) {
-            changes_.push_back({parameter, section->values, std::move(value)});
+            changes_.push_back({{section, parameter}, std::move(value)});
             return;
         }
         if (!parameter->by_surface) {
@@ -158,18 +157,20 @@ public:
 
     void require_section(const Document::Header& header) const
     {
+        const bool is_allowed = header.surfaces.by == Surfaces::By::all || overrides_place_;
+        if (is_allowed &&
+            std::ranges::find(schema_.sections(), header.name, &Section::name) != schema_.sections().end()) {
+            return;
+        }
         std::vector<std::string> names;
-        for (const Sheet::Section& section : sections_) {
+        for (const Section& section : schema_.sections()) {
             names.push_back(section.name);
         }
-        if (header.surfaces.by != Surfaces::By::all && !takes_overrides_) {
+        if (!is_allowed) {
             throw Error("nothing here differs from surface to surface", header.where,
                         fmt::format("sections are {}", fmt::join(names, ", ")));
         }
-        if (std::find(names.begin(), names.end(), header.name) != names.end()) {
-            return;
-        }
-        if (takes_overrides_ && header.surfaces.by == Surfaces::By::all) {
+        if (overrides_place_ && header.surfaces.by == Surfaces::By::all) {
             names.insert(names.end(), {"material", "object"});
         }
         const std::string meant = nearest(header.name, names);
@@ -178,27 +179,24 @@ public:
                                   : fmt::format("did you mean {}?", in_quotes(meant)));
     }
 
-    [[nodiscard]] std::pair<const Sheet::Section*, const Parameter*>
-    find(const std::string& section_name, const std::string& key, const std::string& where) const
+    [[nodiscard]] AnySchema::Found find(const std::string& section_name, const std::string& key,
+                                        const std::string& where) const
     {
-        for (const Sheet::Section& section : sections_) {
-            for (const Parameter& parameter : section.parameters) {
-                if (section.name == section_name && parameter.key == key) {
-                    return {&section, &parameter};
-                }
-            }
+        const AnySchema::Found found = schema_.find(section_name + "." + key);
+        if (found.parameter == nullptr) {
+            unknown(section_name, key, where);
         }
-        unknown(section_name, key, where);
+        return found;
     }
 
     /// Only now, when nothing was wrong.
-    void apply(std::vector<Override>* overrides) const
+    void apply(void* values) const
     {
         for (const Change& change : changes_) {
-            change.parameter->set(change.values, change.value);
+            change.found.parameter->set(change.found.section->place.in(values), change.value);
         }
         for (const Override& change : overrides_) {
-            append(*overrides, change);
+            append(*static_cast<std::vector<Override>*>(overrides_place_->in(values)), change);
         }
     }
 
@@ -208,8 +206,7 @@ private:
     {
         const std::string name = section_name.empty() ? key : section_name + "." + key;
         if (section_name.empty() &&
-            std::any_of(sections_.begin(), sections_.end(),
-                        [&key](const auto& section) { return section.name == key; })) {
+            std::ranges::find(schema_.sections(), key, &Section::name) != schema_.sections().end()) {
             throw Error(fmt::format("{} is a section, not a key", in_quotes(name)), where,
                         fmt::format("put its keys below a line [{}]", key));
         }
@@ -223,7 +220,7 @@ private:
     {
         std::vector<std::string> names;
         std::vector<std::string> misplaced;
-        for (const Sheet::Section& section : sections_) {
+        for (const Section& section : schema_.sections()) {
             for (const Parameter& parameter : section.parameters) {
                 names.push_back(full_key(section, parameter));
                 if (parameter.key == key) {
@@ -263,9 +260,9 @@ private:
         read(base);
     }
 
-    std::span<const Sheet::Section> sections_;
-    bool takes_overrides_;
-    const Resolver& resolver_;
+    const AnySchema& schema_;
+    std::optional<Place> overrides_place_;
+    Resolver resolver_;
     std::vector<std::string> chain_; ///< names of the texts being read, outermost first
     std::vector<Change> changes_;
     std::vector<Override> overrides_;
@@ -299,9 +296,10 @@ Entry named_entry(std::string_view name, const std::string& where)
 
 } // namespace
 
-void Sheet::add(Section section)
+void AnySchema::add(Section section)
 {
-    for (const Parameter& parameter : section.parameters) {
+    for (size_t i = 0; i < section.parameters.size(); ++i) {
+        const Parameter& parameter = section.parameters[i];
         [[maybe_unused]] const Value& value = parameter.default_value;
         if (parameter.kind == Kind::number) {
             assert(std::get<float>(value) >= parameter.range.minimum);
@@ -312,32 +310,29 @@ void Sheet::add(Section section)
         } else if (parameter.kind == Kind::choice) {
             assert(!std::get<std::string>(value).empty());
         }
+        index_.emplace(full_key(section, parameter), std::pair(sections_.size(), i));
     }
     sections_.push_back(std::move(section));
 }
 
-void Sheet::read(const std::string& preset_or_file, const Resolver& resolver)
+AnySchema::Found AnySchema::find(std::string_view key) const
 {
-    Reader reader(sections_, overrides_ != nullptr, resolver);
-    reader.read(resolver(preset_or_file, {}));
-    reader.apply(overrides_);
+    const auto place = index_.find(key);
+    if (place == index_.end()) {
+        return {};
+    }
+    const Section& section = sections_[place->second.first];
+    return {&section, &section.parameters[place->second.second]};
 }
 
-void Sheet::read_toml_file(const std::filesystem::path& path, const Resolver& resolver)
+void AnySchema::read_any(void* values, const Source& source, const Resolver& resolver) const
 {
-    Reader reader(sections_, overrides_ != nullptr, resolver);
-    reader.read(load_source(path));
-    reader.apply(overrides_);
+    Reader reader(*this, overrides_, resolver);
+    reader.read(source);
+    reader.apply(values);
 }
 
-void Sheet::read_toml_text(std::string_view text, const std::string& where, const Resolver& resolver)
-{
-    Reader reader(sections_, overrides_ != nullptr, resolver);
-    reader.read({where, std::string(text)});
-    reader.apply(overrides_);
-}
-
-void Sheet::set(std::string_view assignment, const std::string& where)
+void AnySchema::set_any(void* values, std::string_view assignment, const std::string& where) const
 {
     const size_t equals = assignment.find('=');
     const std::string_view name = trimmed(assignment.substr(0, equals));
@@ -348,8 +343,8 @@ void Sheet::set(std::string_view assignment, const std::string& where)
     Entry entry = named_entry(name, where);
     entry.value_where = where;
 
-    Reader reader(sections_, overrides_ != nullptr, resolve);
-    const Parameter& parameter = *reader.find(entry.section, entry.key, where).second;
+    Reader reader(*this, overrides_, resolve);
+    const Parameter& parameter = *reader.find(entry.section, entry.key, where).parameter;
     const std::string_view value = trimmed(assignment.substr(equals + 1));
     const bool one_line = value.find_first_of("\r\n") == std::string_view::npos;
     const std::optional<Raw> parsed = one_line ? parse_toml_value(value) : std::nullopt;
@@ -363,17 +358,13 @@ void Sheet::set(std::string_view assignment, const std::string& where)
         reader.require_section({entry.surfaces, entry.section, where});
     }
     reader.assign(entry);
-    reader.apply(overrides_);
+    reader.apply(values);
 }
 
-void Sheet::apply(const Override& change) const
+void AnySchema::apply_any(void* values, const Override& change) const
 {
-    for (const Section& section : sections_) {
-        for (const Parameter& parameter : section.parameters) {
-            if (section.name == change.section && parameter.key == change.key) {
-                parameter.set(section.values, change.value);
-            }
-        }
+    if (const Found found = find(change.section + "." + change.key); found.parameter != nullptr) {
+        found.parameter->set(found.section->place.in(values), change.value);
     }
 }
 

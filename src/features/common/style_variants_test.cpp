@@ -11,9 +11,9 @@ namespace estampe::features {
 namespace {
 
 /// A tower of "Brick" with a "Roof" hanging on it, a "Wall" beside them of "Brick_old", and the ground.
-class Looks : public testing::Test {
+class StyleVariantsTest : public testing::Test {
 protected:
-    Looks()
+    StyleVariantsTest()
     {
         const std::array<const char*, 3> nodes{"Tower", "Roof", "Wall"};
         const std::array<const char*, 3> materials{"Brick", "frame::Tile", "Brick_old"};
@@ -27,16 +27,16 @@ protected:
         meshes_ = pose::build_meshes(scene_, static_cast<Index>(scene_.materials.size()));
     }
 
-    void set(const std::string& assignment) { sheet_of(style_).set(assignment); }
+    void set(const std::string& assignment) { style_schema().set(style_, assignment); }
 
-    [[nodiscard]] LookPlan plan() const { return plan_looks(meshes_, scene_, style_); }
+    [[nodiscard]] StyleVariants plan() const { return style_variants(meshes_, scene_, style_); }
 
     Scene scene_;
     pose::MeshData meshes_;
     StyleTables style_;
 };
 
-TEST_F(Looks, OneStyleIsOneLook)
+TEST_F(StyleVariantsTest, OneStyleIsOneVariant)
 {
     EXPECT_FALSE(plan().has_several());
     set("material.Straw.wash.strength=0");
@@ -46,46 +46,46 @@ TEST_F(Looks, OneStyleIsOneLook)
         std::vector<std::string>{"the style speaks of materials \"Straw\", of which the scene has none"});
 }
 
-TEST_F(Looks, PatternsNameMaterialsAndObjectsWithWhatHangsOnThem)
+TEST_F(StyleVariantsTest, PatternsNameMaterialsAndObjectsWithWhatHangsOnThem)
 {
     set("material.Brick*.hatch.width_mm=1");
     set("object.Tower.wash.strength=0");
-    const LookPlan looks = plan();
-    ASSERT_EQ(looks.look_of_draw.size(), 4U);
-    const auto style_of = [&](size_t draw) { return looks.styles.at(looks.look_of_draw[draw]); };
+    const StyleVariants looks = plan();
+    ASSERT_EQ(looks.variant_of_draw.size(), 4U);
+    const auto style_of = [&](size_t draw) { return looks.styles.at(looks.variant_of_draw[draw]); };
     EXPECT_EQ(style_of(0).hatch.width_mm, 1.0F);
     EXPECT_EQ(style_of(0).wash.strength, 0.0F);
     EXPECT_EQ(style_of(1).hatch.width_mm, style_.hatch.width_mm);
     EXPECT_EQ(style_of(1).wash.strength, 0.0F);
     EXPECT_EQ(style_of(2).hatch.width_mm, 1.0F);
     EXPECT_EQ(style_of(2).wash.strength, style_.wash.strength);
-    EXPECT_EQ(looks.look_of_draw[3], 0U) << "the ground";
+    EXPECT_EQ(looks.variant_of_draw[3], 0U) << "the ground";
     EXPECT_TRUE(idle_overrides(scene_, style_).empty());
 }
 
-TEST_F(Looks, TheSameOverridesAreOneLook)
+TEST_F(StyleVariantsTest, TheSameOverridesAreOneVariant)
 {
     set("material.*.hatch.width_mm=1");
-    const LookPlan looks = plan();
+    const StyleVariants looks = plan();
     EXPECT_EQ(looks.styles.size(), 2U);
-    EXPECT_EQ(looks.look_of_draw, (std::vector<uint32_t>{1, 1, 1, 0}));
+    EXPECT_EQ(looks.variant_of_draw, (std::vector<uint32_t>{1, 1, 1, 0}));
 }
 
-TEST_F(Looks, LaterOverridesWin)
+TEST_F(StyleVariantsTest, LaterOverridesWin)
 {
     set("object.Tower.hatch.width_mm=1");
     set("material.Brick.hatch.width_mm=2");
-    const LookPlan looks = plan();
-    EXPECT_EQ(looks.styles.at(looks.look_of_draw[0]).hatch.width_mm, 2.0F);
+    const StyleVariants looks = plan();
+    EXPECT_EQ(looks.styles.at(looks.variant_of_draw[0]).hatch.width_mm, 2.0F);
 }
 
-TEST_F(Looks, LinesAreFoundForWhicheverWantsThem)
+TEST_F(StyleVariantsTest, LinesAreFoundForWhicheverWantsThem)
 {
     set("contour.drawn=false");
     set("contour.ridge_mm=0");
     set("object.Wall.contour.drawn=true");
     set("object.Wall.contour.ridge_mm=0.5");
-    const LookPlan looks = plan();
+    const StyleVariants looks = plan();
     EXPECT_TRUE(looks.lines.drawn);
     EXPECT_EQ(looks.lines.ridge_mm, 0.5F);
     EXPECT_FALSE(looks.styles.front().contour.drawn);
