@@ -75,9 +75,9 @@ void check_sections(const std::vector<Section>& sections, std::span<features::Fe
 
 } // namespace
 
-std::array<features::Feature*, 9> Features::all()
+std::array<features::Feature*, 10> Features::all()
 {
-    return {&shadows, &lighting, &lines, &hatching, &cloth, &ink, &smoke, &clouds, &particles};
+    return {&shadows, &lighting, &occlusion, &lines, &hatching, &cloth, &ink, &smoke, &clouds, &particles};
 }
 
 void Features::invalidate(features::Event event)

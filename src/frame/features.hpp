@@ -14,6 +14,7 @@
 #include "features/ink/flowing_ink.hpp"
 #include "features/lighting/lighting.hpp"
 #include "features/lines/lines.hpp"
+#include "features/occlusion/occlusion.hpp"
 #include "features/particles/particles.hpp"
 #include "features/shadows/shadows.hpp"
 #include "features/smoke/rising_smoke.hpp"
@@ -23,6 +24,7 @@ namespace estampe::frame {
 struct Features {
     features::Shadows shadows;
     features::Lighting lighting;
+    features::Occlusion occlusion;
     features::Lines lines;
     features::Hatching hatching;
     features::ClothSimulation cloth;
@@ -32,7 +34,7 @@ struct Features {
     features::Particles particles;
 
     /// In the order in which a film's memory holds them.
-    [[nodiscard]] std::array<features::Feature*, 9> all();
+    [[nodiscard]] std::array<features::Feature*, 10> all();
 
     void invalidate(features::Event event);
 };

@@ -586,7 +586,7 @@ void add_linear_picture(const FrameContext& context, const paper::ComposeInputs&
                             {.layers = layers,
                              .draw = surface.draw,
                              .sun = lit.sun,
-                             .open = masks.open,
+                             .occlusion = masks.occlusion,
                              .cloud_cover = masks.cloud_cover},
                             context.style.paper, context.sample.accumulation, *context.job.linear);
     }

@@ -35,7 +35,7 @@ SHARED_CONSTANT uint light_has_sun_share = 1U << 17U; // known ahead, for each p
 // Occlusion darkens the light that has no one place, or all of it.
 SHARED_CONSTANT uint light_occludes_ambient = 1U << 18U;
 SHARED_CONSTANT uint light_occludes_all = 1U << 19U;
-SHARED_CONSTANT uint light_has_thrown = 1U << 20U; // by what occludes, as a share of ambient light
+SHARED_CONSTANT uint light_has_bounced = 1U << 20U; // by what occludes, as a share of ambient light
 
 SHARED_CONSTANT uint light_has_points = 1U << 21U; // what is lit lies anywhere, not where depths say
 SHARED_CONSTANT uint light_has_tiles = 1U << 22U;  // only those of a list are lit

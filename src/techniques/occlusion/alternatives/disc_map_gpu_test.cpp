@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Occlusion by discs at the texels of a map: the formula summed in double precision, kept, and seen on pages.
-#include "techniques/occlusion/discs/discs.hpp"
+#include "techniques/occlusion/alternatives/discs.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -61,7 +61,7 @@ public:
         return place.x < 0.0F ? glm::vec3(0.9F, 0.2F, 0.1F) : glm::vec3(0.1F, 0.3F, 0.8F);
     }
 
-    std::vector<glm::vec4> texels(float radius_m, bool throws = false)
+    std::vector<glm::vec4> texels(float radius_m, bool bounces = false)
     {
         auto vertices = gpu::upload_buffer(test::shared_device(), "posed", posed);
         auto triangles = gpu::upload_buffer(test::shared_device(), "triangles", drawing.layout.triangles);
@@ -71,7 +71,7 @@ public:
                                 {.map_texels = gpu::import_whole(graph, "texels", map.texels),
                                  .triangles = gpu::import_whole(graph, "triangles", triangles),
                                  .posed_vertices = gpu::import_whole(graph, "posed", vertices)},
-                                {.radius_m = radius_m, .apart = 0.0F, .throws = throws}));
+                                {.radius_m = radius_m, .apart = 0.0F, .bounces = bounces}));
     }
 
     struct Point {
@@ -159,10 +159,10 @@ TEST(MappedDiscs, SumTheFormulaAtTexels)
             }
             const glm::dvec4 hidden = discs.hidden_from(discs.point_at(i), static_cast<double>(radius_m));
             const double open = std::max(1.0 - hidden.w, 0.0);
-            const glm::dvec3 thrown = glm::dvec3(hidden) / std::max(hidden.w, 1.0);
+            const glm::dvec3 bounced = glm::dvec3(hidden) / std::max(hidden.w, 1.0);
             worst = std::max(worst, std::abs(static_cast<double>(found[i].w) - open));
             for (int channel = 0; channel < 3; ++channel) {
-                worst = std::max(worst, std::abs(static_cast<double>(found[i][channel]) - thrown[channel]));
+                worst = std::max(worst, std::abs(static_cast<double>(found[i][channel]) - bounced[channel]));
             }
             least = std::min(least, open);
             ++count;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a vertex sums what discs hide from it, and what light they throw on it.
+// One thread a vertex sums what discs hide from it, and what light they bounce onto it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_vote : require
@@ -7,7 +7,7 @@
 
 #include "shaders/loops.glsl"
 #include "shaders/unit.glsl"
-#include "techniques/occlusion/discs/discs.glsl.h"
+#include "techniques/occlusion/alternatives/discs.glsl.h"
 
 layout(local_size_x = 64) in;
 
@@ -24,20 +24,20 @@ layout(push_constant, scalar) uniform Constants
 };
 
 layout(constant_id = 0) const uint variant = 0u;
-const bool throws = (variant & discs_throw) != 0u;
+const bool bounces = (variant & discs_bounce) != 0u;
 
 #define DISCS_BINDING 2
-#define DISCS_THROW throws
-#include "techniques/occlusion/discs/disc_sum.glsl"
+#define DISCS_BOUNCE bounces
+#include "techniques/occlusion/alternatives/disc_sum.glsl"
 
 layout(scalar, binding = 4) writeonly buffer Open
 {
     float open[]; // a vertex
 };
 
-layout(scalar, binding = 5) writeonly buffer Thrown
+layout(scalar, binding = 5) writeonly buffer Bounced
 {
-    vec4 thrown[]; // a vertex
+    vec4 bounced[]; // a vertex
 };
 
 void main()
@@ -49,8 +49,8 @@ void main()
     DiscSum sum = sum_of_discs(uintBitsToFloat(words.xyz), unpack_normal(words.w), is_there);
     if (is_there) {
         open[vertex.x] = max(1.0 - sum.hidden, 0.0);
-        if (throws) {
-            thrown[vertex.x] = vec4(sum.thrown, 0.0);
+        if (bounces) {
+            bounced[vertex.x] = vec4(sum.bounced, 0.0);
         }
     }
 }

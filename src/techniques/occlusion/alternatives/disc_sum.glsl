@@ -2,10 +2,10 @@
 #ifndef ESTAMPE_DISC_SUM
 #define ESTAMPE_DISC_SUM
 
-// What discs hide from a place and throw on it. Wanted before: DISCS_BINDING, of the tree as texels, their
-// colours come next; DISCS_THROW, whether those count; `constants` that hold DiscConstants.
+// What discs hide from a place and bounce onto it. Wanted before: DISCS_BINDING, of the tree as texels, their
+// colours come next; DISCS_BOUNCE, whether those count; `constants` that hold DiscConstants.
 
-#include "techniques/occlusion/discs/discs.glsl.h"
+#include "techniques/occlusion/alternatives/discs.glsl.h"
 
 layout(binding = DISCS_BINDING) uniform samplerBuffer disc_texels;
 layout(binding = DISCS_BINDING + 1) uniform samplerBuffer disc_colors;
@@ -53,7 +53,7 @@ float hidden_by_disc(Disc disc, vec3 way, vec3 normal, float radius_m)
 
 struct DiscSum {
     float hidden;
-    vec3 thrown;
+    vec3 bounced;
 };
 
 // Those far off many at once: down the tree where a node is too near, past it where that has been looked at.
@@ -75,8 +75,8 @@ DiscSum sum_of_discs(vec3 place, vec3 normal, bool is_there)
         bool is_whole = level == 0u || is_out_of_reach || disc.radius_m < constants.apart * away;
         float hidden = goes_on && is_whole ? hidden_by_disc(disc, way, normal, constants.radius_m) : 0.0;
         sum.hidden += hidden;
-        if (DISCS_THROW) {
-            sum.thrown += hidden * texelFetch(disc_colors, int(first + node)).rgb;
+        if (DISCS_BOUNCE) {
+            sum.bounced += hidden * texelFetch(disc_colors, int(first + node)).rgb;
         }
         // Down to the first below, or on to the next and up where a node's last has been looked at.
         bool goes_down = goes_on && !is_whole;
@@ -93,8 +93,8 @@ DiscSum sum_of_discs(vec3 place, vec3 normal, bool is_there)
         }
         goes_on = goes_on && !(level == top && node >= constants.counts[top]);
     } while (subgroupAny(goes_on));
-    // More than all cannot be hidden, nor thrown back.
-    sum.thrown /= max(sum.hidden, 1.0);
+    // More than all cannot be hidden, nor bounced back.
+    sum.bounced /= max(sum.hidden, 1.0);
     return sum;
 }
 

@@ -27,11 +27,11 @@ struct DiscConstants {
     float radius_m; // occluders farther off count for nothing
     float apart;    // a node is looked at whole from where its ball seems this wide: radius over distance
     float strength; // of pixels: what is open is raised to this
-    float bleeding; // of pixels: what is thrown is multiplied by this
+    float bleeding; // of pixels: what is bounced is multiplied by this
 };
 
-// Of the variants: light is thrown back by what hides.
-SHARED_CONSTANT uint discs_throw = 1U;
+// Of the variants: light is bounced back by what hides.
+SHARED_CONSTANT uint discs_bounce = 1U;
 
 #ifdef __cplusplus
 static_assert(sizeof(Disc) == 32);

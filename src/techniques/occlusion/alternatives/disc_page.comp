@@ -6,7 +6,7 @@
 
 #include "shaders/barycentric.glsl"
 #include "shaders/camera.glsl"
-#include "techniques/occlusion/discs/discs.glsl.h"
+#include "techniques/occlusion/alternatives/discs.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -26,9 +26,9 @@ layout(scalar, binding = 4) readonly buffer Open
     float open_of_vertex[];
 };
 
-layout(binding = 5) uniform samplerBuffer thrown_of_vertex;
+layout(binding = 5) uniform samplerBuffer bounced_of_vertex;
 layout(binding = 6, r16f) writeonly uniform image2D out_open;
-layout(binding = 7, rgba16f) writeonly uniform image2D out_thrown;
+layout(binding = 7, rgba16f) writeonly uniform image2D out_bounced;
 
 layout(push_constant) uniform Constants
 {
@@ -40,16 +40,16 @@ layout(push_constant) uniform Constants
 constants;
 
 layout(constant_id = 0) const uint variant = 0u;
-const bool throws = (variant & discs_throw) != 0u;
+const bool bounces = (variant & discs_bounce) != 0u;
 
 float open_at(uint vertex)
 {
     return vertex < constants.vertex_count ? open_of_vertex[vertex] : 1.0;
 }
 
-vec3 thrown_at(uint vertex)
+vec3 bounced_at(uint vertex)
 {
-    return vertex < constants.vertex_count ? texelFetch(thrown_of_vertex, int(vertex)).rgb : vec3(0.0);
+    return vertex < constants.vertex_count ? texelFetch(bounced_of_vertex, int(vertex)).rgb : vec3(0.0);
 }
 
 void main()
@@ -60,7 +60,7 @@ void main()
     }
     uvec2 seen = visibility_at(pixel);
     float open = 1.0;
-    vec3 thrown = vec3(0.0);
+    vec3 bounced = vec3(0.0);
     if (sees_triangle(seen)) {
         uvec4 corners = triangle_at(seen_triangle(seen));
         Barycentric at =
@@ -70,12 +70,12 @@ void main()
                            page_place(frame, vec2(pixel) + 0.5), frame.page_px);
         vec3 of_corners = vec3(open_at(corners.x), open_at(corners.y), open_at(corners.z));
         open = clamp(dot(of_corners, at.weight), 0.0, 1.0);
-        if (throws) {
-            thrown = mat3(thrown_at(corners.x), thrown_at(corners.y), thrown_at(corners.z)) * at.weight;
+        if (bounces) {
+            bounced = mat3(bounced_at(corners.x), bounced_at(corners.y), bounced_at(corners.z)) * at.weight;
         }
     }
     imageStore(out_open, pixel, vec4(pow(open, constants.strength)));
-    if (throws) {
-        imageStore(out_thrown, pixel, vec4(max(constants.bleeding * thrown, vec3(0.0)), 0.0));
+    if (bounces) {
+        imageStore(out_bounced, pixel, vec4(max(constants.bleeding * bounced, vec3(0.0)), 0.0));
     }
 }

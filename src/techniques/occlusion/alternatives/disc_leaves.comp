@@ -7,7 +7,7 @@
 #include "shaders/loops.glsl"
 #include "shaders/scene.glsl.h"
 #include "shaders/unit.glsl"
-#include "techniques/occlusion/discs/discs.glsl.h"
+#include "techniques/occlusion/alternatives/discs.glsl.h"
 
 layout(local_size_x = 64) in;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Discs are put in order, taken together into a tree, and summed up at vertices, pixels or texels.
-#include "techniques/occlusion/discs/discs.hpp"
+#include "techniques/occlusion/alternatives/discs.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -79,15 +79,16 @@ gpu::BufferId add_disc_tree(gpu::Graph& graph, DiscBuffers& buffers, gpu::Buffer
 }
 
 /// Binds what a pass over pixels writes, and says so in its variant.
-OpenPage write_page(gpu::Graph& graph, gpu::Pass& pass, glm::uvec2 size_px, bool throws)
+AmbientOcclusion write_page(gpu::Graph& graph, gpu::Pass& pass, glm::uvec2 size_px, bool bounces)
 {
-    const glm::uvec2 thrown_px = throws ? size_px : glm::uvec2(1);
-    const gpu::ImageId open = pass.write(graph.image(
+    const glm::uvec2 bounced_px = bounces ? size_px : glm::uvec2(1);
+    const gpu::ImageId visibility = pass.write(graph.image(
         "occlusion/open", {.width = size_px.x, .height = size_px.y, .format = gpu::Format::r16f}));
-    const gpu::ImageId thrown = pass.write(graph.image(
-        "occlusion/thrown", {.width = thrown_px.x, .height = thrown_px.y, .format = gpu::Format::rgba16f}));
-    pass.variant(throws ? shared::discs_throw : 0U);
-    return {.open = open, .thrown = throws ? std::optional(thrown) : std::nullopt};
+    const gpu::ImageId bounced = pass.write(
+        graph.image("occlusion/bounced",
+                    {.width = bounced_px.x, .height = bounced_px.y, .format = gpu::Format::rgba16f}));
+    pass.variant(bounces ? shared::discs_bounce : 0U);
+    return {.visibility = visibility, .bounced = bounces ? std::optional(bounced) : std::nullopt};
 }
 
 } // namespace
@@ -150,25 +151,27 @@ DiscBuffers upload_discs(gpu::Device& device, const DiscList& list, uint32_t ver
     DiscBuffers buffers{.disc_count = static_cast<uint32_t>(words.size()), .vertex_count = vertex_count};
     if (!words.empty()) {
         buffers.vertices = gpu::upload_buffer(device, "discs", words);
-        buffers.open = gpu::upload_buffer(device, "open of vertices", std::vector<float>(vertex_count, 1.0F));
+        buffers.visibility =
+            gpu::upload_buffer(device, "open of vertices", std::vector<float>(vertex_count, 1.0F));
         const std::vector<glm::vec4> none(1, glm::vec4(0.0F));
         buffers.colors =
             gpu::upload_buffer(device, "colors of discs", list.colors.empty() ? none : list.colors);
-        buffers.thrown = gpu::upload_buffer(
-            device, "thrown on vertices",
+        buffers.bounced = gpu::upload_buffer(
+            device, "bounced on vertices",
             std::vector<glm::vec4>(list.colors.empty() ? 1 : vertex_count, glm::vec4(0.0F)));
     }
     return buffers;
 }
 
-OpenVertices add_discs(gpu::Graph& graph, DiscBuffers& buffers, gpu::BufferId posed_vertices,
-                       const DiscSettings& settings)
+VertexOcclusion add_discs(gpu::Graph& graph, DiscBuffers& buffers, gpu::BufferId posed_vertices,
+                          const DiscSettings& settings)
 {
-    const gpu::BufferId open = gpu::import_whole(graph, "open of vertices", buffers.open);
-    const gpu::BufferId thrown = gpu::import_whole(graph, "thrown on vertices", buffers.thrown);
+    const gpu::BufferId visibility = gpu::import_whole(graph, "open of vertices", buffers.visibility);
+    const gpu::BufferId bounced = gpu::import_whole(graph, "bounced on vertices", buffers.bounced);
     if (buffers.is_found && buffers.radius_m == settings.radius_m &&
-        (buffers.has_thrown || !settings.throws)) {
-        return {.open = open, .thrown = settings.throws ? std::optional(thrown) : std::nullopt};
+        (buffers.has_bounced || !settings.bounces)) {
+        return {.visibility = visibility,
+                .bounced = settings.bounces ? std::optional(bounced) : std::nullopt};
     }
     const shared::DiscConstants constants = constants_of(buffers.disc_count, settings);
     const gpu::BufferId discs = add_disc_tree(graph, buffers, posed_vertices, constants);
@@ -176,47 +179,29 @@ OpenVertices add_discs(gpu::Graph& graph, DiscBuffers& buffers, gpu::BufferId po
     gather.sample(posed_vertices).read(gpu::import_whole(graph, "discs", buffers.vertices));
     gather.sample(discs, gpu::Format::rgba32f);
     gather.sample(gpu::import_whole(graph, "colors of discs", buffers.colors), gpu::Format::rgba32f);
-    const gpu::BufferId found = gather.modify(open);
-    const gpu::BufferId found_thrown = gather.modify(thrown);
-    gather.variant(settings.throws ? shared::discs_throw : 0U);
+    const gpu::BufferId found = gather.modify(visibility);
+    const gpu::BufferId found_bounced = gather.modify(bounced);
+    gather.variant(settings.bounces ? shared::discs_bounce : 0U);
     gather.push(constants).dispatch_items(constants.counts[0]);
     buffers.is_found = true;
-    buffers.has_thrown = settings.throws;
+    buffers.has_bounced = settings.bounces;
     buffers.radius_m = settings.radius_m;
-    return {.open = found, .thrown = settings.throws ? std::optional(found_thrown) : std::nullopt};
+    return {.visibility = found, .bounced = settings.bounces ? std::optional(found_bounced) : std::nullopt};
 }
 
-OpenPage add_disc_page(gpu::Graph& graph, const DiscPageInputs& in, const OcclusionStyle& style)
+AmbientOcclusion add_disc_splats(gpu::Graph& graph, DiscBuffers& buffers, gpu::BufferId posed_vertices,
+                                 const OcclusionInputs& in, const OcclusionStyle& style, float apart)
 {
-    struct Constants {
-        float strength;
-        float bleeding;
-        uint32_t vertex_count;
-    };
-
-    auto pass = graph.compute("occlusion/page", shaders::disc_page_comp);
-    pass.uniform(in.frame).sample(in.visibility, gpu::Format::rg32ui);
-    pass.sample(in.triangles).sample(in.posed_vertices).read(in.found.open);
-    pass.sample(in.found.thrown.value_or(in.posed_vertices), gpu::Format::rgba32f);
-    const OpenPage page = write_page(graph, pass, in.size_px, in.found.thrown.has_value());
-    pass.push(Constants{style.strength, style.bleeding, in.vertex_count});
-    pass.dispatch_over(in.size_px.x, in.size_px.y);
-    return page;
-}
-
-OpenPage add_disc_splats(gpu::Graph& graph, DiscBuffers& buffers, gpu::BufferId posed_vertices,
-                         const OcclusionInputs& in, const OcclusionStyle& style, float apart)
-{
-    const bool throws = style.bleeding > 0.0F;
+    const bool bounces = style.bleeding > 0.0F;
     shared::DiscConstants constants =
-        constants_of(buffers.disc_count, {.radius_m = in.radius_m, .apart = apart, .throws = throws});
+        constants_of(buffers.disc_count, {.radius_m = in.radius_m, .apart = apart, .bounces = bounces});
     constants.strength = style.strength;
     constants.bleeding = style.bleeding;
     const gpu::BufferId discs = add_disc_tree(graph, buffers, posed_vertices, constants);
     auto pass = graph.compute("occlusion/splats", shaders::disc_splats_comp);
     pass.uniform(in.frame).sample(in.depth).sample(in.normal).sample(discs, gpu::Format::rgba32f);
     pass.sample(gpu::import_whole(graph, "colors of discs", buffers.colors), gpu::Format::rgba32f);
-    const OpenPage page = write_page(graph, pass, in.size_px, throws);
+    const AmbientOcclusion page = write_page(graph, pass, in.size_px, bounces);
     pass.push(constants).dispatch_over(in.size_px.x, in.size_px.y);
     return page;
 }
@@ -234,7 +219,7 @@ gpu::BufferId add_disc_map(gpu::Graph& graph, DiscBuffers& discs, DiscMapBuffers
                            const DiscMapInputs& in, const DiscSettings& settings)
 {
     const gpu::BufferId found = gpu::import_whole(graph, "open of texels", map.found);
-    if (map.is_found && map.radius_m == settings.radius_m && (map.has_thrown || !settings.throws)) {
+    if (map.is_found && map.radius_m == settings.radius_m && (map.has_bounced || !settings.bounces)) {
         return found;
     }
     const shared::DiscConstants constants = constants_of(discs.disc_count, settings);
@@ -244,15 +229,40 @@ gpu::BufferId add_disc_map(gpu::Graph& graph, DiscBuffers& discs, DiscMapBuffers
     gather.sample(tree, gpu::Format::rgba32f);
     gather.sample(gpu::import_whole(graph, "colors of discs", discs.colors), gpu::Format::rgba32f);
     const gpu::BufferId written = gather.write(found);
-    gather.variant(settings.throws ? shared::discs_throw : 0U);
+    gather.variant(settings.bounces ? shared::discs_bounce : 0U);
     gather.push(constants).dispatch_items(map.size * map.size);
     map.is_found = true;
-    map.has_thrown = settings.throws;
+    map.has_bounced = settings.bounces;
     map.radius_m = settings.radius_m;
     return written;
 }
 
-OpenPage add_disc_map_page(gpu::Graph& graph, const DiscMapPageInputs& in, const OcclusionStyle& style)
+namespace {
+
+/// What the corners of each pixel's triangle have, as add_discs() found it, between them.
+AmbientOcclusion add_vertex_page(gpu::Graph& graph, const OcclusionInputs& in, const PosedSurfaces& surfaces,
+                                 const VertexOcclusion& found, uint32_t vertex_count,
+                                 const OcclusionStyle& style)
+{
+    struct Constants {
+        float strength;
+        float bleeding;
+        uint32_t vertex_count;
+    };
+
+    auto pass = graph.compute("occlusion/page", shaders::disc_page_comp);
+    pass.uniform(in.frame).sample(surfaces.visibility, gpu::Format::rg32ui);
+    pass.sample(surfaces.triangles).sample(surfaces.posed_vertices).read(found.visibility);
+    pass.sample(found.bounced.value_or(surfaces.posed_vertices), gpu::Format::rgba32f);
+    const AmbientOcclusion page = write_page(graph, pass, in.size_px, found.bounced.has_value());
+    pass.push(Constants{style.strength, style.bleeding, vertex_count});
+    pass.dispatch_over(in.size_px.x, in.size_px.y);
+    return page;
+}
+
+/// What add_disc_map() found, between texels.
+AmbientOcclusion add_map_page(gpu::Graph& graph, const OcclusionInputs& in, const PosedSurfaces& surfaces,
+                              gpu::BufferId found, bool bounces, const OcclusionStyle& style)
 {
     struct Constants {
         float strength;
@@ -261,13 +271,38 @@ OpenPage add_disc_map_page(gpu::Graph& graph, const DiscMapPageInputs& in, const
     };
 
     auto pass = graph.compute("occlusion/page", shaders::disc_map_page_comp);
-    pass.uniform(in.frame).sample(in.visibility, gpu::Format::rg32ui);
-    pass.sample(in.triangles).sample(in.posed_vertices);
-    pass.sample(in.map_corners, gpu::Format::rg32ui).sample(in.found, gpu::Format::rgba32f);
-    const OpenPage page = write_page(graph, pass, in.size_px, in.throws);
-    pass.push(Constants{style.strength, style.bleeding, static_cast<int32_t>(in.map_size)});
+    pass.uniform(in.frame).sample(surfaces.visibility, gpu::Format::rg32ui);
+    pass.sample(surfaces.triangles).sample(surfaces.posed_vertices);
+    pass.sample(surfaces.map->corners, gpu::Format::rg32ui).sample(found, gpu::Format::rgba32f);
+    const AmbientOcclusion page = write_page(graph, pass, in.size_px, bounces);
+    pass.push(Constants{style.strength, style.bleeding, static_cast<int32_t>(surfaces.map->size)});
     pass.dispatch_over(in.size_px.x, in.size_px.y);
     return page;
+}
+
+} // namespace
+
+std::optional<AmbientOcclusion> add_disc_occlusion(gpu::Graph& graph, DiscBuffers& discs, DiscMapBuffers& map,
+                                                   const OcclusionInputs& in, const OcclusionStyle& style)
+{
+    if (discs.empty()) {
+        return std::nullopt;
+    }
+    const PosedSurfaces& surfaces = in.surfaces.value();
+    if (style.method == Method::splats) {
+        return add_disc_splats(graph, discs, surfaces.posed_vertices, in, style);
+    }
+    const DiscSettings settings{.radius_m = in.radius_m, .bounces = style.bleeding > 0.0F};
+    if (style.method == Method::uv) {
+        const gpu::BufferId found = add_disc_map(graph, discs, map,
+                                                 {.map_texels = surfaces.map.value().texels,
+                                                  .triangles = surfaces.triangles,
+                                                  .posed_vertices = surfaces.posed_vertices},
+                                                 settings);
+        return add_map_page(graph, in, surfaces, found, settings.bounces, style);
+    }
+    const VertexOcclusion found = add_discs(graph, discs, surfaces.posed_vertices, settings);
+    return add_vertex_page(graph, in, surfaces, found, discs.vertex_count, style);
 }
 
 } // namespace estampe::occlusion

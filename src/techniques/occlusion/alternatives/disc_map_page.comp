@@ -6,7 +6,7 @@
 
 #include "shaders/barycentric.glsl"
 #include "shaders/camera.glsl"
-#include "techniques/occlusion/discs/discs.glsl.h"
+#include "techniques/occlusion/alternatives/discs.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -26,7 +26,7 @@ layout(scalar, binding = 0) uniform Frame
 
 layout(binding = 5) uniform samplerBuffer found_texels; // by disc_map_gather.comp
 layout(binding = 6, r16f) writeonly uniform image2D out_open;
-layout(binding = 7, rgba16f) writeonly uniform image2D out_thrown;
+layout(binding = 7, rgba16f) writeonly uniform image2D out_bounced;
 
 layout(push_constant) uniform Constants
 {
@@ -38,9 +38,9 @@ layout(push_constant) uniform Constants
 constants;
 
 layout(constant_id = 0) const uint variant = 0u;
-const bool throws = (variant & discs_throw) != 0u;
+const bool bounces = (variant & discs_bounce) != 0u;
 
-// What is thrown, and what is open; of nothing that lies in no map anything is hidden.
+// What is bounced, and what is open; of nothing that lies in no map anything is hidden.
 vec4 found_at(vec2 place)
 {
     vec2 from = place - 0.5;
@@ -80,7 +80,7 @@ void main()
         }
     }
     imageStore(out_open, pixel, vec4(pow(clamp(found.a, 0.0, 1.0), constants.strength)));
-    if (throws) {
-        imageStore(out_thrown, pixel, vec4(max(constants.bleeding * found.rgb, vec3(0.0)), 0.0));
+    if (bounces) {
+        imageStore(out_bounced, pixel, vec4(max(constants.bleeding * found.rgb, vec3(0.0)), 0.0));
     }
 }

@@ -5,7 +5,7 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/frame.glsl.h"
-#include "techniques/occlusion/unsharp/unsharp.glsl.h"
+#include "techniques/occlusion/alternatives/unsharp.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/occlusion/unsharp/unsharp.glsl.h"
+#include "techniques/occlusion/alternatives/unsharp.hpp"
 
 #include "shaders/unsharp_blur_comp.hpp"
 #include "shaders/unsharp_page_comp.hpp"
-#include "techniques/occlusion/occlusion.hpp"
+#include "techniques/occlusion/alternatives/unsharp.glsl.h"
 
 namespace estampe::occlusion {
 
-gpu::ImageId add_unsharp(gpu::Graph& graph, const OcclusionInputs& in, const OcclusionStyle& style)
+AmbientOcclusion add_unsharp(gpu::Graph& graph, const OcclusionInputs& in, const OcclusionStyle& style)
 {
     const HalfPage half = half_page(in);
     const shared::UnsharpConstants constants{.reach_px = style.reach_mm * in.pixels_per_mm,
@@ -30,7 +30,7 @@ gpu::ImageId add_unsharp(gpu::Graph& graph, const OcclusionInputs& in, const Occ
     const gpu::ImageId page = pass.write(graph.image(
         "occlusion/open", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
     pass.push(constants).dispatch_over(in.size_px.x, in.size_px.y);
-    return page;
+    return {.visibility = page, .bounced = std::nullopt};
 }
 
 } // namespace estampe::occlusion

@@ -10,10 +10,16 @@
 
 #include "gpu/graph/graph.hpp"
 #include "gpu/resources.hpp"
-#include "techniques/occlusion/discs/discs.glsl.h"
+#include "techniques/occlusion/alternatives/discs.glsl.h"
 #include "techniques/occlusion/occlusion.hpp"
 
 namespace estampe::occlusion {
+
+/// Whether there is a disc at each vertex.
+[[nodiscard]] constexpr bool has_discs(Method method)
+{
+    return method == Method::discs || method == Method::splats || method == Method::uv;
+}
 
 /// The discs of a scene in an order in which eight after another, and eight times so many, lie together.
 struct DiscList {
@@ -33,14 +39,14 @@ void color_discs(DiscList& list, std::span<const glm::vec3> color_of_vertex);
 /// What outlives a frame: the list, and what was found last.
 struct DiscBuffers {
     gpu::Buffer vertices;
-    gpu::Buffer colors; ///< of all nodes
-    gpu::Buffer open;   ///< a float a posed vertex
-    gpu::Buffer thrown; ///< four floats a posed vertex
+    gpu::Buffer colors;     ///< of all nodes
+    gpu::Buffer visibility; ///< a float a posed vertex
+    gpu::Buffer bounced;    ///< four floats a posed vertex
     uint32_t disc_count = 0;
     uint32_t vertex_count = 0;
-    bool is_found = false;   ///< for the pose and the style in hand
-    float radius_m = 0.0F;   ///< of that
-    bool has_thrown = false; ///< what is thrown was found with it
+    bool is_found = false;    ///< for the pose and the style in hand
+    float radius_m = 0.0F;    ///< of that
+    bool has_bounced = false; ///< what is bounced was found with it
 
     [[nodiscard]] bool empty() const { return disc_count == 0; }
 };
@@ -54,57 +60,42 @@ inline constexpr float usual_apart = 0.35F;
 struct DiscSettings {
     float radius_m = 1.0F; ///< discs farther off count for nothing
     float apart = usual_apart;
-    bool throws = false; ///< light that they throw is wanted too
+    bool bounces = false; ///< light that they bounce back is wanted too
 };
 
 /// What was found for posed vertices.
-struct OpenVertices {
-    gpu::BufferId open;                  ///< a float each
-    std::optional<gpu::BufferId> thrown; ///< four floats each
+struct VertexOcclusion {
+    gpu::BufferId visibility;             ///< a float each
+    std::optional<gpu::BufferId> bounced; ///< four floats each
 };
 
 /// Finds how much of the light from everywhere each vertex gets: 1 less the sum of A cos cos / (pi r^2 + A)
-/// over all discs that face it, less with distance up to the radius; and what they throw of it, which is the
-/// same sum, each disc in its colour. Of a list without colours nothing may be thrown.
+/// over all discs that face it, less with distance up to the radius; and what they bounce of it, which is the
+/// same sum, each disc in its colour. Of a list without colours nothing may be bounced.
 ///
 /// Returns a float a posed vertex; 1 for those without a disc
 /// Cost    about n log n, and a small dispatch for each level of the tree; n^2 where `apart` is 0, which
 ///         looks at each disc by itself
 /// Source  Zanuttini, "Recherches en rendu non réaliste temps réel", Université Paris 8, 2008, section 8.4;
 ///         Bunnell, "Dynamic Ambient Occlusion and Indirect Lighting", GPU Gems 2, 2005
-[[nodiscard]] OpenVertices add_discs(gpu::Graph& graph, DiscBuffers& buffers, gpu::BufferId posed_vertices,
-                                     const DiscSettings& settings);
-
-struct DiscPageInputs {
-    gpu::BufferId frame; ///< FrameGlobals
-    gpu::BufferId visibility;
-    gpu::BufferId triangles;
-    gpu::BufferId posed_vertices;
-    OpenVertices found; ///< by add_discs()
-    uint32_t vertex_count = 0;
-    glm::uvec2 size_px{0};
-};
-
-/// The same for each pixel, as add_horizon() gives it, between what its triangle's corners have. Cost: one
-/// full-screen dispatch.
-[[nodiscard]] OpenPage add_disc_page(gpu::Graph& graph, const DiscPageInputs& in,
-                                     const OcclusionStyle& style);
+[[nodiscard]] VertexOcclusion add_discs(gpu::Graph& graph, DiscBuffers& buffers, gpu::BufferId posed_vertices,
+                                        const DiscSettings& settings);
 
 /// The sum at each pixel itself: what splatting every disc over all that it reaches would add up there.
 ///
 /// Cost    one full-screen dispatch that goes with the logarithm of the discs: 40 ms and more on a processor
 /// Source  as add_discs()
-[[nodiscard]] OpenPage add_disc_splats(gpu::Graph& graph, DiscBuffers& buffers, gpu::BufferId posed_vertices,
-                                       const OcclusionInputs& in, const OcclusionStyle& style,
-                                       float apart = usual_apart);
+[[nodiscard]] AmbientOcclusion add_disc_splats(gpu::Graph& graph, DiscBuffers& buffers,
+                                               gpu::BufferId posed_vertices, const OcclusionInputs& in,
+                                               const OcclusionStyle& style, float apart = usual_apart);
 
 /// What was found last for a map's texels: it outlives a frame.
 struct DiscMapBuffers {
-    gpu::Buffer found; ///< four floats a texel: what is thrown on it, and what is open; -1 off the surface
+    gpu::Buffer found; ///< four floats a texel: what is bounced onto it, and what is open; -1 off the surface
     uint32_t size = 0; ///< texels a side
     bool is_found = false; ///< for the pose and the style in hand
     float radius_m = 0.0F; ///< of that
-    bool has_thrown = false;
+    bool has_bounced = false;
 };
 
 /// Of a map of so many texels a side.
@@ -124,20 +115,12 @@ struct DiscMapInputs {
 [[nodiscard]] gpu::BufferId add_disc_map(gpu::Graph& graph, DiscBuffers& discs, DiscMapBuffers& map,
                                          const DiscMapInputs& in, const DiscSettings& settings);
 
-struct DiscMapPageInputs {
-    gpu::BufferId frame; ///< FrameGlobals
-    gpu::BufferId visibility;
-    gpu::BufferId triangles;
-    gpu::BufferId posed_vertices;
-    gpu::BufferId map_corners; ///< see shaders/map_corners.glsl
-    gpu::BufferId found;       ///< by add_disc_map()
-    uint32_t map_size = 0;     ///< texels a side
-    bool throws = false;       ///< light that discs throw was found too
-    glm::uvec2 size_px{0};
-};
-
-/// The same for each pixel, as add_disc_page() gives it, between texels. Cost: one full-screen dispatch.
-[[nodiscard]] OpenPage add_disc_map_page(gpu::Graph& graph, const DiscMapPageInputs& in,
-                                         const OcclusionStyle& style);
+/// By one of the three above, as the style says, brought to the page; none where there are no discs.
+///
+/// Cost    that of the sum, and one full-screen dispatch that takes it between vertices or texels
+[[nodiscard]] std::optional<AmbientOcclusion> add_disc_occlusion(gpu::Graph& graph, DiscBuffers& discs,
+                                                                 DiscMapBuffers& map,
+                                                                 const OcclusionInputs& in,
+                                                                 const OcclusionStyle& style);
 
 } // namespace estampe::occlusion

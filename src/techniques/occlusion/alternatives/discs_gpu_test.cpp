@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Occlusion between discs: the formula summed in double precision, the tree against it, and rays.
-#include "techniques/occlusion/discs/discs.hpp"
+#include "techniques/occlusion/alternatives/discs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -63,16 +63,16 @@ public:
         return test::run_and_read_as<float>(graph, add_discs(graph, buffers,
                                                              gpu::import_whole(graph, "posed", vertices),
                                                              {.radius_m = radius_m, .apart = apart})
-                                                       .open);
+                                                       .visibility);
     }
 
-    std::vector<glm::vec4> thrown(float radius_m)
+    std::vector<glm::vec4> bounced(float radius_m)
     {
         auto vertices = gpu::upload_buffer(test::shared_device(), "posed", posed);
         gpu::Graph graph;
-        const OpenVertices found = add_discs(graph, buffers, gpu::import_whole(graph, "posed", vertices),
-                                             {.radius_m = radius_m, .apart = 0.0F, .throws = true});
-        return test::run_and_read_as<glm::vec4>(graph, found.thrown.value());
+        const VertexOcclusion found = add_discs(graph, buffers, gpu::import_whole(graph, "posed", vertices),
+                                                {.radius_m = radius_m, .apart = 0.0F, .bounces = true});
+        return test::run_and_read_as<glm::vec4>(graph, found.bounced.value());
     }
 
     /// By pixels: what is open of them.
@@ -86,14 +86,15 @@ public:
         auto frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{drawing.globals});
         auto vertices = gpu::upload_buffer(test::shared_device(), "posed", posed);
         gpu::Graph graph;
-        const OpenPage page = add_disc_splats(graph, buffers, gpu::import_whole(graph, "posed", vertices),
-                                              {.frame = gpu::import_whole(graph, "frame", frame),
-                                               .depth = depth.in(graph),
-                                               .normal = normal.in(graph),
-                                               .radius_m = radius_m,
-                                               .size_px = {32, 32}},
-                                              {}, 0.0F);
-        return test::run_and_read_coverage(graph, page.open);
+        const AmbientOcclusion page =
+            add_disc_splats(graph, buffers, gpu::import_whole(graph, "posed", vertices),
+                            {.frame = gpu::import_whole(graph, "frame", frame),
+                             .depth = depth.in(graph),
+                             .normal = normal.in(graph),
+                             .radius_m = radius_m,
+                             .size_px = {32, 32}},
+                            {}, 0.0F);
+        return test::run_and_read_coverage(graph, page.visibility);
     }
 
     /// Each disc by itself.
@@ -254,10 +255,10 @@ glm::vec3 striped(const glm::vec3& place)
     return place.x < 0.0F ? glm::vec3(0.9F, 0.2F, 0.1F) : glm::vec3(0.1F, 0.3F, 0.8F);
 }
 
-TEST(Discs, ThrowLightInTheirColors)
+TEST(Discs, BounceLightInTheirColors)
 {
     Discs discs(finely_cut(12), striped);
-    const std::vector<glm::vec4> thrown = discs.thrown(1.0F);
+    const std::vector<glm::vec4> bounced = discs.bounced(1.0F);
     double reddest = 0.0;
     for (const uint32_t vertex : discs.list.vertices) {
         const glm::dvec4 hidden =
@@ -265,7 +266,7 @@ TEST(Discs, ThrowLightInTheirColors)
                               glm::dvec3(pose::unpack_normal(discs.posed[vertex].normal)), 1.0);
         const glm::dvec3 wanted = glm::dvec3(hidden) / std::max(hidden.w, 1.0);
         for (int channel = 0; channel < 3; ++channel) {
-            EXPECT_NEAR(thrown[vertex][channel], wanted[channel], 2e-4) << vertex;
+            EXPECT_NEAR(bounced[vertex][channel], wanted[channel], 2e-4) << vertex;
         }
         reddest = std::max(reddest, wanted.x - wanted.z);
     }

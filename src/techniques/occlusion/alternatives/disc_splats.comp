@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel sums what discs hide from it, and what light they throw on it.
+// One thread a pixel sums what discs hide from it, and what light they bounce onto it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_vote : require
@@ -7,7 +7,7 @@
 
 #include "shaders/camera.glsl"
 #include "shaders/unit.glsl"
-#include "techniques/occlusion/discs/discs.glsl.h"
+#include "techniques/occlusion/alternatives/discs.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -25,14 +25,14 @@ layout(push_constant, scalar) uniform Constants
 };
 
 layout(constant_id = 0) const uint variant = 0u;
-const bool throws = (variant & discs_throw) != 0u;
+const bool bounces = (variant & discs_bounce) != 0u;
 
 #define DISCS_BINDING 3
-#define DISCS_THROW throws
-#include "techniques/occlusion/discs/disc_sum.glsl"
+#define DISCS_BOUNCE bounces
+#include "techniques/occlusion/alternatives/disc_sum.glsl"
 
 layout(binding = 5, r16f) writeonly uniform image2D out_open;
-layout(binding = 6, rgba16f) writeonly uniform image2D out_thrown;
+layout(binding = 6, rgba16f) writeonly uniform image2D out_bounced;
 
 void main()
 {
@@ -44,8 +44,8 @@ void main()
     DiscSum sum = sum_of_discs(place, normal, depth > 0.0);
     if (held == pixel) {
         imageStore(out_open, pixel, vec4(pow(max(1.0 - sum.hidden, 0.0), constants.strength)));
-        if (throws) {
-            imageStore(out_thrown, pixel, vec4(constants.bleeding * sum.thrown, 0.0));
+        if (bounces) {
+            imageStore(out_bounced, pixel, vec4(constants.bleeding * sum.bounced, 0.0));
         }
     }
 }

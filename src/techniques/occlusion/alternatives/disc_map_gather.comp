@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a texel of the map sums what discs hide from it, and what light they throw on it.
+// One thread a texel of the map sums what discs hide from it, and what light they bounce onto it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_vote : require
@@ -7,7 +7,7 @@
 
 #include "shaders/loops.glsl"
 #include "shaders/unit.glsl"
-#include "techniques/occlusion/discs/discs.glsl.h"
+#include "techniques/occlusion/alternatives/discs.glsl.h"
 
 layout(local_size_x = 64) in;
 
@@ -23,15 +23,15 @@ layout(push_constant, scalar) uniform Constants
 };
 
 layout(constant_id = 0) const uint variant = 0u;
-const bool throws = (variant & discs_throw) != 0u;
+const bool bounces = (variant & discs_bounce) != 0u;
 
 #define DISCS_BINDING 3
-#define DISCS_THROW throws
-#include "techniques/occlusion/discs/disc_sum.glsl"
+#define DISCS_BOUNCE bounces
+#include "techniques/occlusion/alternatives/disc_sum.glsl"
 
 layout(scalar, binding = 5) writeonly buffer Found
 {
-    vec4 found[]; // a texel: what is thrown on it, and what is open of it; -1 where there is no surface
+    vec4 found[]; // a texel: what is bounced on it, and what is open of it; -1 where there is no surface
 };
 
 void main()
@@ -50,6 +50,6 @@ void main()
     DiscSum sum = sum_of_discs(place, normal, item < count && point.is_there);
     if (item < count) {
         found[item] =
-            vec4(throws ? sum.thrown : vec3(0.0), point.is_there ? max(1.0 - sum.hidden, 0.0) : -1.0);
+            vec4(bounces ? sum.bounced : vec3(0.0), point.is_there ? max(1.0 - sum.hidden, 0.0) : -1.0);
     }
 }

@@ -8,7 +8,7 @@
 
 #include "shaders/frame.glsl.h"
 #include "shaders/loops.glsl"
-#include "techniques/occlusion/unsharp/unsharp.glsl.h"
+#include "techniques/occlusion/alternatives/unsharp.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

@@ -5,7 +5,7 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/loops.glsl"
-#include "techniques/occlusion/discs/discs.glsl.h"
+#include "techniques/occlusion/alternatives/discs.glsl.h"
 
 layout(local_size_x = 64) in;
 
