@@ -14,6 +14,7 @@
 #include "features/ink/flowing_ink.hpp"
 #include "features/lighting/lighting.hpp"
 #include "features/lines/lines.hpp"
+#include "features/motion/motion_blur.hpp"
 #include "features/occlusion/occlusion.hpp"
 #include "features/particles/particles.hpp"
 #include "features/shadows/shadows.hpp"
@@ -32,9 +33,10 @@ struct Features {
     features::RisingSmoke smoke;
     features::Clouds clouds;
     features::Particles particles;
+    features::MotionBlur motion_blur;
 
     /// In the order in which a film's memory holds them.
-    [[nodiscard]] std::array<features::Feature*, 10> all();
+    [[nodiscard]] std::array<features::Feature*, 11> all();
 
     void invalidate(features::Event event);
 };

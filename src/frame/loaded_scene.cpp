@@ -143,8 +143,6 @@ void take_layout(gpu::Device& device, LoadedScene& loaded, pose::MeshData layout
         loaded.still_room.extend(caster.place.max);
     }
     loaded.surface_maps.clear();
-    loaded.coincident = {};
-    loaded.smear_seeds = {};
     loaded.pose.reset();
     loaded.pose_moved = true;
 }
@@ -191,20 +189,6 @@ void place_nodes(gpu::Device& device, LoadedScene& loaded, std::span<const NodeP
         lay_out(device, loaded);
     }
     loaded.placed.place(places, time_s);
-}
-
-motion_blur::SmearSeeds smear_seeds_of(gpu::Device& device, const pose::MeshData& layout)
-{
-    std::vector<uint32_t> solid;
-    for (const pose::Range& range : {layout.opaque, layout.masked}) {
-        for (uint32_t i = range.first; i < range.first + range.count; ++i) {
-            if (layout.triangles[i].x < layout.foreign_vertex.value_or(UINT32_MAX)) {
-                solid.push_back(i);
-            }
-        }
-    }
-    return motion_blur::upload_seeds(
-        device, motion_blur::spread_seeds(solid, layout.triangles, layout.stroke_coordinates));
 }
 
 void lay_out(gpu::Device& device, LoadedScene& loaded)

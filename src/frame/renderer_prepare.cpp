@@ -259,14 +259,8 @@ void Renderer::Impl::ensure_looks(const frame::FramePlan& plan)
     features.occlusion.prepare(device, loaded->layout, loaded->materials,
                                plan.looks.styles.front().occlusion);
     ensure_surface_maps(plan);
-    if (plan.motion_blur && plan.looks.styles.front().motion_blur.mode == motion_blur::Mode::stretched &&
-        loaded->coincident.empty()) {
-        loaded->coincident = motion_blur::upload_coincident(
-            device,
-            motion_blur::list_coincident(loaded->layout.stroke_coordinates, loaded->layout.draw_of_vertex));
-    }
-    if (plan.motion_blur && plan.looks.styles.front().motion_blur.smear && !loaded->smear_seeds.is_made) {
-        loaded->smear_seeds = frame::smear_seeds_of(device, loaded->layout);
+    if (plan.motion_blur) {
+        features.motion_blur.prepare(device, loaded->layout, plan.looks.styles.front().motion_blur);
     }
     if (plan.subsurface) {
         gpu::upload_items(device, "subsurface looks", plan.subsurface->looks, buffers.subsurface_looks);

@@ -8,7 +8,7 @@
 
 #include "gpu/graph/graph.hpp"
 #include "gpu/resources.hpp"
-#include "techniques/motion_blur/motion_blur.glsl.h"
+#include "techniques/motion_blur/motion_blur.hpp"
 
 namespace estampe::motion_blur {
 
@@ -34,24 +34,13 @@ struct CoincidentVertices {
 
 [[nodiscard]] CoincidentVertices upload_coincident(gpu::Device& device, const CoincidentList& list);
 
-struct StretchInputs {
-    gpu::BufferId posed_vertices;
-    gpu::BufferId posed_vertices_before;
-    shared::StretchConstants constants; ///< vertex_count aside
-};
-
-/// Vertices of the drawn-out shape now, and where they stood before.
-struct Stretched {
-    gpu::BufferId vertices;
-    gpu::BufferId before;
-};
-
 /// Moves each vertex along its way, by half of it and its share: forwards where the surface about it faces
 /// that way, else backwards.
 ///
 /// Cost    one dispatch, one thread a vertex
 /// Source  Wloka and Zeleznik, "Interactive Real-Time Motion Blur", The Visual Computer 12, 1996; Zanuttini,
 ///         "Recherches en rendu non réaliste temps réel", Université Paris 8, 2008, section 8.3
-[[nodiscard]] Stretched add_stretch(gpu::Graph& graph, CoincidentVertices& together, const StretchInputs& in);
+[[nodiscard]] VelocityShape add_stretch(gpu::Graph& graph, CoincidentVertices& together,
+                                        const VelocityShapeInputs& in);
 
 } // namespace estampe::motion_blur

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/motion_blur/stretch.hpp"
+#include "techniques/motion_blur/alternatives/stretch.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -46,10 +46,10 @@ CoincidentVertices upload_coincident(gpu::Device& device, const CoincidentList& 
     return buffers;
 }
 
-Stretched add_stretch(gpu::Graph& graph, CoincidentVertices& together, const StretchInputs& in)
+VelocityShape add_stretch(gpu::Graph& graph, CoincidentVertices& together, const VelocityShapeInputs& in)
 {
-    shared::StretchConstants constants = in.constants;
-    constants.vertex_count = together.vertex_count;
+    const shared::StretchConstants constants{
+        .now_from_before = in.now_from_before, .share = in.share, .vertex_count = together.vertex_count};
     const gpu::BufferDesc desc{.size_bytes = sizeof(shared::PosedVertex) * together.vertex_count};
     auto pass = graph.compute("motion blur/stretch", shaders::stretch_comp);
     pass.sample(in.posed_vertices).sample(in.posed_vertices_before);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/motion_blur/stretch.hpp"
+#include "techniques/motion_blur/alternatives/stretch.hpp"
 
 #include <array>
 
