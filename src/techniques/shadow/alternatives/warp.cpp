@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow/sun/warp.hpp"
+#include "techniques/shadow/alternatives/warp.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +54,7 @@ std::vector<glm::dvec3> corners_of(std::vector<Plane> planes)
 }
 
 /// What lies in the way of shadows, or below them: the casters' box along the sun, over the floor.
-std::vector<Plane> planes_of(const WarpedScene& scene, const SunView& view)
+std::vector<Plane> planes_of(const SunMapScene& scene, const SunView& view)
 {
     const glm::dmat4 rows = glm::transpose(glm::dmat4(view.clip_from_anchor));
     const Plane one(0.0, 0.0, 0.0, 1.0);
@@ -81,8 +81,10 @@ struct Range {
 
 } // namespace
 
-SunView warped_view(const WarpedScene& scene, const shared::FrameGlobals& eye, uint32_t size)
+SunView warped_view(const SunMapScene& scene)
 {
+    const shared::FrameGlobals& eye = scene.eye;
+    const uint32_t size = scene.size;
     SunView view = sun_view(scene.casters, scene.anchor, scene.towards_sun, size);
     std::vector<Plane> planes = planes_of(eye);
     const std::vector<Plane> shadows = planes_of(scene, view);
