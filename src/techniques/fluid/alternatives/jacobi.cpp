@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "techniques/fluid/alternatives/jacobi.hpp"
+
 #include <algorithm>
 
 #include "gpu/transfers.hpp"
 #include "shaders/fluid_jacobi_comp.hpp"
 #include "shaders/fluid_jacobi_volume_comp.hpp"
-#include "techniques/fluid/pressure/solvers.hpp"
 
 namespace estampe::fluid {
 namespace {
