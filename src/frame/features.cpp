@@ -75,9 +75,10 @@ void check_sections(const std::vector<Section>& sections, std::span<features::Fe
 
 } // namespace
 
-std::array<features::Feature*, 9> Features::all()
+std::array<features::Feature*, 11> Features::all()
 {
-    return {&shadows, &lighting, &lines, &hatching, &cloth, &ink, &smoke, &clouds, &particles};
+    return {&shadows, &lighting, &occlusion, &lines,     &hatching,   &cloth,
+            &ink,     &smoke,    &clouds,    &particles, &motion_blur};
 }
 
 void Features::invalidate(features::Event event)

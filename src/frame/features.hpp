@@ -14,6 +14,8 @@
 #include "features/ink/flowing_ink.hpp"
 #include "features/lighting/lighting.hpp"
 #include "features/lines/lines.hpp"
+#include "features/motion/motion_blur.hpp"
+#include "features/occlusion/occlusion.hpp"
 #include "features/particles/particles.hpp"
 #include "features/shadows/shadows.hpp"
 #include "features/smoke/rising_smoke.hpp"
@@ -23,6 +25,7 @@ namespace estampe::frame {
 struct Features {
     features::Shadows shadows;
     features::Lighting lighting;
+    features::Occlusion occlusion;
     features::Lines lines;
     features::Hatching hatching;
     features::ClothSimulation cloth;
@@ -30,9 +33,10 @@ struct Features {
     features::RisingSmoke smoke;
     features::Clouds clouds;
     features::Particles particles;
+    features::MotionBlur motion_blur;
 
     /// In the order in which a film's memory holds them.
-    [[nodiscard]] std::array<features::Feature*, 9> all();
+    [[nodiscard]] std::array<features::Feature*, 11> all();
 
     void invalidate(features::Event event);
 };

@@ -18,11 +18,12 @@ void declare_frame(const FrameContext& context)
 
     // What light falls on it.
     const ShadowMaps maps = add_shadow_maps(context, scene);
-    const std::optional<gpu::ImageId> known = add_lightmap_light(context, scene, visibility);
-    const std::optional<occlusion::OpenPage> open = add_occlusion(context, scene, visibility, surface);
+    const std::optional<gpu::ImageId> lightmap = add_lightmap_light(context, scene, visibility);
+    const auto occlusion = add_occlusion(context, scene, visibility, surface);
     const std::optional<smoke::Volume> volume = add_smoke_volume(context, scene, maps);
-    const light::LitPixels lit = add_light(context, scene, visibility, surface,
-                                           {.maps = maps, .smoke = volume, .known = known, .open = open});
+    const light::LitPixels lit =
+        add_light(context, scene, visibility, surface,
+                  {.maps = maps, .smoke = volume, .lightmap = lightmap, .occlusion = occlusion});
 
     // What ink that is: as paths, or as layers.
     const hatch::HatchInputs hatching = hatch_inputs(context, scene, surface, lit, screen);
@@ -68,9 +69,9 @@ void declare_frame(const FrameContext& context)
     const paper::ComposeInputs layers =
         page_layers(context, scene, faded, colors, {.ink = flowing, .smoke = smoke}, cover, lit.light);
     add_picture(context, layers);
-    add_linear_picture(
-        context, layers, surface, lit,
-        {.open = open ? std::optional(open->open) : std::nullopt, .cloud_cover = colors.cloud_cover});
+    add_linear_picture(context, layers, surface, lit,
+                       {.occlusion = occlusion ? std::optional(occlusion->visibility) : std::nullopt,
+                        .cloud_cover = colors.cloud_cover});
 }
 
 } // namespace estampe::frame

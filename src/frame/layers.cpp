@@ -250,7 +250,7 @@ public:
         const auto words = gpu::items_of<uint32_t>(page.draws);
         const auto sun = gpu::items_of<float>(page.sun);
         const auto open =
-            page.open.empty() ? std::span<const uint16_t>() : gpu::items_of<uint16_t>(page.open);
+            page.occlusion.empty() ? std::span<const uint16_t>() : gpu::items_of<uint16_t>(page.occlusion);
         const auto clouds =
             page.has_clouds ? gpu::items_of<uint16_t>(page.cloud_cover) : std::span<const uint16_t>();
         for (uint32_t y = window_.first.y; y < window_.last.y; ++y) {

@@ -4,8 +4,6 @@
 #include <future>
 #include <memory>
 
-#include <glm/gtc/packing.hpp>
-
 #include <estampe/error.hpp>
 
 #include "core/long_jobs.hpp"
@@ -144,11 +142,7 @@ void take_layout(gpu::Device& device, LoadedScene& loaded, pose::MeshData layout
         loaded.still_room.extend(caster.place.min);
         loaded.still_room.extend(caster.place.max);
     }
-    loaded.discs = {};
-    loaded.disc_map = {};
     loaded.surface_maps.clear();
-    loaded.coincident = {};
-    loaded.smear_seeds = {};
     loaded.pose.reset();
     loaded.pose_moved = true;
 }
@@ -195,65 +189,6 @@ void place_nodes(gpu::Device& device, LoadedScene& loaded, std::span<const NodeP
         lay_out(device, loaded);
     }
     loaded.placed.place(places, time_s);
-}
-
-namespace {
-
-/// Of each posed vertex its colour times the mean of its material's, linear.
-std::vector<glm::vec3> colors_of_vertices(const LoadedScene& loaded)
-{
-    const pose::MeshData& layout = loaded.layout;
-    std::vector<glm::vec3> colors(layout.stroke_coordinates.size(), glm::vec3(1.0F));
-    for (const shared::DrawRecord& draw : layout.draws) {
-        const glm::vec3 mean = loaded.materials.records[draw.material].mean_color;
-        for (uint32_t i = 0; i < draw.vertex_count; ++i) {
-            const glm::vec4 own = glm::unpackUnorm4x8(layout.rest_vertices[draw.first_rest_vertex + i].color);
-            colors[draw.first_posed_vertex + i] = mean * glm::vec3(own * own); // stored as its root
-        }
-    }
-    return colors;
-}
-
-} // namespace
-
-void forget_other_poses(LoadedScene& loaded)
-{
-    loaded.discs.is_found = loaded.discs.is_found && !loaded.pose_moved;
-    loaded.disc_map.is_found = loaded.disc_map.is_found && !loaded.pose_moved;
-    if (loaded.pose_moved || loaded.terrain_moved) {
-        loaded.cluster_boxes.forget();
-    }
-}
-
-occlusion::DiscBuffers discs_of(gpu::Device& device, const LoadedScene& loaded)
-{
-    const pose::MeshData& layout = loaded.layout;
-    std::vector<glm::uvec4> triangles;
-    for (const pose::Range& range : {layout.opaque, layout.masked}) {
-        for (uint32_t i = range.first; i < range.first + range.count; ++i) {
-            if (layout.triangles[i].x < layout.foreign_vertex.value_or(UINT32_MAX)) {
-                triangles.push_back(layout.triangles[i]);
-            }
-        }
-    }
-    occlusion::DiscList list =
-        occlusion::list_discs(layout.stroke_coordinates, static_cast<float>(layout.stroke_unit_m), triangles);
-    occlusion::color_discs(list, colors_of_vertices(loaded));
-    return occlusion::upload_discs(device, list, static_cast<uint32_t>(layout.stroke_coordinates.size()));
-}
-
-motion_blur::SmearSeeds smear_seeds_of(gpu::Device& device, const pose::MeshData& layout)
-{
-    std::vector<uint32_t> solid;
-    for (const pose::Range& range : {layout.opaque, layout.masked}) {
-        for (uint32_t i = range.first; i < range.first + range.count; ++i) {
-            if (layout.triangles[i].x < layout.foreign_vertex.value_or(UINT32_MAX)) {
-                solid.push_back(i);
-            }
-        }
-    }
-    return motion_blur::upload_seeds(
-        device, motion_blur::spread_seeds(solid, layout.triangles, layout.stroke_coordinates));
 }
 
 void lay_out(gpu::Device& device, LoadedScene& loaded)

@@ -16,9 +16,6 @@
 #include "features/lighting/lightmaps.hpp"
 #include "features/shadows/sun.hpp"
 #include "techniques/light/light.hpp"
-#include "techniques/motion_blur/motion_blur.hpp"
-#include "techniques/motion_blur/stretch.hpp"
-#include "techniques/occlusion/discs/discs.hpp"
 #include "techniques/pose/pose.hpp"
 #include "techniques/raster/raster.hpp"
 #include "techniques/surface/materials.hpp"
@@ -47,12 +44,8 @@ struct LoadedScene {
     std::optional<Lightmap> lightmap;         ///< only where one was given
     std::optional<features::WornLight> baked; ///< `lightmap` laid on the triangles of `layout`
     std::optional<pose::PoseData> pose;       ///< the pose that the device holds; none after a new layout
-    occlusion::DiscBuffers discs;             ///< made when a style first asks for occlusion by discs
-    occlusion::DiscMapBuffers disc_map; ///< made when a style first asks for discs that are summed in a map
     std::map<uint32_t, features::SurfaceMap>
-        surface_maps;                           ///< maps that styles ask for, by their side in texels
-    motion_blur::CoincidentVertices coincident; ///< made when a style first stretches what moves
-    motion_blur::SmearSeeds smear_seeds;        ///< made when a style first asks for smear strokes
+        surface_maps; ///< maps that styles ask for, by their side in texels
     features::DefaultLight default_light;
     light::ExposureKeyCache exposure_key;
     features::PlacedNodes placed;                     ///< nodes that a program moves
@@ -73,17 +66,6 @@ struct LoadedScene {
 /// Moves nodes, as Renderer::place() does; lays out afresh when one of them was taken to stand for ever.
 /// Throws Error for a node or a place that is none.
 void place_nodes(gpu::Device& device, LoadedScene& loaded, std::span<const NodePlace> places, double time_s);
-
-/// What was found of another pose, or other ground, is lost, whether the next picture looks at it or not.
-void forget_other_poses(LoadedScene& loaded);
-
-/// The discs of all that is neither blank ground nor terrain, in the colours of their vertices and materials.
-/// Cost: n log n in vertices.
-[[nodiscard]] occlusion::DiscBuffers discs_of(gpu::Device& device, const LoadedScene& loaded);
-
-/// Where smear strokes may begin: on all that is solid, and neither blank ground nor terrain.
-/// Cost: linear in triangles.
-[[nodiscard]] motion_blur::SmearSeeds smear_seeds_of(gpu::Device& device, const pose::MeshData& layout);
 
 /// Makes the meshes of the loaded scene as its objects' links want them, and forgets what was made of those
 /// before.

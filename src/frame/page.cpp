@@ -176,8 +176,8 @@ LinearPage make_linear_page(gpu::Device& device, const RenderSettings& settings,
         page.cloud_cover =
             gpu::Buffer(device, "clouds of layers", sizeof(uint16_t) * count, gpu::MemoryUse::readback);
         if (kind.has_occlusion) {
-            page.open = gpu::Buffer(device, "occlusion of layers", sizeof(uint16_t) * count,
-                                    gpu::MemoryUse::readback);
+            page.occlusion = gpu::Buffer(device, "occlusion of layers", sizeof(uint16_t) * count,
+                                         gpu::MemoryUse::readback);
         }
     }
     return page;
@@ -202,8 +202,8 @@ void declare_linear_page(gpu::Graph& graph, const LinearPageInputs& in, const pa
     if (page.has_layers()) {
         gpu::add_read_back(graph, "read back draws", in.draw, page.draws);
         gpu::add_read_back(graph, "read back sun", in.sun, page.sun);
-        if (in.open) {
-            gpu::add_read_back(graph, "read back occlusion", *in.open, page.open);
+        if (in.occlusion) {
+            gpu::add_read_back(graph, "read back occlusion", *in.occlusion, page.occlusion);
         }
         page.has_clouds = in.cloud_cover.has_value();
         if (in.cloud_cover) {

@@ -88,8 +88,8 @@ struct LinearPage {
     std::vector<Stage> stages;
     gpu::Buffer
         draws; ///< of the last sample, see shaders/surface_images.glsl; empty where no layers are wanted
-    gpu::Buffer sun;  ///< of the last sample, see light::LitPixels; empty where no layers are wanted
-    gpu::Buffer open; ///< of the last sample, halves; empty where no layers are wanted, or no occlusion
+    gpu::Buffer sun;       ///< of the last sample, see light::LitPixels; empty where no layers are wanted
+    gpu::Buffer occlusion; ///< of the last sample, halves; empty where no layers are wanted, or no occlusion
     gpu::Buffer cloud_cover; ///< the same of what clouds cover; empty where no layers are wanted
     bool has_clouds = false; ///< else that holds nothing
 
@@ -115,7 +115,7 @@ struct LinearPageInputs {
     paper::ComposeInputs layers;
     gpu::ImageId draw;
     gpu::ImageId sun;
-    std::optional<gpu::ImageId> open;
+    std::optional<gpu::ImageId> occlusion;
     std::optional<gpu::ImageId> cloud_cover;
 };
 

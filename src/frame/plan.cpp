@@ -217,12 +217,6 @@ std::optional<SubsurfacePlan> plan_subsurface(const pose::MeshData& layout,
     return plan;
 }
 
-std::optional<uint32_t> occlusion_texels(const occlusion::OcclusionStyle& style)
-{
-    const bool has_map = style.drawn && style.method == occlusion::Method::uv;
-    return has_map ? std::optional(style.texels) : std::nullopt;
-}
-
 std::optional<uint32_t> scatter_texels(const subsurface::SubsurfaceStyle& style,
                                        const std::optional<SubsurfacePlan>& plan)
 {
@@ -289,7 +283,7 @@ FramePlan plan_frame(const PlanInputs& in, PlanLists room)
             .shadow_edges = edges,
             .occlusion_radius_m = occlusion::radius_of(in.style.occlusion,
                                                        static_cast<float>(in.loaded.layout.bounds.radius())),
-            .occlusion_texels = occlusion_texels(in.style.occlusion),
+            .occlusion_texels = occlusion::map_texels(in.style.occlusion),
             .scatter_texels = texels_of_scatter,
             .subsurface = std::move(subsurface),
             .lines = lines,

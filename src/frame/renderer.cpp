@@ -163,7 +163,12 @@ shared::FrameGlobals map_globals(const shared::FrameGlobals& globals, uint32_t s
 void Renderer::Impl::draw_frame(const Camera& camera, const features::StyleTables& style,
                                 const frame::FramePlan& plan, const FrameJob& job)
 {
-    frame::forget_other_poses(*loaded);
+    if (loaded->pose_moved) {
+        features.invalidate(features::Event::pose_changed);
+    }
+    if (loaded->pose_moved || loaded->terrain_moved) {
+        loaded->cluster_boxes.forget();
+    }
     const paper::Accumulation& accumulation = job.accumulation;
     const shared::FrameGlobals globals = features::frame_globals(
         camera, loaded->layout.bounds, loaded->layout.anchor,

@@ -256,19 +256,11 @@ void Renderer::Impl::ensure_looks(const frame::FramePlan& plan)
     if (plan.clouds) {
         features.clouds.upload(device, *plan.clouds);
     }
-    if (const occlusion::OcclusionStyle& style = plan.looks.styles.front().occlusion;
-        style.drawn && occlusion::has_discs(style.method) && loaded->discs.empty()) {
-        loaded->discs = frame::discs_of(device, *loaded);
-    }
+    features.occlusion.prepare(device, loaded->layout, loaded->materials,
+                               plan.looks.styles.front().occlusion);
     ensure_surface_maps(plan);
-    if (plan.motion_blur && plan.looks.styles.front().motion_blur.mode == motion_blur::Mode::stretched &&
-        loaded->coincident.empty()) {
-        loaded->coincident = motion_blur::upload_coincident(
-            device,
-            motion_blur::list_coincident(loaded->layout.stroke_coordinates, loaded->layout.draw_of_vertex));
-    }
-    if (plan.motion_blur && plan.looks.styles.front().motion_blur.smear && !loaded->smear_seeds.is_made) {
-        loaded->smear_seeds = frame::smear_seeds_of(device, loaded->layout);
+    if (plan.motion_blur) {
+        features.motion_blur.prepare(device, loaded->layout, plan.looks.styles.front().motion_blur);
     }
     if (plan.subsurface) {
         gpu::upload_items(device, "subsurface looks", plan.subsurface->looks, buffers.subsurface_looks);
@@ -300,9 +292,6 @@ void Renderer::Impl::ensure_surface_maps(const frame::FramePlan& plan)
                 notes.push_back(note);
             }
         }
-    }
-    if (plan.occlusion_texels && loaded->disc_map.size != *plan.occlusion_texels) {
-        loaded->disc_map = occlusion::make_disc_map(device, *plan.occlusion_texels);
     }
 }
 

@@ -55,7 +55,7 @@ struct Colors {
 
 /// What masks of a picture in layers are made of besides.
 struct MaskInputs {
-    std::optional<gpu::ImageId> open;
+    std::optional<gpu::ImageId> occlusion;
     std::optional<gpu::ImageId> cloud_cover;
 };
 
@@ -103,10 +103,10 @@ void add_motion(const FrameContext& context, const PosedScene& scene, gpu::Buffe
 add_lightmap_light(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility);
 
 /// How much of the light from everywhere arrives there, where the style wants it.
-[[nodiscard]] std::optional<occlusion::OpenPage> add_occlusion(const FrameContext& context,
-                                                               const PosedScene& scene,
-                                                               gpu::BufferId visibility,
-                                                               const surface::Surface& surface);
+[[nodiscard]] std::optional<occlusion::AmbientOcclusion> add_occlusion(const FrameContext& context,
+                                                                       const PosedScene& scene,
+                                                                       gpu::BufferId visibility,
+                                                                       const surface::Surface& surface);
 
 /// Smoke, shaped and lit in the first sample, where there is any.
 [[nodiscard]] std::optional<smoke::Volume> add_smoke_volume(const FrameContext& context,
@@ -116,8 +116,8 @@ add_lightmap_light(const FrameContext& context, const PosedScene& scene, gpu::Bu
 struct LightBefore {
     ShadowMaps maps;
     std::optional<smoke::Volume> smoke;
-    std::optional<gpu::ImageId> known;       ///< by add_lightmap_light()
-    std::optional<occlusion::OpenPage> open; ///< by add_occlusion()
+    std::optional<gpu::ImageId> lightmap;                 ///< by add_lightmap_light()
+    std::optional<occlusion::AmbientOcclusion> occlusion; ///< by add_occlusion()
 };
 
 /// The light that arrives there and goes into things, exposed for the page where the style meters that.

@@ -7,7 +7,6 @@
 #include "gpu/resources.hpp"
 #include "gpu/transfers.hpp"
 #include "techniques/contour/chains/chains.hpp"
-#include "techniques/motion_blur/stretch.hpp"
 
 namespace estampe::frame {
 namespace {
@@ -49,22 +48,24 @@ gpu::ImageId motion_of(const FrameContext& context, const PosedScene& scene, gpu
          .size_px = context.sample.size_px});
 }
 
-/// The same of all that is drawn out along its way.
-gpu::ImageId stretched_motion_of(const FrameContext& context, const PosedScene& scene,
-                                 const MotionBlurPlan& plan)
+/// What blurs: the motion of the scene, or of the shape that the style's mode draws for its velocities alone.
+gpu::ImageId blurring_motion_of(const FrameContext& context, const PosedScene& scene,
+                                const MotionBlurPlan& plan, gpu::ImageId own_motion)
 {
     const bool has_moved = plan.motion.pose_moved || context.loaded.terrain != nullptr;
-    const motion_blur::Stretched stretched = motion_blur::add_stretch(
-        context.graph, context.loaded.coincident,
+    const std::optional<motion_blur::VelocityShape> shape = motion_blur::add_velocity_shape(
+        context.graph, context.features.motion_blur.memory(),
         {.posed_vertices = scene.meshes.posed_vertices,
          .posed_vertices_before = has_moved ? scene.vertices_before : scene.meshes.posed_vertices,
-         .constants = {.now_from_before =
-                           glm::inverse(plan.motion.clip_from_anchor) * plan.motion.clip_from_anchor_before,
-                       .share = plan.constants.scale,
-                       .vertex_count = 0}});
+         .now_from_before = glm::inverse(plan.motion.clip_from_anchor) * plan.motion.clip_from_anchor_before,
+         .share = plan.constants.scale},
+        context.style.motion_blur);
+    if (!shape) {
+        return own_motion;
+    }
     PosedScene drawn_out = scene;
-    drawn_out.meshes.posed_vertices = stretched.vertices;
-    drawn_out.vertices_before = stretched.before;
+    drawn_out.meshes.posed_vertices = shape->vertices;
+    drawn_out.vertices_before = shape->before;
     features::MotionPlan moved = plan.motion;
     moved.pose_moved = true;
     return motion_of(context, drawn_out, add_visibility(context, drawn_out, "motion blur/visibility"), moved);
@@ -280,7 +281,6 @@ motion_blur::MotionBlurLayers add_motion_blur(const FrameContext& context, const
     if (!plan) {
         return {.wash = layers.wash, .hatch = layers.hatch, .lines = layers.lines, .holds_sky = false};
     }
-    const bool is_stretched = context.style.motion_blur.mode == motion_blur::Mode::stretched;
     const gpu::ImageId own_motion = motion_of(context, scene, visibility, plan->motion);
     const bool has_moved = plan->motion.pose_moved || context.loaded.terrain != nullptr;
     // Shifted within a pixel as the sample is, so that a way is that of the body alone.
@@ -293,12 +293,12 @@ motion_blur::MotionBlurLayers add_motion_blur(const FrameContext& context, const
                                         .posed_vertices_before =
                                             has_moved ? scene.vertices_before : scene.meshes.posed_vertices,
                                         .clip_from_anchor_before = shifted_before,
-                                        .seeds = &context.loaded.smear_seeds};
+                                        .seeds = &context.features.motion_blur.smear_seeds()};
     const SeenWindow window = seen_window(context.style.paper, context.plan.page_px,
                                           context.plan.page.pixels_per_mm, context.sample.from_px);
     return motion_blur::add_motion_blur(
         context.graph,
-        {.motion = is_stretched ? stretched_motion_of(context, scene, *plan) : own_motion,
+        {.motion = blurring_motion_of(context, scene, *plan, own_motion),
          .own_motion = own_motion,
          .depth = surface.depth,
          .wash = layers.wash,
@@ -586,7 +586,7 @@ void add_linear_picture(const FrameContext& context, const paper::ComposeInputs&
                             {.layers = layers,
                              .draw = surface.draw,
                              .sun = lit.sun,
-                             .open = masks.open,
+                             .occlusion = masks.occlusion,
                              .cloud_cover = masks.cloud_cover},
                             context.style.paper, context.sample.accumulation, *context.job.linear);
     }

@@ -5,7 +5,6 @@
 #include "frame/steps.hpp"
 #include "gpu/resources.hpp"
 #include "techniques/light/exposure/exposure.hpp"
-#include "techniques/occlusion/discs/discs.hpp"
 #include "techniques/occlusion/occlusion.hpp"
 #include "techniques/subsurface/subsurface.hpp"
 
@@ -163,60 +162,6 @@ light::LightInputs light_inputs(const FrameContext& context, const PosedScene& s
 
 namespace {
 
-occlusion::OpenPage add_disc_map_occlusion(const FrameContext& context, const PosedScene& scene,
-                                           gpu::BufferId visibility, const occlusion::DiscSettings& settings)
-{
-    features::SurfaceMap& map = context.loaded.surface_maps.at(*context.plan.occlusion_texels);
-    const gpu::BufferId found = occlusion::add_disc_map(
-        context.graph, context.loaded.discs, context.loaded.disc_map,
-        {.map_texels = gpu::import_whole(context.graph, "texels of surfaces", map.texels),
-         .triangles = scene.meshes.triangles,
-         .posed_vertices = scene.meshes.posed_vertices},
-        settings);
-    return occlusion::add_disc_map_page(
-        context.graph,
-        {.frame = scene.frame,
-         .visibility = visibility,
-         .triangles = scene.meshes.triangles,
-         .posed_vertices = scene.meshes.posed_vertices,
-         .map_corners = gpu::import_whole(context.graph, "corners in the map", map.corners),
-         .found = found,
-         .map_size = map.size,
-         .throws = settings.throws,
-         .size_px = context.sample.size_px},
-        context.style.occlusion);
-}
-
-std::optional<occlusion::OpenPage> add_disc_occlusion(const FrameContext& context, const PosedScene& scene,
-                                                      gpu::BufferId visibility,
-                                                      const occlusion::OcclusionInputs& inputs)
-{
-    const occlusion::OcclusionStyle& style = context.style.occlusion;
-    occlusion::DiscBuffers& discs = context.loaded.discs;
-    if (discs.empty()) {
-        return std::nullopt;
-    }
-    if (style.method == occlusion::Method::splats) {
-        return occlusion::add_disc_splats(context.graph, discs, scene.meshes.posed_vertices, inputs, style);
-    }
-    const occlusion::DiscSettings settings{.radius_m = context.plan.occlusion_radius_m,
-                                           .throws = style.bleeding > 0.0F};
-    if (style.method == occlusion::Method::uv) {
-        return add_disc_map_occlusion(context, scene, visibility, settings);
-    }
-    const occlusion::OpenVertices found =
-        occlusion::add_discs(context.graph, discs, scene.meshes.posed_vertices, settings);
-    return occlusion::add_disc_page(context.graph,
-                                    {.frame = scene.frame,
-                                     .visibility = visibility,
-                                     .triangles = scene.meshes.triangles,
-                                     .posed_vertices = scene.meshes.posed_vertices,
-                                     .found = found,
-                                     .vertex_count = discs.vertex_count,
-                                     .size_px = context.sample.size_px},
-                                    style);
-}
-
 /// `light`, the page's, spread in a map that lies on all surfaces; `to_light` is how that is lit.
 gpu::ImageId spread_in_map(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
                            light::LightInputs to_light, gpu::ImageId light)
@@ -334,8 +279,9 @@ std::optional<gpu::ImageId> add_lightmap_light(const FrameContext& context, cons
                                   context.loaded.baked->maps);
 }
 
-std::optional<occlusion::OpenPage> add_occlusion(const FrameContext& context, const PosedScene& scene,
-                                                 gpu::BufferId visibility, const surface::Surface& surface)
+std::optional<occlusion::AmbientOcclusion> add_occlusion(const FrameContext& context, const PosedScene& scene,
+                                                         gpu::BufferId visibility,
+                                                         const surface::Surface& surface)
 {
     const occlusion::OcclusionStyle& style = context.style.occlusion;
     const bool is_layer_alone = style.feeds == occlusion::Feeds::layer;
@@ -343,20 +289,26 @@ std::optional<occlusion::OpenPage> add_occlusion(const FrameContext& context, co
     if (!style.drawn || (is_layer_alone && !has_layers)) {
         return std::nullopt;
     }
-    const occlusion::OcclusionInputs inputs{.frame = scene.frame,
-                                            .depth = surface.depth,
-                                            .normal = surface.normal,
-                                            .radius_m = context.plan.occlusion_radius_m,
-                                            .pixels_per_mm = context.plan.page.pixels_per_mm,
-                                            .size_px = context.sample.size_px,
-                                            .from_px = glm::uvec2(context.sample.from_px)};
-    if (occlusion::has_discs(style.method)) {
-        return add_disc_occlusion(context, scene, visibility, inputs);
+    occlusion::PosedSurfaces surfaces{.visibility = visibility,
+                                      .triangles = scene.meshes.triangles,
+                                      .posed_vertices = scene.meshes.posed_vertices,
+                                      .map = std::nullopt};
+    if (context.plan.occlusion_texels) {
+        features::SurfaceMap& map = context.loaded.surface_maps.at(*context.plan.occlusion_texels);
+        surfaces.map = {.texels = gpu::import_whole(context.graph, "texels of surfaces", map.texels),
+                        .corners = gpu::import_whole(context.graph, "corners in the map", map.corners),
+                        .size = map.size};
     }
-    return occlusion::OpenPage{.open = style.method == occlusion::Method::unsharp
-                                           ? occlusion::add_unsharp(context.graph, inputs, style)
-                                           : occlusion::add_horizon(context.graph, inputs, style),
-                               .thrown = std::nullopt};
+    return context.features.occlusion.record(context.graph,
+                                             {.frame = scene.frame,
+                                              .depth = surface.depth,
+                                              .normal = surface.normal,
+                                              .surfaces = surfaces,
+                                              .radius_m = context.plan.occlusion_radius_m,
+                                              .pixels_per_mm = context.plan.page.pixels_per_mm,
+                                              .size_px = context.sample.size_px,
+                                              .from_px = glm::uvec2(context.sample.from_px)},
+                                             style);
 }
 
 std::optional<smoke::Volume> add_smoke_volume(const FrameContext& context, const PosedScene& scene,
@@ -390,11 +342,11 @@ light::LitPixels add_light(const FrameContext& context, const PosedScene& scene,
     const occlusion::Feeds feeds = context.style.occlusion.feeds;
     light::LightInputs inputs = light_inputs(context, scene, surface, before.maps);
     inputs.shadow_variant |= plan.shadow_edges.variant;
-    inputs.lightmap = before.known;
+    inputs.lightmap = before.lightmap;
     inputs.sun_share = add_sun_share(context, scene, surface, before.smoke);
-    if (before.open && feeds != occlusion::Feeds::layer) {
-        inputs.occlusion = before.open->open;
-        inputs.thrown = before.open->thrown;
+    if (before.occlusion && feeds != occlusion::Feeds::layer) {
+        inputs.occlusion = before.occlusion->visibility;
+        inputs.bounced = before.occlusion->bounced;
     }
     inputs.occludes_all = feeds == occlusion::Feeds::tone;
     inputs.has_emissive = plan.needs.emissive;

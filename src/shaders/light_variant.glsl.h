@@ -36,7 +36,7 @@ SHARED_CONSTANT uint light_has_sun_share = 1U << 17U; // Precomputed for each pi
 SHARED_CONSTANT uint light_occludes_ambient = 1U << 18U;
 SHARED_CONSTANT uint light_occludes_all = 1U << 19U;
 // Ambient light reflected by occluders, as a share of ambient light.
-SHARED_CONSTANT uint light_has_thrown = 1U << 20U;
+SHARED_CONSTANT uint light_has_bounced = 1U << 20U;
 
 // Shaded points come from an image instead of the depth buffer.
 SHARED_CONSTANT uint light_has_points = 1U << 21U;

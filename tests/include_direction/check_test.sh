@@ -5,7 +5,7 @@ set -euo pipefail
 check="$(cd "$(dirname "$0")" && pwd)/check"
 tree="$(mktemp -d)"
 trap 'rm -rf "$tree"' EXIT
-mkdir -p "$tree"/src/{core,scene,style,gpu,frame,features/common,features/smoke,features/ink,techniques/hatch,techniques/light,techniques/shadow} \
+mkdir -p "$tree"/src/{core,scene,style,gpu,frame,features/common,features/smoke,features/ink,techniques/hatch/alternatives,techniques/light,techniques/shadow} \
     "$tree"/{app,bench,examples,tests/support,worlds/hill}
 
 # write FILE INCLUDE: one file with one include
@@ -22,6 +22,9 @@ write src/techniques/hatch/public.cpp estampe/scene.hpp
 write src/techniques/hatch/hatch.comp shaders/noise.glsl
 write src/techniques/hatch/hatch_gpu_test.cpp techniques/light/light.hpp
 write src/techniques/light/light.comp techniques/shadow/lookup.glsl
+write src/techniques/hatch/dispatch.cpp techniques/hatch/alternatives/other.hpp
+write src/techniques/hatch/alternatives/other_test.cpp techniques/hatch/alternatives/other.hpp
+write bench/hatches.cpp techniques/hatch/alternatives/other.hpp
 write src/scene/scene.cpp core/file.hpp
 write src/scene/scene_test_support.hpp support/drawing.hpp
 write bench/speed.cpp scene/pose.hpp
@@ -53,6 +56,10 @@ expect_refused src/features/smoke/bad.cpp features/ink/ink.hpp
 expect_refused src/features/common/bad.cpp features/ink/ink.hpp
 expect_refused src/features/smoke/bad.cpp frame/frame.hpp
 expect_refused src/techniques/hatch/bad.cpp features/common/view.hpp
+expect_refused src/frame/bad.cpp techniques/hatch/alternatives/other.hpp
+expect_refused src/frame/bad_test.cpp techniques/hatch/alternatives/other.hpp
+expect_refused src/techniques/light/bad.cpp techniques/hatch/alternatives/other.hpp
+expect_refused tests/support/bad.cpp techniques/hatch/alternatives/other.hpp
 expect_refused src/frame/bad.cpp app/text.hpp
 expect_refused src/frame/bad.cpp bench/speed.hpp
 expect_refused src/frame/bad.cpp support/drawing.hpp

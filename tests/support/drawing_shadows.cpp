@@ -6,7 +6,7 @@
 #include "gpu/resources.hpp"
 #include "support/drawing.hpp"
 #include "support/gpu_device.hpp"
-#include "techniques/shadow/sun/warp.hpp"
+#include "techniques/shadow/sun/sun_map.hpp"
 
 namespace estampe::test {
 
@@ -29,12 +29,15 @@ features::SunMapPlan Drawing::sun_plan(const glm::dvec3& towards_sun, const Ligh
 
 shadow::SunView Drawing::warped_sun(const glm::dvec3& towards_sun, uint32_t shadow_size) const
 {
-    return shadow::warped_view({.casters = pose.casters,
+    return shadow::fit_sun_map({.casters = pose.casters,
                                 .anchor = layout.anchor,
                                 .towards_sun = towards_sun,
                                 .floor_m = layout.bounds.min.y,
-                                .nearest_m = 2.0},
-                               globals, shadow_size);
+                                .nearest_m = 2.0,
+                                .size = shadow_size,
+                                .eye = globals},
+                               {.sun_map = shadow::SunMapKind::warped})
+        .view;
 }
 
 gpu::BufferId Drawing::add_sun_map(gpu::Graph& graph, const Stage& stage, const LightSetup& setup,

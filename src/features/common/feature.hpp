@@ -95,6 +95,7 @@ enum class Event : uint8_t {
     triangles_changed, ///< some triangles are flagged otherwise, or torn
     ground_replaced,   ///< the terrain is cut into other triangles, after layout_replaced
     lights_changed,    ///< shadows may fall otherwise
+    pose_changed,      ///< vertices are about to be posed otherwise than in the frame before
     anchor_moved,      ///< positions on the device are relative to another origin
     film_recalled,     ///< the next frame goes on from a film's memory, which holds nothing of this feature
 };

@@ -427,6 +427,7 @@ void Lines::invalidate(Event event)
         history_.forget();
         break;
     case Event::lights_changed:
+    case Event::pose_changed:
         break;
     }
 }

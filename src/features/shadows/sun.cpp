@@ -12,7 +12,6 @@
 #include "shaders/light_variant.glsl.h"
 #include "shaders/tiles.glsl.h"
 #include "techniques/raster/views/views.hpp"
-#include "techniques/shadow/sun/warp.hpp"
 
 namespace estampe::features {
 namespace {
@@ -138,9 +137,6 @@ void add_casters_within(const shadow::Piece& piece, const shadow::Clipmap& clipm
 
 namespace {
 
-// From how many pixels a texel on, near the eye, a single map gives way to a clipmap.
-constexpr double coarse_texel_px = 48.0;
-
 uint32_t whole_size(const StyleTables& style, glm::uvec2 size_px)
 {
     return style.light.shadow_size > 0
@@ -165,16 +161,6 @@ Bounds roomy(const SunScene& scene)
     const double about_m = scene.still.empty() ? 0.0 : 0.5 * pitch_m;
     return {.min = glm::floor(glm::min(scene.casters.min, middle.min - about_m) / pitch_m) * pitch_m,
             .max = glm::ceil(glm::max(scene.casters.max, middle.max + about_m) / pitch_m) * pitch_m};
-}
-
-/// Size of a level: a power of two, of which the device can hold `levels`.
-uint32_t level_size(uint32_t wanted, uint32_t levels, uint64_t most_bytes)
-{
-    uint32_t size = std::clamp(std::bit_ceil(wanted), 64U, 4096U);
-    while (size > 64U && 4ULL * size * size * levels > most_bytes) {
-        size /= 2;
-    }
-    return size;
 }
 
 /// A view of each square, for raster::add_depth_views(). One of a whole level has its texels where the level
@@ -211,50 +197,35 @@ uint64_t texels_of(std::span<const shared::RasterView> views)
 SunMapPlan plan_sun_map(const SunScene& scene, const Camera& camera, glm::uvec2 size_px,
                         const PixelSize& pixel, const StyleTables& style)
 {
-    SunMapPlan plan;
-    plan.size = scene.throws_shadow ? whole_size(style, size_px) : 0U;
-    plan.view = shadow::sun_view(scene.casters, scene.anchor, scene.towards_sun, std::max(plan.size, 4U));
-    const shadow::SunMapKind kind = style.shadow.sun_map;
-    if (!scene.throws_shadow || scene.casters.empty() || kind == shadow::SunMapKind::whole) {
-        return plan;
+    const uint32_t size = scene.throws_shadow ? whole_size(style, size_px) : 0U;
+    if (!scene.throws_shadow || scene.casters.empty()) {
+        return {.size = size,
+                .view = shadow::sun_view(scene.casters, scene.anchor, scene.towards_sun, std::max(size, 4U))};
     }
-    if (kind == shadow::SunMapKind::warped) {
-        plan.view = shadow::warped_view(
-            {.casters = scene.casters,
-             .anchor = scene.anchor,
-             .towards_sun = scene.towards_sun,
-             .floor_m = scene.floor_m,
-             .nearest_m = nearest_m(scene.casters, camera.eye)},
-            frame_globals(camera, scene.casters, scene.anchor, {.size_px = size_px}), plan.size);
-        plan.variant = plan.view.warp.y > 0.0F ? shared::light_has_sun_warp : 0U;
-        return plan;
+    const double from_eye_m = nearest_m(scene.casters, camera.eye);
+    const shadow::SunMapFit fit =
+        shadow::fit_sun_map({.casters = scene.casters,
+                             .still_box = roomy(scene),
+                             .anchor = scene.anchor,
+                             .towards_sun = scene.towards_sun,
+                             .floor_m = scene.floor_m,
+                             .nearest_m = from_eye_m,
+                             .pixel_m = pixel.at(from_eye_m),
+                             .most_bytes = scene.most_bytes,
+                             .size = size,
+                             .eye = frame_globals(camera, scene.casters, scene.anchor, {.size_px = size_px})},
+                            style.shadow);
+    SunMapPlan plan{.size = fit.size, .view = fit.view, .clipmap = fit.clipmap, .variant = fit.variant};
+    if (plan.clipmap) {
+        plan.windows = shadow::windows_about(*plan.clipmap, camera.eye - scene.anchor);
     }
-    const double pixel_m = pixel.at(nearest_m(scene.casters, camera.eye));
-    if (kind == shadow::SunMapKind::automatic &&
-        static_cast<double>(plan.view.texel_m) < coarse_texel_px * pixel_m) {
-        return plan;
-    }
-    plan.view = shadow::sun_view(roomy(scene), scene.anchor, scene.towards_sun, plan.size);
-    if (kind == shadow::SunMapKind::faded) {
-        const auto reach_m = static_cast<double>(style.shadow.faded_reach_m);
-        const uint32_t size = level_size(plan.size, 1, scene.most_bytes);
-        plan.clipmap = shadow::Clipmap{
-            .view = plan.view, .finest_m = 2.0 * reach_m / size, .size = size, .level_count = 1};
-    } else {
-        const uint32_t size = level_size(2 * plan.size, shadow::most_levels, scene.most_bytes);
-        plan.clipmap = shadow::fit_clipmap(plan.view, size, pixel_m, scene.casters.radius());
-    }
-    plan.size = plan.clipmap->size;
-    plan.variant = shared::light_has_sun_levels;
-    plan.windows = shadow::windows_about(*plan.clipmap, camera.eye - scene.anchor);
     return plan;
 }
 
 shared::SunShadow sun_globals(const SunMapPlan& plan, const PixelSize& pixel,
                               const shadow::ShadowStyle& style)
 {
-    return plan.clipmap ? shadow::sun_shadow(*plan.clipmap, plan.windows, pixel.at_one_m,
-                                             style.sun_map == shadow::SunMapKind::faded, style)
+    return plan.clipmap ? shadow::sun_shadow(*plan.clipmap, plan.windows, pixel.at_one_m, style)
                         : shadow::sun_shadow(plan.view, plan.size, style);
 }
 

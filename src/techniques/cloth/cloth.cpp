@@ -12,7 +12,6 @@
 #include "gpu/resources.hpp"
 #include "gpu/transfers.hpp"
 #include "shaders/cloth_carry_comp.hpp"
-#include "shaders/cloth_descend_comp.hpp"
 #include "shaders/cloth_flow_comp.hpp"
 #include "shaders/cloth_near_comp.hpp"
 #include "shaders/cloth_push_comp.hpp"
@@ -25,11 +24,11 @@
 #include "shaders/cloth_tear_comp.hpp"
 #include "shaders/cloth_vertices_comp.hpp"
 #include "shaders/cloth_wide_comp.hpp"
+#include "techniques/cloth/alternatives/descent.hpp"
 
 namespace estampe::cloth {
 namespace {
 
-constexpr uint32_t sweeps_of_descent = 4;      // over all colours in a small step
 constexpr float tear_share = 4.0F;             // small steps in place of tethers, of sheets that may tear
 constexpr float longest_step_s = 1.0F / 30.0F; // a longer one is taken for that
 
@@ -308,25 +307,6 @@ void Cloths::add_near(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t 
                                              .is_search = is_search,
                                              .step = step});
         pass.dispatch(kind.group_count);
-    }
-}
-
-void Cloths::add_descent(gpu::Graph& graph, Handles& handles, Kind& kind, const shared::ClothMoment& moment,
-                         uint32_t predicted, gpu::BufferId awake)
-{
-    for (uint32_t sweep = 0; sweep < sweeps_of_descent; ++sweep) {
-        for (const glm::uvec2& colour : kind.colours) {
-            auto pass = graph.compute("cloth/descend", shaders::cloth_descend_comp);
-            bind_common(graph, pass, handles, kind.run, sheet_of_group_);
-            pass.read(handles.places).read(handles.speeds).read(handles.pushes);
-            handles.predicted.at(predicted) = pass.modify(handles.predicted.at(predicted));
-            pass.sample(gpu::import_whole(graph, "cloth/by colour", by_colour_), gpu::Format::r32ui)
-                .read(awake)
-                .sample(handles.torn, gpu::Format::rg32ui);
-            shared::ClothMoment own = moment;
-            own.first_group = colour.x;
-            pass.variant(kind.variant).push(own).dispatch(colour.y);
-        }
     }
 }
 

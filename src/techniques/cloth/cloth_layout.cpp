@@ -182,28 +182,6 @@ bool Cloths::is_small(size_t sheet) const
            records_[sheet].columns <= shared::cloth_small_group; // a thread has part of one
 }
 
-void Cloths::append_colours(Kind& kind, std::vector<uint32_t>& groups) const
-{
-    for (size_t colour = 0;; ++colour) {
-        const size_t first = groups.size() / 2;
-        bool is_any = false;
-        for (uint32_t sheet = 0; sheet < records_.size(); ++sheet) {
-            if (variant_of(sheet) != kind.variant || colour >= colours_[sheet].size()) {
-                continue;
-            }
-            is_any = true;
-            const glm::uvec2 span = colours_[sheet][colour];
-            for (uint32_t i = 0; i < span.y; i += shared::cloth_group) {
-                groups.insert(groups.end(), {sheet, span.x + i});
-            }
-        }
-        if (!is_any) {
-            return;
-        }
-        kind.colours.emplace_back(first, groups.size() / 2 - first);
-    }
-}
-
 void Cloths::group_sheets(gpu::Device& device)
 {
     std::vector<uint32_t> groups; // sheet and first particle, two by two; of small sheets the sheet alone

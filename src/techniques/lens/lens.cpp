@@ -6,18 +6,17 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "shaders/lens_across_comp.hpp"
 #include "shaders/lens_apply_comp.hpp"
 #include "shaders/lens_gather_comp.hpp"
 #include "shaders/lens_ink_across_comp.hpp"
 #include "shaders/lens_ink_comp.hpp"
 #include "shaders/lens_level_comp.hpp"
-#include "shaders/lens_levels_comp.hpp"
 #include "shaders/lens_pack_comp.hpp"
 #include "shaders/lens_reach_comp.hpp"
 #include "shaders/lens_strokes_comp.hpp"
 #include "shaders/lens_tiles_comp.hpp"
 #include "style/parameter.hpp"
+#include "techniques/lens/alternatives/blurs.hpp"
 
 namespace estampe::lens {
 
@@ -146,27 +145,9 @@ public:
         return add_apply(page, {.near = near, .far = far, .reach = reach}, shared::lens_is_gathered);
     }
 
-    LensLayers add_separable(gpu::ImageId page)
+    /// Lays a page that was blurred as a whole back into the layers.
+    LensLayers add_blurred(gpu::ImageId page, gpu::ImageId blurred)
     {
-        gpu::ImageId blurred = page;
-        for (const uint32_t direction : {0U, shared::lens_is_down}) {
-            auto pass = graph_.compute("lens/across", shaders::lens_across_comp);
-            pass.sample(blurred);
-            blurred = pass.write(graph_.image("lens/across", texels(in_.size_px)));
-            pass.variant(direction).push(lens_).dispatch_over(in_.size_px.x, in_.size_px.y);
-        }
-        return add_apply(page, {.near = blurred, .far = blurred, .reach = in_.depth}, 0U);
-    }
-
-    LensLayers add_looked_up(gpu::ImageId page, bool is_sum)
-    {
-        const gpu::ImageId levels = add_levels(page, true);
-        auto pass = graph_.compute("lens/levels", shaders::lens_levels_comp);
-        pass.sample(page).sample(levels);
-        const gpu::ImageId blurred = pass.write(graph_.image("lens/blurred", texels(in_.size_px)));
-        pass.variant(is_sum ? shared::lens_is_sum : 0U)
-            .push(lens_)
-            .dispatch_over(in_.size_px.x, in_.size_px.y);
         return add_apply(page, {.near = blurred, .far = blurred, .reach = in_.depth}, 0U);
     }
 
@@ -295,10 +276,19 @@ LensLayers add_lens(gpu::Graph& graph, const LensInputs& in, const LensStyle& st
     if (style.mode == Mode::circles) {
         return passes.add_circles(page);
     }
-    const LensLayers blurred = style.mode == Mode::gather ? passes.add_gathered(page)
-                               : style.mode == Mode::separable
-                                   ? passes.add_separable(page)
-                                   : passes.add_looked_up(page, style.mode == Mode::sums);
+    const auto blur = [&] {
+        switch (style.mode) {
+        case Mode::separable:
+            return passes.add_blurred(page, add_separable(graph, page, lens));
+        case Mode::mips:
+        case Mode::sums:
+            return passes.add_blurred(page, add_looked_up(graph, page, passes.add_levels(page, true),
+                                                          style.mode == Mode::sums, lens));
+        default:
+            return passes.add_gathered(page);
+        }
+    };
+    const LensLayers blurred = blur();
     return style.acts_on == ActsOn::strokes ? passes.add_ink(page, blurred.wash) : blurred;
 }
 

@@ -70,8 +70,8 @@ layout(binding = 19, r32f) writeonly uniform image2D out_sun; // see LitPixels
 layout(binding = 20) uniform sampler2D sun_share_image;       // that terrain, smoke and clouds leave
 layout(binding = 21) uniform sampler2D occlusion_image;       // share of light from everywhere that arrives
 
-layout(binding = 22) uniform sampler2D thrown_image; // of ambient light, by what keeps it off
-layout(binding = 23) uniform sampler2D points_image; // places to light, where they lie anywhere
+layout(binding = 22) uniform sampler2D bounced_image; // of ambient light, by what keeps it off
+layout(binding = 23) uniform sampler2D points_image;  // places to light, where they lie anywhere
 
 #define TILE_LIST_BINDING 24
 #include "shaders/tile_list.glsl"
@@ -103,7 +103,7 @@ const bool has_local_shadows = (variant & light_has_local_shadows) != 0u;
 const bool has_sun_share = (variant & light_has_sun_share) != 0u;
 const bool occludes_ambient = (variant & light_occludes_ambient) != 0u;
 const bool occludes_all = (variant & light_occludes_all) != 0u;
-const bool has_thrown = (variant & light_has_thrown) != 0u;
+const bool has_bounced = (variant & light_has_bounced) != 0u;
 const bool has_points = (variant & light_has_points) != 0u;
 const bool has_tiles = (variant & light_has_tiles) != 0u;
 
@@ -368,9 +368,9 @@ void main()
         open = texelFetch(occlusion_image, min(pixel, ivec2(frame.size_px) - 1), 0).x;
     }
     vec3 light = mix(lighting.ground_ambient, lighting.sky_ambient, 0.5 + 0.5 * normal.y);
-    vec3 thrown = vec3(0.0);
-    if (has_thrown) {
-        thrown = light * texelFetch(thrown_image, min(pixel, ivec2(frame.size_px) - 1), 0).rgb;
+    vec3 bounced = vec3(0.0);
+    if (has_bounced) {
+        bounced = light * texelFetch(bounced_image, min(pixel, ivec2(frame.size_px) - 1), 0).rgb;
     }
     if (occludes_ambient) {
         light *= open;
@@ -423,7 +423,7 @@ void main()
     if (occludes_all) {
         light *= open;
     }
-    light += thrown;
+    light += bounced;
     if (has_emissive && (word & DRAW_EMISSIVE) != 0u) {
         light += emissive_of(draw_at(draw_of(word)).material);
     }

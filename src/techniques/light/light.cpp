@@ -151,7 +151,7 @@ uint32_t light_variant(const LightInputs& in, const Lists& lists)
            (!in.occlusion     ? 0U
             : in.occludes_all ? shared::light_occludes_all
                               : shared::light_occludes_ambient) |
-           (in.thrown ? shared::light_has_thrown : 0U) | (in.points ? shared::light_has_points : 0U) |
+           (in.bounced ? shared::light_has_bounced : 0U) | (in.points ? shared::light_has_points : 0U) |
            (in.tiles ? shared::light_has_tiles : 0U) | (in.keeps_sun ? shared::light_keeps_sun : 0U);
 }
 
@@ -196,7 +196,7 @@ LitPixels add_light(gpu::Graph& graph, const LightInputs& in)
     const gpu::ImageId sun = pass.write(
         graph.image("light/sun", {.width = sun_px.x, .height = sun_px.y, .format = gpu::Format::r32f}));
     pass.sample(in.sun_share.value_or(in.depth)).sample(in.occlusion.value_or(in.depth));
-    pass.sample(in.thrown.value_or(in.depth)).sample(in.points.value_or(in.depth));
+    pass.sample(in.bounced.value_or(in.depth)).sample(in.points.value_or(in.depth));
     pass.variant(light_variant(in, lists));
     pass.read(in.tiles.value_or(lists.words));
     pass.push(lists.tiles);

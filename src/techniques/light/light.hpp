@@ -137,7 +137,7 @@ struct LightInputs {
     std::optional<gpu::ImageId> sun_share; ///< r16f: how much of the sun terrain, smoke and clouds leave
     std::optional<gpu::ImageId> occlusion; ///< share of the light from everywhere that arrives
     bool occludes_all = false;             ///< it takes of all light
-    std::optional<gpu::ImageId> thrown;    ///< ambient light that what occludes throws back, as a share
+    std::optional<gpu::ImageId> bounced;   ///< ambient light that what occludes bounces back, as a share
     std::optional<gpu::ImageId> points;    ///< places in anchor space to light, in place of what depths say;
                                            ///< at every light
     std::optional<gpu::BufferId> tiles;    ///< to light, see shaders/tiles.glsl.h; elsewhere nothing is

@@ -9,7 +9,6 @@
 #include "gpu/resources.hpp"
 #include "gpu/transfers.hpp"
 #include "shaders/blur_gather_comp.hpp"
-#include "shaders/blur_own_comp.hpp"
 #include "shaders/blur_pack_comp.hpp"
 #include "shaders/blur_reach_comp.hpp"
 #include "shaders/blur_tiles_comp.hpp"
@@ -23,6 +22,8 @@
 #include "shaders/speed_seeds_comp.hpp"
 #include "shaders/speed_tiles_comp.hpp"
 #include "style/parameter.hpp"
+#include "techniques/motion_blur/alternatives/own.hpp"
+#include "techniques/motion_blur/alternatives/stretch.hpp"
 
 namespace estampe::motion_blur {
 
@@ -287,16 +288,6 @@ void blur_in_place(gpu::Graph& graph, const MotionBlurInputs& in, const Packed& 
     pass.variant(variant).push(constants).dispatch_indirect(reach.tiles);
 }
 
-MotionBlurLayers write_layers(gpu::Graph& graph, gpu::Pass& pass, glm::uvec2 size_px)
-{
-    const auto write = [&](const char* name, gpu::Format format) {
-        return pass.write(graph.image(name, {.width = size_px.x, .height = size_px.y, .format = format}));
-    };
-    const gpu::ImageId wash = write("motion blur/wash", gpu::Format::rgba16f);
-    const gpu::ImageId hatch = write("motion blur/hatch", gpu::Format::r16f);
-    return {.wash = wash, .hatch = hatch, .lines = write("motion blur/lines", gpu::Format::rgba8)};
-}
-
 gpu::ImageId add_speed_lines(gpu::Graph& graph, const MotionBlurInputs& in, const Packed& packed,
                              gpu::ImageId lines, const shared::MotionBlurConstants& constants)
 {
@@ -349,6 +340,37 @@ shared::MotionBlurConstants constants_of(const MotionBlurStyle& style, float sca
             .line_ink = style.lines_ink};
 }
 
+struct Memory::Kept {
+    CoincidentVertices coincident;
+};
+
+Memory::Memory() : kept_(std::make_unique<Kept>()) {}
+
+Memory::~Memory() = default;
+
+bool Memory::lacks_vertices(const MotionBlurStyle& style) const
+{
+    return style.mode == Mode::stretched && kept_->coincident.empty();
+}
+
+void Memory::set_vertices(gpu::Device& device, std::span<const glm::vec3> places,
+                          std::span<const uint32_t> draw_of_vertex)
+{
+    kept_->coincident = upload_coincident(device, list_coincident(places, draw_of_vertex));
+}
+
+void Memory::forget()
+{
+    *kept_ = {};
+}
+
+std::optional<VelocityShape> add_velocity_shape(gpu::Graph& graph, Memory& memory,
+                                                const VelocityShapeInputs& in, const MotionBlurStyle& style)
+{
+    return style.mode == Mode::stretched ? std::optional(add_stretch(graph, memory.kept_->coincident, in))
+                                         : std::nullopt;
+}
+
 MotionBlurLayers add_motion_blur(gpu::Graph& graph, const MotionBlurInputs& in, const MotionBlurStyle& style,
                                  shared::MotionBlurConstants constants, const shared::SmearConstants& smear)
 {
@@ -364,10 +386,7 @@ MotionBlurLayers add_motion_blur(gpu::Graph& graph, const MotionBlurInputs& in, 
                             .lines = in.lines,
                             .holds_sky = lays_sky};
     if (blurs_within) {
-        auto pass = graph.compute("motion blur", shaders::blur_own_comp);
-        pass.sample(in.wash).sample(in.hatch).sample(in.lines).sample(in.sky_ink).sample(packed.page);
-        layers = write_layers(graph, pass, in.size_px);
-        pass.variant(variant).push(constants).dispatch_over(in.size_px.x, in.size_px.y);
+        layers = add_own_blur(graph, in, packed.page, constants);
     } else if (style.mode != Mode::none) {
         blur_in_place(graph, in, packed, style.mode == Mode::velocity ? shared::blur_shows_velocity : 0U,
                       constants, layers);

@@ -4,6 +4,7 @@
 // What moves while the shutter is open is blurred along its way, or drawn with speed lines or smear strokes:
 // strokes of a dry brush behind it, as animators and comic artists draw it.
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -99,6 +100,52 @@ struct SmearPage {
 /// half the widest line of the scene.
 [[nodiscard]] shared::MotionBlurConstants constants_of(const MotionBlurStyle& style, float scale,
                                                        float pixels_per_mm, float line_half_px);
+
+struct VelocityShapeInputs {
+    gpu::BufferId posed_vertices;
+    gpu::BufferId posed_vertices_before;
+    glm::mat4 now_from_before{1.0F}; ///< from where something stood to where it would be seen alike now
+    float share = 0.0F;              ///< from motion to the way in half the exposure
+};
+
+/// A shape that is drawn for its velocities alone: its vertices now, and where they stood before.
+struct VelocityShape {
+    gpu::BufferId vertices;
+    gpu::BufferId before;
+};
+
+/// What the style's mode keeps of the scene from frame to frame; most keep nothing.
+class Memory {
+public:
+    Memory();
+    ~Memory();
+    Memory(const Memory&) = delete;
+    Memory& operator=(const Memory&) = delete;
+    Memory(Memory&&) = delete;
+    Memory& operator=(Memory&&) = delete;
+
+    /// Whether the style's mode needs set_vertices() first.
+    [[nodiscard]] bool lacks_vertices(const MotionBlurStyle& style) const;
+
+    /// `places` are of posed vertices at rest. Cost: n log n.
+    void set_vertices(gpu::Device& device, std::span<const glm::vec3> places,
+                      std::span<const uint32_t> draw_of_vertex);
+
+    /// The scene has other vertices.
+    void forget();
+
+private:
+    friend std::optional<VelocityShape> add_velocity_shape(gpu::Graph&, Memory&, const VelocityShapeInputs&,
+                                                           const MotionBlurStyle&);
+    struct Kept;
+    std::unique_ptr<Kept> kept_;
+};
+
+/// The shape whose motion MotionBlurInputs wants, where the style's mode looks past the outlines of what
+/// moves; none where that is the scene as it stands.
+[[nodiscard]] std::optional<VelocityShape> add_velocity_shape(gpu::Graph& graph, Memory& memory,
+                                                              const VelocityShapeInputs& in,
+                                                              const MotionBlurStyle& style);
 
 struct MotionBlurInputs {
     gpu::ImageId motion; ///< rgba32f: pixels to the right and down, the depth before, 1 where known

@@ -8,6 +8,8 @@
 #include "shaders/horizon_page_comp.hpp"
 #include "shaders/horizon_smooth_comp.hpp"
 #include "style/parameter.hpp"
+#include "techniques/occlusion/alternatives/discs.hpp"
+#include "techniques/occlusion/alternatives/unsharp.hpp"
 #include "techniques/occlusion/horizon/horizon.glsl.h"
 
 namespace estampe::occlusion {
@@ -81,7 +83,61 @@ uint32_t reach_px(const OcclusionStyle& style, float pixels_per_mm)
     return style.drawn ? static_cast<uint32_t>(std::ceil(style.reach_mm * pixels_per_mm)) + smoothed_px : 0U;
 }
 
-gpu::ImageId add_horizon(gpu::Graph& graph, const OcclusionInputs& in, const OcclusionStyle& style)
+std::optional<uint32_t> map_texels(const OcclusionStyle& style)
+{
+    return style.drawn && style.method == Method::uv ? std::optional(style.texels) : std::nullopt;
+}
+
+struct Memory::Kept {
+    DiscBuffers discs;
+    DiscMapBuffers disc_map;
+};
+
+Memory::Memory() : kept_(std::make_unique<Kept>()) {}
+
+Memory::~Memory() = default;
+
+bool Memory::lacks_surfaces(const OcclusionStyle& style) const
+{
+    return style.drawn && has_discs(style.method) && kept_->discs.empty();
+}
+
+void Memory::set_surfaces(gpu::Device& device, const OccluderMesh& surfaces)
+{
+    DiscList list = list_discs(surfaces.places, surfaces.unit_m, surfaces.triangles);
+    color_discs(list, surfaces.color_of_vertex);
+    kept_->discs = upload_discs(device, list, static_cast<uint32_t>(surfaces.places.size()));
+}
+
+void Memory::ensure(gpu::Device& device, const OcclusionStyle& style)
+{
+    const std::optional<uint32_t> size = map_texels(style);
+    if (size && kept_->disc_map.size != *size) {
+        kept_->disc_map = make_disc_map(device, *size);
+    }
+}
+
+void Memory::forget_surfaces()
+{
+    *kept_ = {};
+}
+
+void Memory::forget_pose()
+{
+    kept_->discs.is_found = false;
+    kept_->disc_map.is_found = false;
+}
+
+std::optional<AmbientOcclusion> add_occlusion(gpu::Graph& graph, Memory& memory, const OcclusionInputs& in,
+                                              const OcclusionStyle& style)
+{
+    if (has_discs(style.method)) {
+        return add_disc_occlusion(graph, memory.kept_->discs, memory.kept_->disc_map, in, style);
+    }
+    return style.method == Method::unsharp ? add_unsharp(graph, in, style) : add_horizon(graph, in, style);
+}
+
+AmbientOcclusion add_horizon(gpu::Graph& graph, const OcclusionInputs& in, const OcclusionStyle& style)
 {
     const shared::HorizonConstants constants = constants_of(in, style);
     const auto half_image = [&](const char* name) {
@@ -105,7 +161,7 @@ gpu::ImageId add_horizon(gpu::Graph& graph, const OcclusionInputs& in, const Occ
     const gpu::ImageId page = pass.write(graph.image(
         "occlusion/open", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
     pass.push(constants).dispatch_over_page(in.size_px.x, in.size_px.y);
-    return page;
+    return {.visibility = page, .bounced = std::nullopt};
 }
 
 } // namespace estampe::occlusion

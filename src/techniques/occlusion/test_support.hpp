@@ -42,16 +42,16 @@ struct SeenPage {
         globals.tile_from_px = drawn.from_px;
         auto frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{globals});
         gpu::Graph graph;
-        const gpu::ImageId page = add_horizon(graph,
-                                              {.frame = gpu::import_whole(graph, "frame", frame),
-                                               .depth = depth.in(graph),
-                                               .normal = normal.in(graph),
-                                               .radius_m = radius_m,
-                                               .pixels_per_mm = 1.0F,
-                                               .size_px = drawn.size_px,
-                                               .from_px = drawn.from_px},
-                                              style);
-        return test::run_and_read_coverage(graph, page);
+        const AmbientOcclusion page = add_horizon(graph,
+                                                  {.frame = gpu::import_whole(graph, "frame", frame),
+                                                   .depth = depth.in(graph),
+                                                   .normal = normal.in(graph),
+                                                   .radius_m = radius_m,
+                                                   .pixels_per_mm = 1.0F,
+                                                   .size_px = drawn.size_px,
+                                                   .from_px = drawn.from_px},
+                                                  style);
+        return test::run_and_read_coverage(graph, page.visibility);
     }
 
     [[nodiscard]] glm::dvec3 point(size_t pixel) const

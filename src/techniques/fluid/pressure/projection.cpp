@@ -14,6 +14,7 @@
 #include "shaders/fluid_gradient_comp.hpp"
 #include "shaders/fluid_reflect_comp.hpp"
 #include "shaders/fluid_weights_comp.hpp"
+#include "techniques/fluid/alternatives/jacobi.hpp"
 #include "techniques/fluid/pressure/solvers.hpp"
 
 namespace estampe::fluid {

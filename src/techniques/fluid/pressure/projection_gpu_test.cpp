@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "gpu/resources.hpp"
+#include "techniques/fluid/alternatives/jacobi.hpp"
 #include "techniques/fluid/fluid_test_support.hpp"
 #include "techniques/fluid/pressure/solvers.hpp"
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The solvers of the pressure's equation, and the ever coarser levels of a grid that multigrid goes through.
+// The usual solvers of the pressure's equation, and the ever coarser levels of a grid that multigrid goes
+// through.
 
 #include <vector>
 
@@ -27,11 +28,6 @@ struct Equation {
     Solids solids;
     gpu::BufferId weights; ///< of add_weights
 };
-
-[[nodiscard]] gpu::BufferId add_jacobi(gpu::Graph& graph, const Grid& grid, const Equation& equation,
-                                       uint32_t rounds);
-
-[[nodiscard]] uint32_t passes_of_jacobi(const Grid& grid, uint32_t rounds);
 
 /// One V(2,2) cycle from zero, in two dimensions.
 [[nodiscard]] gpu::BufferId add_v_cycle(gpu::Graph& graph, const Grid& grid, const Equation& equation);

@@ -8,35 +8,16 @@
 
 #include "shaders/height_climb_comp.hpp"
 #include "shaders/height_level_comp.hpp"
-#include "shaders/height_march_comp.hpp"
 #include "shaders/height_pyramid_comp.hpp"
 #include "shaders/height_resolve_comp.hpp"
-#include "shaders/height_soften_comp.hpp"
 #include "shaders/height_sweep_comp.hpp"
 #include "style/parameter.hpp"
+#include "techniques/shadow/alternatives/march.hpp"
+#include "techniques/shadow/heightfield/height_fields.hpp"
 
 namespace estampe::shadow {
-namespace {
 
-/// What is left out of a texel that is written.
-enum class Written : uint32_t { visibility, horizon };
-
-/// A line's loop of so many rounds, with what it takes off its hull, stays far from the 65535 after which
-/// lavapipe stops a thread.
-constexpr uint32_t steps_a_dispatch = 2048;
-
-/// A horizon as good as upright.
-constexpr float steepest = 1e6F;
-
-struct Fields {
-    glm::uvec2 size;
-    uint32_t count;      ///< of the fields
-    glm::dvec2 sunwards; ///< unit, over the field
-    double elevation_rad;
-    shared::SunConstants sun;
-};
-
-Fields fields_of(const gpu::Graph& graph, const HeightShadowInputs& in)
+HeightFields height_fields_of(const gpu::Graph& graph, const HeightShadowInputs& in)
 {
     const gpu::ImageDesc& height = graph.describe(in.height);
     const auto count = static_cast<uint32_t>(in.texel_m.size());
@@ -56,13 +37,22 @@ Fields fields_of(const gpu::Graph& graph, const HeightShadowInputs& in)
                     .radius_rad = static_cast<float>(in.sun_radius_rad)}};
 }
 
-gpu::ImageId result_image(gpu::Graph& graph, const char* name, const Fields& fields)
+gpu::ImageId height_result(gpu::Graph& graph, const char* name, const HeightFields& fields)
 {
     return graph.image(
         name, {.width = fields.size.x, .height = fields.count * fields.size.y, .format = gpu::Format::r16f});
 }
 
-shared::SweepConstants sweep_constants(const Fields& fields)
+namespace {
+
+/// What is left out of a texel that is written.
+enum class Written : uint32_t { visibility, horizon };
+
+/// A line's loop of so many rounds, with what it takes off its hull, stays far from the 65535 after which
+/// lavapipe stops a thread.
+constexpr uint32_t steps_a_dispatch = 2048;
+
+shared::SweepConstants sweep_constants(const HeightFields& fields)
 {
     const bool along_y = std::abs(fields.sunwards.y) > std::abs(fields.sunwards.x);
     const double along = along_y ? fields.sunwards.y : fields.sunwards.x;
@@ -75,7 +65,8 @@ shared::SweepConstants sweep_constants(const Fields& fields)
             .step_texels = static_cast<float>(std::sqrt(1.0 + slope * slope))};
 }
 
-gpu::ImageId add_sweep(gpu::Graph& graph, const HeightShadowInputs& in, const Fields& fields, Written written)
+gpu::ImageId add_sweep(gpu::Graph& graph, const HeightShadowInputs& in, const HeightFields& fields,
+                       Written written)
 {
     shared::SweepConstants sweep = sweep_constants(fields);
     const bool along_y = sweep.steps_along_y != 0;
@@ -94,7 +85,7 @@ gpu::ImageId add_sweep(gpu::Graph& graph, const HeightShadowInputs& in, const Fi
     }
     auto pass = graph.compute("height shadow/resolve", shaders::height_resolve_comp);
     pass.sample(in.height).read(seen);
-    const gpu::ImageId result = pass.write(result_image(graph, "height shadow", fields));
+    const gpu::ImageId result = pass.write(height_result(graph, "height shadow", fields));
     pass.variant(static_cast<uint32_t>(written));
     shared::ResolveConstants constants{.sweep = sweep, .sun = fields.sun};
     std::ranges::copy(in.texel_m, constants.texel_m);
@@ -103,10 +94,11 @@ gpu::ImageId add_sweep(gpu::Graph& graph, const HeightShadowInputs& in, const Fi
 }
 
 /// Slopes of a horizon between which it makes a difference.
-glm::vec2 slopes_that_matter(const Fields& fields, double radius_rad, Written written)
+glm::vec2 slopes_that_matter(const HeightFields& fields, double radius_rad, Written written)
 {
     const auto slope = [](double rad) {
-        return rad < 1.57 ? std::clamp(static_cast<float>(std::tan(rad)), 0.0F, steepest) : steepest;
+        return rad < 1.57 ? std::clamp(static_cast<float>(std::tan(rad)), 0.0F, steepest_slope)
+                          : steepest_slope;
     };
     // An edge lies between a texel whose horizon is below the sun and one whose horizon is above: far from
     // it a horizon moves the edge by a small part of a texel.
@@ -115,7 +107,7 @@ glm::vec2 slopes_that_matter(const Fields& fields, double radius_rad, Written wr
             slope(std::max(fields.elevation_rad + reach_rad, 0.0))};
 }
 
-gpu::ImageId add_pyramid(gpu::Graph& graph, const HeightShadowInputs& in, const Fields& fields,
+gpu::ImageId add_pyramid(gpu::Graph& graph, const HeightShadowInputs& in, const HeightFields& fields,
                          Written written)
 {
     const glm::uvec2 cells = fields.size - 1U;
@@ -144,38 +136,9 @@ gpu::ImageId add_pyramid(gpu::Graph& graph, const HeightShadowInputs& in, const 
     pyramid.level = topmost;
     auto pass = graph.compute("height shadow/climb", shaders::height_climb_comp);
     pass.sample(in.height).sample(greatest);
-    const gpu::ImageId result = pass.write(result_image(graph, "height shadow", fields));
+    const gpu::ImageId result = pass.write(height_result(graph, "height shadow", fields));
     pass.variant(static_cast<uint32_t>(written));
     pass.push(pyramid).dispatch_over_page(fields.size.x, fields.size.y, fields.count);
-    return result;
-}
-
-gpu::ImageId add_march(gpu::Graph& graph, const HeightShadowInputs& in, const Fields& fields,
-                       const HeightShadowStyle& style)
-{
-    if (fields.count > 1) {
-        throw std::logic_error("a march over heights takes one field at a time");
-    }
-    constexpr float deviations_taken_in = 2.5F;
-    const float deviation = style.march_blur_texels;
-    const shared::MarchConstants march{
-        .size = fields.size,
-        .sunwards = glm::vec2(fields.sunwards),
-        .rise_m = in.texel_m.front() * std::min(static_cast<float>(std::tan(fields.elevation_rad)), steepest),
-        .step_count = static_cast<uint32_t>(style.march_steps),
-        .blur_radius = static_cast<uint32_t>(std::ceil(deviations_taken_in * deviation)),
-        .blur_falloff = deviation > 0.0F ? 0.5F / (deviation * deviation) : 0.0F};
-    auto pass = graph.compute("height shadow/march", shaders::height_march_comp);
-    pass.sample(in.height, gpu::Sampling::linear);
-    gpu::ImageId result = pass.write(result_image(graph, "height shadow/hard", fields));
-    pass.push(march).dispatch_over(fields.size.x, fields.size.y);
-    for (uint32_t side = 0; side < 2 && march.blur_radius > 0; ++side) {
-        auto blur = graph.compute("height shadow/soften", shaders::height_soften_comp);
-        blur.sample(result);
-        result = blur.write(result_image(graph, "height shadow", fields));
-        blur.variant(side);
-        blur.push(march).dispatch_over(fields.size.x, fields.size.y);
-    }
     return result;
 }
 
@@ -184,7 +147,7 @@ gpu::ImageId add_march(gpu::Graph& graph, const HeightShadowInputs& in, const Fi
 gpu::ImageId add_height_shadow(gpu::Graph& graph, const HeightShadowInputs& in,
                                const HeightShadowStyle& style)
 {
-    const Fields fields = fields_of(graph, in);
+    const HeightFields fields = height_fields_of(graph, in);
     switch (style.method) {
     case HeightMethod::sweep:
         return add_sweep(graph, in, fields, Written::visibility);
@@ -199,7 +162,7 @@ gpu::ImageId add_height_shadow(gpu::Graph& graph, const HeightShadowInputs& in,
 gpu::ImageId add_height_horizon(gpu::Graph& graph, const HeightShadowInputs& in,
                                 const HeightShadowStyle& style)
 {
-    const Fields fields = fields_of(graph, in);
+    const HeightFields fields = height_fields_of(graph, in);
     if (style.method == HeightMethod::march) {
         throw std::logic_error("a march over heights knows no horizon");
     }

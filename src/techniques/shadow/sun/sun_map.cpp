@@ -9,6 +9,7 @@
 #include "shaders/mix_levels_comp.hpp"
 #include "shaders/sun_vertices_comp.hpp"
 #include "shaders/tiles.glsl.h"
+#include "techniques/shadow/alternatives/warp.hpp"
 #include "techniques/shadow/shadow.glsl.h"
 
 namespace estampe::shadow {
@@ -311,7 +312,7 @@ glm::mat4 clip_from_sun(const Piece& piece)
     return glm::mat4(clip);
 }
 
-shared::SunShadow sun_shadow(const Clipmap& clipmap, const Windows& windows, float pixel_m, bool fades,
+shared::SunShadow sun_shadow(const Clipmap& clipmap, const Windows& windows, float pixel_m,
                              const ShadowStyle& style)
 {
     shared::SunShadow shadow = sun_shadow(clipmap.view, clipmap.size, style);
@@ -319,11 +320,52 @@ shared::SunShadow sun_shadow(const Clipmap& clipmap, const Windows& windows, flo
     shadow.texels_per_m = glm::vec2(static_cast<float>(1.0 / clipmap.finest_m));
     shadow.level_count = clipmap.level_count;
     shadow.pixel_m = pixel_m;
-    shadow.fade = fades ? 1.0F : 0.0F;
+    shadow.fade = style.sun_map == SunMapKind::faded ? 1.0F : 0.0F;
     for (size_t level = 0; level < windows.size(); ++level) {
         shadow.window_low[level] = glm::vec2(windows[level]);
     }
     return shadow;
+}
+
+namespace {
+
+/// From how many pixels a texel on, near the eye, a single map gives way to a clipmap.
+constexpr double coarse_texel_px = 48.0;
+
+/// Size of a level: a power of two, of which the device can hold `levels`.
+uint32_t level_size(uint32_t wanted, uint32_t levels, uint64_t most_bytes)
+{
+    uint32_t size = std::clamp(std::bit_ceil(wanted), 64U, 4096U);
+    while (size > 64U && 4ULL * size * size * levels > most_bytes) {
+        size /= 2;
+    }
+    return size;
+}
+
+} // namespace
+
+SunMapFit fit_sun_map(const SunMapScene& scene, const ShadowStyle& style)
+{
+    SunMapFit fit{.view = sun_view(scene.casters, scene.anchor, scene.towards_sun, scene.size),
+                  .clipmap = std::nullopt,
+                  .size = scene.size};
+    const bool is_coarse = static_cast<double>(fit.view.texel_m) >= coarse_texel_px * scene.pixel_m;
+    if (style.sun_map == SunMapKind::whole || (style.sun_map == SunMapKind::automatic && !is_coarse)) {
+        return fit;
+    }
+    if (style.sun_map == SunMapKind::warped) {
+        fit.view = warped_view(scene);
+        fit.variant = fit.view.warp.y > 0.0F ? shared::light_has_sun_warp : 0U;
+        return fit;
+    }
+    fit.view = sun_view(scene.still_box, scene.anchor, scene.towards_sun, scene.size);
+    fit.clipmap = style.sun_map == SunMapKind::faded
+                      ? faded_map(fit.view, level_size(scene.size, 1, scene.most_bytes), style.faded_reach_m)
+                      : fit_clipmap(fit.view, level_size(2 * scene.size, most_levels, scene.most_bytes),
+                                    scene.pixel_m, scene.casters.radius());
+    fit.size = fit.clipmap->size;
+    fit.variant = shared::light_has_sun_levels;
+    return fit;
 }
 
 gpu::BufferId add_mixed_levels(gpu::Graph& graph, const Clipmap& clipmap, const MixInputs& in,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The sun's shadow map: one view of all that throws a shadow, or a clipmap of such maps about the eye.
+// The sun's shadow map: one view of all that throws a shadow, or a clipmap of such maps about the eye, as
+// fit_sun_map() chooses by the style.
 
 #include <array>
 #include <optional>
@@ -13,6 +14,7 @@
 #include <estampe/scene.hpp>
 
 #include "gpu/graph/graph.hpp"
+#include "shaders/frame.glsl.h"
 #include "techniques/shadow/shadow.glsl.h"
 #include "techniques/shadow/shadow_style.hpp"
 
@@ -106,9 +108,34 @@ struct PieceHome {
 [[nodiscard]] glm::mat4 clip_from_sun(const Piece& piece);
 
 /// What the lookup needs to know, from the eye's page where a pixel spans `pixel_m` at a distance of one, or
-/// at any in parallel projection. `fades`: shadow pales towards the edge of the last level.
+/// at any in parallel projection.
 [[nodiscard]] shared::SunShadow sun_shadow(const Clipmap& clipmap, const Windows& windows, float pixel_m,
-                                           bool fades, const ShadowStyle& style);
+                                           const ShadowStyle& style);
+
+/// What a map of the sun is fitted to.
+struct SunMapScene {
+    Bounds casters;   ///< world space; not empty
+    Bounds still_box; ///< a box about them that stays as it is while some of them move
+    glm::dvec3 anchor{0.0};
+    glm::dvec3 towards_sun{0.0, 1.0, 0.0}; ///< unit vector
+    double floor_m = 0.0;                  ///< nothing that is lit lies lower, world space
+    double nearest_m = 0.0;                ///< about how far from the eye what is seen begins
+    double pixel_m = 0.0;                  ///< what a pixel spans there
+    uint64_t most_bytes = ~0ULL;           ///< that a map may take
+    uint32_t size = 0;                     ///< side in texels of a single map of all casters
+    shared::FrameGlobals eye{};
+};
+
+struct SunMapFit {
+    SunView view;
+    std::optional<Clipmap> clipmap;
+    uint32_t size = 0;    ///< side in texels of the map, or of each level
+    uint32_t variant = 0; ///< see shaders/light_variant.glsl.h
+};
+
+/// The map that the style's `sun_map` asks for: a single one where its texels are fine enough, else a
+/// clipmap, or one of alternatives/.
+[[nodiscard]] SunMapFit fit_sun_map(const SunMapScene& scene, const ShadowStyle& style);
 
 /// What moves, and what stands still.
 struct MixInputs {

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Vertex block descent: sheets' particles by colours, and the sweeps over them. Chen, Liu, Yang and Yuksel,
+// "Vertex Block Descent", SIGGRAPH 2024.
+#include "techniques/cloth/alternatives/descent.hpp"
+
+#include "shaders/cloth_descend_comp.hpp"
+#include "techniques/cloth/cloth.hpp"
+
+namespace estampe::cloth {
+
+void Cloths::append_colours(Kind& kind, std::vector<uint32_t>& groups) const
+{
+    for (size_t colour = 0;; ++colour) {
+        const size_t first = groups.size() / 2;
+        bool is_any = false;
+        for (uint32_t sheet = 0; sheet < records_.size(); ++sheet) {
+            if (variant_of(sheet) != kind.variant || colour >= colours_[sheet].size()) {
+                continue;
+            }
+            is_any = true;
+            const glm::uvec2 span = colours_[sheet][colour];
+            for (uint32_t i = 0; i < span.y; i += shared::cloth_group) {
+                groups.insert(groups.end(), {sheet, span.x + i});
+            }
+        }
+        if (!is_any) {
+            return;
+        }
+        kind.colours.emplace_back(first, groups.size() / 2 - first);
+    }
+}
+
+void Cloths::add_descent(gpu::Graph& graph, Handles& handles, Kind& kind, const shared::ClothMoment& moment,
+                         uint32_t predicted, gpu::BufferId awake)
+{
+    for (uint32_t sweep = 0; sweep < sweeps_of_descent; ++sweep) {
+        for (const glm::uvec2& colour : kind.colours) {
+            auto pass = graph.compute("cloth/descend", shaders::cloth_descend_comp);
+            bind_common(graph, pass, handles, kind.run, sheet_of_group_);
+            pass.read(handles.places).read(handles.speeds).read(handles.pushes);
+            handles.predicted.at(predicted) = pass.modify(handles.predicted.at(predicted));
+            pass.sample(gpu::import_whole(graph, "cloth/by colour", by_colour_), gpu::Format::r32ui)
+                .read(awake)
+                .sample(handles.torn, gpu::Format::rg32ui);
+            shared::ClothMoment own = moment;
+            own.first_group = colour.x;
+            pass.variant(kind.variant).push(own).dispatch(colour.y);
+        }
+    }
+}
+
+} // namespace estampe::cloth
