@@ -36,9 +36,7 @@ void expect_right(const style::Table<Struct>& table)
 
 TEST(HelpLines, OfTheStyleStandAlone)
 {
-    StyleTables tables;
-    const style::Sheet sheet = sheet_of(tables);
-    for (const style::Sheet::Section& section : sheet.sections()) {
+    for (const style::Section& section : style_schema().sections()) {
         expect_right(section.name, section.help, section.parameters);
     }
 }
