@@ -13,7 +13,7 @@
 
 namespace estampe {
 
-/// What a spot lights, by the angular falloff of KHR_lights_punctual.
+/// The angular falloff of a spot, as in KHR_lights_punctual.
 struct SpotBeam {
     SpotShape shape = SpotShape::cone;
     glm::vec3 direction{0.0F, -1.0F, 0.0F}; ///< unit
@@ -26,8 +26,8 @@ struct SpotBeam {
 /// The share of its light that a spot sends along a unit vector.
 [[nodiscard]] float share_along(const SpotBeam& beam, const glm::vec3& along);
 
-/// The share of a lamp's light that comes to where the distance squared is `distance_2`. By the inverse
-/// square it reaches zero at the range; a range of 0 is none.
+/// The share of a lamp's light that arrives at a distance whose square is `distance_2`. With inverse-square
+/// falloff it reaches zero at `range_m`; a range of 0 is unlimited.
 [[nodiscard]] float weakened(LightFalloff falloff, float range_m, float distance_2);
 
 /// A day of the Gregorian calendar.

@@ -36,7 +36,7 @@ public:
         return at_ == end_;
     }
 
-    /// The next word; empty at the end.
+    /// The next word; empty at the end of the line.
     [[nodiscard]] std::string_view word()
     {
         skip_blanks();

@@ -10,10 +10,10 @@
 
 namespace estampe {
 
-/// Turns around triangles of two-sided materials whose corners run against all three of their normals, so
-/// that both say the same side. Renderers take the side of a two-sided surface from the order of the corners:
-/// a mesh of mixed order with right normals would be lit as a patchwork. One-sided triangles stay as they
-/// are, since their order says what may be seen. Cost: linear in triangles.
+/// Reverses triangles of two-sided materials whose winding contradicts all three of their normals. Renderers
+/// take the side of a two-sided surface from the winding: a mesh of mixed winding with right normals would be
+/// lit as a patchwork. One-sided triangles are not changed, because their winding says from where they are
+/// visible. Cost: linear in triangles.
 void turn_by_normals(Scene& scene);
 
 /// Removes outline hulls: larger copies of a mesh, inside out and one-sided, with which games draw outlines.

@@ -23,7 +23,7 @@ struct MtlMap {
     double bump = 1.0;   ///< factor of the option -bm
 };
 
-/// A material as its file has it; what the file does not say is not set.
+/// A material as written in the file; members that the file does not give are not set.
 struct MtlMaterial {
     std::string name;
     std::optional<glm::vec3> diffuse;

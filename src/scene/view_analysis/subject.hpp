@@ -29,17 +29,18 @@ namespace estampe {
 /// linear in points.
 [[nodiscard]] Bounds subject_bounds(const SurfaceCloud& cloud);
 
-/// The subject where `found`, that of the cloud, is the whole cloud: a small thing that is one mesh with a
-/// huge floor has no points in the cloud, but it has vertices. Else `found`. Cost: linear in vertices.
+/// Replaces `found`, the subject of the cloud, if it is the whole cloud: a small thing in one mesh with a
+/// huge floor has no points in the cloud, but it has vertices. Otherwise returns `found`. Cost: linear in
+/// vertices.
 [[nodiscard]] Bounds subject_by_vertices(const Scene& scene, const ScenePose& pose, const SurfaceCloud& cloud,
                                          const Bounds& found);
 
 /// The points of the cloud that lie inside `subject`.
 [[nodiscard]] SurfaceCloud within(const SurfaceCloud& cloud, const Bounds& subject);
 
-/// The height of the eyes, in world space, of a subject that is a character or a bust: upright, alike on the
-/// left and on the right, with a head on a neck, or moved by a skeleton. Nothing for all other things, such
-/// as bodies of revolution. `inside` is the cloud within the subject. Cost: linear in points and vertices.
+/// The height of the eyes, in world space, if the subject is a character or a bust: upright, symmetric left
+/// to right, with a head on a neck, or moved by a skeleton. Nothing for other subjects, such as bodies of
+/// revolution. `inside` is the cloud within the subject. Cost: linear in points and vertices.
 [[nodiscard]] std::optional<double> eye_level(const Scene& scene, const SurfaceCloud& inside);
 
 } // namespace estampe

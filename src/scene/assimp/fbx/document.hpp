@@ -104,8 +104,8 @@ struct Parts {
 /// Metres per unit of the file.
 [[nodiscard]] double unit_m(const Properties& settings);
 
-/// The lens of a camera of the file: field of view as its aperture mode and gate fit make it, or the height
-/// of a parallel projection, and the near plane, in metres. `name` is not set.
+/// The lens of a camera of the file, in metres: the field of view that follows from its aperture mode and
+/// gate fit, or the height of a parallel projection, and the near plane. `name` is not set.
 [[nodiscard]] SceneCamera lens_of(const Properties& camera, const Document& document);
 
 } // namespace estampe::fbx
