@@ -54,12 +54,12 @@ public:
     /// value that is not allowed.
     Values(std::span<const Option> options, std::span<const std::string> assignments);
 
-    // Nothing if the option has no value. To be called for keys and types that the options have.
+    // The value of an option; nothing if it has none. Only valid for keys and types of this world's options.
     [[nodiscard]] std::optional<uint64_t> whole(std::string_view key) const;
     [[nodiscard]] std::optional<double> number(std::string_view key) const;
     [[nodiscard]] std::optional<std::string> word(std::string_view key) const;
 
-    /// Whether a world makes the same scene of both, which are values of the same options.
+    /// Whether a world makes the same scene from both, which must be values of the same options.
     [[nodiscard]] bool make_same_scene(const Values& other) const;
 
 private:

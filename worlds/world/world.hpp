@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A world: a scene that code makes, with what moves in it. docs/worlds.md tells how to add one.
+// A world: a scene that code makes, and the animation of it. docs/worlds.md explains how to add one.
 
 #include <cstdint>
 #include <memory>
@@ -23,7 +23,7 @@ struct Purpose {
     bool is_draft = false; ///< The user wants it quickly: what only makes a film finer can be left out.
 };
 
-/// The way of the camera in a world's own film.
+/// The camera of a world's own film.
 class CameraPath {
 public:
     CameraPath() = default;
@@ -31,7 +31,7 @@ public:
     CameraPath(const CameraPath&) = delete;
     CameraPath& operator=(const CameraPath&) = delete;
 
-    /// The camera so many seconds after the film's beginning; before and after the film, that at its ends.
+    /// The camera at a time since the film's beginning; outside of the film, the camera at its nearer end.
     [[nodiscard]] virtual estampe::Camera camera(double time_s) const = 0;
 
     /// When the camera reaches the place that makes the world end, see World::end_at(); nothing if it does
@@ -47,7 +47,7 @@ public:
     Visit(const Visit&) = delete;
     Visit& operator=(const Visit&) = delete;
 
-    /// Walks for so long; `time_s` is the scene's time.
+    /// Walks for `seconds`; `time_s` is the scene's time.
     virtual void go(const walk::Intent& intent, double seconds, double time_s) = 0;
 
     [[nodiscard]] virtual walk::Walker& walker() = 0;
