@@ -51,7 +51,7 @@ struct Voussoir {
 
 /// Layout of a wall's stones, before it is built.
 struct Laid {
-    std::vector<std::vector<Stone>> courses; ///< from the foot up; each from left to right
+    std::vector<std::vector<Stone>> courses; ///< from bottom to top; each from left to right
     std::vector<Voussoir> voussoirs;
     std::vector<bool> is_whole; ///< for each arch
 };

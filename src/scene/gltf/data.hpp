@@ -93,7 +93,6 @@ inline constexpr const char* our_key = "estampe";
 ///
 /// Reading spends a budget of a few hundred times the files' size, so that a small file cannot ask for a
 /// large scene. All members throw Error with `file#/json/pointer`.
-/// large scene. All members throw Error with `file#/json/pointer`.
 class Data {
 public:
     /// Reads every buffer. Without a `folder`, external files cannot be read.
