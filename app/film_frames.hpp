@@ -72,8 +72,7 @@ public:
     struct Frame {
         uint32_t number = 0;
         Image image;
-        std::optional<std::vector<std::byte>> memory; ///< state for resuming after this frame; nothing if it
-                                                      ///< is not saved
+        std::optional<std::vector<std::byte>> memory; ///< state for resuming after this frame; may be absent
     };
 
     /// `frames`, and `film` if it is not null, must outlive this object.

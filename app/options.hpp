@@ -31,17 +31,16 @@ public:
 struct PageSize {
     uint32_t width = 1280; ///< pixels
     uint32_t height = 720;
-    std::optional<double> width_mm;      ///< exact width of a page in millimetres
-    std::optional<double> height_mm;     ///< exact height of a page in millimetres; millimetres of the style
-                                         ///< refer to it
+    std::optional<double> width_mm; ///< exact width of a page in millimetres
+    std::optional<double>
+        height_mm; ///< exact height of a page in millimetres; lengths of the style have its scale
     std::optional<double> dots_per_inch; ///< resolution of such a page, stored in the file
 };
 
 /// Settings of a film.
 struct FilmChoice {
     uint32_t first = 1;
-    uint32_t last = 0; ///< inclusive; 0: until the end of the animation, of a turn of five seconds, or of the
-                       ///< world's own film
+    uint32_t last = 0;          ///< inclusive; 0: until the end of animation, turn (5 s) or world's film
     double frames_per_s = 24.0; ///< without --fps the rate of the scene's file, if it gives one
     bool has_rate = false;      ///< --fps was given
     bool turntable = false;     ///< the eye goes once around the scene from the first frame to the last
@@ -73,8 +72,7 @@ struct DrawOptions {
     std::vector<std::string> world; ///< options of the world that `scene` names, as KEY=VALUE
     std::string terrain;            ///< terrain file that the scene is put on; empty: none
     LoadOptions load;               ///< how the scene's file is read
-    std::string lightmap; ///< file written by `estampe bake`; empty: the lightmaps that the scene's file
-                          ///< names
+    std::string lightmap;           ///< written by `estampe bake`; empty: those that the scene's file names
     PageSize page;
     CameraChoice camera;
     double time_s = 0.0;

@@ -371,8 +371,7 @@ std::string with_typed_name(std::string text, const std::string& scene, const fs
         return text;
     }
     replace_all(text, file.string(), name_of(scene));
-    replace_all(text, file.parent_path().string() + '/', ""); // files beside the scene appear as the scene
-                                                              // names them
+    replace_all(text, file.parent_path().string() + '/', ""); // keeps names as in the scene
     replace_all(text, "beside the scene's file", "into the current folder");
     return text;
 }

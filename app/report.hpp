@@ -29,8 +29,7 @@ struct TimingReport {
     std::string output;
     RenderSettings settings;
     uint32_t frames = 1;
-    std::vector<PassTiming> passes; ///< medians over the frames with timed passes: every second one after the
-                                    ///< first; may be empty
+    std::vector<PassTiming> passes; ///< medians over every second frame after the first; may be empty
     double gpu_ms = 0.0;            ///< median of the other frames, in which passes may overlap
     std::vector<SolverReport> solvers;
     std::vector<std::pair<std::string, double>> cpu_ms; ///< wall time of the steps of the command, in order

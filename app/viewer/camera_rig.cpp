@@ -55,8 +55,7 @@ std::optional<double> Ground::height_under(const glm::dvec3& place) const
 
 namespace {
 
-constexpr double steepest_rad = 0.497 * std::numbers::pi; ///< steepest view up or down; never beyond the
-                                                          ///< vertical
+constexpr double steepest_rad = 0.497 * std::numbers::pi; ///< steepest view up or down
 
 glm::dvec3 rotated(const glm::dvec3& direction, double angle_rad, const glm::dvec3& axis)
 {

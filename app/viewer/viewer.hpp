@@ -102,8 +102,7 @@ private:
     WarmUp warm_up_;
     app::Clock::time_point start_ = app::Clock::now();
     Studio studio_;
-    std::optional<PictureThread> pictures_; ///< destroyed before the window that it wakes, as are the next
-                                            ///< two
+    std::optional<PictureThread> pictures_; ///< this and the next two are destroyed before the window
     std::optional<SceneLoader> loader_;
     std::optional<ShaderReload> shaders_;
     Window window_;

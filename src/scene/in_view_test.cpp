@@ -16,8 +16,7 @@ Scene cube_at(const glm::dvec3& place)
     scene.meshes.push_back({.name = "cube", .primitives = {shapes::box({2, 2, 2})}});
     scene.nodes.resize(1);
     scene.nodes[0].mesh = 0;
-    scene.nodes[0].transform.translation = place - glm::dvec3(0, 1, 0); // the cube's origin is on its lower
-                                                                        // face
+    scene.nodes[0].transform.translation = place - glm::dvec3(0, 1, 0); // its origin is at the bottom
     scene.roots = {0};
     return scene;
 }

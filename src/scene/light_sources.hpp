@@ -17,9 +17,8 @@ namespace estampe {
 struct SpotBeam {
     SpotShape shape = SpotShape::cone;
     glm::vec3 direction{0.0F, -1.0F, 0.0F}; ///< unit
-    glm::vec3 side{1.0F, 0.0F, 0.0F}; ///< pyramids: unit, perpendicular to the beam, across two of the four
-                                      ///< sides
-    float cone_scale = 1.0F;          ///< saturate(cos(angle) * scale + offset) squared
+    glm::vec3 side{1.0F, 0.0F, 0.0F};       ///< pyramids: unit, perpendicular to the beam and to two sides
+    float cone_scale = 1.0F;                ///< saturate(cos(angle) * scale + offset) squared
     float cone_offset = 0.0F;
 };
 

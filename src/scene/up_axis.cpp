@@ -54,8 +54,7 @@ namespace {
 
 /// Areas that face the two ends of one axis, relative to the side of the bounding box across the axis.
 struct Ends {
-    double base_outward = 0.0; ///< flat at the lower end and facing away from the body: the underside of a
-                               ///< solid
+    double base_outward = 0.0; ///< flat, at the lower end, facing outwards: the underside of a solid
     double base_inward = 0.0;  ///< flat at the lower end and facing the body: a floor that things stand on
     double top = 0.0;          ///< flat at the upper end
     double open_below = 0.0;   ///< projected area that is missing at the lower end for a closed surface

@@ -31,8 +31,8 @@ enum class ViewContent : uint8_t {
 /// What is in view, and a node whose backs are in view.
 struct InView {
     ViewContent content = ViewContent::nothing;
-    Index backs_of = no_index; ///< for backs_only: a node whose backs are in view, if possible one whose box
-                               ///< holds the eye; among these the smallest
+    Index backs_of = no_index; ///< for backs_only: a node whose backs are in view; prefers the smallest box
+                               ///< with the eye inside
     bool holds_eye = false;    ///< the box of `backs_of` holds the eye
 };
 

@@ -97,8 +97,7 @@ private:
         float radius = radius_m_ * (taper + swells_[drum]);
         if (flutes_ > 0) {
             const float phase = static_cast<float>(flutes_) * (angle + turns_[drum]) / turn_rad;
-            const float across = 2.0F * (phase - std::floor(phase)) - 1.0F; // -1 and 1 at the ridges between
-                                                                            // flutes
+            const float across = 2.0F * (phase - std::floor(phase)) - 1.0F; // -1 and 1 at the ridges
             radius *= 1.0F - 0.09F * (1.0F - across * across);
         }
         for (const Chip& chip : chips_) {

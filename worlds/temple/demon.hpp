@@ -57,8 +57,7 @@ public:
     static constexpr float despairs_m = 2.2F;    ///< a visitor who stays nearer than this makes it dissolve
     static constexpr float despairs_s = 2.5F;    ///< how long the visitor must stay that near
     static constexpr float dissolves_s = 4.5F;   ///< duration of the dissolving
-    static constexpr float half_width_m = 0.75F; ///< distance that its middle keeps from walls, for a size of
-                                                 ///< 1
+    static constexpr float half_width_m = 0.75F; ///< distance kept from walls, for a size of 1
     static constexpr float head_m = 2.05F;       ///< height of the head above the ground, for a size of 1
 
     /// `ground_m` gives the height of the ground at x and z.

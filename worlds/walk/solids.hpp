@@ -56,8 +56,7 @@ private:
     struct Box {
         glm::vec3 low_m{0.0F};
         glm::vec3 high_m{0.0F};
-        uint32_t first = 0; ///< first triangle; for an inner box, its second child (the first child follows
-                            ///< directly)
+        uint32_t first = 0; ///< first triangle; of an inner box, the second child (the first follows it)
         uint32_t count = 0; ///< number of triangles; 0 for an inner box with two children
     };
 

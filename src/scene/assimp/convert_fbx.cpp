@@ -41,7 +41,8 @@ std::optional<glm::dmat3> looking_axes(const glm::dvec3& eye, const glm::dvec3& 
     return glm::dmat3(c * right - s * upright, c * upright + s * right, back);
 }
 
-/// The turn within a parent, whose scale and mirroring do not matter for where -z and y point.
+/// The rotation that gives a child the world-space axes `axes`. The parent's scale and mirroring are ignored,
+/// because they do not change where -z and y point.
 std::optional<glm::dquat> turn_within(const glm::dmat4& world_from_parent, glm::dmat3 axes)
 {
     glm::dmat3 parent(world_from_parent);

@@ -22,8 +22,7 @@
 namespace estampe::dae {
 namespace {
 
-constexpr double usual_aspect = 16.0 / 9.0; ///< assumed if a camera has only a width, because the page is not
-                                            ///< known yet
+constexpr double usual_aspect = 16.0 / 9.0; ///< for cameras with only a width; the page is not known yet
 
 double unit_m(const pugi::xml_node& collada)
 {
@@ -37,7 +36,8 @@ std::optional<double> positive(const pugi::xml_node& optics, const char* name)
     return number > 0.0 && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
-/// Of a width and a height, or one of them and the aspect ratio, the height; `widths` are to be proportional.
+/// The height that follows from width, height and aspect ratio, of which some may be missing. Inputs must be
+/// proportional to lengths: tangents, not angles.
 std::optional<double> height_of(const std::optional<double>& width, const std::optional<double>& height,
                                 const std::optional<double>& aspect)
 {

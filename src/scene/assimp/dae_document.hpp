@@ -16,8 +16,7 @@ struct Document {
     std::vector<SceneCamera> lenses; ///< by lens_index() of the cameras that Assimp reads from `text`
     std::optional<double> frames_per_s;
     std::optional<double> unit_m; ///< metres per unit, if the file says so
-    bool moved_vertices = false;  ///< some vertices were moved to the origin, and their nodes by the opposite
-                                  ///< offset
+    bool moved_vertices = false;  ///< vertices to the origin, their nodes by the opposite offset
     double start_s = 0.0;         ///< start of the document's time range
 };
 

@@ -92,8 +92,7 @@ TEST_F(FbxScene, AxesTurnTheSceneUpright)
     const std::string metres = number("UnitScaleFactor", 100.0);
     expect_bounds(load(tetrahedron(metres + axes(2, 3, 1))), {0, 0, 0}, {1, 2, 3});
     expect_bounds(load(tetrahedron(metres + axes(3, -2, 1))), {0, 0, -2}, {1, 3, 0});   // 3ds Max
-    expect_bounds(load(tetrahedron(metres + axes(3, 2, -1))), {-1, 0, 0}, {0, 3, 2});   // faces the opposite
-                                                                                        // direction
+    expect_bounds(load(tetrahedron(metres + axes(3, 2, -1))), {-1, 0, 0}, {0, 3, 2});   // front reversed
     expect_bounds(load(tetrahedron(metres + axes(1, 3, -2))), {-2, 0, 0}, {0, 1, 3});   // x is up
     expect_bounds(load(tetrahedron(metres + axes(-2, 3, -1))), {-1, -2, 0}, {0, 0, 3}); // upside down
     expect_bounds(load(tetrahedron(metres + axes(2, -3, 1))), {0, 0, -3}, {1, 2, 0});   // left-handed

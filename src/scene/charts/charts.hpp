@@ -18,8 +18,7 @@ namespace estampe::charts {
 /// Adjacent triangles that lie nearly in one plane.
 struct Chart {
     std::vector<uint32_t> triangles;
-    std::vector<glm::vec2> corners_m; ///< three per triangle, at the scale of the surface; no coordinate is
-                                      ///< negative
+    std::vector<glm::vec2> corners_m; ///< three per triangle, at the scale of the surface, not negative
     glm::vec2 size_m{0.0F};
 };
 
@@ -59,8 +58,7 @@ inline constexpr uint32_t gutter = 2;
 struct Texel {
     uint32_t place = 0; ///< index in the picture, row by row
     uint32_t triangle = 0;
-    glm::vec2 weights{0.0F}; ///< barycentric weights of the second and third corner, at the triangle's point
-                             ///< nearest to the texel
+    glm::vec2 weights{0.0F}; ///< of the second and third corner, at the triangle's nearest point
 };
 
 /// The texels within one texel of a triangle, sorted by `place`. Cost: linear in texels.
@@ -93,8 +91,7 @@ private:
     float cell_m_;
     std::vector<FlatTriangle> triangles_;
     std::unordered_map<uint64_t, std::vector<uint32_t>> cells_;
-    std::vector<uint32_t> wide_; ///< triangles that cover too many cells, so every new triangle is compared
-                                 ///< with them
+    std::vector<uint32_t> wide_; ///< they cover many cells and are compared with every new triangle
 };
 
 } // namespace estampe::charts

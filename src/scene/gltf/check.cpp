@@ -29,8 +29,7 @@ constexpr double max_offset = 1099511627776.0;
 struct Rule {
     std::string_view key;
     Kind kind = Kind::object;
-    std::string target; ///< the array that an index points into, the schema of an object, or the allowed
-                        ///< words of a choice
+    std::string target; ///< array of an index, schema of an object, or words of a choice
     bool required = false;
     double min = -max_number;
     double max = max_number;

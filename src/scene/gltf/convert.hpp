@@ -69,8 +69,7 @@ private:
     void warn_of_unread(const Use& use);
 
     Data& data_;
-    std::vector<int> first_of_same_; ///< for each image of the file, the first image with the same file or
-                                     ///< bytes
+    std::vector<int> first_of_same_; ///< per image of the file, the first with the same file or bytes
     std::map<std::tuple<int, int, Wrap, Wrap>, Index> index_of_;
     std::vector<Use> uses_;
     std::vector<bool> lost_;

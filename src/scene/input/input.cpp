@@ -126,8 +126,7 @@ void Input::make_room(size_t count)
 
 void Input::fill(size_t count)
 {
-    constexpr uint64_t worth_telling = 1U << 20U; // no progress is shown for smaller files: material
-                                                  // libraries would set it back
+    constexpr uint64_t worth_telling = 1U << 20U; // small files, such as material libraries, show no progress
     constexpr double share_of_load = 0.4;
     if (size_ >= worth_telling)
         report_progress(share_of_load * static_cast<double>(offset_) / static_cast<double>(size_));

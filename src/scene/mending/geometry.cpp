@@ -351,8 +351,7 @@ public:
         const uint32_t group = group_of(of);
         const bool all = shares_average(corners, of) || face == glm::vec3(0.0F);
         if (group == 0 && !all)
-            return glm::normalize(face) + glm::vec3(0.0F); // turns negative zeros, which have other bytes,
-                                                           // into positive ones
+            return glm::normalize(face) + glm::vec3(0.0F); // removes negative zeros, whose bytes differ
         glm::vec3 sum{0.0F};
         // The sum follows the order of the corners, so that corners with equal neighbours get bitwise equal
         // normals.

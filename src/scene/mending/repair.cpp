@@ -189,10 +189,7 @@ void leave_out_outline_hulls(Scene& scene)
         }
     }
     const std::vector<std::pair<Index, size_t>> last_first(hulls.rbegin(),
-                                                           hulls.rend()); // descending, so that
-                                                                          // removing a primitive
-                                                                          // keeps the indices of
-                                                                          // the others
+                                                           hulls.rend()); // descending
     for (const auto& [index, primitive] : last_first) {
         Mesh& mesh = scene.meshes[index];
         scene.warnings.push_back(fmt::format("mesh \"{}\": an outline hull, a larger copy turned inside out; "

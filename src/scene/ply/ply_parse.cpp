@@ -98,7 +98,7 @@ Use use_of(Kind kind, const Property& property)
     return found == uses.end() ? Use::none : found->second;
 }
 
-/// What one of a colour's numbers is at most.
+/// Largest value of a colour channel of this type.
 double full_color(Type type)
 {
     switch (type) {

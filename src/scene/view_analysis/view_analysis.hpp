@@ -94,9 +94,8 @@ struct CornerView {
 
 /// What the outermost surfaces on each side show to the middle of the scene, along -x, +x, -y, +y, -z, +z.
 struct Walls {
-    std::array<bool, 6> inward{}; ///< the side is a wall of a room: at the side of the box, facing only the
-                                  ///< middle
-    std::array<bool, 6> closed{}; ///< something stands on this side, whichever way it faces
+    std::array<bool, 6> inward{};    ///< a wall of a room stands there, facing only the middle
+    std::array<bool, 6> closed{};    ///< something stands on this side, whichever way it faces
     std::array<bool, 6> two_sided{}; ///< what stands on this side is visible from both sides
 
     /// Whether at least four of the six sides face inwards, as those of a room do and a model's skin does

@@ -167,8 +167,7 @@ const style::Table<ContourStyle>& contour_table()
 
 namespace {
 
-constexpr float most_swelling = 2.2F; // largest factor by which pressure, shade and nearness together widen a
-                                      // line
+constexpr float most_swelling = 2.2F; // most that pressure, shade and nearness widen a line
 
 constexpr uint32_t listing_groups = 128; // workgroups that share a list whose length is unknown
 

@@ -62,8 +62,7 @@ struct ContourStyle {
     std::string shadow_brush;
     BrushFit brush_fit = BrushFit::repeat;
     float brush_mm = 0.0F;
-    float outline_m = 0.0F; ///< width in the scene, replaces the width on the page unless it is 0; so do
-                            ///< those below
+    float outline_m = 0.0F; ///< width in the scene; unless 0, replaces the width on the page
     float boundary_m = 0.0F;
     float crease_m = 0.0F;
     float marked_m = 0.0F;
@@ -184,13 +183,10 @@ struct ContourInputs {
     BrushImages* brushes = nullptr; ///< brushes for chains; null if only the pen is used
     float pixels_per_mm = 1.0F;
     float line_step_px = 3.0F;     ///< approximate spacing of samples on chains
-    float pixel_m_at_one = 0.001F; ///< size of a pixel at a distance of one; in parallel projection at any
-                                   ///< distance
+    float pixel_m_at_one = 0.001F; ///< size of a pixel at a distance of one; parallel: at any distance
     glm::uvec2 size_px{0};
-    std::optional<gpu::BufferId> look_of_draw; ///< set if surfaces have different style variants: r32ui
-                                               ///< texels
-    std::optional<gpu::BufferId> line_looks;   ///< set with `look_of_draw`: LineLook of each style variant;
-                                               ///< only chains use it
+    std::optional<gpu::BufferId> look_of_draw; ///< set if surfaces have style variants: r32ui texels
+    std::optional<gpu::BufferId> line_looks;   ///< set with it: LineLook of each variant; only for chains
     /// Visibility of the surfaces that hide chains, if it differs from all solid surfaces: clear glass hides
     /// none.
     std::optional<gpu::BufferId> line_hiders;

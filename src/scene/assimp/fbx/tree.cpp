@@ -94,7 +94,7 @@ private:
         return head;
     }
 
-    /// Elements from `at` on until an empty one closes the list; second: where the list ends.
+    /// Reads elements from `at` on until an empty one closes the list; also returns where the list ends.
     std::pair<std::vector<Element>, size_t> elements(size_t at, size_t end, int depth,
                                                      const std::string& parent) const
     {

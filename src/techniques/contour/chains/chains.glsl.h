@@ -107,8 +107,7 @@ SHARED_CONSTANT uint crossing_seen_between = 0x20000000U;
 
 // Position on a closed chain where its first stroke begins.
 SHARED_CONSTANT uint no_rotation = 0xffffffffU;
-SHARED_CONSTANT uint rotation_to_corner = 0x40000000U; // the stroke would begin at a corner, which is
-                                                       // avoided: lower values win
+SHARED_CONSTANT uint rotation_to_corner = 0x40000000U; // the start is at a corner; lower values are preferred
 
 // A point of a feature line. `kind` and `side` are those of the edge to the next point; with corner 3, of the
 // triangle through which the line goes there.
@@ -187,10 +186,8 @@ struct Stroke {
     uint first; // samples
     uint last;
     uint ends;      // whether they meet other lines, and whether the stroke is drawn: see the bits above
-    uint recalled;  // the sample nearest its middle that existed in the previous frame, see
-                    // stroke_places.glsl, or no_sample
-    int offset_sum; // sum over such samples of the position along the brush minus the arc length, in
-                    // sixteenths of a pixel
+    uint recalled;  // sample nearest the middle that has a past, or no_sample
+    int offset_sum; // sum of positions along the brush minus arc lengths, in 1/16 pixel
     uint offset_count;
 };
 
@@ -361,8 +358,7 @@ struct BrushConstants {
     uint width;
     uint height;
     uvec2 grid_page_px;                 // size of the page whose grid holds the samples
-    float period_px[brush_use_count];   // repeat length of each use along the stroke; 0 stretches the brush
-                                        // over the whole stroke
+    float period_px[brush_use_count];   // repeat length along the stroke; 0 stretches the brush over it
     uint layer_of_use[brush_use_count]; // layer in the image of brushes; no_brush draws with the pen
 };
 

@@ -161,8 +161,7 @@ struct ChainStrokes {
 constexpr size_t most_hands = 3; ///< how often lines can be retraced, see `contour.strokes`
 
 struct HandDrawn {
-    gpu::BufferId line_points; ///< LinePoint, two per sample: at the start of its piece, and at the end of
-                               ///< the piece before
+    gpu::BufferId line_points; ///< LinePoint, two per sample: start of its piece, end of the previous one
     gpu::BufferId touches;     ///< LineTouch, two per sample; unused without brushes
 };
 

@@ -20,8 +20,7 @@ layout(scalar, binding = 0) uniform Frame
     FrameGlobals frame;
 };
 
-layout(binding = 1) uniform sampler2D share_image; // visible share of the sun; negative where no sun can
-                                                   // shine
+layout(binding = 1) uniform sampler2D share_image; // visible share of the sun; negative where it cannot shine
 layout(binding = 2) uniform usampler2D draw_image;
 layout(binding = 3) uniform sampler2D depth_image;
 layout(binding = 4) uniform usampler2D normal_image;

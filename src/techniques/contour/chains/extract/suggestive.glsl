@@ -38,8 +38,7 @@ BendCrossing bend_crossing(uint i, uint j)
     precise float share = clamp(a.x / (a.x - b.x), 0.0, 1.0);
     precise float strength = a.y + share * (b.y - a.y);
     if (is_of_ground(low)) {
-        precise float turn = b.x - a.x; // rises along the wind across a crest, and falls where a slip face
-                                        // ends
+        precise float turn = b.x - a.x; // positive across a crest, negative at the end of a slip face
         strength = (b.y < a.y ? -turn : turn) - constants.least_turn;
     }
     return BendCrossing(low, high, share, strength);

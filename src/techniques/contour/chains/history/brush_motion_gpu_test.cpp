@@ -192,8 +192,7 @@ double share_of_brush(const DrawnSample& drawn, double along_px = 0.0)
 struct Slides {
     size_t compared = 0;
     size_t jumped = 0;     ///< by more than 0.035 of their brush
-    double most_off = 0.0; ///< largest offset from the even position in the last frame, in shares of the
-                           ///< brush
+    double most_off = 0.0; ///< from the even position in the last frame, in shares of the brush
 };
 
 Slides slides_of(const std::vector<FilmFrame>& frames)

@@ -16,8 +16,7 @@ namespace estampe::contour {
 
 /// A stroke from left to right; its left side is at the top.
 struct BrushStrip {
-    std::vector<float> ink; ///< shared::brush_rows rows of shared::brush_columns values, from 0 for paper to
-                            ///< 1 for ink
+    std::vector<float> ink; ///< brush_rows rows of brush_columns values, 0 for paper, 1 for ink
     float widths = 1.0F;    ///< length of the stroke divided by its width
 };
 

@@ -16,8 +16,7 @@
 namespace estampe::contour {
 namespace {
 
-constexpr float reach_share = 0.0075F; // radius over which forms are smoothed, as a share of the object's
-                                       // size
+constexpr float reach_share = 0.0075F; // radius of the smoothing, as a share of the object's size
 constexpr uint32_t most_rounds = 16;
 constexpr float mean_step = 0.85F; // share by which a vertex moves towards the mean of its neighbours
 constexpr uint32_t change_rounds = 2;

@@ -29,8 +29,7 @@ struct RestSurface {
     const EdgeMesh& mesh;
     std::span<const glm::vec3> positions; ///< one per vertex
     std::span<const float> sizes;         ///< one per vertex: size of the whole object; 0 if it has no lines
-    std::span<const uint8_t> runs_clockwise; ///< one per triangle: 1 if its winding is clockwise, seen from
-                                             ///< outside
+    std::span<const uint8_t> runs_clockwise; ///< one per triangle: 1 if clockwise, seen from outside
 };
 
 /// Computes curvature. Normals come from the triangles around each vertex. Forms are fitted by least squares

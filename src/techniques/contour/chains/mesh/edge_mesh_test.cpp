@@ -165,8 +165,7 @@ TEST(EdgeMesh, TurnsAllPiecesToTheSenseOfTheirNormals)
     Soup soup;
     Primitive plane = shapes::plane(4.0F, 4.0F, 6);
     for (size_t t = 0; t < plane.indices.size() / 3; t += 2) {
-        std::swap(plane.indices[3 * t], plane.indices[3 * t + 1]); // every other triangle has reversed
-                                                                   // winding
+        std::swap(plane.indices[3 * t], plane.indices[3 * t + 1]); // reverses every other triangle
     }
     soup.add(plane);
     const EdgeMesh mesh = soup.build();

@@ -199,8 +199,7 @@ FeatureChains string_features(const EdgeMesh& mesh, std::span<const glm::vec3> p
 namespace {
 
 constexpr uint32_t nowhere = ~0U;
-constexpr float least_share = 2.0F / 3.0F; // share of the sharpness that a line must have at its sharpest
-                                           // point
+constexpr float least_share = 2.0F / 3.0F; // of the sharpness needed at a line's sharpest point
 constexpr float shortest_share = 1.0F / 30.0F;
 constexpr float least_lead =
     1.1F; // least ratio of the greatest curvature to the other; nearly spherical surfaces have no lines
@@ -265,8 +264,7 @@ private:
                 const glm::vec3 across = glm::cross(bending.normal, bending.tangent);
                 const float growth = change_along(sign * bending.change, curvatures.direction);
                 bends_[v] = {glm::degrees(curvatures.greatest * sharpness_reach * surface_.sizes[v]),
-                             growth != 0.0F ? growth : std::numeric_limits<float>::min(), // has a sign,
-                                                                                          // unlike zero
+                             growth != 0.0F ? growth : std::numeric_limits<float>::min(), // not zero
                              curvatures.direction.x * bending.tangent + curvatures.direction.y * across};
             }
         }

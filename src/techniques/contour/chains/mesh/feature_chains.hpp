@@ -15,8 +15,7 @@ namespace estampe::contour {
 
 /// The edges that have feature lines.
 struct FeatureChoice {
-    float crease_deg = 34.0F; ///< smallest fold where the shading breaks; where it is smooth, at least 60
-                              ///< degrees
+    float crease_deg = 34.0F; ///< where the shading breaks; where it is smooth, at least 60 degrees
     bool borders = true;
     bool boundaries = true;
     bool creases = true;

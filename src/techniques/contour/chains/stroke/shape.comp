@@ -220,8 +220,7 @@ const float most_past = 0.12;    // share of its length that a stroke runs past 
 
 const int phase_reach = 6;      // samples on either side that are averaged
 const float one_phase_px = 3.0; // offsets that differ by less belong to the same brush
-const float most_stretch = 0.2; // largest offset of a brush from its even position at which it settles, as a
-                                // share of the stroke
+const float most_stretch = 0.2; // offset up to which a brush settles, as a share of the stroke
 const float most_settling_px = 0.15;
 const float most_start_px = 2048.0; // each stroke begins at a random position of its brush
 const float most_slide = 0.02;      // share of a stretched brush that it may slide per frame
