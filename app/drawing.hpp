@@ -40,7 +40,7 @@ bool add_all_animations(Scene& scene);
 /// Whether the camera that `draw` asks for is one of the scene's own, which may move.
 [[nodiscard]] bool has_camera_of_file(const DrawOptions& draw, const Scene& scene);
 
-/// Size, samples and moment of a picture.
+/// Render settings of a picture: size, samples and moment.
 [[nodiscard]] RenderSettings settings_of(const DrawOptions& draw, Index animation);
 
 /// Sets the renderer's scene and its lightmaps: the one that `draw` names, else those that the scene's file

@@ -284,7 +284,7 @@ std::vector<std::pair<std::string, const CLI::App*>> list_commands(const CLI::Ap
     return found;
 }
 
-/// "render [OPTION]... SCENE -o FILE"
+/// Usage line of a command: "render [OPTION]... SCENE -o FILE".
 std::string usage(const std::string& typed, const CLI::App& command)
 {
     std::string line = fmt::format("\\fB{}\\fR [\\fIOPTION\\fR]...", roff(typed));

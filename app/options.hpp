@@ -31,9 +31,8 @@ public:
 struct PageSize {
     uint32_t width = 1280; ///< pixels
     uint32_t height = 720;
-    std::optional<double> width_mm; ///< exact width of a page in millimetres
-    std::optional<double>
-        height_mm; ///< exact height of a page in millimetres; lengths of the style have its scale
+    std::optional<double> width_mm;      ///< exact width of a page in millimetres
+    std::optional<double> height_mm;     ///< exact height of a page; scales the style's millimetres
     std::optional<double> dots_per_inch; ///< resolution of such a page, stored in the file
 };
 

@@ -204,7 +204,7 @@ Kit build_pylon(float height_m, bool is_ruin, Dice dice)
     return kit;
 }
 
-/// A square tower under a ring of columns, 34 m high.
+/// A square tower, 34 m high, with a ring of columns on top.
 Kit build_tower(Dice dice)
 {
     Kit kit;

@@ -39,7 +39,7 @@ struct Tornado {
 struct Weather {
     float wind_m_s = 7.0F;
     double blown_m = 0.0; ///< distance that the wind has blown since time 0
-    float gusts = 0.0F;   ///< 0 to 1
+    float gusts = 0.0F;   ///< strength of the gusts, 0 to 1
     float dust = 0.0F;    ///< dust in the air, 0 to 1; at 1 visibility is as short as a room
     float clouds = 0.0F;  ///< share of the sky that clouds cover
     Tornado tornado;

@@ -17,10 +17,10 @@ namespace worlds {
 
 enum class Occasion : uint8_t { picture, film, walk };
 
-/// What a world is drawn for.
+/// The purpose for which a world is drawn.
 struct Purpose {
     Occasion occasion = Occasion::picture;
-    bool is_draft = false; ///< The user wants it quickly: what only makes a film finer can be left out.
+    bool is_draft = false; ///< The user wants a quick result: what only makes a film finer can be left out.
 };
 
 /// The camera of a world's own film.
@@ -39,7 +39,7 @@ public:
     [[nodiscard]] virtual std::optional<double> end_s() const { return std::nullopt; }
 };
 
-/// Somebody who walks through a world.
+/// A visitor who walks through a world.
 class Visit {
 public:
     Visit() = default;
@@ -96,7 +96,7 @@ public:
         return base;
     }
 
-    /// Somebody reaches the end of the world at `time_s`: from then on the world changes, if it has an end.
+    /// A visitor reaches the end of the world at `time_s`: from then on the world changes, if it has an end.
     virtual void end_at(double /*time_s*/) {}
 
     /// The camera of the world's own film; null if it has none. Only called where Description::film_s is set.
@@ -105,7 +105,7 @@ public:
         return nullptr;
     }
 
-    /// Somebody who walks through `scene`; null if the world is not made for walking. The viewer then walks
+    /// A visitor who walks through `scene`; null if the world is not made for walking. The viewer then walks
     /// over its ground without collisions.
     [[nodiscard]] virtual std::unique_ptr<Visit> visit(const estampe::Scene& /*scene*/) const
     {

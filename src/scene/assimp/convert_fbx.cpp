@@ -264,7 +264,7 @@ void place_nodes(Scene& scene, const fbx::Document& document, const NodeOfModel&
         place_node(scene, index, fbx::parts_of(document.models.at(id).properties), is_animated[index]);
 }
 
-/// The upward direction of what looks at a target.
+/// The upward direction of a camera or light that looks at a target.
 Upward upward_of(const fbx::Model& model, const fbx::Properties& attribute, const fbx::Document& document,
                  const NodeOfModel& nodes)
 {
@@ -312,7 +312,7 @@ bool is_view_of_program(const fbx::Model& model)
                views.end();
 }
 
-/// Cameras are numbered in the order of their nodes.
+/// Adds cameras and lights. Cameras are numbered in the order of their nodes.
 void add_attributes(Scene& scene, const fbx::Document& document, const NodeOfModel& nodes)
 {
     std::vector<std::pair<Index, int64_t>> in_order;

@@ -170,7 +170,7 @@ private:
 template <typename Vector>
 [[nodiscard]] std::vector<Vector> read_vectors(Data& data, int accessor, float fill = 0.0F);
 
-/// "/accessors/3"
+/// JSON pointer of an accessor, such as "/accessors/3".
 [[nodiscard]] std::string accessor_pointer(int accessor);
 
 [[nodiscard]] const tinygltf::Accessor& accessor_of(const Data& data, int accessor);

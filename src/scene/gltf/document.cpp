@@ -116,7 +116,7 @@ Container open_binary(std::span<const std::byte> bytes, const std::string& file)
     return container;
 }
 
-/// "file:line:column" for text, "file:byte N" for binary.
+/// Place of a byte of the JSON in messages: "file:line:column" for text, "file:byte N" for binary.
 std::string place_in_json(const Container& container, const std::string& file, size_t json_byte)
 {
     if (container.is_binary) {

@@ -338,7 +338,7 @@ uint32_t file_version(std::span<const char> head)
         if (std::from_chars(text.data() + digits, text.data() + text.size(), version).ec == std::errc{})
             return version;
     }
-    // "; FBX 6.1.0 project file"
+    // A text file may begin with: "; FBX 6.1.0 project file".
     constexpr std::string_view comment = "; FBX ";
     if (const size_t found = text.find(comment);
         found != std::string_view::npos && text.size() >= found + 9) {

@@ -183,7 +183,7 @@ SHARED_CONSTANT uint stroke_is_dropped = 4U;
 
 // Consecutive samples that are drawn as one stroke.
 struct Stroke {
-    uint first; // samples
+    uint first; // index of its first sample; `last` is that of the last
     uint last;
     uint ends;      // whether they meet other lines, and whether the stroke is drawn: see the bits above
     uint recalled;  // sample nearest the middle that has a past, or no_sample
@@ -207,7 +207,7 @@ SHARED_CONSTANT uint no_stroke_seed = 0xffffffffU;
 struct Recall {
     float half_width_px; // negative if the sample did not exist
     float offset_px;
-    uint seed; // or no_stroke_seed
+    uint seed; // seed of the stroke, or no_stroke_seed
 };
 
 struct RecallConstants {

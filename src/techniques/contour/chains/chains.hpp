@@ -157,7 +157,7 @@ struct ChainStrokes {
     gpu::BufferId grid;           ///< grid that finds samples by position
 };
 
-/// The way and the width of the pen, once along all strokes.
+/// Path and width of the pen, once along all strokes.
 constexpr size_t most_hands = 3; ///< how often lines can be retraced, see `contour.strokes`
 
 struct HandDrawn {

@@ -114,7 +114,7 @@ TEST(Bending, IsThatOfATorus)
         const glm::vec3 meridian = curvatures.direction.x * bending.tangent + curvatures.direction.y * third;
         const glm::vec3 upwards = -sine * glm::vec3(p.x, 0.0F, p.z) / around + glm::vec3(0.0F, cosine, 0.0F);
         ASSERT_GT(std::abs(glm::dot(meridian, upwards)), 0.995F);
-        // By 45 degrees the derivative holds, three times over, that of the lesser curvature up the tube.
+        // At 45 degrees the derivative contains three times that of the lesser curvature along the tube.
         const glm::vec3 across = glm::cross(bending.normal, upwards);
         const auto in_plane = [&](const glm::vec3& way) {
             return glm::vec2(glm::dot(way, bending.tangent), glm::dot(way, third));
