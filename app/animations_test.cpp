@@ -8,7 +8,7 @@
 namespace estampe::app {
 namespace {
 
-/// A node moves along x to `to` in `duration_s`.
+/// An animation that moves a node along x to `to` in `duration_s`.
 Animation move(const std::string& name, Index node, float to, float duration_s)
 {
     Animation animation{.name = name, .duration_s = duration_s};

@@ -14,14 +14,14 @@ class App;
 
 namespace estampe::app {
 
-/// The options of `estampe bake` as they are typed.
+/// The options of `estampe bake` as typed.
 class BakeOptions {
 public:
     /// Adds the command to `app`; this object must outlive the parsing.
     void add_to(CLI::App& app);
 
-    /// What was typed, looked at. Throws UsageError for a mistake in it, Error for a style that cannot be
-    /// read.
+    /// Checks and returns the options. Throws UsageError for invalid options, Error for a style that cannot
+    /// be read.
     [[nodiscard]] BakeCommand read() const;
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// `estampe batch`: its options, its file of jobs, and the report of what became of them.
+// `estampe batch`: its options, its job file, and the report of the results.
 
 #include <optional>
 #include <string>
@@ -11,13 +11,13 @@
 
 namespace estampe::app {
 
-/// The options of `estampe batch` as they are typed.
+/// The options of `estampe batch` as typed.
 class BatchOptions {
 public:
     /// Adds the command to `app`; this object must outlive the parsing.
     void add_to(CLI::App& app);
 
-    /// What was typed, looked at. Throws UsageError for a mistake in it.
+    /// Checks and returns the options. Throws UsageError for invalid options.
     [[nodiscard]] BatchCommand read() const;
 
 private:
@@ -28,20 +28,20 @@ private:
     std::string raster_ = "auto";
 };
 
-/// One picture or film of a batch, as it would be typed.
+/// One picture or film of a batch, as it would be typed on the command line.
 struct BatchJob {
-    uint32_t number = 1; ///< of all jobs of the file
-    std::string where;   ///< file:line:column
+    uint32_t number = 1; ///< number among all jobs of the file
+    std::string where;   ///< file:line:column of the job
     std::string scene;
     std::string output;
-    std::vector<std::string> arguments; ///< of `estampe render`
+    std::vector<std::string> arguments; ///< arguments of `estampe render`
 };
 
-/// Reads a file of jobs, lists of scenes, cameras and styles each with each. Throws Error naming file, line
-/// and column for what is no job, and when two jobs have one output.
+/// Reads a job file and combines every scene, camera and style in its lists. Throws Error naming file, line
+/// and column for an invalid job, and when two jobs have the same output.
 [[nodiscard]] std::vector<BatchJob> read_jobs(const std::string& file);
 
-/// What a job is to draw. Throws Error for a mistake in its options, and for a style that cannot be read.
+/// The command of a job. Throws Error for invalid options and for a style that cannot be read.
 [[nodiscard]] RenderCommand command_of(const BatchJob& job, const RendererOptions& device);
 
 } // namespace estampe::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The commands that take a few lines: devices, info, styles, graph, tam, view.
+// The short commands: devices, info, styles, graph, tam, view.
 #include "commands.hpp"
 
 #include <cstdio>
@@ -133,7 +133,7 @@ void run(const TamCommand& command)
     }
     AtomicFile preview = AtomicFile::file(command.preview, encode_png(map_sheet(map, command.style)));
     save_tonal_art_map(map, command.output);
-    preview.publish(); // both files, or none
+    preview.publish(); // both files are written, or none
 }
 
 void run(const ViewCommand& command)
@@ -148,7 +148,8 @@ void run(const ViewCommand& command)
         viewer.run();
         is_reading = viewer.is_reading();
         if (is_reading) {
-            // A large file that nobody waits for: threads end with the program.
+            // Skips destructors, so that the program does not wait for a large file that is still being
+            // loaded.
             std::fflush(nullptr);
             remove_piped_scenes();
             std::_Exit(0);

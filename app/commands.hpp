@@ -5,7 +5,7 @@
 
 namespace estampe::app {
 
-// Each does one job, prints to stdout what was asked for and nothing else, and throws Error when it cannot.
+// Each function runs one command, prints only the requested output to stdout, and throws Error on failure.
 
 void run(const RenderCommand& command);
 void run(const GraphCommand& command);

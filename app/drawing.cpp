@@ -28,7 +28,7 @@
 namespace estampe::app {
 namespace {
 
-/// What --animation takes in place of a name, to play all animations together.
+/// Value of --animation that plays all animations together.
 constexpr const char* all_animations = "all";
 
 std::string name_of(const Animation& animation, size_t index)
@@ -85,7 +85,7 @@ Index choose_animation(const DrawOptions& draw, const Scene& scene)
         names.push_back(in_quotes(animation.name));
     }
     if (draw.animation == all_animations && !names.empty()) {
-        return 0; // the only one
+        return 0; // the only animation
     }
     if (const auto index = number_from<Index>(draw.animation); index && *index < names.size()) {
         return *index;
@@ -122,7 +122,7 @@ Index first_placed_camera(const Scene& scene)
     return first;
 }
 
-/// Over ground that nothing stands on.
+/// Direction of the sun over ground that nothing stands on.
 glm::dvec3 towards_sun(const SunBearing& sun, const Terrain& terrain)
 {
     SunPlace place{sun.azimuth_deg, sun.elevation_deg};
@@ -135,7 +135,7 @@ glm::dvec3 towards_sun(const SunBearing& sun, const Terrain& terrain)
     return {level * std::sin(azimuth_rad), std::sin(elevation_rad), level * std::cos(azimuth_rad)};
 }
 
-/// Moves everything up by so much, under a node of its own.
+/// Lifts the whole scene by adding a root node.
 void lift(Scene& scene, double height_m)
 {
     const auto lifted = static_cast<Index>(scene.nodes.size());
@@ -148,7 +148,7 @@ void lift(Scene& scene, double height_m)
     scene.roots = {lifted};
 }
 
-/// Worlds and terrains come from no file that could have material variants.
+/// Throws Error for a variant of a world or terrain, because only scene files have material variants.
 void refuse_variant(const DrawOptions& draw)
 {
     if (!draw.load.variant.empty()) {
@@ -158,7 +158,7 @@ void refuse_variant(const DrawOptions& draw)
     }
 }
 
-/// Throws Error for a name that is neither a file's nor a world's, and cannot have been meant as a file's.
+/// Throws Error for a name that is neither a file nor a world, and does not look like a file name.
 void check_is_known(const std::string& scene)
 {
     std::error_code problem;
@@ -171,7 +171,7 @@ void check_is_known(const std::string& scene)
                 meant.empty() ? known_worlds() : fmt::format("did you mean the world {}?", meant));
 }
 
-/// The scene of the file or pipe, whose messages name it as it was typed.
+/// Loads the scene from its file or pipe; messages name it as the user typed it.
 Scene load_file_of(const DrawOptions& draw)
 {
     if (!is_piped(draw.scene)) {
@@ -194,7 +194,7 @@ Scene load_file_of(const DrawOptions& draw)
     }
 }
 
-/// The direction that an automatic view has taken.
+/// The view direction that an automatic camera has chosen.
 ViewDirection direction_of_camera(const Camera& camera)
 {
     const glm::dvec3 back = glm::normalize(camera.eye - camera.target);
@@ -295,7 +295,7 @@ RenderSettings settings_of(const DrawOptions& draw, Index animation)
 
 void set_scene(Renderer& renderer, const Scene& scene, const DrawOptions& draw)
 {
-    // What is asked for on the command line takes the place of what the file names.
+    // A lightmap on the command line replaces those that the file names.
     const std::optional<Lightmap> lightmap = draw.lightmap.empty()
                                                  ? named_lightmap(scene_file(draw.scene, draw.input_format))
                                                  : load_lightmap(draw.lightmap);
@@ -331,7 +331,7 @@ std::string name_of_node(const Scene& scene, Index node)
     return name.empty() ? fmt::format("node {}", node) : in_quotes(name);
 }
 
-/// What is wrong with a view in which nothing is drawn, and what to do.
+/// Describes why a view is empty, and what to do.
 std::string problem_with(const InView& view, const Scene& scene)
 {
     if (view.content == ViewContent::nothing)

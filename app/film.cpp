@@ -34,8 +34,8 @@
 namespace estampe::app {
 namespace {
 
-constexpr int moment_count = 13; // at which what moves is looked at
-constexpr int side_count = 12;   // from which a turntable shows it
+constexpr int moment_count = 13; // moments at which moving parts are sampled
+constexpr int side_count = 12;   // directions from which a turntable is checked
 
 Camera turned(const Camera& camera, double turn)
 {
@@ -47,7 +47,7 @@ Camera turned(const Camera& camera, double turn)
     return other;
 }
 
-/// How much of the page's half height or width the box reaches to from its middle.
+/// Largest distance of the box from the middle of the page, relative to half the page's height or width.
 double reach(const Camera& camera, const Bounds& box, double aspect)
 {
     const std::optional<double>& half_height_m = camera.orthographic_half_height_m;
@@ -65,8 +65,8 @@ double reach(const Camera& camera, const Bounds& box, double aspect)
     return most;
 }
 
-/// Moves the eye away until all of `boxes` is as well within the page, from all of `sides`, as the first box
-/// is from the first side.
+/// Moves the eye away until all of `boxes`, seen from all of `sides`, lie as well within the page as the
+/// first box does from the first side.
 Camera far_enough(const Camera& camera, const std::vector<Bounds>& boxes, int sides, double aspect)
 {
     const auto farthest = [&](const Camera& from) {
@@ -92,18 +92,18 @@ Camera far_enough(const Camera& camera, const std::vector<Bounds>& boxes, int si
     return away;
 }
 
-/// Where a film is seen from. A view of the whole scene stands still, far enough off for all that will move;
-/// a camera of the file moves as it does there; on a turntable either goes once around what it looks at; a
-/// world's own film has a path of its own.
+/// The camera of a film. A view of the whole scene stands still, far enough away for everything that will
+/// move. A camera of the file moves as it does in the file. On a turntable either goes once around its
+/// target. A world's own film has its own path.
 class FilmCamera {
 public:
-    /// Of frames from `begin_s` to `end_s`, along `path` where there is one. Throws Error as
-    /// choose_camera() does. Cost: of a view of the whole scene that of framing_camera(), and of
-    /// scene_bounds() at some moments.
+    /// For frames from `begin_s` to `end_s`; follows `path` unless it is null. Throws Error as
+    /// choose_camera() does. Cost for a view of the whole scene: framing_camera(), and scene_bounds() at some
+    /// moments.
     FilmCamera(const DrawOptions& draw, const Scene& scene, Index animation, double begin_s, double end_s,
                bool turntable, std::shared_ptr<const worlds::CameraPath> path = nullptr);
 
-    /// At a moment, `turn` of 0 to 1 around.
+    /// The camera at a moment; `turn` is the position on a turntable, 0 to 1.
     [[nodiscard]] Camera at(double time_s, double turn) const;
 
 private:
@@ -111,7 +111,7 @@ private:
     const Scene& scene_;
     Index animation_;
     std::shared_ptr<const worlds::CameraPath> path_;
-    std::optional<Camera> still_; ///< nothing: the file's, which may move
+    std::optional<Camera> still_; ///< nothing for a camera of the file, which may move
 };
 
 FilmCamera::FilmCamera(const DrawOptions& draw, const Scene& scene, Index animation, double begin_s,
@@ -156,14 +156,14 @@ Camera FilmCamera::at(double time_s, double turn) const
     return turned(choose_camera(now, scene_, animation_), turn);
 }
 
-/// How long an animation plays from where its file's time range begins.
+/// Playing time of an animation, from the start of the file's time range.
 double playing_s(const Animation& animation)
 {
     const double left_s = static_cast<double>(animation.duration_s) - static_cast<double>(animation.start_s);
     return left_s > 0.0 ? left_s : animation.duration_s;
 }
 
-/// The command as it is drawn: without --time a film begins where the file's time range does.
+/// Sets the start of the film: without --time it is the start of the file's time range.
 RenderCommand with_begin(RenderCommand command, const Scene& scene, Index animation)
 {
     if (!command.draw.has_time && animation < scene.animations.size()) {
@@ -172,7 +172,7 @@ RenderCommand with_begin(RenderCommand command, const Scene& scene, Index animat
     return command;
 }
 
-/// How long a film of all that moves lasts. Throws Error if nothing does.
+/// Duration of a film that shows all movement. Throws Error if nothing moves.
 double moving_s(const DrawOptions& draw, bool is_own_film, const Scene& scene, Index animation)
 {
     if (const worlds::Description* const world = world_of(draw.scene)) {
@@ -188,10 +188,10 @@ double moving_s(const DrawOptions& draw, bool is_own_film, const Scene& scene, I
     return playing_s(scene.animations.at(animation));
 }
 
-/// The choice, with a last frame and the rate of the file.
+/// The choice, with a last frame and the file's frame rate filled in.
 FilmChoice with_end(FilmChoice film, const DrawOptions& draw, const Scene& scene, Index animation)
 {
-    constexpr double least_rate = 1.0; // beyond these a file is not believed
+    constexpr double least_rate = 1.0; // outside of this range the file's rate is ignored
     constexpr double most_rate = 240.0;
     constexpr double turn_s = 5.0;
     if (!film.has_rate && scene.frames_per_s && *scene.frames_per_s >= least_rate &&
@@ -255,14 +255,15 @@ uint64_t fingerprint(const DrawOptions& draw, const FilmChoice& film, const Scen
     hash.add(draw.load.up.value_or(UpAxis::y));
     hash.add(film.first);
     hash.add(film.frames_per_s);
-    // It says how far each frame of a turn goes, and how much a view of all that moves has to hold.
+    // The last frame determines how far each frame of a turn goes, and what a view of all movement must
+    // contain.
     hash.add(film.last);
     hash.add(film.turntable);
     hash.add(film.flies);
     return hash.value();
 }
 
-/// One film being drawn.
+/// A film that is being drawn.
 class FilmJob {
 public:
     FilmJob(const RenderCommand& command, const FilmChoice& film, const Scene& scene, Index animation,
@@ -283,7 +284,7 @@ public:
         warn_if_empty(scene);
     }
 
-    /// The frame that an earlier run would have drawn next, after giving the film those it drew.
+    /// The next frame after an earlier run; adds that run's frames to the film file.
     [[nodiscard]] uint32_t recall()
     {
         const std::optional<FilmState> state = film_.resume ? frames_.state(film_.first) : std::nullopt;
@@ -307,8 +308,8 @@ public:
         return next;
     }
 
-    /// Draws all from frame `next` on, or to that in hand when a signal came. Returns the frame after the
-    /// last.
+    /// Draws all frames from `next` on, or until a signal arrives. Returns the frame after the last one
+    /// drawn.
     [[nodiscard]] uint32_t draw_from(uint32_t next)
     {
         constexpr double keep_s = 5.0;
@@ -333,7 +334,7 @@ public:
         return next;
     }
 
-    /// Ends what was drawn: a film as far as it goes.
+    /// Finishes the film; after a stop, it ends with the last frame drawn.
     void finish(bool is_whole)
     {
         if (writer_) {
@@ -360,7 +361,7 @@ private:
         }
     }
 
-    /// Some frames say what each pass costs, the others what a frame does.
+    /// Whether a frame times its passes; the other frames measure the time of a whole frame.
     [[nodiscard]] bool times_passes(uint32_t number) const
     {
         constexpr uint32_t every = 4;
@@ -386,14 +387,14 @@ private:
         return draw_.time_s + (number - 1) / film_.frames_per_s;
     }
 
-    /// Of a frame, or between two.
+    /// Turn of a frame, or between two frames.
     [[nodiscard]] double turn_at(double number) const
     {
         return film_.turntable ? (number - film_.first) / (film_.last + 1 - film_.first) : 0.0;
     }
 
-    /// Half an exposure before a frame; or after the first, as before the beginning an animation is at its
-    /// end.
+    /// The moment half an exposure before a frame. For the first frame it is half an exposure after, because
+    /// before its start an animation is at its end.
     [[nodiscard]] std::optional<Moment> exposure_end(uint32_t number,
                                                      const motion_blur::MotionBlurStyle& style) const
     {
@@ -428,7 +429,7 @@ private:
     Index animation_;
     Renderer& renderer_;
     WorldAnimator animator_;
-    std::shared_ptr<const worlds::CameraPath> path_; ///< of the world's own film; null for another
+    std::shared_ptr<const worlds::CameraPath> path_; ///< path of the world's own film; null for other films
     FilmCamera camera_;
     FilmFrames frames_;
     std::optional<FilmWriter> writer_;

@@ -9,19 +9,19 @@
 
 namespace estampe::app {
 
-/// Draws the frames that `command.film` asks for, and the film of them. Throws Error when a signal stopped
-/// it, once the frame in hand is drawn and all that was drawn is whole.
+/// Draws the frames that `command.film` asks for, and encodes the film. After a signal, finishes the current
+/// frame, leaves all output complete, and throws Error.
 void draw_film(const RenderCommand& command);
 
-/// What drawing alone took.
+/// Time spent on drawing, without writing files.
 struct FilmCost {
-    double drawing_s = 0.0;     ///< of all frames, by the clock on the wall
-    std::vector<double> gpu_ms; ///< of those whose passes were not timed; of several samples, of one
-    uint32_t timed_frames = 0;  ///< the others
-    std::map<std::string, double> gpu_ms_of_passes; ///< of these
+    double drawing_s = 0.0;                         ///< wall time of all frames
+    std::vector<double> gpu_ms;                     ///< of frames without timed passes; per sample
+    uint32_t timed_frames = 0;                      ///< number of frames whose passes were timed
+    std::map<std::string, double> gpu_ms_of_passes; ///< per pass, of the timed frames
 };
 
-/// The same with a renderer that has the scene. Signals have to be watched, as tell_of_signals() does.
+/// Draws a film with a renderer that already has the scene. Call tell_of_signals() first.
 FilmCost draw_film(Renderer& renderer, const Scene& scene, const RenderCommand& command);
 
 } // namespace estampe::app

@@ -31,7 +31,7 @@ std::string numbered(const std::string& pattern, uint32_t number)
     return field.prefix().str() + digits + field.suffix().str();
 }
 
-/// What the file of the state begins with.
+/// Header of the state file.
 struct StateHead {
     std::array<char, 8> signature{'e', 's', 't', 'f', 'i', 'l', 'm', '1'};
     uint64_t job = 0;
@@ -133,7 +133,7 @@ void FilmFrames::forget() const
 void FilmFrames::finish() const
 {
     forget();
-    std::error_code problem; // what somebody else put there stays
+    std::error_code problem; // files that others put there stay
     if (is_of_film_) {
         std::filesystem::remove(folder_, problem);
     }

@@ -18,42 +18,45 @@
 
 namespace estampe::app {
 
-/// Whether a name holds one number to be filled in, "%d" or "%04d".
+/// Whether a file name contains one number field, such as "%d" or "%04d".
 [[nodiscard]] bool is_numbered(const std::string& name);
 
-/// How far a run came that was stopped.
+/// Progress of a run that was stopped.
 struct FilmState {
-    uint32_t next = 1;             ///< frame to draw
+    uint32_t next = 1;             ///< the next frame to draw
     std::vector<std::byte> memory; ///< Renderer::film_memory() of the frame before
 };
 
-/// The frames of a film as files: pictures with numbers in their names, which stay, or those of a film, which
-/// lie in FILM.partial/ until it is whole. A file `film-state` beside them tells how far they go.
+/// The frames of a film as files. Numbered pictures stay; frames of a film file lie in FILM.partial/ until
+/// the film is complete. A file `film-state` in the same folder records the progress.
 class FilmFrames {
 public:
-    /// Of what `output` names. `job` is a fingerprint of all that the frames hang on.
+    /// `output` is the pattern of the pictures or the film file. `job` is a fingerprint of everything that
+    /// the frames depend on.
     FilmFrames(const std::string& output, uint64_t job);
 
-    /// Where a frame lies.
+    /// Path of a frame.
     [[nodiscard]] std::filesystem::path path_of(uint32_t number) const;
 
-    /// The state that an earlier run left; nothing where there was none. Throws Error when it was of another
-    /// job, is damaged, or a frame from `first` on is missing.
+    /// The state that an earlier run left; nothing if there is none. Throws Error when the state belongs to
+    /// another job, is damaged, or a frame from `first` on is missing.
     [[nodiscard]] std::optional<FilmState> state(uint32_t first) const;
 
-    /// Writes a frame. Throws Error when it cannot.
+    /// Writes a frame. Throws Error on failure.
     void save(uint32_t number, const Image& image) const;
 
-    /// Writes how far the frames go, whose files must be there. Throws Error when it cannot.
+    /// Records the progress; the files of all frames up to it must exist. Throws Error on failure.
     void save_state(const FilmState& state) const;
 
-    /// To be called before the first frame is saved. Throws Error when there can be no such folder.
+    /// Creates the folder of the frames. Call this before the first save(). Throws Error when the folder
+    /// cannot be created.
     void make_folder() const;
 
-    /// Forgets what an earlier run left: its state, and where they are of a film its frames.
+    /// Deletes the state of an earlier run, and its frames if they belong to a film file.
     void forget() const;
 
-    /// All is drawn and kept elsewhere: as forget(), and the folder of a film's frames goes too.
+    /// Call this when all frames are drawn and the film is written: as forget(), and also deletes the folder
+    /// of a film file's frames.
     void finish() const;
 
 private:
@@ -63,26 +66,27 @@ private:
     uint64_t job_;
 };
 
-/// Writes frames in a thread of its own while the next are drawn.
+/// Writes frames in a separate thread while the next ones are drawn.
 class FilmQueue {
 public:
     struct Frame {
         uint32_t number = 0;
         Image image;
-        std::optional<std::vector<std::byte>> memory; ///< to go on after it; nothing: it is not kept
+        std::optional<std::vector<std::byte>> memory; ///< state for resuming after this frame; may be absent
     };
 
-    /// `film`, if there is one, and `frames` must outlive it.
+    /// `frames`, and `film` if it is not null, must outlive this object.
     FilmQueue(const FilmFrames& frames, FilmWriter* film);
-    /// Leaves what waits unwritten.
+    /// Discards frames that wait to be written.
     ~FilmQueue();
     FilmQueue(const FilmQueue&) = delete;
     FilmQueue& operator=(const FilmQueue&) = delete;
 
-    /// Waits while several frames do. Throws the Error of a frame before that could not be written.
+    /// Adds a frame; blocks while several frames are waiting. Throws the Error of an earlier frame that could
+    /// not be written.
     void push(Frame frame);
 
-    /// Waits until all is written. Throws as push() does.
+    /// Waits until all frames are written. Throws as push() does.
     void finish();
 
 private:

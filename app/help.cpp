@@ -78,7 +78,7 @@ std::string joined(const std::vector<std::string>& words)
     return fmt::format("{}", fmt::join(words, " "));
 }
 
-/// All parameters, as "hatch.width_mm=".
+/// Keys of all style parameters, as "hatch.width_mm=".
 std::vector<std::string> style_keys()
 {
     std::vector<std::string> keys;
@@ -90,7 +90,7 @@ std::vector<std::string> style_keys()
     return keys;
 }
 
-/// The options of all worlds, as "seed=".
+/// Keys of all worlds' options, as "seed=".
 std::vector<std::string> world_keys()
 {
     std::set<std::string> keys;
@@ -102,7 +102,7 @@ std::vector<std::string> world_keys()
     return {keys.begin(), keys.end()};
 }
 
-/// The endings that a description lists: "Scene: .gltf .glb" has "gltf" and "glb".
+/// File extensions in a description: "Scene: .gltf .glb" has "gltf" and "glb".
 std::vector<std::string> endings_in(const std::string& description)
 {
     std::vector<std::string> endings;
@@ -115,7 +115,7 @@ std::vector<std::string> endings_in(const std::string& description)
     return endings;
 }
 
-/// What bash calls to complete a value of `option`; empty where that is for the user to know.
+/// The bash function that completes a value of `option`; empty if the value cannot be completed.
 std::string completer(const CLI::Option& option)
 {
     const std::string type = option.get_type_name();
@@ -156,10 +156,10 @@ std::string completer(const CLI::Option& option)
     return {};
 }
 
-/// What the script says of one command, and of those below it.
+/// Parts of the script about one command and its subcommands.
 struct Tables {
-    std::string values;   ///< cases of _estampe_value
-    std::string commands; ///< cases of what may follow
+    std::string values;   ///< cases of the function _estampe_value
+    std::string commands; ///< cases of the subcommands
     std::string options;
     std::string taking; ///< cases of the options that take a value
 };
@@ -217,7 +217,7 @@ std::string bash_completion(const CLI::App& app)
 
 namespace {
 
-/// `text` as roff reads it: no line is a request, and hyphens can be copied as the minus signs they are.
+/// Escapes `text` for roff: no line becomes a request, and hyphens can be copied as minus signs.
 std::string roff(std::string_view text)
 {
     std::string escaped;
@@ -242,7 +242,7 @@ std::string roff(std::string_view text)
     return escaped;
 }
 
-/// "-o, --output FILE", names bold and the value in italics.
+/// Heading of an option in roff: "-o, --output FILE", with names in bold and the value in italics.
 std::string heading(const CLI::Option& option)
 {
     std::string names;
@@ -272,7 +272,7 @@ std::string entry(const CLI::Option& option)
     return text + "\n";
 }
 
-/// All commands with what is typed to run each.
+/// All commands with the words that run each.
 std::vector<std::pair<std::string, const CLI::App*>> list_commands(const CLI::App& app)
 {
     std::vector<std::pair<std::string, const CLI::App*>> found;
@@ -282,7 +282,7 @@ std::vector<std::pair<std::string, const CLI::App*>> list_commands(const CLI::Ap
     return found;
 }
 
-/// "render [OPTION]... SCENE -o FILE"
+/// Usage line of a command: "render [OPTION]... SCENE -o FILE".
 std::string usage(const std::string& typed, const CLI::App& command)
 {
     std::string line = fmt::format("\\fB{}\\fR [\\fIOPTION\\fR]...", roff(typed));
@@ -299,7 +299,7 @@ std::string usage(const std::string& typed, const CLI::App& command)
     return line;
 }
 
-/// What stands at the end of a command's help, without the line on exit status.
+/// The end of a command's help, without the line on exit status.
 std::string examples_of(const CLI::App& command)
 {
     const std::string footer = command.get_footer();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the program tells of itself: examples for --help, the manual page, completion for bash.
+// Texts about the program itself: examples for --help, the manual page, completion for bash.
 
 #include <string>
 
@@ -11,7 +11,7 @@ class App;
 
 namespace estampe::app {
 
-// What --help of the commands ends in.
+// The end of each command's --help.
 
 inline constexpr const char* examples = R"(Examples:
   estampe render helmet.gltf -o helmet.png
@@ -36,7 +36,7 @@ inline constexpr const char* examples = R"(Examples:
   estampe bake room.glb -o room.exr
 )";
 
-/// Last line of the help of the program, of `render` and of `info`; manual_page() cuts it off.
+/// Last line of the help of the program, of `render` and of `info`; manual_page() removes it.
 inline constexpr const char* exit_status =
     "\nExit status: 0 done, 1 the job failed, 2 the command line is wrong.";
 
@@ -60,12 +60,11 @@ inline constexpr const char* view_examples = R"(Examples:
 
 Exit status: 0 done, 1 the job failed, 2 the command line is wrong.)";
 
-/// A script by which bash completes commands, options, presets, parameters of the style, and files by what
-/// the option takes.
+/// A bash script that completes commands, options, presets, parameters of the style, and files with the
+/// extensions that an option accepts.
 [[nodiscard]] std::string bash_completion(const CLI::App& app);
 
-/// The manual page of the whole program, estampe(1), for man: every command with its options, as --help has
-/// them.
+/// The manual page estampe(1) of the whole program: every command with its options, as in --help.
 [[nodiscard]] std::string manual_page(const CLI::App& app);
 
 } // namespace estampe::app

@@ -25,7 +25,7 @@ int fail(const char* message, int status)
     return status;
 }
 
-/// A closed standard stream stays one that cannot be used, and no file of ours gets its number.
+/// Opens unusable files for closed standard streams, so that no output file gets their descriptors.
 void hold_standard_streams()
 {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {

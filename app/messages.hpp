@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the program says on stderr while it works: warnings, notes, how far it is.
+// Messages on stderr: warnings, notes, progress.
 
 #include <chrono>
 #include <string>
@@ -16,23 +16,23 @@ using Clock = std::chrono::steady_clock;
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Writes "estampe: warning: ..." to standard error for each.
+/// Writes "estampe: warning: ..." to stderr for each warning.
 void print_warnings(const std::vector<std::string>& warnings);
 
-/// Writes "estampe: note: ..." to standard error for each.
+/// Writes "estampe: note: ..." to stderr for each note.
 void print_notes(const std::vector<std::string>& notes);
 
-/// How far a long job is and how long it still takes, on stderr: in place on a terminal, else a line for
-/// every tenth.
+/// Shows progress and remaining time of a long job on stderr: in place on a terminal, else one line per tenth
+/// of the job.
 class Progress {
 public:
-    /// Of a job that begins with `done` of it, 0 to 1, behind it.
+    /// `done`, 0 to 1, is the share of the job that is complete at the start.
     Progress(std::string job, double done);
 
-    /// `done` is followed by `what`, such as "frame 3 of 48".
+    /// Shows the share `done`, followed by `what`, such as "frame 3 of 48".
     void show(double done, const std::string& what = {});
 
-    /// Takes the line off a terminal, for others to write there.
+    /// Clears the progress line of a terminal before other output.
     void clear() const;
 
 private:

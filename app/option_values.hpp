@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Options that several commands have, and how their values are read.
+// Options that several commands share, and the parsing of their values.
 
 #include <array>
 #include <cstdint>
@@ -22,17 +22,17 @@ namespace estampe::app {
 
 inline constexpr uint32_t largest_side_px = 65535;
 
-/// "1920x1080". Throws UsageError when it is none, or a side is 0 or beyond largest_side_px.
+/// Parses "1920x1080". Throws UsageError for other text, or if a side is 0 or larger than largest_side_px.
 [[nodiscard]] std::pair<uint32_t, uint32_t> parse_size(const std::string& text);
 
-/// "auto", "hardware" or "compute". Throws UsageError when it is none of them.
+/// Parses "auto", "hardware" or "compute". Throws UsageError for other text.
 [[nodiscard]] RasterPath parse_raster_path(const std::string& text);
 
-/// "auto", a name or index, "eye=x,y,z target=x,y,z fov=degrees", or "azimuth=degrees elevation=degrees".
-/// Throws UsageError when one of the last two is malformed.
+/// Parses "auto", a name or index, "eye=x,y,z target=x,y,z fov=degrees", or "azimuth=degrees
+/// elevation=degrees". Throws UsageError when one of the last two is malformed.
 [[nodiscard]] CameraChoice parse_camera(const std::string& text);
 
-/// "front", "three-quarter" and so on. Throws UsageError listing the views when there is no such one.
+/// Parses "front", "three-quarter" and so on. Throws UsageError listing the views for an unknown name.
 [[nodiscard]] CameraChoice parse_view(const std::string& text);
 
 /// Throws UsageError unless `text` is "auto", "cpu" or an index.
@@ -41,7 +41,7 @@ void check_device(const std::string& text);
 /// Throws UsageError naming `option` unless `count` is 1 to `most`.
 void check_count(const char* option, uint32_t count, uint32_t most);
 
-/// What `--draft` lays over a style: what costs most and is missed least.
+/// Assignments that `--draft` adds to a style. They turn off or coarsen what costs much and is hardly missed.
 inline constexpr std::array draft_assignments{"hatch.layers=1",         "contour.intersection_mm=0",
                                               "ink.cell_mm=0.8",        "ink.age_s=1",
                                               "ink.steps_per_s=8",      "smoke.cells=32",
@@ -52,19 +52,19 @@ inline constexpr std::array draft_assignments{"hatch.layers=1",         "contour
                                               "occlusion.drawn=false"};
 
 /// The style that `--style` names, or the default one, with the assignments of `--set`. Throws UsageError for
-/// a mistake in these, Error for a style that cannot be read.
+/// an invalid assignment, Error for a style that cannot be read.
 [[nodiscard]] Style read_style(const std::string& name, const std::vector<std::string>& assignments);
 
-/// The options that say how a scene is read.
+/// The options for reading a scene.
 class SceneOptions {
 public:
     /// Adds --up and --input-format to the command; this object must outlive the parsing.
     void add_to(CLI::App& command);
 
-    /// The axis of the file that points up, if one was typed. Throws UsageError for what is no axis.
+    /// The axis of the file that points up, if one was typed. Throws UsageError for an invalid axis.
     [[nodiscard]] std::optional<UpAxis> up() const;
 
-    /// The format of a piped scene; empty if none was typed. Throws UsageError for an unknown one.
+    /// The format of a piped scene; empty if none was typed. Throws UsageError for an unknown format.
     [[nodiscard]] std::string format() const;
 
 private:

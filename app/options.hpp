@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the command line asks for, one struct a command, and the groups of options that it is read by.
+// The parsed command line, one struct per command, and the groups of options that it is read from.
 
 #include <cstdint>
 #include <optional>
@@ -21,38 +21,37 @@ class App;
 
 namespace estampe::app {
 
-/// A mistake on the command line itself: the program ends with 2 instead of 1.
+/// A mistake on the command line; the program exits with 2 instead of 1.
 class UsageError : public Error {
 public:
     using Error::Error;
 };
 
-/// How large a picture is.
+/// Size of a picture.
 struct PageSize {
     uint32_t width = 1280; ///< pixels
     uint32_t height = 720;
-    std::optional<double> width_mm;      ///< of a page in millimetres, exactly
-    std::optional<double> height_mm;     ///< of a page in millimetres, which millimetres of the style are of
-    std::optional<double> dots_per_inch; ///< of such a page, for the file to tell
+    std::optional<double> width_mm;      ///< exact width of a page in millimetres
+    std::optional<double> height_mm;     ///< exact height of a page; scales the style's millimetres
+    std::optional<double> dots_per_inch; ///< resolution of such a page, stored in the file
 };
 
-/// What makes a film of a picture.
+/// Settings of a film.
 struct FilmChoice {
     uint32_t first = 1;
-    uint32_t last = 0; ///< with the first; 0: to the end of the animation, of a turn of five seconds, or of
-                       ///< the world's own film
-    double frames_per_s = 24.0; ///< without --fps that of the scene's file, where it says one
+    uint32_t last = 0;          ///< inclusive; 0: until the end of animation, turn (5 s) or world's film
+    double frames_per_s = 24.0; ///< without --fps the rate of the scene's file, if it gives one
     bool has_rate = false;      ///< --fps was given
-    bool turntable = false;     ///< the eye goes once around from the first frame to the last
-    bool flies = false;         ///< --film: along the camera path of the world's own film
-    bool resume = false;        ///< go on where an earlier run stopped
+    bool turntable = false;     ///< the eye goes once around the scene from the first frame to the last
+    bool flies = false;         ///< --film: the camera follows the path of the world's own film
+    bool resume = false;        ///< continue where an earlier run stopped
 };
 
-/// Where --camera looks from.
+/// The camera that --camera asks for.
 struct CameraChoice {
     enum class Kind : uint8_t {
-        automatic, ///< the file's first camera, else framing
-        framing,   ///< the whole scene, whatever the file says
+        automatic, ///< the file's first camera, or framing if it has none
+        framing,   ///< the whole scene, even if the file has cameras
         named,     ///< a camera of the file
         placed,    ///< eye, target and fov
         directed,  ///< a named side, or azimuth and elevation
@@ -64,63 +63,63 @@ struct CameraChoice {
     bool parallel = false; ///< --ortho
 };
 
-/// What drawing needs, whether a picture or a graph comes of it.
+/// Settings that every drawing command needs.
 struct DrawOptions {
     std::string scene;
-    std::string input_format; ///< of a scene that comes through a pipe; empty: recognised by its content
+    std::string input_format; ///< format of a piped scene; empty: detected from its content
     std::string output;
     std::vector<std::string> world; ///< options of the world that `scene` names, as KEY=VALUE
-    std::string terrain;            ///< a terrain's file, that the scene is put on; empty: none
+    std::string terrain;            ///< terrain file that the scene is put on; empty: none
     LoadOptions load;               ///< how the scene's file is read
-    std::string lightmap;           ///< what `estampe bake` wrote; empty: what the scene's file names
+    std::string lightmap;           ///< written by `estampe bake`; empty: those that the scene's file names
     PageSize page;
     CameraChoice camera;
     double time_s = 0.0;
     bool has_time = false; ///< --time was given
-    std::string animation; ///< a name, an index or "all"; empty: the first
+    std::string animation; ///< a name, an index or "all"; empty: the first animation
     uint32_t samples = 1;
     uint32_t tile_px = 0; ///< see RenderSettings
     Style style;
-    std::vector<std::string> assignments; ///< of single parameters, which `style` has already
-    bool is_draft = false;                ///< it is for looking: what a world adds to its films is left out
+    std::vector<std::string> assignments; ///< assignments to single parameters; `style` already contains them
+    bool is_draft = false; ///< a draft for preview: a world leaves out what it adds to its films
     RendererOptions device;
 };
 
-/// In place of the name of a file.
+/// Replaces a file name to write to standard output.
 inline constexpr const char* standard_output = "-";
 
 enum class PictureFormat : uint8_t { png, jpeg, webp, exr, openraster, svg };
 
-/// What a picture is written as.
+/// File format of a picture.
 struct PictureChoice {
     PictureFormat format = PictureFormat::png;
-    int depth = 8;              ///< bits a channel
-    std::optional<int> quality; ///< of JPEG and WebP; none: the usual one, or without loss
-    std::string layers;         ///< a folder, or an .exr, for the layers too; empty: none
-    std::string layer;          ///< the one that is drawn in place of the picture; empty: all of it
+    int depth = 8;              ///< bits per channel
+    std::optional<int> quality; ///< for JPEG and WebP; none: the default, or lossless
+    std::string layers;         ///< folder or .exr file for the layers; empty: layers are not written
+    std::string layer;          ///< the layer to draw instead of the picture; empty: the whole picture
 };
 
 struct RenderCommand {
     DrawOptions draw;
     PictureChoice picture;
-    bool hidden = false;            ///< .svg only: lines behind something too
-    bool plotter = false;           ///< .svg only: for pens that draw
-    std::string motion;             ///< .exr to write beside the picture; empty: none
-    double since_s = 0.0;           ///< moment that the motion looks back to
-    std::optional<FilmChoice> film; ///< nothing: a single picture
+    bool hidden = false;            ///< .svg only: also draws hidden lines
+    bool plotter = false;           ///< .svg only: output for pen plotters
+    std::string motion;             ///< .exr file for motion vectors; empty: none
+    double since_s = 0.0;           ///< moment that the motion vectors refer back to
+    std::optional<FilmChoice> film; ///< nothing for a single picture
     uint32_t repeat = 1;
     bool timings = false;
     bool json = false;
-    bool is_quiet = false; ///< what it has to tell goes to stderr
+    bool is_quiet = false; ///< messages go to stderr only
 };
 
-/// Opens a window.
+/// `estampe view`: opens a window.
 struct ViewCommand {
-    DrawOptions draw;       ///< size is the window's; without a scene one is dropped on it
-    std::string style_name; ///< that --style gave; empty: built-in values
-    std::string shaders;    ///< folder whose shaders take the place of those built in; empty: none
+    DrawOptions draw;       ///< the size is the window's; the scene may be empty
+    std::string style_name; ///< the argument of --style; empty: built-in values
+    std::string shaders;    ///< folder with shaders that replace the built-in ones; empty: none
     bool verbose = false;
-    bool warm_up = false; ///< draws unseen, so that the next window finds its shaders compiled
+    bool warm_up = false; ///< draws without a window, so that the next window finds its shaders compiled
 };
 
 struct GraphCommand {
@@ -128,7 +127,7 @@ struct GraphCommand {
 };
 
 struct InfoCommand {
-    std::string scene;        ///< empty: list the worlds
+    std::string scene;        ///< empty: lists the worlds
     std::string input_format; ///< as in DrawOptions
     std::optional<UpAxis> up;
     std::vector<std::string> world; ///< as in DrawOptions
@@ -139,7 +138,8 @@ struct DevicesCommand {
     bool json = false;
 };
 
-/// Lists the presets, draws a scene in all of them, prints one style in full, or the schema of all.
+/// `estampe styles`: lists the presets, draws a scene in all of them, prints one style in full, or the schema
+/// of all.
 struct StylesCommand {
     std::string style;
     bool schema = false;
@@ -148,16 +148,16 @@ struct StylesCommand {
 
 struct StyleManualCommand {};
 
-/// Makes a tonal art map, or converts one.
+/// `estampe tam`: makes a tonal art map, or converts one.
 struct TamCommand {
     Style style;
-    std::string from;    ///< a map to convert; empty: one is drawn in `style`
-    std::string brush;   ///< a picture of one stroke; empty: tam.tool
+    std::string from;    ///< tonal art map to convert; empty: one is drawn in `style`
+    std::string brush;   ///< picture of one stroke; empty: tam.tool
     std::string output;  ///< .tam, .dds, or a folder
     std::string preview; ///< .png; empty: none
 };
 
-/// Works out light ahead.
+/// `estampe bake`: computes a lightmap.
 struct BakeCommand {
     std::string scene;
     std::string input_format; ///< as in DrawOptions
@@ -169,11 +169,11 @@ struct BakeCommand {
     bool resume = true;
 };
 
-/// Draws many pictures in one go.
+/// `estampe batch`: draws many pictures in one run.
 struct BatchCommand {
     std::string jobs;   ///< a TOML file
     std::string report; ///< .json
-    uint32_t shard = 1; ///< of the jobs, which are dealt out in runs
+    uint32_t shard = 1; ///< the shard to draw, from 1; each shard is a run of consecutive jobs
     uint32_t shards = 1;
     RendererOptions device;
 };
@@ -181,19 +181,19 @@ struct BatchCommand {
 using Command = std::variant<BatchCommand, RenderCommand, GraphCommand, InfoCommand, DevicesCommand,
                              StylesCommand, StyleManualCommand, TamCommand, BakeCommand, ViewCommand>;
 
-/// Reads the command line, the style it names, and its --set assignments. Nothing when it asked for help or
-/// the version, which have then been printed. Throws UsageError for a mistake in it, Error for a style file
+/// Reads the command line, the style it names, and its --set assignments. Returns nothing after it has
+/// printed help or the version. Throws UsageError for a mistake on the command line, Error for a style file
 /// that cannot be read.
 [[nodiscard]] std::optional<Command> read_command_line(int argc, const char* const* argv);
 
-/// The options that say how large a picture is: in pixels, or as a page and how finely it is printed.
+/// The options for the size of a picture: in pixels, or as a page with a resolution.
 class PageOptions {
 public:
-    /// Adds --size to the command, and the others where it draws pictures `for_print`; this object must
+    /// Adds --size to the command, and the page options if it draws pictures `for_print`; this object must
     /// outlive the parsing.
     void add_to(CLI::App& command, bool for_print);
 
-    /// What was typed. Throws UsageError for a mistake in it.
+    /// Returns the page size. Throws UsageError for invalid options.
     [[nodiscard]] PageSize read() const;
 
 private:
@@ -203,14 +203,14 @@ private:
     bool landscape_ = false;
 };
 
-/// The options of `estampe render` that are of films alone.
+/// The options of `estampe render` that apply only to films.
 class FilmOptions {
 public:
-    /// Adds them to the command; this object must outlive its parsing.
+    /// Adds the options to the command; this object must outlive the parsing.
     void add_to(CLI::App& command);
 
-    /// What was typed; nothing where `output` is a single picture. Throws UsageError for what contradicts
-    /// itself.
+    /// Returns the film settings; nothing if `output` is a single picture. Throws UsageError for
+    /// contradictory options.
     [[nodiscard]] std::optional<FilmChoice> read(const std::string& output) const;
 
 private:
@@ -221,17 +221,18 @@ private:
     bool resume_ = false;
 };
 
-/// The options of `estampe render` that say what its picture is written as.
+/// The options of `estampe render` for the file format of its picture.
 class PictureOptions {
 public:
-    /// Adds them to the command; this object must outlive the parsing.
+    /// Adds the options to the command; this object must outlive the parsing.
     void add_to(CLI::App& command);
 
-    /// What was typed, looked at, for a picture that is named by `-o` and of a size. Throws UsageError for a
-    /// mistake in it.
+    /// Checks and returns the format of a picture of this size that `-o` names `output`. Throws UsageError
+    /// for invalid options.
     [[nodiscard]] PictureChoice read(const std::string& output, uint32_t width, uint32_t height) const;
 
-    /// That of the frames of a film. Throws UsageError when anything was typed that they do not have.
+    /// The format of a film's frames. Throws UsageError when an option was typed that does not apply to
+    /// films.
     [[nodiscard]] PictureChoice of_film() const;
 
 private:
@@ -245,11 +246,11 @@ private:
 /// The option --transparent, which sets paper.transparent.
 class TransparentOption {
 public:
-    /// Adds it to the command; this object must outlive the parsing.
+    /// Adds --transparent to the command; this object must outlive the parsing.
     void add_to(CLI::App& command);
 
-    /// Puts what was typed before `assignments` of the style, which go over it. Throws UsageError for a word
-    /// that it does not take.
+    /// Inserts the typed option before `assignments` of the style, so that these override it. Throws
+    /// UsageError for an invalid word.
     void assign(std::vector<std::string>& assignments) const;
 
 private:
@@ -259,8 +260,8 @@ private:
 /// Whether pictures in this style have an alpha channel.
 [[nodiscard]] bool is_transparent(const Style& style);
 
-/// Throws UsageError where the style's paper is transparent and the picture or film is written as a format
-/// without alpha, naming those that have it.
+/// Throws UsageError if the style's paper is transparent and the picture or film has a format without alpha;
+/// the message names the formats that have it.
 void check_has_alpha(const DrawOptions& draw, const PictureChoice& picture, bool is_film);
 
 } // namespace estampe::app

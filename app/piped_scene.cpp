@@ -31,7 +31,7 @@
 namespace estampe::app {
 namespace {
 
-/// How much of a scene is enough to tell its format: comments at the beginning of text may be long.
+/// Number of bytes that suffice to detect a scene's format; comments at the beginning of text may be long.
 constexpr size_t sniffed_bytes = size_t{1} << 16U;
 
 bool is_binary_stl(std::string_view beginning, uint64_t size_bytes)
@@ -46,8 +46,8 @@ bool is_binary_stl(std::string_view beginning, uint64_t size_bytes)
     return size_bytes == head_bytes + triangle_bytes * triangles;
 }
 
-/// Whether an OBJ file may begin with this statement. Words that other languages begin with need what follows
-/// them in OBJ.
+/// Whether an OBJ file may begin with this statement. If other languages use the same first word, the rest of
+/// the line must match OBJ too.
 bool is_obj_statement(Scanner line)
 {
     constexpr std::array<std::string_view, 6> with_numbers{"v", "vn", "vt", "vp", "f", "s"};
@@ -69,8 +69,8 @@ bool is_blank_or_comment(Scanner line)
     return line.is_done() || line.word().starts_with('#');
 }
 
-/// Whether this follows the first line of an STL file that is text, since many a binary one begins with
-/// "solid" too.
+/// Whether the text after the first line is that of an STL file; "solid" alone is not enough, because many
+/// binary files begin with it too.
 bool is_rest_of_stl(const std::string& text)
 {
     constexpr std::array<std::string_view, 3> words{"facet", "vertex", "endsolid"};
@@ -79,7 +79,7 @@ bool is_rest_of_stl(const std::string& text)
            });
 }
 
-/// The format of text that is read line by line.
+/// Detects the format of line-based text.
 std::string_view text_format(std::string_view beginning)
 {
     Input input(std::as_bytes(std::span(beginning)), {});
@@ -136,7 +136,7 @@ std::string name_of(const std::string& scene)
     return scene == standard_input ? "standard input" : scene;
 }
 
-/// A descriptor that is closed at the end, but for standard input.
+/// A file descriptor that is closed by the destructor, unless it is standard input.
 class Descriptor {
 public:
     explicit Descriptor(int number) : number_(number) {}
@@ -162,7 +162,7 @@ private:
     throw Error(what, name_of(scene), remedy);
 }
 
-/// The next bytes of the pipe; 0 at its end.
+/// Reads the next bytes of the pipe; returns 0 at its end.
 size_t read_some(int from, std::span<char> buffer, const std::string& scene)
 {
     for (;;) {
@@ -188,7 +188,7 @@ void write_all(int to, std::string_view bytes, const fs::path& file)
     }
 }
 
-/// The temporary folders that are there now.
+/// The temporary folders that currently exist.
 struct Folders {
     std::mutex guard;
     std::set<fs::path> paths;
@@ -200,7 +200,7 @@ Folders& folders()
     return folders;
 }
 
-/// A folder of its own among the temporary files, which goes with this.
+/// A new folder for temporary files, removed by the destructor.
 class TemporaryFolder {
 public:
     TemporaryFolder()
@@ -219,7 +219,7 @@ public:
     {
         const std::lock_guard lock(folders().guard);
         std::error_code problem;
-        fs::remove_all(path_, problem); // links go, not what they point to
+        fs::remove_all(path_, problem); // removes links, not their targets
         folders().paths.erase(path_);
     }
 
@@ -232,13 +232,13 @@ private:
     fs::path path_;
 };
 
-/// A scene that was read to its end.
+/// A piped scene that was read completely.
 struct Received {
     TemporaryFolder folder;
     fs::path file;
 };
 
-/// Links to what lies in the current folder, so that the scene finds its textures.
+/// Links all files of the current folder into `folder`, so that the scene finds its textures.
 void link_current_folder(const fs::path& folder)
 {
     constexpr size_t most_links = 20000;
@@ -255,10 +255,10 @@ void link_current_folder(const fs::path& folder)
     }
 }
 
-/// The beginning of what came, enough to tell its format.
+/// The beginning of a piped scene, long enough to detect its format.
 struct Beginning {
     std::string text;
-    uint64_t size_bytes = 0; ///< of all that came
+    uint64_t size_bytes = 0; ///< size of the whole scene
 };
 
 Beginning copy_to(int from, const fs::path& file, const std::string& scene, uint64_t most_bytes)
@@ -280,7 +280,7 @@ Beginning copy_to(int from, const fs::path& file, const std::string& scene, uint
     return beginning;
 }
 
-/// The format that the name of a named pipe tells; empty if it does not.
+/// The format that the name of a named pipe suggests; empty if it has none.
 std::string format_of_name(const std::string& scene)
 {
     const std::string extension = lower_extension(scene);
@@ -318,7 +318,7 @@ std::unique_ptr<Received> receive(const std::string& scene, const std::string& f
     return received;
 }
 
-/// All that was received in this run, by the name that was typed.
+/// All scenes received in this run, by the name that was typed.
 struct Memory {
     std::mutex guard;
     std::map<std::string, std::unique_ptr<Received>> scenes;
@@ -326,7 +326,7 @@ struct Memory {
 
 Memory& memory()
 {
-    folders(); // made first, so that they outlive what is kept in them
+    folders(); // constructed first, so that it is destroyed after the memory that depends on it
     static Memory memory;
     return memory;
 }
@@ -340,7 +340,7 @@ std::span<const std::string_view> input_formats()
 
 bool is_piped(const std::string& scene)
 {
-    if (scene == standard_input || scene.starts_with("/dev/")) { // such as /dev/stdin, whatever is behind it
+    if (scene == standard_input || scene.starts_with("/dev/")) { // such as /dev/stdin, whatever it refers to
         return true;
     }
     struct stat facts = {};
@@ -371,7 +371,7 @@ std::string with_typed_name(std::string text, const std::string& scene, const fs
         return text;
     }
     replace_all(text, file.string(), name_of(scene));
-    replace_all(text, file.parent_path().string() + '/', ""); // what the scene names, as the scene names it
+    replace_all(text, file.parent_path().string() + '/', ""); // keeps names as in the scene
     replace_all(text, "beside the scene's file", "into the current folder");
     return text;
 }
@@ -386,7 +386,7 @@ std::string missing_beside_pipe(const std::vector<std::string>& files, const std
 
 void remove_piped_scenes()
 {
-    // A thread may wait for a pipe and hold the memory meanwhile, so that is left alone.
+    // Does not lock the memory of received scenes, because a thread that waits for a pipe may hold the lock.
     const std::lock_guard lock(folders().guard);
     for (const fs::path& path : folders().paths) {
         std::error_code problem;

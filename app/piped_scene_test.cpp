@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* triangle_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-/// A named pipe into which `bytes` are written once.
+/// A named pipe through which `bytes` are written once.
 class Pipe {
 public:
     Pipe(const std::filesystem::path& path, std::string bytes) : path_(path)
@@ -133,7 +133,7 @@ TEST(PipedScene, MessagesNameWhatWasTyped)
     }
 }
 
-/// All warnings and errors, a line each, of reading this through a pipe.
+/// All warnings and errors, one per line, of reading a scene through a pipe.
 std::string told_of(const std::filesystem::path& path, const std::string& bytes)
 {
     const Pipe pipe(path, bytes);
@@ -168,7 +168,7 @@ TEST(PipedScene, MissingFilesAreNamedAsTheSceneNamesThem)
         EXPECT_NE(told.find("current folder"), std::string::npos) << told;
         EXPECT_EQ(told.find("beside the scene"), std::string::npos) << told;
         for (size_t at = told.find(own_folder); at != std::string::npos; at = told.find(own_folder)) {
-            told.erase(at, own_folder.size()); // the pipe's own name
+            told.erase(at, own_folder.size()); // the temporary folder of the pipe
         }
         EXPECT_EQ(told.find(own_folder.substr(0, own_folder.rfind('/') + 1)), std::string::npos) << told;
     }

@@ -36,7 +36,7 @@ bool is_ignored(int number)
     return sigaction(number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
 }
 
-/// Ends the program as the signal does by itself, so that a shell sees which one it was.
+/// Ends the program through the signal itself, so that a shell sees which one it was.
 [[noreturn]] void end_by(int number)
 {
     remove_all_pending();
@@ -53,7 +53,7 @@ void wait_for_signals()
     const sigset_t set = watched_set();
     for (int number = 0; sigwait(&set, &number) == 0;) {
         if (is_ignored(number) && (!is_told || number == SIGHUP)) {
-            continue; // as nohup has it
+            continue; // nohup ignores signals in this way
         }
         if (is_told && !is_to_stop.exchange(true)) {
             continue;
@@ -68,11 +68,11 @@ void watch_signals()
 {
     std::signal(SIGXFSZ, SIG_IGN);
     const sigset_t set = watched_set();
-    pthread_sigmask(SIG_BLOCK, &set, nullptr); // in all threads that are to come; one waits for them
+    pthread_sigmask(SIG_BLOCK, &set, nullptr); // blocked in all later threads; one thread waits for them
     try {
         std::thread(wait_for_signals).detach();
     } catch (const std::system_error&) {
-        pthread_sigmask(SIG_UNBLOCK, &set, nullptr); // they end the program, as without this
+        pthread_sigmask(SIG_UNBLOCK, &set, nullptr); // restores the default, in which they end the program
     }
 }
 
@@ -88,7 +88,7 @@ bool was_told_to_stop()
 
 namespace {
 
-constexpr const char* setting = "GALLIVM_PERF"; ///< Mesa's
+constexpr const char* setting = "GALLIVM_PERF"; ///< a variable of Mesa
 
 } // namespace
 

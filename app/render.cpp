@@ -52,7 +52,7 @@ bool is_layers_exr(const PictureChoice& choice)
     return lower_extension(choice.layers) == ".exr";
 }
 
-/// 0 for a picture that is no page.
+/// Dots per metre; 0 for a picture that is not a page.
 uint32_t dots_per_m(const PageSize& page)
 {
     constexpr double inches_a_m = 1000.0 / 25.4;
@@ -64,7 +64,7 @@ uint64_t pixels_of(const RenderSettings& settings)
     return uint64_t{settings.width} * settings.height;
 }
 
-/// Whether the picture goes to its file as it is drawn, since it is large, and that is all that is wanted.
+/// Whether the picture is streamed to its file while it is drawn: it is large, and nothing else needs it.
 bool is_written_as_drawn(const RenderCommand& command, const RenderSettings& settings)
 {
     constexpr uint64_t most_in_memory = uint64_t{1} << 24U;
@@ -74,7 +74,7 @@ bool is_written_as_drawn(const RenderCommand& command, const RenderSettings& set
            command.draw.output != standard_output && pixels_of(settings) > most_in_memory;
 }
 
-/// Draws, and where it takes long says how far it is.
+/// Draws the picture, and shows progress if it takes long.
 void draw_bands(Renderer& renderer, const Camera& camera, const Style& style, const RenderSettings& settings,
                 const std::function<void(const Image&)>& take)
 {
@@ -115,7 +115,7 @@ std::vector<std::byte> encode(const DrawnPicture& picture, const PictureChoice& 
     }
 }
 
-/// Throws Error unless a folder of this name can be made.
+/// Throws Error unless a folder of this name can be created.
 void check_new_folder(std::filesystem::path folder)
 {
     if (!folder.has_filename()) {
@@ -189,7 +189,7 @@ void check_outputs(const RenderCommand& command)
     const PictureChoice& choice = command.picture;
     const std::vector<std::filesystem::path> inputs{draw.scene, draw.lightmap};
     if (draw.output != standard_output) {
-        // Of numbered frames the folder may be made.
+        // The folder of numbered frames is created on demand.
         const std::filesystem::path folder = std::filesystem::path(draw.output).parent_path();
         const bool makes_folder =
             is_numbered(draw.output) && !folder.empty() && !std::filesystem::exists(folder);
@@ -207,7 +207,7 @@ void check_outputs(const RenderCommand& command)
 
 namespace {
 
-/// Writes to a file, or to standard output where `output` says so.
+/// Writes to a file, or to standard output if `output` is "-".
 void write_output(const std::string& output, std::span<const std::byte> bytes)
 {
     if (output == standard_output) {
@@ -217,7 +217,7 @@ void write_output(const std::string& output, std::span<const std::byte> bytes)
     }
 }
 
-/// Writes all files of a command, or none, and at last standard output. Throws Error naming what cannot be
+/// Writes all files of a command or none, and then standard output. Throws Error naming what cannot be
 /// written.
 void write_pictures(DrawnPicture& picture, const Renderer& renderer, const RenderCommand& command)
 {
@@ -247,7 +247,7 @@ void write_pictures(DrawnPicture& picture, const Renderer& renderer, const Rende
     }
 }
 
-/// Wall time of the steps of a job.
+/// Wall time of a job's steps.
 class StepClock {
 public:
     void finish(const std::string& step)
@@ -294,7 +294,7 @@ std::string in_meters(double mm)
     return fmt::format("{:.2f} m", 1e-3 * mm);
 }
 
-/// Prints what was asked for; beside a picture on standard output, to stderr.
+/// Prints the requested text; to stderr if the picture goes to standard output.
 void tell(const RenderCommand& command, const std::string& text)
 {
     if (command.draw.output == standard_output || command.is_quiet) {
@@ -304,7 +304,7 @@ void tell(const RenderCommand& command, const std::string& text)
     }
 }
 
-/// What the command's pictures are to be like.
+/// The render settings of the command's pictures.
 RenderSettings render_settings(const RenderCommand& command, const Scene& scene, Index animation)
 {
     RenderSettings settings = settings_of(command.draw, animation);
@@ -316,7 +316,8 @@ RenderSettings render_settings(const RenderCommand& command, const Scene& scene,
     return settings;
 }
 
-/// Paths are as fine as the page on which they are found: of a large page one that can be drawn at once.
+/// Settings for extracting paths. Their precision depends on the page, so a large page is reduced to one that
+/// can be drawn in one piece.
 RenderSettings settings_of_strokes(const DrawOptions& draw, Index animation)
 {
     constexpr double most_pixels = 16e6;
@@ -331,7 +332,7 @@ RenderSettings settings_of_strokes(const DrawOptions& draw, Index animation)
     return settings;
 }
 
-/// Gives the drawing the exact size of the page: pixels of a page are not quite square, as it has a whole
+/// Sets the exact size of the page. Pixels of a page are not exactly square, because a page has a whole
 /// number of them.
 void fit_to_page(VectorDrawing& drawing, const PageSize& page)
 {
@@ -403,7 +404,7 @@ void run(const RenderCommand& command)
 
     StepClock clock;
     compile_quickly_if_soon_drawn(command);
-    // Opened while the file is read; what is wrong with the file is said first.
+    // The renderer opens while the file is read; errors in the file are reported first.
     std::future<Renderer> opening = std::async(launch_if_possible, [&draw] { return Renderer(draw.device); });
     const Scene scene = load_scene_of(draw);
     print_warnings(scene.warnings);
@@ -412,7 +413,7 @@ void run(const RenderCommand& command)
     }
     tell_of_time(draw, scene);
     const Index animation = choose_animation(draw, scene);
-    // A view of all of a large scene takes as long to choose as its upload.
+    // For a large scene, choosing a view of everything takes as long as the upload, so both run in parallel.
     std::future<Camera> choosing =
         std::async(launch_if_possible, [&] { return choose_camera(draw, scene, animation); });
     clock.finish("load");
@@ -449,7 +450,7 @@ void run(const RenderCommand& command)
     std::vector<double> frames_gpu_ms{renderer.gpu_ms()};
     std::vector<double> later_frames_ms;
     for (uint32_t frame = 1; frame < command.repeat; ++frame) {
-        // Every second one says what passes cost, the others what a frame does.
+        // Every second frame times its passes; the others measure the time of a whole frame.
         const bool by_passes = reports && frame % 2 == 0;
         if (frame == 1) {
             frames_gpu_ms.clear();

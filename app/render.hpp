@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// `estampe render` of a picture: what it draws, and how that is written.
+// `estampe render` of a single picture: draws it and writes its files.
 
 #include <memory>
 #include <optional>
@@ -11,24 +11,24 @@
 
 namespace estampe::app {
 
-/// A picture in what forms its format asks for.
+/// A picture in the forms that its file format needs.
 struct DrawnPicture {
     Image bytes;
-    std::unique_ptr<PngFile> file; ///< in place of bytes, where these are many
+    std::unique_ptr<PngFile> file; ///< replaces `bytes` for large pictures
     std::optional<LinearImage> floats;
     std::optional<LayeredImage> layers;
 };
 
-/// Throws Error when the command's files cannot be written where they are to be. Nothing there is touched.
+/// Throws Error when the command's files cannot be written at their paths. Does not change any file.
 void check_outputs(const RenderCommand& command);
 
-/// Draws what the command's format needs, in a style that may be another than the command's.
+/// Draws what the command's file format needs. `style` replaces the command's own style.
 [[nodiscard]] DrawnPicture draw_picture(Renderer& renderer, const Camera& camera,
                                         const RenderCommand& command, const Style& style,
                                         const RenderSettings& settings);
 
-/// Draws what `command` asks for, which is no film, of a scene that the renderer has, and writes its files.
-/// Throws Error when it cannot.
+/// Draws the picture that `command` asks for, with a renderer that already has the scene, and writes its
+/// files. `command` is not a film. Throws Error on failure.
 void draw_and_write(Renderer& renderer, const Scene& scene, const RenderCommand& command);
 
 } // namespace estampe::app

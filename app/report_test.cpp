@@ -6,7 +6,7 @@
 namespace estampe::app {
 namespace {
 
-/// The row of `info` for a triangle between these corners of a box.
+/// The bounds row of `info` for a triangle between two corners of a box.
 std::string bounds_between(const glm::vec3& low, const glm::vec3& high, const glm::dvec3& place = {})
 {
     Scene scene;

@@ -53,7 +53,7 @@ void add_unit(SceneDetails& details, const Scene& scene, const std::string& path
                                                           : "metres");
 }
 
-/// A camera's own name, or that of the node that carries it.
+/// A camera's own name, or the name of its node.
 std::string camera_name(const Scene& scene, Index camera)
 {
     const auto node =
@@ -198,7 +198,7 @@ double key_rate(const Animation& animation)
         const bool all_fit = std::ranges::all_of(animation.channels, [&](const AnimationChannel& channel) {
             return std::ranges::all_of(channel.times_s, [&](float time_s) {
                 const double frame = rate * static_cast<double>(time_s);
-                constexpr double slack = 0.01; // frames, for times that were rounded to floats
+                constexpr double slack = 0.01; // in frames; times were rounded to floats
                 return std::abs(frame - std::round(frame)) <= slack;
             });
         });

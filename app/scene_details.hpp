@@ -10,19 +10,19 @@
 
 namespace estampe::app {
 
-/// What `estampe info` tells besides counts: axis, unit, cameras, animations, variants, lights, missing
+/// What `estampe info` prints besides counts: axis, unit, cameras, animations, variants, lights, missing
 /// files.
 struct SceneDetails {
-    std::vector<std::pair<std::string, std::string>> rows; ///< label and text, in the order they are shown
-    nlohmann::ordered_json json; ///< all of the rows as numbers and lists, for programs
+    std::vector<std::pair<std::string, std::string>> rows; ///< label and text, in display order
+    nlohmann::ordered_json json; ///< the same rows as numbers and lists, for programs
 };
 
 /// `path` is the file that the scene was read from; its format says whether axis and unit are known. Cost:
 /// linear in vertices and triangles.
 [[nodiscard]] SceneDetails scene_details(const Scene& scene, const std::string& path);
 
-/// A note for whoever draws a file without an up axis of its own (.obj, .ply, .stl) whose shape looks z-up;
-/// empty for all others.
+/// A note if a file without an up axis of its own (.obj, .ply, .stl) has a shape that looks z-up; empty for
+/// all others.
 [[nodiscard]] std::vector<std::string> up_axis_notes(const Scene& scene, const std::string& path);
 
 /// Frames per second on which all keys of an animation lie: 24, 25, 30, 60 or another common rate; 0 when

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A world that this program has never heard of is drawn by its name, by the code that draws all others.
+// Draws a world that was registered only for this test, by its name and through the same code as all others.
 #include <initializer_list>
 #include <variant>
 #include <vector>
@@ -16,7 +16,7 @@
 namespace estampe::app {
 namespace {
 
-/// Draws as `estampe batch` does, on the device of the tests.
+/// The command of a drawing as in `estampe batch`, on the device of the tests.
 RenderCommand draw(std::initializer_list<std::string> words)
 {
     std::vector<const char*> all{"estampe", "render"};

@@ -36,7 +36,7 @@ protected:
         return std::get<RenderCommand>(typed(words)).draw;
     }
 
-    /// What is said about a command line that is wrong.
+    /// The error message for a wrong command line.
     static std::string refusal(std::initializer_list<const char*> words)
     {
         try {
@@ -47,7 +47,7 @@ protected:
         return "taken";
     }
 
-    /// What is said about a job of a batch.
+    /// The error message for a wrong batch job.
     std::string refusal_of_job(const std::string& lines)
     {
         try {

@@ -140,7 +140,7 @@ void keep_choices(Style& style, const ChosenStyle& chosen)
             }
         }
     }
-    // A sun that the user has turned stays there.
+    // A sun that the user has turned is kept.
     const light::LightStyle& light = changed.light;
     if (light.sun_azimuth_deg != base.light.sun_azimuth_deg ||
         light.sun_elevation_deg != base.light.sun_elevation_deg) {

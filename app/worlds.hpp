@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Worlds by their names, their options on the command line, and how the one that a command draws is animated.
+// Names of worlds, their options on the command line, and the animation of the world that a command draws.
 
 #include <cstdint>
 #include <memory>
@@ -25,14 +25,14 @@ namespace estampe::app {
 /// The names of all worlds.
 [[nodiscard]] std::vector<std::string> world_names();
 
-/// The world that `scene` names; null if it names none, or if a file has this name, which has precedence.
+/// The world named `scene`; null if there is none, or if a file has this name, because files take precedence.
 [[nodiscard]] const worlds::Description* world_of(const std::string& scene);
 
-/// The world that `draw` names, with the options that it has; null if it names a file. Throws Error for a
-/// mistake in the options.
+/// Makes the world that `draw` names, with its options; null if `draw` names a file. Throws Error for invalid
+/// options.
 [[nodiscard]] std::unique_ptr<worlds::World> make_world(const DrawOptions& draw);
 
-/// The options of a command that are those of a world.
+/// The options of a command that apply to a world.
 class WorldOptions {
 public:
     enum class Seed : uint8_t { is_an_option, is_left_out };
@@ -40,8 +40,8 @@ public:
     /// Adds --world to the command and, unless it is left out, --seed; this object must outlive the parsing.
     void add_to(CLI::App& command, Seed seed = Seed::is_an_option);
 
-    /// The assignments that were typed, --seed among them. Throws UsageError for options with a scene that is
-    /// not a world, and for assignments that the world does not take.
+    /// The assignments that were typed, including --seed. Throws UsageError for options with a scene that is
+    /// not a world, and for assignments that the world does not accept.
     [[nodiscard]] std::vector<std::string> read(const std::string& scene) const;
 
 private:
@@ -49,32 +49,32 @@ private:
     std::optional<uint64_t> seed_;
 };
 
-/// Throws UsageError unless `scene` is a world that has a film of its own.
+/// Throws UsageError unless `scene` is a world with a film of its own.
 void check_has_film(const std::string& scene);
 
-/// How to write an option of a world, if `key` is one: `--world hour=18`. Else empty. An empty value stands
-/// for one that is not known.
+/// How to type an option of a world, such as `--world hour=18`, if `key` is one, else empty. An empty value
+/// means that it is unknown.
 [[nodiscard]] std::string world_option_as_typed(const std::string& key, const std::string& value);
 
 /// "the worlds: NAME, NAME".
 [[nodiscard]] std::string known_worlds();
 
-/// A style that the user chose and edited: what differs from `base` overrides the world's style.
+/// A style that the user chose and edited; its differences from `base` override the world's style.
 struct ChosenStyle {
     Style style;
     Style base;
 };
 
-/// Brings a world to the moment of each picture. A scene that is not a world stays as it is.
+/// Animates a world to the moment of each picture. Does nothing for a scene that is not a world.
 class WorldAnimator {
 public:
-    /// `draw`, which must outlive this, names what load_scene_of() made into `scene`.
+    /// `scene` is the result of load_scene_of() for `draw`; `draw` must outlive this object.
     WorldAnimator(const DrawOptions& draw, const Scene& scene, worlds::Occasion occasion);
     ~WorldAnimator();
     WorldAnimator(const WorldAnimator&) = delete;
     WorldAnimator& operator=(const WorldAnimator&) = delete;
 
-    /// Simulates up to a moment that is not drawn, as for the frames before those of a resumed film.
+    /// Simulates up to a moment without drawing, as for the frames before those of a resumed film.
     void go_to(double time_s, const Camera& camera);
 
     /// Simulates up to a moment and shows it on the renderer. Returns the style of `draw` with the world's
@@ -89,7 +89,7 @@ public:
     /// See worlds::World::end_at().
     void end_at(double time_s);
 
-    /// The user has edited the renderer's terrain: the world no longer deforms it.
+    /// Call this when the user has edited the renderer's terrain: the world then no longer deforms it.
     void leave_ground() { has_left_ground_ = true; }
 
     [[nodiscard]] bool has_left_ground() const { return has_left_ground_; }

@@ -11,24 +11,24 @@
 namespace estampe::viewer {
 
 enum class CameraMode : uint8_t {
-    orbit, ///< goes around what it looks at
-    fly,   ///< goes where it looks
-    walk,  ///< goes over the ground
+    orbit, ///< moves around its target
+    fly,   ///< moves in the direction of view
+    walk,  ///< moves over the ground
 };
 
-/// Sides to look from, as f3d has them.
+/// Sides to look from, as in the viewer f3d.
 enum class ViewSide : uint8_t { front, back, left, right, top, bottom, isometric };
 
-/// A camera in the hands of a person: orbit, fly and walk. Knows no window: drags come as shares of the
-/// view's height, so that one feels as another on any size.
+/// A camera with the controls orbit, fly and walk. Independent of windows: drags are in shares of the view's
+/// height, so that they feel the same at any size.
 class CameraRig {
 public:
-    /// Height of the ground under a place, if there is any; for CameraMode::walk.
+    /// Height of the ground below a place, if there is any; for CameraMode::walk.
     using Ground = std::function<std::optional<double>(const glm::dvec3& place)>;
 
-    /// Another scene: `home` is where it is seen from at first.
+    /// Replaces the scene; `home` is its first camera.
     void set_scene(const Camera& home, const Bounds& bounds, Ground ground = {});
-    /// A place to look from; a walker stays at its height until it moves.
+    /// Sets the camera; in walk mode it keeps its height until it moves.
     void place(const Camera& camera);
 
     [[nodiscard]] const Camera& camera() const { return camera_; }
@@ -37,15 +37,15 @@ public:
 
     void set_mode(CameraMode mode);
 
-    /// Drags of the pointer, to the right and down.
+    /// Drags of the pointer; x points to the right, y down.
     void turn(const glm::dvec2& drag);
     void pan(const glm::dvec2& drag);
-    /// Nearer by so many steps of the wheel, or farther; in parallel projection larger. Fly and walk go
-    /// ahead by it.
+    /// Moves closer by this many steps of the wheel; negative moves away. Enlarges in parallel projection;
+    /// moves ahead in fly and walk mode.
     void zoom(double steps);
     void roll(double angle_rad);
 
-    /// A second's worth of going: x to the right, y up, z ahead, of -1 to 1, for `seconds`.
+    /// Moves for `seconds` at walking speed along `direction`: x to the right, y up, z ahead, each -1 to 1.
     void go(const glm::dvec3& direction, double seconds, bool is_fast);
 
     void go_home() { place(home_); }
@@ -68,14 +68,14 @@ private:
     double eye_height_m_ = 1.7;
 };
 
-/// What one can stand on in a scene: the upper sides of what never moves.
+/// The ground of a scene that one can stand on: the upper sides of everything that never moves.
 class Ground {
 public:
     /// Cost: linear in triangles.
     explicit Ground(const Scene& scene);
 
-    /// Height of the first surface straight below a place; nothing where there is none. Cost: linear in
-    /// triangles that are not upright, about a millisecond for half a million.
+    /// Height of the first surface straight below a place; nothing if there is none. Cost: linear in
+    /// triangles that are not vertical, about a millisecond for half a million.
     [[nodiscard]] std::optional<double> height_under(const glm::dvec3& place) const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tab of the ground: what its height is, line by line, and what else its file says.
+// The tab for the terrain: the expressions of its height, and the other settings of its file.
 #include <filesystem>
 
 #include <estampe/error.hpp>
@@ -76,7 +76,7 @@ void show_buttons(Studio& studio, const PanelRequests& requests)
     show_ground_save_field(studio);
 }
 
-/// The text of a node, and below it what is wrong with it.
+/// Shows the text field of a node, and its error below.
 void show_expression(TerrainEdit& terrain, size_t node)
 {
     std::string expression = terrain.draft().nodes[node].expression;
@@ -168,7 +168,7 @@ void show_nodes(TerrainEdit& terrain)
 
 enum class Counts : uint8_t { at_once, when_finished };
 
-/// What a section of the file says besides nodes.
+/// Shows the settings of a section other than nodes.
 template <typename Struct>
 void show_settings(TerrainEdit& terrain, const style::Table<Struct>& table,
                    Struct TerrainDescription::*section, Counts counts)

@@ -7,13 +7,13 @@
 
 namespace estampe::viewer {
 
-/// What something was, step by step, to go back and forth in.
+/// Undo history of a value.
 template <typename State>
 class History {
 public:
     explicit History(State first) { states_.push_back(std::move(first)); }
 
-    /// A step on; what was undone is forgotten, and so is the oldest of very many.
+    /// Adds a state; drops the states that were undone, and the oldest if there are very many.
     void push(State state)
     {
         constexpr size_t most = 500;
@@ -29,7 +29,7 @@ public:
 
     [[nodiscard]] bool can_redo() const { return now_ + 1 < states_.size(); }
 
-    /// To be called where one can.
+    /// Only valid if can_undo() or can_redo().
     const State& undo() { return states_[--now_]; }
 
     const State& redo() { return states_[++now_]; }

@@ -10,7 +10,7 @@
 namespace estampe::viewer {
 namespace {
 
-constexpr int as_typed = -1; // of `modifiers`: the key is typed, whatever it takes to type it
+constexpr int as_typed = -1; // for `modifiers`: the typed character counts, whatever modifiers it needs
 
 constexpr std::array pointer_keys{
     KeyHelp{Action::none, 0, 0, "Left drag", "orbit around the model; look around when flying or walking"},

@@ -8,7 +8,7 @@
 
 namespace estampe::viewer {
 
-/// What a key asks for.
+/// Command of a key.
 enum class Action : uint8_t {
     show_keys,
     toggle_panel,
@@ -49,19 +49,19 @@ enum class Action : uint8_t {
     reload,
     screenshot,
     record,
-    none, ///< a line of the list that is no command: what the pointer does
+    none, ///< a line of the list without a command: describes the pointer
 };
 
 /// One line of the list of keys.
 struct KeyHelp {
     Action action;
-    int key;       ///< GLFW_KEY_*, or a letter that is typed, in which case the layout of the keyboard counts
-    int modifiers; ///< GLFW_MOD_*
+    int key;          ///< GLFW_KEY_*, or a typed letter, which depends on the keyboard layout
+    int modifiers;    ///< GLFW_MOD_*
     const char* name; ///< "Ctrl+Z"
     const char* help;
 };
 
-/// A heading and its lines, as the overlay, --help and the manual list them.
+/// A heading and its lines in the overlay, --help and the manual.
 struct KeyGroup {
     const char* title;
     std::span<const KeyHelp> keys;
@@ -69,12 +69,12 @@ struct KeyGroup {
 
 [[nodiscard]] std::span<const KeyGroup> key_groups();
 
-/// What a key that went down asks for.
+/// The action of a key that was pressed.
 [[nodiscard]] std::optional<Action> action_of_key(int key, int modifiers);
-/// What a typed letter asks for.
+/// The action of a typed letter.
 [[nodiscard]] std::optional<Action> action_of_letter(char32_t letter);
 
-/// All of it as text, a line a key.
+/// All keys as text, one line per key.
 [[nodiscard]] std::string keys_text();
 
 } // namespace estampe::viewer

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The panel at the right and its tabs.
+// The panel on the right and its tabs.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace estampe::viewer {
 namespace {
 
 constexpr float panel_points = 350.0F;
-constexpr float ground_points = 480.0F; ///< heights are long lines
+constexpr float ground_points = 480.0F; ///< wider than usual, because expressions of heights are long
 constexpr float bar_points = 34.0F;
 
 const char* title_of(PanelTab tab)
@@ -50,7 +50,7 @@ void show_preset_list(Studio& studio, const PanelRequests& requests)
         }
         for (const std::string& preset : Style::presets()) {
             if (preset.starts_with("tam-")) {
-                continue; // for estampe tam
+                continue; // only used by `estampe tam`
             }
             if (ImGui::Selectable(preset.c_str(), preset == name)) {
                 requests.open_style(preset);
@@ -115,7 +115,7 @@ void show_save_field(Studio& studio)
     ImGui::EndPopup();
 }
 
-/// Which axis of the file points up; a choice reads the scene again.
+/// Selects the up axis of the file; a change loads the scene again.
 void show_up_axes(Studio& studio, const PanelRequests& requests)
 {
     struct Choice {
@@ -142,7 +142,7 @@ void show_up_axes(Studio& studio, const PanelRequests& requests)
     }
 }
 
-/// Begins tabs so close together that all names are to be read.
+/// Begins tabs with little spacing, so that all names fit.
 template <typename Begin>
 bool narrowly(const Begin& begin)
 {
@@ -155,7 +155,8 @@ bool narrowly(const Begin& begin)
     return is_open;
 }
 
-/// A layer that a parameter turns off by another value than a toggle's: it comes back as it is in the base.
+/// A checkbox for a layer that a value other than a boolean turns off; turning it on restores the value in
+/// `base`.
 template <typename T>
 void show_layer(Studio& studio, const char* name, T& value, const T& base, const T& off, const T& usual)
 {
@@ -290,7 +291,7 @@ void show_timings_tab(Studio& studio)
     ImGui::TextWrapped("%s", title.c_str());
     const std::vector<float> times(studio.frame_ms.begin(), studio.frame_ms.end());
     if (!times.empty()) {
-        // The first of all compiles; it is not to flatten the others.
+        // The first frame compiles shaders, so its time is left out of the scale.
         std::vector<float> sorted = times;
         std::ranges::sort(sorted);
         const float most = 1.5F * std::max(sorted[sorted.size() * 9 / 10], 45.0F);

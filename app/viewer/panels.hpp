@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What Dear ImGui lays out around and over the picture.
+// Panels of Dear ImGui around and over the picture.
 
 #include <functional>
 #include <optional>
@@ -13,17 +13,17 @@
 
 namespace estampe::viewer {
 
-/// Colours, distances and font of all panels, for a display of so many pixels a point.
+/// Sets colours, distances and font of all panels. `content_scale` is pixels per point of the display.
 void apply_theme(float content_scale);
 
-/// What panels ask for beyond changing the studio.
+/// Callbacks for requests of panels that go beyond changing the studio.
 struct PanelRequests {
-    std::function<void(Action)> act; ///< as if a key had been pressed
+    std::function<void(Action)> act; ///< performs an action as if its key had been pressed
     std::function<void(const std::string&)> open_style;
     std::function<void()> cancel_work;
 };
 
-/// What the panels leave of the window for the picture, in pixels.
+/// The part of the window that is left for the picture, in pixels.
 struct Area {
     float x = 0.0F;
     float y = 0.0F;
@@ -31,9 +31,9 @@ struct Area {
     float height = 0.0F;
 };
 
-// One each, called every time the window is painted, within ImGui's frame.
+// These functions are called every time the window is painted, within ImGui's frame.
 
-/// The area that is left for the picture, from what is open.
+/// The area that the open panels leave for the picture.
 [[nodiscard]] Area picture_area(const Studio& studio, float content_scale);
 
 void show_bar(Studio& studio, const PanelRequests& requests, float content_scale);
@@ -49,25 +49,25 @@ void show_layers_tab(Studio& studio);
 void show_views_tab(Studio& studio, const PanelRequests& requests);
 void show_timings_tab(Studio& studio);
 
-/// Rows of parameters: one that its table describes, with name, control and a way back to the base.
-/// Those of the sections named, or all; of these such as hold every word of `search`.
+/// Shows a row for each parameter of the named sections, or of all: name, control and a reset button. Only
+/// rows that contain every word of `search` are shown.
 void show_parameters(Studio& studio, const std::string& search, std::span<const char* const> sections);
 
-/// Whether each word of `search` is found in the name of the parameter, its section or its help.
+/// Whether each word of `search` occurs in the name, the section or the help of the parameter.
 [[nodiscard]] bool matches(const style::Section& section, const style::Parameter& parameter,
                            const std::string& search);
 
 /// Whether any parameter of the section matches.
 [[nodiscard]] bool matches(const style::Section& section, const std::string& search);
 
-/// What a person did to a row.
+/// Result of a row: what the user changed.
 struct RowEdit {
-    std::optional<style::Value> value; ///< another one
-    bool is_finished = false;          ///< a drag at its end, what is picked or typed at once
+    std::optional<style::Value> value; ///< the new value, if it changed
+    bool is_finished = false;          ///< a drag has ended, or a value was picked or typed
 };
 
-/// A line of a panel: the name of a parameter, a control of its kind, and a way back to `base` where it
-/// differs.
+/// Shows a row of a panel: the name of a parameter, a control of its kind, and a button that resets it to
+/// `base` where it differs.
 [[nodiscard]] RowEdit show_parameter_row(const std::string& section, const style::Parameter& parameter,
                                          const style::Value& held, const style::Value& base);
 

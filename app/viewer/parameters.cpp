@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Controls for the parameters of a style, made from their descriptions, and the search among them.
+// Controls for style parameters, generated from their descriptions, and the search for parameters.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -44,7 +44,7 @@ using style::Value;
 
 constexpr int slider_flags = ImGuiSliderFlags_AlwaysClamp;
 
-/// Wide ranges that begin near nothing are for steps of ten, not of one.
+/// Whether a range is so wide that its slider should be logarithmic.
 bool is_wide(const style::Range& range)
 {
     constexpr float wide = 200.0F;
@@ -52,7 +52,7 @@ bool is_wide(const style::Range& range)
            range.maximum > 5.0F;
 }
 
-/// As many digits as steps of the slider are fine: of a wide one where it stands.
+/// Number format with as many digits as a slider step needs; in a wide range, a step at the current value.
 std::string digits_of(const Parameter& parameter, float number)
 {
     const float width =
@@ -92,7 +92,7 @@ bool edit_color(Value& value)
     const bool changed = ImGui::ColorEdit3("##value", parts.data(),
                                            ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_NoLabel);
     if (changed) {
-        // As --set has it: eight bits a channel.
+        // Rounds as --set does, to eight bits per channel.
         const auto byte = [](float part) {
             return static_cast<uint32_t>(std::lround(std::clamp(part, 0.0F, 1.0F) * 255.0F));
         };
@@ -117,7 +117,7 @@ bool edit_choice(const Parameter& parameter, Value& value)
     return changed;
 }
 
-/// Words and files count once they are typed to their end.
+/// Edits words and file names; they apply when the input is complete.
 bool edit_text(const Parameter& parameter, Value& value)
 {
     const std::string held = std::get<std::string>(value);
@@ -167,7 +167,7 @@ void show_help(const std::string& name, const Parameter& parameter)
     ImGui::EndTooltip();
 }
 
-/// "width_mm" as "width".
+/// Label of a parameter: "width" for "width_mm".
 std::string label_of(const Parameter& parameter)
 {
     std::string label = parameter.key;
@@ -180,7 +180,7 @@ std::string label_of(const Parameter& parameter)
     return label;
 }
 
-/// What is not dragged counts at once.
+/// Whether the parameter is picked rather than dragged, so that a change applies at once.
 bool is_picked(const Parameter& parameter)
 {
     return parameter.kind != Kind::number && parameter.kind != Kind::integer && parameter.kind != Kind::color;
@@ -242,7 +242,7 @@ void set_value(Studio& studio, const std::string& section, const Parameter& para
     studio.settle("style");
 }
 
-/// `base` are the values to go back to.
+/// `base` holds the values for the reset button.
 void show_row(Studio& studio, const std::string& section, const Parameter& parameter, void* values,
               const void* base)
 {
@@ -251,7 +251,7 @@ void show_row(Studio& studio, const std::string& section, const Parameter& param
         set_value(studio, section, parameter, values, *edit.value);
     }
     if (edit.is_finished) {
-        studio.look.finish_change_if_any(); // of a drag once, at its end
+        studio.look.finish_change_if_any(); // a drag adds one undo step at its end
     }
 }
 
@@ -275,7 +275,7 @@ void show_parameters(Studio& studio, const std::string& search, std::span<const 
         const auto changed = std::ranges::count_if(section.parameters, [&](const Parameter& parameter) {
             return parameter.get(values) != parameter.get(base);
         });
-        // What a search opens is closed again after it.
+        // Sections found by a search have separate open states, so that they close after it.
         const std::string id = section.name + (search.empty() ? "" : " found");
         const std::string title = changed > 0
                                       ? fmt::format("{}  ({} changed)###{}", section.name, changed, id)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The thread that owns the renderer: pictures that it is asked for, and jobs that it does between them.
+// The thread that owns the renderer. It draws requested pictures and runs jobs between them.
 
 #include <array>
 #include <condition_variable>
@@ -26,16 +26,16 @@
 
 namespace estampe::viewer {
 
-/// One picture to be drawn.
+/// A picture to draw.
 struct PictureRequest {
     Camera camera;
     app::ChosenStyle style;
     RenderSettings settings;
-    double scale = 1.0; ///< share of the view's sides that the settings' size is
-    uint64_t view = 0;  ///< number of what is to be seen, for whoever asks
+    double scale = 1.0; ///< the settings' size as a share of the view's sides
+    uint64_t view = 0;  ///< identifies the view for the caller
 };
 
-/// One that was.
+/// A finished picture.
 struct Picture {
     size_t slot = 0;
     Image image;
@@ -48,18 +48,18 @@ struct Picture {
     std::vector<std::string> notes;
 };
 
-/// What has become of the scene since the last picture.
+/// Changes of the scene since the last picture.
 struct SceneChange {
-    std::vector<TrailStamp> prints; ///< in its terrain
-    std::optional<double> end_s;    ///< its world comes to its end from that moment on
+    std::vector<TrailStamp> prints; ///< footprints in the terrain
+    std::optional<double> end_s;    ///< the world starts to end at this moment
 };
 
-/// The renderer has another scene.
+/// News: the renderer has another scene.
 struct SceneTaken {
     std::shared_ptr<const LoadedFile> file;
 };
 
-/// The renderer has another ground, or the shader of one that it had interpreted until then.
+/// News: the renderer has another terrain, or the compiled shader of one that it interpreted until then.
 struct TerrainTaken {
     bool is_compiled = false;
 };
@@ -69,14 +69,14 @@ struct DeviceOpened {
     bool is_processor = false;
 };
 
-/// Something went wrong; all is as it was before.
+/// News: something failed; the previous state is kept.
 struct Failure {
     enum class Of : uint8_t { device, scene, terrain, picture, job };
     Of what = Of::picture;
     std::string message;
 };
 
-/// What a job reports, such as a film how far it is.
+/// News: progress of a job, such as a film.
 struct JobNews {
     std::string text;
     double share = 1.0;
@@ -85,41 +85,42 @@ struct JobNews {
 
 using PictureNews = std::variant<Picture, SceneTaken, TerrainTaken, DeviceOpened, Failure, JobNews>;
 
-/// Something longer than a picture, in steps: the renderer draws nothing else until its step says false.
-/// What a step throws ends it and is news.
+/// A task longer than a picture, done in steps; no pictures are drawn until step() returns false. An
+/// exception in a step ends the job and becomes news.
 class PictureJob {
 public:
     PictureJob() = default;
     virtual ~PictureJob() = default;
     PictureJob(const PictureJob&) = delete;
     PictureJob& operator=(const PictureJob&) = delete;
-    /// Does a part; `animator` is that of the scene on the renderer. Returns whether there is more.
+    /// Does one part of the job; `animator` is that of the renderer's scene. Returns whether there is more to
+    /// do.
     virtual bool step(Renderer& renderer, app::WorldAnimator& animator,
                       const std::function<void(PictureNews)>& tell) = 0;
 };
 
-/// Draws in a thread of its own, so that nothing waits for pictures: of those asked for the newest is drawn,
-/// one of two slots after the other.
+/// Draws in a separate thread, so that the window never waits for pictures. For each of two slots only the
+/// newest request is drawn; the slots take turns.
 class PictureThread {
 public:
-    /// Opens the renderer. `wake` is called from the thread when there is news.
+    /// Opens the renderer. The thread calls `wake` when there is news.
     PictureThread(RendererOptions options, std::function<void()> wake);
-    /// Waits for the sample in hand.
+    /// Waits for the current sample to finish.
     ~PictureThread();
     PictureThread(const PictureThread&) = delete;
     PictureThread& operator=(const PictureThread&) = delete;
 
     void set_scene(std::shared_ptr<const LoadedFile> file);
-    /// Gives the scene another ground, from the next picture on; an interpreter draws it until its shader is
-    /// compiled. Of several the newest counts, for this scene alone.
+    /// Replaces the terrain from the next picture on; an interpreter draws it until its shader is compiled.
+    /// Of several calls the newest counts. Applies only to the current scene.
     void set_terrain(const Terrain& terrain);
-    /// Seen in the next picture; nothing of it is lost when that is not drawn.
+    /// Applies a change with the next picture; changes add up if that picture is not drawn.
     void change(SceneChange change);
-    /// In place of what was asked for in that slot, even if it is begun and has samples to come. Nothing: no
-    /// more.
+    /// Replaces the request of that slot, even if it is being drawn and has samples to come. Nothing ends the
+    /// drawing in that slot.
     void draw(size_t slot, std::optional<PictureRequest> request);
     void do_job(std::unique_ptr<PictureJob> job);
-    /// Ends the job in hand after its step.
+    /// Ends the current job after its current step.
     void cancel_job();
     [[nodiscard]] std::vector<PictureNews> take_news();
 
@@ -129,9 +130,9 @@ private:
     void tell(PictureNews news);
     void take_scene(Renderer& renderer, const std::shared_ptr<const LoadedFile>& file);
     void take_terrain(Renderer& renderer, const Terrain& terrain);
-    /// Until there is something to do.
+    /// Waits until there is something to do.
     void wait(Renderer& renderer, std::unique_lock<std::mutex>& lock);
-    /// Whether a picture that is being drawn there is still what is asked for.
+    /// Whether the picture that is being drawn in `slot` is still requested.
     [[nodiscard]] bool is_wanted(size_t slot);
     void apply(Renderer& renderer, const SceneChange& change);
     void draw_picture(Renderer& renderer, size_t slot, const PictureRequest& request);
@@ -147,48 +148,48 @@ private:
     std::array<std::optional<PictureRequest>, 2> requests_;
     size_t next_slot_ = 0;
     std::unique_ptr<PictureJob> job_;
-    glm::uvec2 film_size_px_{0}; ///< of the last picture, if one can follow it; the thread's own
+    glm::uvec2 film_size_px_{0}; ///< of the last picture, if another can follow; only used by the thread
     bool is_job_cancelled_ = false;
     bool is_closing_ = false;
     std::vector<PictureNews> news_;
-    std::shared_ptr<const LoadedFile> scene_;      ///< that the renderer holds; the thread's own
-    std::unique_ptr<app::WorldAnimator> animator_; ///< of `scene_`; the thread's own
-    std::optional<Terrain> terrain_;               ///< in place of the scene's; the thread's own
-    bool is_compiling_ = false;                    ///< its shader; the thread's own
+    std::shared_ptr<const LoadedFile> scene_;      ///< the renderer's scene; only used by the thread
+    std::unique_ptr<app::WorldAnimator> animator_; ///< animator of `scene_`; only used by the thread
+    std::optional<Terrain> terrain_;               ///< replaces the scene's terrain; only used by the thread
+    bool is_compiling_ = false; ///< the terrain's shader is being compiled; only used by the thread
     std::thread thread_;
 };
 
-/// What was seen in the view while it was recorded: not pictures, but from where, when and how, so that a
-/// film of it is drawn as finely as any, however slow the view was.
+/// A recording of the view: not pictures, but camera, time and style, so that a film of it has full quality
+/// however slow the view was.
 class Take {
 public:
     struct Sample {
-        double at_s = 0.0; ///< since it began
+        double at_s = 0.0; ///< since the start of the recording
         Camera camera;
-        double time_s = 0.0; ///< of the animation
+        double time_s = 0.0; ///< time of the animation
         Index animation = 0;
         std::shared_ptr<const app::ChosenStyle> style;
     };
 
-    /// In the order of time.
+    /// Samples must be added in the order of time.
     void add(Sample sample) { samples_.push_back(std::move(sample)); }
 
     [[nodiscard]] bool empty() const { return samples_.empty(); }
 
     [[nodiscard]] double length_s() const { return samples_.empty() ? 0.0 : samples_.back().at_s; }
 
-    /// Between two samples the camera goes straight, and so does the animation where it ran on; all else
-    /// holds until the later one. To be called where there are samples.
+    /// Interpolates the camera linearly between two samples, and also the animation's time if it ran on;
+    /// everything else keeps the earlier sample's value. Requires at least one sample.
     [[nodiscard]] Sample at(double seconds) const;
 
 private:
     std::vector<Sample> samples_;
 };
 
-/// The first of "fox-001.png", "fox-002.png", ... in the working directory that is not there.
+/// The first of "fox-001.png", "fox-002.png", ... that does not exist in the working directory.
 [[nodiscard]] std::string free_name(const std::string& scene, const std::string& extension);
 
-/// Draws the view once more, as estampe render would, and writes it as PNG.
+/// Draws the view once more, as `estampe render` would, and writes it as PNG.
 class ScreenshotJob : public PictureJob {
 public:
     ScreenshotJob(PictureRequest request, std::string path)
@@ -204,10 +205,10 @@ private:
     std::string path_;
 };
 
-/// Draws a take as a film, a frame a step.
+/// Draws a recording as a film, one frame per step.
 class FilmJob : public PictureJob {
 public:
-    /// A world is animated from its beginning again; `end_s` is when the walker reached the end of the world.
+    /// Animates a world from its beginning. `end_s` is when the walker reached the end of the world.
     FilmJob(Take take, std::shared_ptr<const LoadedFile> file, std::optional<double> end_s,
             RenderSettings settings, std::string path);
 
@@ -220,7 +221,7 @@ private:
     Take take_;
     std::shared_ptr<const LoadedFile> file_;
     std::optional<double> end_s_;
-    std::unique_ptr<app::WorldAnimator> animator_; ///< since the first step
+    std::unique_ptr<app::WorldAnimator> animator_; ///< set after the first step
     RenderSettings settings_;
     std::string path_;
     uint32_t next_ = 0;

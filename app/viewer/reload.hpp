@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What is read again when it is saved: files that are watched, shaders that are compiled anew.
+// Reloads what was saved: watches files, and compiles shaders again.
 
 #include <atomic>
 #include <filesystem>
@@ -15,14 +15,15 @@
 
 namespace estampe::viewer {
 
-/// Files that may change. Asked from time to time, it says which did, by their times and sizes; one that is
-/// still being written counts once it has stood still for a look.
+/// Watches files for changes of their time or size. changed() must be called regularly; a file that is still
+/// being written is reported once it has not changed between two calls.
 class FileWatch {
 public:
-    /// In place of those watched before.
+    /// Replaces the list of watched files.
     void watch(const std::vector<std::filesystem::path>& files);
 
-    /// Those that changed since; files that are gone count when they come back. Cost: about 2 us a file.
+    /// Files that changed since the last call; deleted files count when they exist again. Cost: about 2 us
+    /// per file.
     [[nodiscard]] std::vector<std::filesystem::path> changed();
 
 private:
@@ -33,8 +34,8 @@ private:
     };
 
     struct Watched {
-        State known; ///< that was told
-        State seen;  ///< by the last look
+        State known; ///< the last reported state
+        State seen;  ///< the state at the last call
     };
 
     [[nodiscard]] static State state_of(const std::filesystem::path& file);
@@ -42,41 +43,41 @@ private:
     std::map<std::filesystem::path, Watched> files_;
 };
 
-/// A scene's file and what lies beside it that scenes are made of: buffers, textures, material files; one
-/// folder deep, and no more than some hundreds.
+/// A scene's file and the files beside it that scenes consist of: buffers, textures, material files. Searches
+/// one folder level deep, and at most some hundreds of files.
 [[nodiscard]] std::vector<std::filesystem::path> files_of_scene(const std::filesystem::path& scene);
 
-/// One shader of the program, and what it is compiled from.
+/// A shader of the program, and its source.
 struct ShaderBuild {
     std::filesystem::path file;
-    std::string name;                ///< as the program names it: hatch/lines.comp is lines_comp
-    std::vector<std::string> macros; ///< that are defined: NAME or NAME=VALUE
+    std::string name;                ///< name in the program: hatch/lines.comp is lines_comp
+    std::vector<std::string> macros; ///< macros defined for the compiler: NAME or NAME=VALUE
 
     bool operator==(const ShaderBuild&) const = default;
 };
 
-/// The shaders that the build compiles from a file with an entry point: one of the file's name, or the
-/// variants that CMake declares. `root` is the folder that includes start from.
+/// The shaders that the build compiles from a file with an entry point: one named after the file, or the
+/// variants that CMake declares. `root` is the folder for include paths.
 [[nodiscard]] std::vector<ShaderBuild> builds_of(const std::filesystem::path& file,
                                                  const std::filesystem::path& root);
 
-/// A shader that was compiled again, or why it could not be.
+/// A shader that was compiled again, or the reason why it could not be.
 struct ShaderNews {
     std::string name; ///< as in ShaderBuild
     std::vector<uint32_t> spirv;
-    std::string problem; ///< empty: it is right
+    std::string problem; ///< empty on success
 };
 
-/// Compiles one by the program glslc, as the build does but for what that optimises, which takes up to ten
-/// times as long as the rest and which drivers do again. The picture is the same. `root` is the folder that
-/// includes start from.
+/// Compiles a shader with the program glslc, as the build does but without optimisation, which takes up to
+/// ten times as long as the rest and which drivers repeat anyway. The picture is the same. `root` is the
+/// folder for include paths.
 [[nodiscard]] ShaderNews compile_shader(const ShaderBuild& build, const std::filesystem::path& root);
 
-/// Watches the shaders of a source tree in a thread of its own, and compiles those that are saved, and all
-/// that include what is saved.
+/// Watches the shaders of a source tree in a separate thread, and compiles again those that are saved or
+/// include a saved file.
 class ShaderReload {
 public:
-    /// `folder` is the source tree or its src/. Throws Error when it holds no shaders.
+    /// `folder` is the source tree or its src/. Throws Error when it contains no shaders.
     ShaderReload(const std::filesystem::path& folder, std::function<void()> wake);
     ~ShaderReload();
     ShaderReload(const ShaderReload&) = delete;
@@ -92,7 +93,7 @@ private:
     std::filesystem::path root_;
     std::function<void()> wake_;
     std::vector<ShaderBuild> shaders_;
-    std::vector<std::filesystem::path> all_; ///< their files and what these include
+    std::vector<std::filesystem::path> all_; ///< the shaders' files and everything that these include
     FileWatch watch_;
     std::mutex guard_;
     std::vector<ShaderNews> news_;
@@ -100,7 +101,7 @@ private:
     std::thread thread_;
 };
 
-/// All files of the tree that the text of a file includes, and those that these do.
+/// All files that a file includes, directly or indirectly.
 [[nodiscard]] std::set<std::filesystem::path> includes_of(const std::filesystem::path& file,
                                                           const std::filesystem::path& root);
 

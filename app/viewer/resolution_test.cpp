@@ -6,7 +6,8 @@
 namespace estampe::viewer {
 namespace {
 
-/// Draws with a device that takes `whole_s` for all pixels and `fixed_s` besides, until nothing changes.
+/// Draws until the scale is stable, with a device that takes `whole_s` for all pixels plus `fixed_s` per
+/// picture.
 double settle(Resolution& resolution, double whole_s, double fixed_s)
 {
     for (int i = 0; i < 60; ++i) {

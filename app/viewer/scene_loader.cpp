@@ -11,7 +11,7 @@
 namespace estampe::viewer {
 namespace {
 
-/// Lets all animations be chosen together where they move different things.
+/// Adds the animation "all" if the scene's animations move different things.
 void offer_all_animations(Scene& scene)
 {
     if (!app::add_all_animations(scene)) {
@@ -103,7 +103,7 @@ void SceneLoader::read(const app::DrawOptions& draw, uint64_t number)
     wake_();
 }
 
-/// Of a reading that says how far it is. Returns whether it is to go on.
+/// Stores the progress of a load. Returns whether the load should continue.
 bool SceneLoader::heed(uint64_t number, double share)
 {
     {

@@ -16,43 +16,43 @@
 
 namespace estampe::viewer {
 
-/// A scene that was read, with what the viewer has to know of it.
+/// A loaded scene with the data that the viewer needs.
 struct LoadedFile {
-    app::DrawOptions draw; ///< that it was read for
+    app::DrawOptions draw; ///< the options it was loaded with
     Scene scene;
     Index animation = 0;
     Camera home;
     Bounds bounds;
-    double ground_m = 0.0;                ///< what the scene was lifted by, to stand on its terrain
-    std::shared_ptr<worlds::Visit> visit; ///< who walks through a world; null for other scenes
+    double ground_m = 0.0;                ///< how far the scene was lifted to stand on its terrain
+    std::shared_ptr<worlds::Visit> visit; ///< the walk through a world; null for other scenes
 };
 
-/// Reads scenes while the viewer goes on.
+/// Loads scenes in the background.
 class SceneLoader {
 public:
-    /// `wake` is called from a thread when something is read or has failed.
+    /// A thread calls `wake` when a scene is loaded or has failed.
     explicit SceneLoader(std::function<void()> wake) : wake_(std::move(wake)) {}
 
-    /// Waits for what is being read; see is_busy().
+    /// Waits for threads that still load; see is_busy().
     ~SceneLoader();
     SceneLoader(const SceneLoader&) = delete;
     SceneLoader& operator=(const SceneLoader&) = delete;
 
-    /// Begins to read `draw.scene`, in place of what was being read before.
+    /// Starts to load `draw.scene`, and discards any scene that is still being loaded.
     void load(app::DrawOptions draw);
-    /// What is being read is not wanted any more.
+    /// Discards the scene that is being loaded.
     void cancel();
 
     [[nodiscard]] bool is_loading() const;
-    /// What is being read.
+    /// The scene that is being loaded.
     [[nodiscard]] std::string path() const;
-    /// How much of it is read; nothing where the file does not tell.
+    /// Loaded share of the scene; nothing if the file does not say.
     [[nodiscard]] std::optional<double> share() const;
-    /// Whether any thread still reads, wanted or not.
+    /// Whether any thread still loads, even a discarded scene.
     [[nodiscard]] bool is_busy() const;
 
     using Result = std::variant<std::shared_ptr<const LoadedFile>, std::string>;
-    /// The scene, or why there is none; nothing while it is being read.
+    /// The scene or an error message; nothing while the scene is being loaded.
     [[nodiscard]] std::optional<Result> take();
 
 private:
@@ -67,7 +67,7 @@ private:
 
     std::function<void()> wake_;
     mutable std::mutex guard_;
-    uint64_t wanted_ = 0; ///< number of the reading whose result counts
+    uint64_t wanted_ = 0; ///< number of the load whose result counts
     bool is_loading_ = false;
     std::optional<double> share_;
     std::string path_;

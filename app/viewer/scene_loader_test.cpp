@@ -18,7 +18,7 @@ app::DrawOptions draw_of(const std::string& scene)
     return draw;
 }
 
-/// What comes of the last load.
+/// The result of the last load.
 SceneLoader::Result result_of(SceneLoader& loader)
 {
     for (;;) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The window has a Vulkan device of its own, beside the renderer's. Its functions are kept apart from those
-// that the library loads, which a second instance would replace while the first draws.
+// The window has its own Vulkan device, separate from the renderer's. Its functions are kept apart from those
+// that the library loads globally, because loading a second instance would replace them while the renderer
+// draws.
 
 #include <optional>
 #include <string>
@@ -62,41 +63,41 @@ struct DeviceFunctions {
 
 // NOLINTEND(bugprone-macro-parentheses)
 
-/// Of an instance that GLFW's loader made.
+/// Loads the functions of an instance that was made through GLFW's loader.
 [[nodiscard]] InstanceFunctions load_functions(VkInstance instance);
 [[nodiscard]] DeviceFunctions load_functions(const InstanceFunctions& vk, VkDevice device);
 
-/// Memory of its own for one buffer or image of the window's few.
+/// Dedicated memory of one buffer or image; the window has only a few.
 struct Allocation {
     VkDeviceMemory memory = VK_NULL_HANDLE;
     void* mapped = nullptr; ///< host-visible memory only
 };
 
-/// The window's device and its swapchain: what is painted on it is bytes of sRGB, as they are.
+/// The window's device and swapchain. What is painted are sRGB bytes, shown without conversion.
 class Screen {
 public:
-    /// Of the device that `choice` names as --device does, if it can show pictures in this window, else of
-    /// the best one that can. Throws Error when there is none.
+    /// Uses the device that `choice` names as --device does, if it can present to this window, else the best
+    /// one that can. Throws Error when there is none.
     Screen(GLFWwindow* window, const std::string& choice);
     ~Screen();
     Screen(const Screen&) = delete;
     Screen& operator=(const Screen&) = delete;
 
-    /// A picture of the window being recorded.
+    /// A frame of the window while it is recorded.
     struct Frame {
         VkCommandBuffer commands = VK_NULL_HANDLE;
         VkExtent2D size_px{};
         uint32_t image = 0;
     };
 
-    /// Begins one; nothing while the window has no size. Copies to textures come next.
+    /// Begins a frame; nothing while the window has no size. Record copies to textures next.
     [[nodiscard]] std::optional<Frame> begin();
-    /// From here on one draws.
+    /// Begins rendering to the window; record draw calls next.
     void begin_drawing(const Frame& frame) const;
-    /// Shows it.
+    /// Presents the frame.
     void end(const Frame& frame);
 
-    /// Waits until nothing of the last frame is in use.
+    /// Waits until no resource of the last frame is in use.
     void wait() const;
 
     [[nodiscard]] const DeviceFunctions& vk() const { return vk_; }
@@ -105,7 +106,7 @@ public:
 
     [[nodiscard]] VkFormat format() const { return format_.format; }
 
-    /// Memory for a buffer or image, bound to it. Throws Error when there is none left.
+    /// Allocates and binds the memory of a buffer or image. Throws Error when there is none left.
     [[nodiscard]] Allocation allocate(VkBuffer buffer) const;
     [[nodiscard]] Allocation allocate(VkImage image) const;
 
@@ -133,7 +134,7 @@ private:
     bool is_outdated_ = true;
     std::vector<VkImage> images_;
     std::vector<VkImageView> views_;
-    std::vector<VkSemaphore> drawn_; ///< one an image
+    std::vector<VkSemaphore> drawn_; ///< one per image
     VkSemaphore acquired_ = VK_NULL_HANDLE;
     VkFence done_ = VK_NULL_HANDLE;
     VkCommandPool pool_ = VK_NULL_HANDLE;

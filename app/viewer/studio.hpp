@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// All that the viewer holds in its hands and its panels show and change. Nothing here knows of windows.
+// State of the viewer that its panels show and change. Independent of windows.
 
 #include <array>
 #include <deque>
@@ -25,8 +25,8 @@
 
 namespace estampe::viewer {
 
-/// How large pictures are drawn while something moves, as a share of the view's sides: as large as lets 15
-/// of them come in a second.
+/// Chooses the size of pictures while something moves, as a share of the view's sides: the largest that
+/// reaches 15 pictures per second.
 class Resolution {
 public:
     static constexpr double wanted_s = 1.0 / 15.0;
@@ -34,34 +34,35 @@ public:
 
     [[nodiscard]] double scale() const { return scale_; }
 
-    /// A picture of `scale` took so long. A single slow one, as when the driver compiles, changes nothing.
+    /// Reports that a picture of `scale` took `seconds`. A single slow picture, as when the driver compiles,
+    /// changes nothing.
     void drawn(double scale, double seconds);
 
 private:
-    double scale_ = 0.25; ///< the first picture comes soon
-    double slow_s_ = 0.0; ///< what the picture before took, where that was too long
+    double scale_ = 0.25; ///< small, so that the first picture comes soon
+    double slow_s_ = 0.0; ///< duration of the previous picture if it was too slow
 };
 
-/// Where the scene's animation is, and how it goes on.
+/// Current time of the scene's animation, and how it is played.
 struct Timeline {
     double time_s = 0.0;
-    double length_s = 0.0; ///< 0: nothing moves
+    double length_s = 0.0; ///< 0 means that nothing moves
     double speed = 1.0;
     bool is_playing = false;
     bool loops = true;
-    bool is_endless = false; ///< something moves for ever, and nothing is repeated
+    bool is_endless = false; ///< something moves forever, without a loop
     Index animation = 0;
 
     [[nodiscard]] bool moves() const { return is_endless || length_s > 0.0; }
 
-    /// Plays on by so much of the clock's time. At the end, if there is one, it begins again or stops.
+    /// Advances by wall time while playing. At the end, if there is one, starts again or stops.
     void advance(double seconds);
-    /// To a moment, within the animation.
+    /// Moves to a moment, clamped to the animation.
     void seek(double moment_s);
     void toggle_playing();
 };
 
-/// A view that is kept.
+/// A saved view.
 struct Bookmark {
     std::string name;
     Camera camera;
@@ -69,37 +70,39 @@ struct Bookmark {
     Index animation = 0;
 };
 
-/// Where the bookmarks of a scene lie: beside it, as "helmet.gltf.views.json".
+/// Path of a scene's bookmarks: beside the scene, as "helmet.gltf.views.json".
 [[nodiscard]] std::filesystem::path bookmarks_path(const std::filesystem::path& scene);
 
-/// Those in a file; none where there is no such file. Throws Error when it is broken.
+/// Reads the bookmarks of a file; none if the file does not exist. Throws Error when the file is damaged.
 [[nodiscard]] std::vector<Bookmark> load_bookmarks(const std::filesystem::path& path);
 
-/// Writes all of them, or nothing; without any the file goes. Throws Error when it cannot be written.
+/// Writes all bookmarks atomically; deletes the file if there are none. Throws Error when the file cannot be
+/// written.
 void save_bookmarks(const std::vector<Bookmark>& bookmarks, const std::filesystem::path& path);
 
-/// The style in hand: where it came from, what was changed, and how to go back.
+/// The edited style with its source and undo history.
 class Look {
 public:
-    /// As the command line has it: a preset or a file, changed by --set. An empty name is the built-in style.
+    /// `name` is the preset or file of the command line, `style` includes the changes of --set. An empty name
+    /// is the built-in style.
     Look(const std::string& name, Style style);
 
     [[nodiscard]] const Style& style() const { return style_; }
 
-    /// To be changed in place; finish_change() makes a step of it that can be undone.
+    /// For changes in place; finish_change() then adds an undo step.
     [[nodiscard]] Style& style() { return style_; }
 
-    /// What parameters are set back to: the preset or file as it is.
+    /// The preset or file as it is, to which parameters are reset.
     [[nodiscard]] const Style& base() const { return base_; }
 
     [[nodiscard]] const std::string& name() const { return name_; }
 
-    /// Takes a preset or file, in one step. Throws Error as Style::load() does, and is then as before.
+    /// Loads a preset or file as one undo step. Throws Error as Style::load() does, and then changes nothing.
     void load(const std::string& name);
-    /// Applies "key=value", in one step. Throws Error as Style::set() does.
+    /// Applies "key=value" as one undo step. Throws Error as Style::set() does.
     void set(std::string_view assignment);
     void finish_change();
-    /// The same, once for all that was changed since the last step.
+    /// Calls finish_change() if anything changed since the last step.
     void finish_change_if_any();
 
     [[nodiscard]] bool can_undo() const { return history_.can_undo(); }
@@ -109,8 +112,8 @@ public:
     void undo();
     void redo();
 
-    /// Writes all parameters as a TOML file, or nothing. It is then the file in hand. Throws Error when it
-    /// cannot be written.
+    /// Writes all parameters atomically as a TOML file, which becomes the style's source. Throws Error when
+    /// the file cannot be written.
     void save(const std::filesystem::path& path);
 
     /// Grows with every change of the style.
@@ -132,27 +135,27 @@ private:
     Style style_;
     History<State> history_;
     uint64_t revision_ = 0;
-    uint64_t finished_revision_ = 0; ///< of the last step
+    uint64_t finished_revision_ = 0; ///< revision at the last undo step
 };
 
-/// A line for the person before the screen. What went wrong stays until it is closed or put right.
+/// A line of text for the user. A problem stays until it is closed or solved.
 struct Message {
     enum class Kind : uint8_t { note, problem };
     Kind kind = Kind::note;
-    std::string topic; ///< what it is about: a later one takes its place
+    std::string topic; ///< subject of the message; a later message about it replaces this one
     std::string text;
     app::Clock::time_point since = app::Clock::now();
 };
 
 enum class PanelTab : uint8_t { style, light, ground, layers, views, timings };
 
-/// Two looks side by side.
+/// Two styles side by side.
 struct Comparison {
-    std::optional<Style> other; ///< the one on the right; nothing: there is no comparison
-    float split = 0.5F;         ///< share of the width that is the style in hand's
+    std::optional<Style> other; ///< the style on the right; nothing when comparing is off
+    float split = 0.5F;         ///< share of the width that shows the edited style
 };
 
-/// What is being drawn that takes its time.
+/// A long task in progress.
 struct Work {
     std::string text;
     double share = 0.0;
@@ -161,67 +164,68 @@ struct Work {
 struct Studio {
     explicit Studio(const std::string& style_name, Style style) : look(style_name, std::move(style)) {}
 
-    std::shared_ptr<const LoadedFile> file; ///< what is seen; none before the first is read
+    std::shared_ptr<const LoadedFile> file; ///< the scene that is shown; null before the first is loaded
     Look look;
-    std::optional<TerrainEdit> terrain; ///< that the scene stands on, if it does
+    std::optional<TerrainEdit> terrain; ///< the terrain that the scene stands on, if any
     CameraRig rig;
     Timeline time;
     Resolution resolution;
-    std::optional<UpAxis> up; ///< axis of the scene's file that points up; none: what the file says
+    std::optional<UpAxis> up; ///< axis of the scene's file that points up; none: taken from the file
     Comparison comparison;
     std::vector<Bookmark> bookmarks;
-    std::optional<size_t> bookmark; ///< the one that was gone to last
+    std::optional<size_t> bookmark; ///< the last bookmark that was chosen
     std::deque<Message> messages;
     std::string device;
     bool is_on_processor = false;
     uint32_t samples = 1;
 
-    // The picture that is shown, and how it came about.
+    // The picture that is shown, and how it was made.
     double shown_scale = 0.0;
     glm::uvec2 shown_px{0};
-    glm::uvec2 view_px{0}; ///< the whole view
+    glm::uvec2 view_px{0}; ///< size of the whole view
     double shown_s = 0.0;
     bool is_refined = false;
     std::vector<PassTiming> passes;
-    std::deque<float> frame_ms; ///< of the last pictures
-    std::optional<Work> work;   ///< reading a scene, drawing a film
+    std::deque<float> frame_ms; ///< durations of the last pictures
+    std::optional<Work> work;   ///< loading a scene or drawing a film
     bool is_recording = false;
     double recorded_s = 0.0;
 
-    // What is open.
+    // Open panels.
     bool shows_panel = false;
     bool shows_keys = false;
     bool shows_bars = true;
     PanelTab tab = PanelTab::style;
     bool wants_tab = false;    ///< `tab` was chosen by a key
-    bool wants_search = false; ///< the cursor goes to the search
-    bool wants_save = false;   ///< the cursor goes to the name to save as
+    bool wants_search = false; ///< the cursor moves to the search field
+    bool wants_save = false;   ///< the cursor moves to the field for the file name
     std::string search;
     std::string save_name;
     std::string terrain_save_name;
 
-    /// Says something in place of what was said about `topic` before.
+    /// Shows a message and removes earlier ones about `topic`.
     void say(Message::Kind kind, const std::string& topic, const std::string& text);
-    /// What was wrong with `topic` is right.
+    /// Removes the problem about `topic`, because it is solved.
     void settle(const std::string& topic);
-    /// Does `step`; what it throws is said.
+    /// Calls `step`; shows what it throws as a problem.
     void attempt(const std::string& topic, const std::function<void()>& step);
 
-    /// Of the view, as it is now, in place of what was chosen by number.
+    /// Bookmarks the current view and deselects the bookmark that was chosen before.
     void add_bookmark();
     void go_to_bookmark(size_t index);
     void remove_bookmark(size_t index);
-    /// The one before or after, around.
+    /// Goes to the next or previous bookmark, cyclically.
     void step_bookmark(int step);
-    /// The next axis of the file points up: z, x, y, around.
+    /// Makes the next axis of the file point up, in the cycle z, x, y.
     void step_up_axis();
-    /// The preset before or after, around.
+    /// Loads the next or previous preset, cyclically.
     void step_preset(int step);
-    /// The style in hand becomes the right side, and is compared with what comes of it; or no more.
+    /// Copies the current style to the right side for comparison with further changes, or ends the
+    /// comparison.
     void toggle_comparison();
-    /// Writes the terrain to that file, and says so.
+    /// Writes the terrain to that file and shows a message.
     void save_terrain(const std::string& path);
-    /// Whether keys are for the terrain: undo, redo, save.
+    /// Whether the keys for undo, redo and save apply to the terrain.
     [[nodiscard]] bool is_at_terrain() const;
     void turn_sun(const glm::dvec2& drag);
 

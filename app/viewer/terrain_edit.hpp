@@ -13,60 +13,61 @@
 
 namespace estampe::viewer {
 
-/// Whether a TOML file is a terrain's, right or wrong, and no style's.
+/// Whether a TOML file describes a terrain, valid or not, rather than a style.
 [[nodiscard]] bool is_terrain(const std::filesystem::path& path);
 
-/// A terrain's file as it is to be written.
+/// The text of a terrain file to be written.
 struct TerrainText {
     std::string text;
-    bool keeps_comments = true; ///< those of the text before, where it had any
+    bool keeps_comments = true; ///< whether comments of the previous text, if any, are kept
 };
 
-/// `before`, the text of a terrain's file, changed where it says otherwise than `terrain`: comments, blank
-/// lines and the order stay. A text in which values cannot be told apart line by line is written anew.
+/// `before`, the text of a terrain file, with the values of `terrain`. Comments, blank lines and the order
+/// stay. If the values in a text cannot be told apart line by line, the text is generated from scratch.
 [[nodiscard]] TerrainText text_with(const std::string& before, const TerrainDescription& terrain);
 
-/// The ground in hand: as it is typed, as it last made sense, and how to go back.
+/// The edited terrain: the current input, the last valid terrain, and the undo history.
 class TerrainEdit {
 public:
-    /// Why the text makes no ground.
+    /// The reason why the input is not a valid terrain.
     struct Problem {
-        std::optional<size_t> node; ///< whose line is wrong, where it is one's
+        std::optional<size_t> node; ///< the node whose line is wrong, if it is a single one
         std::string text;
     };
 
-    /// As it was read from its file.
+    /// Starts with a terrain as read from its file.
     explicit TerrainEdit(const Terrain& terrain);
 
-    /// The file that it came from, and is saved to.
+    /// The file that the terrain came from, and is saved to.
     [[nodiscard]] const std::string& name() const { return draft_.name; }
 
-    /// As it is typed, right or wrong.
+    /// The current input, valid or not.
     [[nodiscard]] const TerrainDescription& draft() const { return draft_; }
 
-    /// The last that was right.
+    /// The last valid terrain.
     [[nodiscard]] const Terrain& terrain() const { return terrain_; }
 
     [[nodiscard]] const std::optional<Problem>& problem() const { return problem_; }
 
-    /// Grows with every terrain().
+    /// Grows with every change of terrain().
     [[nodiscard]] uint64_t revision() const { return revision_; }
 
-    /// Whether it is another than the file's.
+    /// Whether the terrain differs from its file.
     [[nodiscard]] bool is_changed() const;
 
-    // Changes count at once where they make sense; finish_change() makes a step of the last that did, which
-    // can be undone.
+    // Valid changes apply at once; finish_change() then makes the last valid one an undo step.
 
     void set_expression(size_t node, const std::string& expression);
-    /// Every node that asks for it asks by the new name. "height" keeps its own, and no other gets it.
+    /// Also updates all nodes that refer to this one. The node "height" keeps its name, and no other node can
+    /// take it.
     void rename(size_t node, const std::string& name);
-    /// A level one, with a name that is free.
+    /// Adds a flat node with an unused name.
     void add_node();
     void remove_node(size_t node);
-    /// All but the nodes.
+    /// Replaces everything except the nodes.
     void set_settings(const TerrainDescription& settings);
-    /// The same, which counts when the change is finished: what is costly to draw.
+    /// Replaces everything except the nodes, but applies it only when the change is finished, because it is
+    /// costly to draw.
     void hold_settings(const TerrainDescription& settings);
     void finish_change();
 
@@ -74,25 +75,25 @@ public:
 
     [[nodiscard]] bool can_redo() const { return history_.can_redo(); }
 
-    /// What is typed and makes no sense is undone first.
+    /// Undoes invalid input first.
     void undo();
     void redo();
 
-    /// Takes the file of that name, in one step. Throws Error as load_terrain() and Terrain do, and is then
-    /// as before.
+    /// Loads a terrain file as one undo step. Throws Error as load_terrain() and Terrain do, and then changes
+    /// nothing.
     void load(const std::filesystem::path& path);
-    /// Reads its textures again.
+    /// Reads the terrain's textures again.
     void read_textures();
-    /// Whether the file has another terrain than it had when it was read or saved. Throws Error as
-    /// load_terrain() does.
+    /// Whether the terrain in the file has changed since it was read or saved. Throws Error as load_terrain()
+    /// does.
     [[nodiscard]] bool differs_from_file() const;
 
-    /// Writes it to a file, which is then its own; comments stay where they were. Returns false where they
-    /// could not. Throws Error when what is typed makes no sense, when its textures are not to be found from
-    /// there, and when the file cannot be written.
+    /// Writes the terrain to a file, which becomes its own; comments keep their places. Returns false if
+    /// comments could not be kept. Throws Error when the input is invalid, when its textures cannot be found
+    /// from there, and when the file cannot be written.
     bool save(const std::filesystem::path& path);
 
-    /// The file, and the textures that its terrain looks up.
+    /// The file and the terrain's textures.
     [[nodiscard]] std::vector<std::filesystem::path> files() const;
 
 private:
@@ -100,13 +101,13 @@ private:
     void take_step(const TerrainDescription& step);
 
     TerrainDescription draft_;
-    std::vector<std::string> known_as_; ///< what others call each node
+    std::vector<std::string> known_as_; ///< the name by which other nodes refer to each node
     Terrain terrain_;
     std::optional<Problem> problem_;
     bool holds_settings_ = false;
     History<TerrainDescription> history_;
-    std::string file_text_; ///< as it was read or saved
-    std::string saved_;     ///< the same, as terrain_toml() writes it
+    std::string file_text_; ///< text of the file when it was read or saved
+    std::string saved_;     ///< the terrain when it was read or saved, as terrain_toml() writes it
     uint64_t revision_ = 1;
 };
 

@@ -18,7 +18,7 @@ const std::string dunes = "[terrain]\n"
                           "swell = '3 + x'\n"
                           "small = '2 * swell'\n";
 
-/// A file in a folder, and the terrain that it is edited as.
+/// A terrain file in a folder, opened for editing.
 struct Edited {
     explicit Edited(const std::string& text) : path(folder.path() / "mine.toml")
     {
@@ -100,7 +100,7 @@ TEST(TerrainEdit, ChangesAreUndoneStepByStep)
     it.edit->set_expression(0, "part1 + 5 +");
     ASSERT_TRUE(it.edit->problem());
     it.edit->finish_change();
-    it.edit->undo(); // what makes no sense
+    it.edit->undo(); // undoes the invalid input
     EXPECT_FALSE(it.edit->problem());
     EXPECT_EQ(it.height(), 5.0);
     it.edit->undo();

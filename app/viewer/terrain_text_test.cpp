@@ -26,7 +26,7 @@ TerrainDescription description(const std::string& text)
     return parse_terrain(text, "test.toml");
 }
 
-/// What a text is after its terrain was changed.
+/// The text after a change of its terrain.
 TerrainText changed(const std::string& text, const std::function<void(TerrainDescription&)>& change)
 {
     TerrainDescription terrain = description(text);

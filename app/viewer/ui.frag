@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One pixel of the panels, or of the picture; all in sRGB, as it stands in bytes.
+// Fragments of the panels and the picture. All colours are sRGB bytes, passed through unchanged.
 #version 460
 
 layout(set = 0, binding = 0) uniform sampler2D picture;

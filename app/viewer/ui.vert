@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One corner of the panels' triangles.
+// Vertices of the panels' triangles.
 #version 460
 
 layout(location = 0) in vec2 place_px;

@@ -13,20 +13,19 @@
 
 namespace estampe::viewer {
 
-/// A picture that is painted on the screen, of four bytes a pixel; it grows with what it is given.
+/// An image for painting on the screen, four bytes per pixel; it grows as needed.
 class Texture {
 public:
-    /// Of descriptor sets that UiPainter allots.
+    /// Allocates a descriptor set from UiPainter's pool.
     Texture(Screen& screen, VkDescriptorPool pool, VkDescriptorSetLayout layout, VkSampler sampler);
     ~Texture();
     Texture(const Texture&) = delete;
     Texture& operator=(const Texture&) = delete;
 
-    /// From the next frame on it is this. Cost: a copy.
+    /// Replaces the content from the next frame on. Cost: a copy.
     void set(uint32_t width, uint32_t height, std::span<const uint8_t> rgba);
 
-    /// Copies what was set to the device, if it is new. To be called between Screen::begin() and
-    /// begin_drawing().
+    /// Copies new content to the device. Call this between Screen::begin() and begin_drawing().
     void record_upload(VkCommandBuffer commands);
 
     [[nodiscard]] bool empty() const { return width_ == 0; }
@@ -55,7 +54,7 @@ private:
     bool is_new_ = false;
 };
 
-/// What ImGui calls a texture: a pointer in its versions up to 1.91, a number later.
+/// ImGui's identifier of a texture: a pointer in versions up to 1.91, a number later.
 [[nodiscard]] inline ImTextureID id_of(const Texture& texture)
 {
     static_assert(sizeof(ImTextureID) == sizeof(VkDescriptorSet));
@@ -67,7 +66,7 @@ private:
     return std::bit_cast<VkDescriptorSet>(id);
 }
 
-/// Paints what Dear ImGui lays out. Its own backend for Vulkan would link a loader beside volk's.
+/// Paints the draw data of Dear ImGui. ImGui's own Vulkan backend would link a loader in addition to volk's.
 class UiPainter {
 public:
     explicit UiPainter(Screen& screen);
@@ -75,18 +74,18 @@ public:
     UiPainter(const UiPainter&) = delete;
     UiPainter& operator=(const UiPainter&) = delete;
 
-    /// A texture that ImGui may name, see id_of(); at most 16 at a time. This must outlive it.
+    /// A texture for use in ImGui, see id_of(); at most 16 at a time. This object must outlive it.
     [[nodiscard]] std::unique_ptr<Texture> make_texture();
 
-    /// Makes the texture of ImGui's fonts anew, after they changed.
+    /// Rebuilds ImGui's font texture after the fonts changed.
     void update_fonts();
 
-    /// Before Screen::begin_drawing().
+    /// Call this before Screen::begin_drawing().
     void record_upload(VkCommandBuffer commands);
     void paint(const ImDrawData& data, VkCommandBuffer commands);
 
 private:
-    /// A buffer that grows.
+    /// A buffer that grows as needed.
     struct Mapped {
         VkBuffer buffer = VK_NULL_HANDLE;
         Allocation memory;

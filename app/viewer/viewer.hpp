@@ -17,7 +17,7 @@
 
 namespace estampe::viewer {
 
-/// What a picture is of: another one is wanted when it differs.
+/// Everything that a picture depends on; a new picture is requested when it changes.
 struct Sight {
     Camera camera;
     uint64_t style = 0; ///< Look::revision()
@@ -27,23 +27,24 @@ struct Sight {
     uint64_t scene = 0;
     uint64_t terrain = 0;      ///< TerrainEdit::revision()
     bool has_other = false;    ///< compared with another style
-    bool times_passes = false; ///< the panel tells what they cost
+    bool times_passes = false; ///< the timings panel is open
 };
 
-/// The window on a studio: hands it what keys and pointer say, and shows what is drawn of it.
+/// The window of a studio: passes keys and pointer to it, and shows its pictures.
 class Viewer {
 public:
-    /// Opens a window and begins to read the scene, if one is named. Throws Error when there is no display or
+    /// Opens a window and starts to load the scene, if one is named. Throws Error when there is no display or
     /// no device.
     explicit Viewer(const app::ViewCommand& command);
     ~Viewer();
     Viewer(const Viewer&) = delete;
     Viewer& operator=(const Viewer&) = delete;
 
-    /// Until the window is closed. Throws Error when the first scene cannot be read, or the device is lost.
+    /// Runs until the window is closed. Throws Error when the first scene cannot be read, or the device is
+    /// lost.
     void run();
 
-    /// Whether a scene that is not wanted any more is still being read, which cannot be hurried.
+    /// Whether a discarded scene is still being loaded, which cannot be interrupted.
     [[nodiscard]] bool is_reading() const { return loader_->is_busy(); }
 
 private:
@@ -52,7 +53,7 @@ private:
     bool act_on_look(Action action);
     void go_back();
     void open(const std::string& path);
-    /// `terrain` is what it is put on, unless it is one itself.
+    /// `terrain` is the file that the scene is put on, unless the scene itself is a terrain.
     void open_scene(const std::string& path, const std::string& terrain);
     void open_terrain(const std::string& path);
     void open_style(const std::string& name);
@@ -66,21 +67,21 @@ private:
     void take_terrain_of(const LoadedFile& file, bool is_same);
     [[nodiscard]] std::optional<double> height_under(const Ground& models, const glm::dvec3& place) const;
     void send_terrain();
-    /// Lifts or lowers what stands on the terrain when that has changed below it.
+    /// Raises or lowers the scene when the terrain below it has changed.
     void stand_on_terrain();
     void raise_camera(double rise_m);
-    /// Out of a ground that has risen about it.
+    /// Moves the camera above a terrain that has risen over it.
     void unbury_camera();
     void ask_for_pictures();
     void request(size_t slot, const Sight& sight, bool is_moving);
     [[nodiscard]] Sight sight() const;
     void move_by_keys(double seconds);
-    /// Whether somebody walks who cannot go through walls.
+    /// Whether the user walks with collision detection.
     [[nodiscard]] bool is_on_foot() const;
-    /// Begins to walk where the visit of a world does.
+    /// Starts to walk at the start of the world's visit.
     void set_out();
     void go_on_foot(double seconds);
-    /// The pointer is hidden, and turns the head.
+    /// Hides the pointer and lets it turn the view, or releases it.
     void take_pointer(bool is_taken);
     void follow_pointer(const std::vector<PointerEvent>& events);
     void press(const PointerEvent& event, const Area& area);
@@ -101,7 +102,7 @@ private:
     WarmUp warm_up_;
     app::Clock::time_point start_ = app::Clock::now();
     Studio studio_;
-    std::optional<PictureThread> pictures_; ///< goes before the window that it wakes, as the next two do
+    std::optional<PictureThread> pictures_; ///< this and the next two are destroyed before the window
     std::optional<SceneLoader> loader_;
     std::optional<ShaderReload> shaders_;
     Window window_;
@@ -112,11 +113,11 @@ private:
     float ui_scale_ = 0.0F;
 
     Sight asked_;
-    uint64_t view_ = 0;                        ///< number of `asked_`
+    uint64_t view_ = 0;                        ///< number of the view that `asked_` describes
     std::array<uint64_t, 2> requested_view_{}; ///< by slot
     std::array<bool, 2> requested_whole_{};
-    std::array<uint64_t, 2> answered_view_{}; ///< by a picture, or by why there is none
-    app::Clock::time_point changed_ = start_; ///< when the sight last changed
+    std::array<uint64_t, 2> answered_view_{}; ///< by slot: answered with a picture or an error
+    app::Clock::time_point changed_ = start_; ///< when the view last changed
     uint64_t scene_number_ = 0;
     uint64_t style_drawn_ = 0;
     bool is_moving_ = false;
@@ -126,21 +127,21 @@ private:
     Drag drag_ = Drag::none;
     glm::dvec2 pointer_{0.0};
     bool has_pointer_ = false;
-    glm::dvec3 walked_to_{0.0};   ///< the eye, as the walker left it
-    std::optional<double> end_s_; ///< when the walker came to where a world ends
+    glm::dvec3 walked_to_{0.0};   ///< position of the eye after the last step of the walker
+    std::optional<double> end_s_; ///< when the walker reached the end of a world
     FileWatch scene_watch_;
     FileWatch style_watch_;
     FileWatch terrain_watch_;
     std::string watched_style_;
     std::vector<std::filesystem::path> watched_terrain_;
     uint64_t terrain_sent_ = 0; ///< TerrainEdit::revision()
-    double standing_m_ = 0.0;   ///< how high the scene was last put
+    double standing_m_ = 0.0;   ///< height that the scene was last put at
     app::Clock::time_point looked_at_files_ = start_;
     Take take_;
     app::Clock::time_point take_start_ = start_;
     std::shared_ptr<const app::ChosenStyle> take_style_;
     uint64_t take_revision_ = 0;
-    int frames_to_paint_ = 3; ///< panels settle in a few
+    int frames_to_paint_ = 3; ///< panels need a few frames to settle
 };
 
 } // namespace estampe::viewer

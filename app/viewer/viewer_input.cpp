@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What keys, the pointer and the gamepad do.
+// Handles keys, the pointer and the gamepad.
 #include "viewer/viewer.hpp"
 
 #include <algorithm>
@@ -146,12 +146,12 @@ void Viewer::act(Action action)
     constexpr double frame_s = 1.0 / 24.0;
     const bool steers = studio_.rig.mode() != CameraMode::orbit;
     if (action == Action::next_animation && steers) {
-        return; // W goes ahead
+        return; // here W moves ahead
     }
     const bool is_of_feet = action == Action::frame_back || action == Action::frame_on ||
                             action == Action::reload || action == Action::play;
     if (is_of_feet && is_on_foot()) {
-        return; // arrows walk, and Space jumps
+        return; // here arrows move and Space jumps
     }
     if (act_on_view(action) || act_on_look(action)) {
         return;
@@ -217,7 +217,7 @@ void Viewer::act(Action action)
 void Viewer::move_by_keys(double seconds)
 {
     studio_.time.advance(seconds);
-    constexpr double longest_s = 0.2; // a stall is no leap
+    constexpr double longest_s = 0.2; // after a stall the camera must not leap
     if (is_on_foot()) {
         go_on_foot(std::min(seconds, longest_s));
         return;
@@ -240,7 +240,7 @@ void Viewer::move_by_keys(double seconds)
 void Viewer::drag(const glm::dvec2& way, const PointerEvent& event, const Area& area)
 {
     if (is_on_foot() && (drag_ == Drag::pan || drag_ == Drag::zoom)) {
-        return; // feet alone take a walker elsewhere
+        return; // a walker moves only on foot
     }
     switch (drag_) {
     case Drag::turn:
@@ -314,7 +314,7 @@ void Viewer::follow_pointer(const std::vector<PointerEvent>& events)
             break;
         case PointerEvent::Kind::move:
             if (has_pointer_) {
-                studio_.rig.turn(-way); // the head goes with the hand
+                studio_.rig.turn(-way); // the view turns with the pointer
             } else {
                 drag(way, event, area);
             }
@@ -360,7 +360,7 @@ void Viewer::go_on_foot(double seconds)
     worlds::Visit& visit = *studio_.file->visit;
     walk::Walker& walker = visit.walker();
     Camera camera = studio_.rig.camera();
-    if (camera.eye != walked_to_) { // somebody was put elsewhere
+    if (camera.eye != walked_to_) { // the camera was moved by other means
         walker.put(camera.eye - glm::dvec3(0.0, static_cast<double>(walker.body().eye_m), 0.0));
     }
     const Gamepad pad = window_.gamepad();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What threads and files have brought since the last look: pictures, scenes, shaders, another terrain.
+// Handles news from threads and files: pictures, scenes, shaders, terrains.
 #include "viewer/viewer.hpp"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ void Viewer::take(const Failure& failure)
     if (failure.what == Failure::Of::picture) {
         answered_view_ = requested_view_;
     } else {
-        asked_ = {}; // what was asked for meanwhile is gone
+        asked_ = {}; // requests made meanwhile are lost
     }
     studio_.say(Message::Kind::problem, topic, failure.message);
 }
@@ -75,7 +75,7 @@ void Viewer::take(const SceneTaken& taken)
                                    : files_of_scene(taken.file->draw.scene));
     take_terrain_of(*taken.file, is_same);
     if (!is_same) {
-        // Made when someone walks; a scene that stands still is enough.
+        // Built when the user starts to walk; the static parts of the scene suffice.
         auto ground = std::make_shared<std::optional<Ground>>();
         studio_.rig.set_scene(taken.file->home, taken.file->bounds,
                               [this, file = taken.file, ground](const glm::dvec3& place) {
@@ -157,7 +157,7 @@ void Viewer::take_news()
         } else if (const auto* job = std::get_if<JobNews>(&news)) {
             if (job->is_done) {
                 studio_.work.reset();
-                asked_ = {}; // what is seen is drawn again
+                asked_ = {}; // requests the current view again
                 studio_.say(Message::Kind::note, "job", job->text);
                 report(job->text);
             } else {
@@ -183,7 +183,7 @@ void Viewer::look_at_files()
     if (!style_watch_.changed().empty()) {
         report("style changed: " + watched_style_);
         studio_.attempt("style", [this] {
-            // What was saved from here is in hand already.
+            // A file saved by the viewer itself is already loaded.
             if (Style::load(watched_style_).to_toml() != studio_.look.base().to_toml()) {
                 studio_.look.load(watched_style_);
             }
@@ -209,7 +209,7 @@ void Viewer::take_shaders()
             gpu::replace_shader(news.name, std::move(news.spirv));
             studio_.settle(topic);
             studio_.settle("picture");
-            studio_.look.changed(); // all is drawn anew
+            studio_.look.changed(); // makes everything redraw
             report(topic + " compiled");
         } else {
             studio_.say(Message::Kind::problem, topic, news.problem);
@@ -230,7 +230,7 @@ void Viewer::take_terrain_of(const LoadedFile& file, bool is_same)
     if (!is_same || !studio_.terrain) {
         studio_.terrain.emplace(terrain);
     }
-    // What is in hand is not the file's any more: the renderer is to have it too.
+    // The edited terrain differs from the file's, so the renderer must get it too.
     const bool is_shown =
         terrain_toml(terrain.description()) == terrain_toml(studio_.terrain->terrain().description());
     terrain_sent_ = is_shown ? studio_.terrain->revision() : 0;
@@ -240,7 +240,7 @@ void Viewer::take(const TerrainTaken& taken)
 {
     studio_.settle("terrain");
     if (taken.is_compiled) {
-        requested_whole_ = {}; // what stands still is drawn as estampe render does
+        requested_whole_ = {}; // a still picture is drawn in full, as estampe render does
         studio_.is_refined = false;
         report("terrain compiled");
     }
@@ -317,11 +317,11 @@ void Viewer::look_at_terrain()
         return;
     }
     report("terrain changed: " + changed.front().string());
-    frames_to_paint_ = std::max(frames_to_paint_, 1); // what was wrong with it may be said no more
+    frames_to_paint_ = std::max(frames_to_paint_, 1); // its error message may disappear
     studio_.attempt("terrain file", [&] {
         const bool is_text =
             std::ranges::find(changed, std::filesystem::path(terrain.name())) != changed.end();
-        // What was saved from here is in hand already.
+        // A file saved by the viewer itself is already loaded.
         if (is_text && terrain.differs_from_file()) {
             terrain.load(terrain.name());
         } else if (changed.size() > (is_text ? 1U : 0U)) {

@@ -33,7 +33,7 @@ std::string variable(const char* name)
     return value != nullptr ? value : "";
 }
 
-/// Of this build of the program, and of where Mesa keeps what it compiles.
+/// Identifies this build of the program, and the folder of Mesa's shader cache.
 std::string warmth()
 {
     Hash hash;
@@ -57,7 +57,7 @@ std::string text_of(const fs::path& file)
     }
 }
 
-/// The words that this process was started with.
+/// The arguments of this process.
 std::vector<std::string> own_words()
 {
     constexpr size_t most_bytes = 1 << 20U;
@@ -108,7 +108,7 @@ void WarmUp::begin(const std::string& scene)
     try {
         process_ = std::make_unique<output::Child>(words, "");
     } catch (const Error&) {
-        return; // the next start is as this one was
+        return; // the next start also compiles without optimisation
     }
 }
 

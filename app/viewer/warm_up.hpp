@@ -10,19 +10,19 @@
 
 namespace estampe::viewer {
 
-/// Sees to it that the first window of a program just installed does not wait for shaders to be compiled
-/// well: it has them compiled quickly, and a process of low priority compile them well for the next
-/// one. Which of the two it is stands in a file of the user's cache, see warmth_file().
+/// Spares the first window after an installation the wait for optimised shaders: this run compiles them
+/// without optimisation, and a process of low priority compiles optimised ones for the next run. A file in
+/// the user's cache records which of the two a run does, see warmth_file().
 class WarmUp {
 public:
-    /// Before a device is opened and before threads start.
+    /// Call this before a device is opened and before threads start.
     explicit WarmUp(const app::ViewCommand& command);
 
-    /// Whether shaders are compiled quickly in this run.
+    /// Whether this run compiles shaders without optimisation.
     [[nodiscard]] bool is_quick() const { return is_quick_; }
 
-    /// To be called when the window shows this scene, drawn on the processor: begins what is to be done for
-    /// the next run, once. What is not done when this goes is left.
+    /// Call this when the window shows this scene, drawn on the CPU. Starts, once, the process that compiles
+    /// shaders for the next run. The destructor ends the process if it has not finished.
     void begin(const std::string& scene);
 
 private:
@@ -31,12 +31,12 @@ private:
     std::unique_ptr<output::Child> process_;
 };
 
-/// What that process does: draws the scene unseen in the ways of the window, and writes down that it did.
-/// Throws Error as estampe render does.
+/// Work of that process: draws the scene without a window in the same ways as the window, then records that
+/// it did. Throws Error as `estampe render` does.
 void warm_up(const app::ViewCommand& command);
 
-/// Where it stands for which program and which cache of Mesa's shaders were compiled well; empty when the
-/// user has no home.
+/// File that records for which program and which cache of Mesa the shaders were compiled with optimisation;
+/// empty when the user has no home folder.
 [[nodiscard]] std::filesystem::path warmth_file();
 
 } // namespace estampe::viewer

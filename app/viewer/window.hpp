@@ -11,7 +11,7 @@
 
 namespace estampe::viewer {
 
-/// What the pointer did, in the order it did it: several may come between two looks.
+/// A pointer event; several may arrive between two calls of Window::wait().
 struct PointerEvent {
     enum class Kind : uint8_t { press, release, move, wheel };
     Kind kind = Kind::move;
@@ -21,15 +21,15 @@ struct PointerEvent {
     double wheel = 0.0;
 };
 
-/// What happened since one looked last.
+/// Events since the last call of Window::wait().
 struct WindowEvents {
-    std::vector<Action> actions; ///< of keys that no text field took
+    std::vector<Action> actions; ///< of keys that no text field used
     std::vector<std::string> dropped;
     std::vector<PointerEvent> pointer;
-    bool any = false; ///< something that may change what is painted
+    bool any = false; ///< something that may change the painted window
 };
 
-/// What the first gamepad says; sticks are of -1 to 1 each way, right and down.
+/// State of the first gamepad; sticks are -1 to 1 on each axis, positive to the right and down.
 struct Gamepad {
     glm::dvec2 walk{0.0}; ///< left stick
     glm::dvec2 look{0.0}; ///< right stick
@@ -37,7 +37,7 @@ struct Gamepad {
     bool jumps = false;   ///< the lowest button
 };
 
-/// A window, its keys and pointer, and Dear ImGui's share of them. There is one at a time.
+/// A window with its keys and pointer, and its share of Dear ImGui. Only one can exist at a time.
 class Window {
 public:
     /// Throws Error when there is no display.
@@ -53,21 +53,21 @@ public:
     void close();
     void set_title(const std::string& title);
 
-    /// Waits for events at most so long; 0 does not wait.
+    /// Waits at most this long for events; 0 does not wait.
     [[nodiscard]] WindowEvents wait(double seconds);
     /// Ends a wait(), from any thread.
     static void wake();
 
-    /// Pixels of the display to a point that text is measured in.
+    /// Pixels of the display per point of text size.
     [[nodiscard]] float content_scale() const { return content_scale_; }
 
     [[nodiscard]] bool is_down(int key) const;
-    /// At rest where there is none.
+    /// At rest if there is no gamepad.
     [[nodiscard]] Gamepad gamepad() const;
-    /// Hides the pointer, which then moves without an end; or gives it back.
+    /// Hides the pointer and lets it move without limit, or releases it.
     void take_pointer(bool is_taken);
     [[nodiscard]] bool has_focus() const;
-    /// On the monitor that holds most of the window, and back.
+    /// Toggles full screen on the monitor that shows most of the window.
     void toggle_full_screen();
 
 private:
@@ -77,7 +77,7 @@ private:
 
     GLFWwindow* handle_ = nullptr;
     WindowEvents events_;
-    glm::dvec2 pointer_{0.0}; ///< by the events so far; where it is by now may be elsewhere
+    glm::dvec2 pointer_{0.0}; ///< position according to the events so far, which may lag behind
     float content_scale_ = 1.0F;
     glm::ivec4 place_px_{0}; ///< x, y, width, height before full screen
 };

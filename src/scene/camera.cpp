@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cameras of a file, cameras that are written as words, "eye=1,2,3 fov=35 ortho", and views from a side
+// Cameras of a file, cameras typed as words, such as "eye=1,2,3 fov=35 ortho", and views from a side
 // (estampe/views.hpp).
 #include <algorithm>
 #include <array>
@@ -28,20 +28,20 @@
 namespace estampe {
 namespace {
 
-/// The words of one text, each "key=value" or a key alone. Numbers are read when they are asked for. Every
-/// problem is an Error that shows the right form.
+/// The words of a text, each "key=value" or a key alone. Numbers are parsed when they are queried. Every
+/// problem throws an Error that shows the correct form.
 class CameraWords {
 public:
-    /// `form` says how the text is written, with an example, and outlives this object. `lone` are the keys
-    /// that may stand without a value.
+    /// `form` describes the syntax with an example, and must outlive this object. `lone` are the keys that
+    /// may have no value.
     CameraWords(const std::string& text, const char* form, std::initializer_list<std::string_view> keys,
                 std::initializer_list<std::string_view> lone);
 
-    /// Whether the key stands there, with a value or without.
+    /// Whether the key is present, with or without a value.
     [[nodiscard]] bool has(std::string_view key) const;
-    /// The number after the key; nothing if the key is missing or stands alone.
+    /// The number after the key; nothing if the key is missing or has no value.
     [[nodiscard]] std::optional<double> number(std::string_view key) const;
-    /// The three numbers after the key; nothing if it is missing.
+    /// The three numbers after the key; nothing if the key is missing.
     [[nodiscard]] std::optional<glm::dvec3> vector(std::string_view key) const;
     /// The vertical angle of view in degrees, checked; nothing if it is missing.
     [[nodiscard]] std::optional<double> fov_deg() const;
@@ -168,7 +168,7 @@ std::string list_cameras(const Scene& scene)
     return fmt::format("cameras of the scene: {}; or {}", list, other_forms);
 }
 
-/// The camera of that name (its own or its node's), else the one of that number.
+/// The camera with that name (its own or its node's), else the camera with that number.
 Index find_camera_node(const Scene& scene, const std::string& name)
 {
     const Index number = number_from<Index>(name).value_or(no_index);
@@ -248,7 +248,7 @@ constexpr const char* direction_form =
     "+z and sees the front, 90 looks from +x; and if need be distance=metres, target=x,y,z, fov=degrees, "
     "ortho or ortho=half_height";
 
-/// The directions of a view, also of one straight down or up.
+/// The axes of a view, also straight down or up.
 ViewAxes axes_of(const ViewDirection& from)
 {
     const double azimuth_rad = glm::radians(from.azimuth_deg);
@@ -257,15 +257,16 @@ ViewAxes axes_of(const ViewDirection& from)
     return {right, glm::cross(right, forward), forward};
 }
 
-/// Half the height of the page in metres that holds `seen` with the margin, in parallel projection.
+/// Half the height in metres of a page that holds `seen` with the margin, in parallel projection.
 double fitting_half_height(const Bounds& seen, double aspect)
 {
     const glm::dvec3 half = 0.5 * (seen.max - seen.min);
-    const double rim = 2.0 * framed_margin * std::min(1.0, aspect); // of half the height
+    const double rim = 2.0 * framed_margin * std::min(1.0, aspect); // relative to half the height
     return std::max(half.y / (1.0 - rim), half.x / (aspect - rim));
 }
 
-/// Points as the camera sees them from the middle of the scene; two where the scene has no extent.
+/// Points of the subject in camera space, relative to the middle of the scene; two points if the scene has no
+/// extent.
 std::vector<glm::dvec3> subject_points(const Scene& scene, const ScenePose& pose, const Subject& subject,
                                        const ViewAxes& axes)
 {
@@ -367,8 +368,8 @@ Camera view_camera(const Scene& scene, const ScenePose& pose, double aspect, con
     const SurfaceCloud& cloud = surveyed->cloud;
     ViewAnalysis& analysis = surveyed->analysis;
     if (analysis.standpoint == Standpoint::inside)
-        analysis.subject = whole; // seen from outside after all
-    // A view that was asked for shows the floor too, unless that is ground far beyond what stands on it.
+        analysis.subject = whole; // seen from outside even if it is a room
+    // A requested view also shows the floor, unless the floor extends far beyond what stands on it.
     constexpr double far_wider = 4.0;
     const glm::dvec3 all_m = cloud.bounds.max - cloud.bounds.min;
     const glm::dvec3 subject_m = analysis.subject.max - analysis.subject.min;
@@ -384,7 +385,7 @@ Camera view_camera(const Scene& scene, const ScenePose& pose, double aspect, con
     Camera camera;
     camera.up = std::abs(from.elevation_deg) > 89.9 ? axes.up : glm::dvec3(0.0, 1.0, 0.0);
     camera.vertical_fov_rad = 2.0 * std::atan(half_height);
-    glm::dvec3 eye = seen.center(); // as the points are
+    glm::dvec3 eye = seen.center(); // the points are relative to this
     double distance_m = 0.0;        // from the eye to the middle of what is seen
     if (from.parallel || from.distance_m) {
         const double fitting_m = fitting_half_height(seen, aspect);

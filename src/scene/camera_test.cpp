@@ -28,7 +28,7 @@ Scene scene_of(const Primitive& primitive, const glm::dmat4& placed = glm::dmat4
     return scene;
 }
 
-/// Extent of all vertices in the picture, -1 to 1 both ways, and the depth of the nearest.
+/// Extent of all vertices in the picture, -1 to 1 in both directions, and the depth of the nearest one.
 struct Extent {
     glm::dvec2 min{std::numeric_limits<double>::infinity()};
     glm::dvec2 max{-std::numeric_limits<double>::infinity()};
@@ -112,7 +112,7 @@ TEST(Framing, SurvivesAPointAndNothing)
     EXPECT_GT(glm::distance(nothing.eye, nothing.target), 0.0);
 }
 
-/// A box seen from inside: its triangles face inwards.
+/// A box whose triangles face inwards.
 Primitive room()
 {
     Primitive inside;

@@ -38,8 +38,8 @@ double framed_half_height(double aspect)
     return std::min(std::tan(0.25), 0.8 / aspect);
 }
 
-/// Each side of the window is a plane whose place follows from the outermost point along its normal, so one
-/// pass over the points is exact.
+/// Each side of the window is a plane through the outermost point along its normal, so one pass over the
+/// points is exact.
 glm::dvec3 fit_eye(const std::vector<glm::dvec3>& points, const Window& window)
 {
     constexpr double lowest = -std::numeric_limits<double>::infinity();
@@ -111,10 +111,10 @@ bool Subject::has_floor_at(const glm::dvec3& position) const
 
 namespace {
 
-constexpr double shadow_room = 0.03; // below the model, of the shorter side
+constexpr double shadow_room = 0.03; // below the subject, as a share of the shorter side
 
-/// Where points lie in the picture from left to right, as tangents, and the depth of the nearer of the two
-/// outermost ones.
+/// Horizontal extent of points in the picture, as tangents, and the depth of the nearer of the two outermost
+/// points.
 struct Across {
     double left = std::numeric_limits<double>::infinity();
     double right = -std::numeric_limits<double>::infinity();
@@ -139,7 +139,8 @@ struct Across {
     }
 };
 
-/// Moves the eye from the middle of everything towards the middle of the subject, as far as all stays inside.
+/// Moves the eye from the middle of all points towards the middle of the subject, as far as all points stay
+/// inside.
 glm::dvec3 lean_to_subject(const std::vector<glm::dvec3>& all, const std::vector<glm::dvec3>& subject,
                            const Window& window, glm::dvec3 eye)
 {
@@ -152,10 +153,10 @@ glm::dvec3 lean_to_subject(const std::vector<glm::dvec3>& all, const std::vector
     return eye;
 }
 
-/// What the picture must hold, as the camera sees it from the middle of the subject.
+/// The points that the picture must contain, in camera space relative to the middle of the subject.
 struct ViewPoints {
     std::vector<glm::dvec3> subject;
-    std::vector<glm::dvec3> shadow; ///< of the subject's points, on the ground
+    std::vector<glm::dvec3> shadow; ///< shadows of the subject's points on the ground
 };
 
 glm::dvec3 towards(const SunBearing& sun, const ViewAnalysis& analysis)
@@ -164,8 +165,8 @@ glm::dvec3 towards(const SunBearing& sun, const ViewAnalysis& analysis)
                      : bearing(glm::radians(sun.azimuth_deg), glm::radians(sun.elevation_deg));
 }
 
-/// Direction of the light that throws the shadow: the scene's strongest directional light, or the sun when
-/// the scene has no light at all or the sun rules.
+/// Direction of the light that casts the shadow: the scene's strongest directional light, or the sun if the
+/// scene has no light or the sun replaces its lights.
 std::optional<glm::dvec3> shadow_light(const Scene& scene, const ScenePose& pose,
                                        const ViewAnalysis& analysis, const SunBearing& sun)
 {
@@ -194,7 +195,7 @@ std::optional<glm::dvec3> shadow_light(const Scene& scene, const ScenePose& pose
 ViewPoints view_points(const Scene& scene, const ScenePose& pose, const ViewAxes& axes,
                        const ViewAnalysis& analysis, const SunBearing& sun, const Subject& subject)
 {
-    constexpr double lowest_sun = 0.26; // 15 degrees: longer shadows run out of any page
+    constexpr double lowest_sun = 0.26; // 15 degrees: longer shadows leave any page
     ViewPoints points;
     const auto light = shadow_light(scene, pose, analysis, sun);
     const bool has_ground = sun.on_blank_ground.value_or(scene.cameras.empty());
@@ -215,7 +216,7 @@ ViewPoints view_points(const Scene& scene, const ScenePose& pose, const ViewAxes
     return points;
 }
 
-/// The points and this part of the way from each to its shadow.
+/// The points, and for each a point at the share `part` of the way to its shadow.
 std::vector<glm::dvec3> with_shadow(const ViewPoints& points, double part)
 {
     std::vector<glm::dvec3> all = points.subject;
@@ -224,7 +225,7 @@ std::vector<glm::dvec3> with_shadow(const ViewPoints& points, double part)
     return all;
 }
 
-/// An eye, and the part of the way from the subject to its shadow that it has room for.
+/// An eye, and the share of the way from the subject to its shadow that fits into the picture.
 struct Fit {
     glm::dvec3 eye{0.0};
     double shadow_part = 0.0;
@@ -237,12 +238,12 @@ Fit fit_part(const ViewPoints& points, const Window& window, double part)
     return {lean_to_subject(all, points.subject, window, eye), part};
 }
 
-/// Gives the shadow what room it can have: all of it, or as much as leaves the subject large enough and near
+/// Fits as much of the shadow as possible: all of it, or as much as leaves the subject large enough and near
 /// the middle.
 Fit fit_with_shadow(const ViewPoints& points, const Window& window)
 {
-    constexpr double least_size = 0.74; // of the size without shadow
-    constexpr double most_aside = 0.42; // the subject's middle off the page's, of half its width
+    constexpr double least_size = 0.74; // of the size without the shadow
+    constexpr double most_aside = 0.42; // largest offset from the page's middle, of half its width
     const glm::dvec3 alone = fit_eye(points.subject, window);
     double nearest = std::numeric_limits<double>::infinity();
     for (const glm::dvec3& point : points.subject)
@@ -258,7 +259,7 @@ Fit fit_with_shadow(const ViewPoints& points, const Window& window)
     return {centre_eye(points.subject, window, alone), 0.0};
 }
 
-/// Every so manieth point, about 4096.
+/// About 4096 of the points, evenly spaced in their order.
 ViewPoints thinned(const ViewPoints& points)
 {
     ViewPoints few;
@@ -271,7 +272,7 @@ ViewPoints thinned(const ViewPoints& points)
     return few;
 }
 
-/// The middle of a picture, which holds none of its outermost points.
+/// The inner part of a picture, which contains none of its outermost points.
 struct Core {
     glm::dvec2 min{std::numeric_limits<double>::infinity()};
     glm::dvec2 max{-std::numeric_limits<double>::infinity()};
@@ -295,7 +296,7 @@ struct Core {
     }
 };
 
-/// The eye for all points: found with a few of them, then made exact with those that are near the rim.
+/// The eye for all points: estimated from a few of them, then corrected with those near the rim.
 glm::dvec3 framed_eye(const ViewPoints& points, const Window& window)
 {
     const ViewPoints few = thinned(points);
@@ -315,8 +316,8 @@ glm::dvec3 framed_eye(const ViewPoints& points, const Window& window)
     return fit_part(rim, window, rough.shadow_part).eye;
 }
 
-/// Where to look from. Things are looked at from three quarters and slightly above, characters from near
-/// their front and from the height of their eyes.
+/// Chooses the direction of view. Objects are seen in three-quarter view from slightly above, characters from
+/// near their front at the height of their eyes.
 ViewAxes axes_for(const Scene& scene, const SurfaceCloud& cloud, const ViewAnalysis& analysis, double aspect)
 {
     const std::optional<double> eyes_m = analysis.standpoint == Standpoint::outside
@@ -329,13 +330,13 @@ ViewAxes axes_for(const Scene& scene, const SurfaceCloud& cloud, const ViewAnaly
     const double distance_m = 0.5 * std::max(size.y, size.x / aspect) / (usable * framed_half_height(aspect));
     const double rise_m = *eyes_m - analysis.subject.center().y;
     const double elevation_rad = std::asin(std::clamp(rise_m / distance_m, 0.0, 0.3));
-    // From the side of the front, or of the back, that the thing's own view would show.
+    // Starts from the front, or from the back if the analysis chose a view from behind.
     const double middle_rad = std::cos(analysis.azimuth_rad) > 0.0 ? 0.0 : std::numbers::pi;
-    constexpr double aside = 0.5; // of the way to the three-quarter view
+    constexpr double aside = 0.5; // share of the way to the three-quarter view
     return look_from(glm::mix(middle_rad, analysis.azimuth_rad, aside), elevation_rad);
 }
 
-/// In the corner of a closed room, with a wide lens.
+/// A camera with a wide lens in the corner of a closed room.
 Camera camera_inside(const ViewAnalysis& analysis, double aspect)
 {
     Camera camera;
@@ -370,7 +371,7 @@ Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect, 
                         .bottom = half_height - (framed_margin + shadow_room) * shorter};
 
     ViewPoints points = view_points(scene, pose, axes, analysis, sun, subject);
-    // A subject without extent still stands somewhere: give it a size that arithmetic can see.
+    // A subject without extent gets a small size that is large enough for the arithmetic.
     const double least = std::max({1e-12 * glm::length(bounds.center()), 1e-6 * bounds.radius(), 1e-9});
     Bounds extent;
     for (const glm::dvec3& point : points.subject)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the framed view holds: random scenes, their shadows, and what stands on wide floors.
+// Contents of the framed view: random scenes, their shadows, and objects on wide floors.
 #include <cmath>
 #include <limits>
 #include <random>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double aspect = 16.0 / 9.0;
 
-/// A place in the picture, -1 to 1 both ways.
+/// Projects points to the picture, -1 to 1 in both directions.
 class Page {
 public:
     explicit Page(const Camera& camera)
@@ -56,10 +56,10 @@ bool on_page(const glm::dvec2& at)
     return std::max(std::abs(at.x), std::abs(at.y)) <= 1.0;
 }
 
-/// Places of all vertices, and of the shadows that they throw on the ground.
+/// Positions in the picture of all vertices, and of their shadows on the ground.
 struct Picture {
     Extent model;
-    double shadow_share = 0.0; ///< of the shadow that lies on the page
+    double shadow_share = 0.0; ///< share of the shadow that lies on the page
 };
 
 Picture picture_of(const Scene& scene)
@@ -82,7 +82,7 @@ Picture picture_of(const Scene& scene)
     return picture;
 }
 
-/// One to five things of different forms, near each other.
+/// One to five different shapes near each other.
 Scene random_scene(std::mt19937& random)
 {
     const auto between = [&random](float low, float high) {
@@ -246,7 +246,7 @@ TEST(FramedView, FindsAPlaceWhereOnePointIsLeftOfTheSubject)
     scene.materials.front().double_sided = true;
     ScenePose pose = pose_scene(scene, 0.0);
     pose.world_from_node[0][3] =
-        glm::dvec4(-4.0, -4.0, -4.0, 1.0); // it has moved out of where it stood at rest
+        glm::dvec4(-4.0, -4.0, -4.0, 1.0); // it has moved away from its rest position
     for (const double page_aspect : {1.0 / 16384.0, 1.5, 16384.0, 17808.6}) {
         const Camera camera = framing_camera(scene, pose, page_aspect);
         EXPECT_LT(glm::length(camera.eye), 1e6) << page_aspect;

@@ -8,7 +8,7 @@
 namespace estampe {
 namespace {
 
-/// A cube of 2 m about the place.
+/// A cube of 2 m with its centre at `place`.
 Scene cube_at(const glm::dvec3& place)
 {
     Scene scene;
@@ -16,7 +16,7 @@ Scene cube_at(const glm::dvec3& place)
     scene.meshes.push_back({.name = "cube", .primitives = {shapes::box({2, 2, 2})}});
     scene.nodes.resize(1);
     scene.nodes[0].mesh = 0;
-    scene.nodes[0].transform.translation = place - glm::dvec3(0, 1, 0); // it stands on the ground
+    scene.nodes[0].transform.translation = place - glm::dvec3(0, 1, 0); // its origin is at the bottom
     scene.roots = {0};
     return scene;
 }
@@ -122,7 +122,7 @@ TEST(InView, AnEyeInAOneSidedSolidSeesItsBacksAlone)
     scene.nodes[0].transform.rotation = glm::angleAxis(0.7, glm::normalize(glm::dvec3(1, 2, 3)));
     scene.nodes[0].transform.translation = {0.1, -0.7, 10};
     expect_inside(scene, along_minus_z, 0);
-    scene.nodes[0].transform.scale = {-1, 1, 1}; // drawn as turned: still from outside alone
+    scene.nodes[0].transform.scale = {-1, 1, 1}; // mirrored, but still visible only from outside
     expect_inside(scene, along_minus_z, 0);
     scene.materials[0].double_sided = true;
     EXPECT_EQ(view_of(scene, along_minus_z).content, ViewContent::something);
@@ -149,8 +149,8 @@ TEST(InView, ARoomAndWhatStandsOutsideTheSolidAreSeen)
 TEST(InView, ALargeTriangleThatPassesByIsNotSeen)
 {
     Scene scene = cube_at({0, 0, 0});
-    // It passes the upper left corner of the page: one of its corners is not beyond the left side, one not
-    // above.
+    // The triangle misses the upper left corner of the page, although one of its corners is not left of the
+    // page, and another not above it.
     Primitive& triangle = scene.meshes[0].primitives[0];
     triangle = {.positions = {{-20, 0, 0}, {0, 20, 0}, {-20, 20, 0}}, .indices = {0, 1, 2, 0, 2, 1}};
     EXPECT_FALSE(sees(scene, along_minus_z));

@@ -8,7 +8,7 @@
 namespace estampe {
 namespace {
 
-/// Full within 0.2 radians of straight down, none beyond 0.6.
+/// A spot with full light within 0.2 radians of straight down, and none beyond 0.6.
 SpotBeam spot(SpotShape shape)
 {
     const float outer = std::cos(0.6F);
@@ -26,7 +26,7 @@ TEST(LampLight, LeavesAConeByTheAngleAndAPyramidByThatToItsNearestSide)
     const float half_way = (std::cos(0.4F) - std::cos(0.6F)) / (std::cos(0.2F) - std::cos(0.6F));
     EXPECT_NEAR(share_along(cone, to_a_side), half_way * half_way, 1e-5F);
     EXPECT_NEAR(share_along(pyramid, to_a_side), half_way * half_way, 1e-5F);
-    // Towards a corner of the pyramid, where both sides are 0.5 radians away.
+    // Towards a corner of the pyramid, where the angles to both axes are 0.5 radians.
     const glm::vec3 to_a_corner = glm::normalize(glm::vec3(std::tan(0.5F), -1.0F, std::tan(0.5F)));
     EXPECT_EQ(share_along(cone, to_a_corner), 0.0F);
     EXPECT_GT(share_along(pyramid, to_a_corner), 0.0F);

@@ -21,7 +21,7 @@ glm::dmat4 Transform::matrix() const
 
 namespace {
 
-/// The two keys around a moment, and how far between them it lies (0 to 1).
+/// The two keys around a moment, and its position between them (0 to 1).
 struct KeySpan {
     size_t before = 0;
     size_t after = 0;
@@ -44,7 +44,7 @@ KeySpan find_keys(const std::vector<float>& times_s, double time_s)
     return {.before = after - 1, .after = after, .part = (time_s - start_s) / length_s, .length_s = length_s};
 }
 
-/// Values a key holds, or 0 when the channel's arrays do not agree.
+/// Number of values per key; 0 when the sizes of the channel's arrays do not match.
 size_t values_per_key(const AnimationChannel& channel)
 {
     const size_t keys =
@@ -61,7 +61,7 @@ glm::dquat quaternion_of(const std::vector<double>& xyzw)
     return length > 0.0 ? quaternion / length : glm::dquat(1.0, 0.0, 0.0, 0.0);
 }
 
-/// Hermite spline of glTF: each key holds in-tangent, value, out-tangent; tangents are per second.
+/// Hermite spline as in glTF: each key holds in-tangent, value, out-tangent; tangents are per second.
 std::vector<double> sample_cubic(const AnimationChannel& channel, const KeySpan& span, size_t count)
 {
     const double t = span.part;
@@ -136,7 +136,7 @@ double looped(double time_s, double duration_s)
     return rest_s < 0.0 ? rest_s + duration_s : rest_s;
 }
 
-/// The node's own weights or its mesh's, as many as the mesh has targets.
+/// The node's own morph weights, or its mesh's; resized to the mesh's number of targets.
 std::vector<float> rest_weights(const Scene& scene, const Node& node)
 {
     if (node.mesh >= scene.meshes.size())
@@ -197,7 +197,7 @@ std::vector<glm::dmat4> world_from_bind(const Scene& scene, const ScenePose& pos
     return matrices;
 }
 
-/// Of every `stride`-th vertex.
+/// Morphed positions of every `stride`-th vertex.
 std::vector<glm::dvec3> morphed(const Primitive& primitive, const std::vector<float>& weights, size_t stride)
 {
     std::vector<glm::dvec3> positions;
@@ -237,7 +237,7 @@ bool turns_inside_out(const glm::dmat4& matrix)
     return glm::determinant(glm::dmat3(matrix)) < 0.0;
 }
 
-/// `stride_of` says of a number of vertices the how manieth are visited.
+/// `stride_of` returns the stride at which vertices are visited, for a number of vertices.
 void visit_some(const Scene& scene, const ScenePose& pose, const std::function<size_t(size_t)>& stride_of,
                 const std::function<void(const PosedPrimitive&)>& visit)
 {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What estampe/scene.hpp offers besides its types: cloth, material variants, and load_scene(), which chooses
-// a reader.
+// Functions of estampe/scene.hpp: cloth, material variants, and load_scene(), which selects a reader.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -57,7 +56,7 @@ Primitive cloth_sheet(uint32_t columns, uint32_t rows, const glm::vec3& corner_m
             }
             const uint32_t i = y * columns + x;
             const uint32_t j = i + columns;
-            // Diagonals by turns, so that neither way is the stiffer one.
+            // Diagonals alternate, so that neither direction is stiffer.
             const auto corners = (x + y) % 2 == 0 ? std::array{i, j, j + 1, i, j + 1, i + 1}
                                                   : std::array{i, j, i + 1, i + 1, j, j + 1};
             sheet.indices.insert(sheet.indices.end(), corners.begin(), corners.end());

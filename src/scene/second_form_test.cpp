@@ -6,7 +6,7 @@
 namespace estampe {
 namespace {
 
-/// Sides of a triangle on a surface whose normals change by `form` times the way.
+/// Sides of a triangle on a surface whose normals change by `form` times the offset.
 std::array<SideChange, 3> sides_of(const std::array<glm::dvec2, 3>& corners, const glm::dvec3& form)
 {
     const glm::dmat2 changes(form.x, form.y, form.y, form.z);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes of plain geometry, and those of builders: outlines pushed into depth, arches, columns, stairs.
+// Basic geometric shapes, and architectural ones: extruded outlines, arches, columns, stairs.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -44,7 +44,7 @@ void add_face(Primitive& mesh, const glm::vec3& corner, const glm::vec3& right, 
     add_triangle(mesh, a, c, d);
 }
 
-/// Directions around the y axis, the last equal to the first bit for bit; from +z towards +x.
+/// Directions around the y axis, from +z towards +x. The last is bitwise equal to the first.
 std::vector<glm::vec2> circle(uint32_t segments)
 {
     std::vector<glm::vec2> directions;
@@ -56,11 +56,11 @@ std::vector<glm::vec2> circle(uint32_t segments)
     return directions;
 }
 
-/// One straight piece of a profile with the normals (radial, height) at its two ends.
+/// A straight piece of a profile, with the normals (radial, height) at its two ends.
 struct ProfilePiece {
     glm::vec2 from, to;
     glm::vec2 normal_from, normal_to;
-    float start_m = 0.0F; ///< way along the profile to `from`
+    float start_m = 0.0F; ///< distance along the profile to `from`
 };
 
 std::vector<ProfilePiece> profile_pieces(std::span<const glm::vec2> profile, float crease_rad)
@@ -156,7 +156,7 @@ Primitive box(const glm::vec3& size)
     add_face(mesh, corner, z, y);
     add_face(mesh, corner + y + z, x, -z);
     add_face(mesh, corner, x, z);
-    // A corner is reached by different sums of edges: make its coordinates one.
+    // Corners are reached by different sums of edges; this gives each corner identical coordinates.
     for (glm::vec3& p : mesh.positions)
         p = {p.x < 0.0F ? -half.x : half.x, p.y < half.y ? 0.0F : size.y, p.z < 0.0F ? -half.z : half.z};
     return mesh;
@@ -310,8 +310,8 @@ bool is_ear(std::span<const glm::vec2> outline, const std::vector<uint32_t>& rin
     });
 }
 
-/// Ear clipping: cuts off one convex corner after another. Straight corners wait until a neighbour takes them
-/// along.
+/// Triangulates by clipping one convex corner after another. Straight corners wait until a neighbour is
+/// clipped with them.
 std::vector<glm::uvec3> triangulate(std::span<const glm::vec2> outline)
 {
     std::vector<uint32_t> ring(outline.size());
@@ -367,8 +367,8 @@ void add_extruded_sides(Primitive& mesh, std::span<const glm::vec2> outline, flo
     }
 }
 
-/// Where the rim of a broken top lies below the full height: a slanted plane with notches, the same on every
-/// machine.
+/// Depth of the rim of a broken top below the full height: a slanted plane with notches, deterministic on
+/// every machine.
 float broken_off(const FlutedColumn& column, float around)
 {
     const float angle = turn_rad * around;
@@ -377,15 +377,15 @@ float broken_off(const FlutedColumn& column, float around)
     return column.break_height * (slope + notches);
 }
 
-/// One vertex column of the shaft: direction, radius factor and normal about the axis.
+/// A vertex column of the shaft: direction, radius factor and normal around the axis.
 struct Rib {
-    float around = 0.0F; ///< part of a turn
+    float around = 0.0F; ///< share of a full turn
     glm::vec2 direction;
     float radius = 1.0F;
     glm::vec2 normal;
 };
 
-/// Both sides of one flute's arrises keep their own normals, so the flutes do not share ribs.
+/// Adjacent flutes share no ribs, because both sides of the ridge between them keep their own normals.
 std::vector<Rib> flute_ribs(const FlutedColumn& column, uint32_t flute, uint32_t flutes, uint32_t parts)
 {
     std::vector<Rib> ribs;
@@ -517,7 +517,7 @@ Primitive stairs(float width, float rise, float run, uint32_t steps)
 {
     steps = std::max(steps, 1U);
     const auto count = static_cast<float>(steps);
-    // In the outline x is the way back, away from the viewer, and the wall behind the last step closes it.
+    // In the outline x points back, away from the viewer; the wall behind the last step closes it.
     std::vector<glm::vec2> outline{{0.0F, 0.0F}, {count * run, 0.0F}};
     for (uint32_t step = steps; step > 0; --step) {
         const auto at = static_cast<float>(step);

@@ -24,7 +24,7 @@ Place place_of(const glm::vec3& p)
     return {p.x + 0.0F, p.y + 0.0F, p.z + 0.0F};
 }
 
-/// Every edge, by place, is run through once in each direction.
+/// Whether every edge, by position, occurs exactly once in each direction.
 bool watertight(const Primitive& mesh)
 {
     std::map<std::pair<Place, Place>, int> edges;
@@ -57,7 +57,7 @@ double area(const Primitive& mesh)
     return sum;
 }
 
-/// Positive when triangles face outwards.
+/// Signed volume; positive if triangles face outwards.
 double volume(const Primitive& mesh)
 {
     double sum = 0.0;

@@ -22,7 +22,7 @@ TEST(Subdivision, QuartersTrianglesAndKeepsASheetFlatWithinItsBorder)
 
 TEST(Subdivision, AnIcosahedronTendsToASphereWithNormalsOutwards)
 {
-    // Twelve points of valence five: Loop's surface stays within a few percent of a sphere.
+    // Twelve points of valence five; Loop's surface stays within a few percent of a sphere.
     constexpr float g = 1.6180340F;
     Primitive ball;
     ball.positions = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sun against published places of it, and against what every almanac says of solstices and equinoxes.
+// The position of the sun, compared with published values and with the known solstices and equinoxes.
 #include "scene/light_sources.hpp"
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-/// The height of the sun at its highest, by looking every half minute.
+/// The greatest elevation of the sun, sampled every half minute.
 double highest_deg(const Date& date, double latitude_deg, double longitude_deg)
 {
     double highest = -90.0;
@@ -36,8 +36,8 @@ TEST(SunPosition, DeclinationOfMeeusExample)
 
 TEST(SunPosition, ExampleOfTheSolarPositionAlgorithmsReport)
 {
-    // Reda and Andreas, NREL/TP-560-34302: 2003 October 17, 12:30:30 seven hours behind universal time;
-    // zenith angle 50.11162, refraction counted, and azimuth 194.34024 degrees.
+    // Reda and Andreas, NREL/TP-560-34302: 2003 October 17, 12:30:30, seven hours behind universal time;
+    // zenith angle 50.11162 including refraction, azimuth 194.34024 degrees.
     const SunPosition sun = sun_position({2003, 10, 17}, 12.0 + 30.5 / 60.0 + 7.0, 39.742476, -105.1786);
     const double seen_rad = sun.elevation_rad + refraction_rad(sun.elevation_rad);
     EXPECT_NEAR(90.0 - seen_rad / degree, 50.11162, 0.02);
@@ -73,7 +73,7 @@ TEST(SunPosition, NeitherSetsNorRisesBeyondThePolarCircles)
         EXPECT_GT(sun_position({2026, 6, 21}, hour, 70.0, 25.0).elevation_rad, 0.0);
         EXPECT_LT(sun_position({2026, 6, 21}, hour, -70.0, 25.0).elevation_rad, 0.0);
     }
-    // At the pole it goes round at one height.
+    // At the pole the sun circles at constant elevation.
     EXPECT_NEAR(sun_position({2026, 6, 21}, 3.0, 90.0, 0.0).elevation_rad / degree, 23.44, 0.01);
     EXPECT_NEAR(sun_position({2026, 6, 21}, 17.0, 90.0, 0.0).elevation_rad / degree, 23.44, 0.01);
 }
@@ -132,7 +132,7 @@ TEST(SunPosition, LowSunIsWeakAndRed)
         EXPECT_TRUE(glm::all(glm::greaterThan(light, sunlight_through_air(deg * degree, 0.3) - 1e-12)));
         before = light;
     }
-    // At 30 degrees there are two airs in the way (Kasten and Young's table: 1.9942): one more than overhead.
+    // At 30 degrees the air mass is two (Kasten and Young's table: 1.9942), one more than overhead.
     EXPECT_NEAR(-std::log(sunlight_through_air(30.0 * degree, 0.0).y),
                 0.9942 * 0.008735 * std::pow(0.55, -4.08), 1e-4);
 }

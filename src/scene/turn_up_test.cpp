@@ -14,8 +14,8 @@ namespace {
 
 struct Turn {
     UpAxis up;
-    glm::dvec3 axis;  ///< of the file, that points up
-    glm::dvec3 front; ///< of the file, that comes to +z
+    glm::dvec3 axis;  ///< axis of the file that points up
+    glm::dvec3 front; ///< axis of the file that becomes +z
 };
 
 constexpr std::array<Turn, 6> turns{{{UpAxis::x, {1, 0, 0}, {0, 0, 1}},

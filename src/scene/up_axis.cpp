@@ -10,7 +10,7 @@
 namespace estampe {
 namespace {
 
-/// The quarter or half turn that brings `up` to +y, by where the axes go; exact, as no angle would be.
+/// Exact rotation by a quarter or half turn that brings `up` to +y, built by permuting axes.
 glm::dmat3 rotation_of(UpAxis up)
 {
     constexpr glm::dvec3 x(1.0, 0.0, 0.0);
@@ -52,12 +52,12 @@ void turn_up(Scene& scene, UpAxis up)
 
 namespace {
 
-/// What faces the two ends of one axis. Areas are shares of the side of the bounding box across the axis.
+/// Areas that face the two ends of one axis, relative to the side of the bounding box across the axis.
 struct Ends {
-    double base_outward = 0.0; ///< flat at the lower end, facing away from the body: the underside of a solid
-    double base_inward = 0.0;  ///< flat at the lower end, facing the body: a floor that things stand on
+    double base_outward = 0.0; ///< flat, at the lower end, facing outwards: the underside of a solid
+    double base_inward = 0.0;  ///< flat at the lower end and facing the body: a floor that things stand on
     double top = 0.0;          ///< flat at the upper end
-    double open_below = 0.0;   ///< projected area that a closed surface would need at the lower end
+    double open_below = 0.0;   ///< projected area that is missing at the lower end for a closed surface
 };
 
 class Evidence {
@@ -88,7 +88,7 @@ public:
         }
     }
 
-    /// Faces may lie upon each other, so each share counts as one at most.
+    /// Faces may coincide, so each share is limited to one.
     [[nodiscard]] Ends ends() const
     {
         return {.base_outward = std::min(ends_.base_outward, 1.0),
@@ -102,7 +102,7 @@ public:
         return upper_ > lower_ && std::abs(lower_) <= flat_share * (upper_ - lower_);
     }
 
-    /// Thin along the axis, as terrain is along its up axis.
+    /// Whether the scene is thin along the axis, as terrain is along its up axis.
     [[nodiscard]] bool is_thin() const
     {
         return size_[axis_] < 0.25 * std::min(size_[(axis_ + 1) % 3], size_[(axis_ + 2) % 3]);
@@ -155,8 +155,8 @@ std::optional<UpAxis> guess_up_axis(const Scene& scene)
     const Ends y = along_y.ends();
     const Ends z = along_z.ends();
     const double base_y = std::max(y.base_outward, y.base_inward);
-    // The back wall of a room that is open to the viewer lies at the lower end of z and faces inward, too.
-    // The room has a floor at the lower end of y besides.
+    // In a room that is open to the viewer, the back wall at the lower end of z also faces inwards. Such a
+    // room also has a floor at the lower end of y.
     constexpr double floor_share = 0.3;
     const double base_z = base_y < floor_share ? std::max(z.base_outward, z.base_inward) : z.base_outward;
     const double score_y = common_score(along_y) + base_y - y.top;

@@ -7,13 +7,13 @@
 
 namespace estampe {
 
-/// Turns a scene whose coordinates have `up` pointing up so that this axis becomes +y: all roots become
-/// children of one new root node, so that cameras, lights, skins and animations turn with the meshes. What
-/// was in front comes to +z: of z up it is -y, as Blender exports glTF. Changes nothing if y is up already.
+/// Rotates a scene so that its axis `up` becomes +y: all roots become children of one new root node, so that
+/// cameras, lights, skins and animations rotate with the meshes. The front becomes +z; with z up, the front
+/// was -y, as in Blender's glTF export. Changes nothing if y is up already.
 void turn_up(Scene& scene, UpAxis up);
 
 /// Guesses which axis of the scene's coordinates points up, from its shape in the rest pose: a body rests on
-/// a flat base, stands on the plane through the origin, and terrain faces the sky. Meant for file formats
+/// a flat base or stands on the plane through the origin, and terrain faces the sky. Meant for file formats
 /// that do not name their axis (.obj, .ply, .stl).
 ///
 /// Returns `UpAxis::y` or `UpAxis::z` when the evidence for one clearly outweighs that for the other, and

@@ -22,7 +22,7 @@ Scene scene_of(Primitive primitive)
     return scene;
 }
 
-/// Turns what is y up into what is z up, as an exporter does that leaves the axis of Blender.
+/// Converts a scene from y up to z up, like an exporter that keeps Blender's axes.
 Scene z_up(Scene scene)
 {
     scene.nodes[0].transform.rotation = glm::angleAxis(std::numbers::pi / 2.0, glm::dvec3(1.0, 0.0, 0.0));
@@ -39,7 +39,7 @@ Primitive terrain()
     return ground;
 }
 
-/// Floor, ceiling and three walls that face inward; open towards +z.
+/// Floor, ceiling and three walls that face inwards; open towards +z.
 Primitive open_room()
 {
     Primitive room = shapes::box({2.0F, 2.0F, 2.0F});
@@ -94,7 +94,7 @@ TEST(UpAxis, ABackWallIsNoFloor)
     EXPECT_NE(guess_up_axis(scene_of(open_room())), UpAxis::z);
 }
 
-/// Mirroring turns the triangles round, not the solid inside out.
+/// Mirroring reverses the winding of triangles, but does not turn the solid inside out.
 TEST(UpAxis, AMirroredSolidStandsAsItsOriginal)
 {
     Scene hill = scene_of(terrain());

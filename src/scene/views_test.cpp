@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Views from named sides and bearings: directions, margins, projections, and what is typed for them.
+// Views from named sides and bearings: directions, margins, projections, and their syntax.
 #include <estampe/shapes.hpp>
 #include <estampe/views.hpp>
 
@@ -16,7 +16,7 @@
 namespace estampe {
 namespace {
 
-/// The directions of a camera, and where points lie on its page, -1 to 1 both ways.
+/// Axes of a camera, and projection of points to its page, -1 to 1 in both directions.
 class Page {
 public:
     Page(const Camera& camera, double aspect) : camera_(camera), aspect_(aspect)
@@ -58,7 +58,7 @@ Extent extent_of(const Scene& scene, const Page& page)
     return extent;
 }
 
-/// A thing without symmetry: a long box with a ball on one end and a cone on one side.
+/// An asymmetric object: a long box with a sphere on one end and a cone on one side.
 Scene odd_scene()
 {
     Scene scene = test::scene_of(shapes::box({3.0F, 1.0F, 1.4F}));

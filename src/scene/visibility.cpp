@@ -60,16 +60,16 @@ bool has_visible_light(const Scene& scene)
 
 namespace {
 
-/// A budget rather than a share, so that no scene takes longer than the drawing of one would.
+/// A fixed budget rather than a share, so that no scene takes longer than drawing one would.
 constexpr size_t most_triangles = 4'000'000;
 
-/// The five sides of what a camera sees; there is no far one.
+/// The five planes that bound a camera's view; there is no far plane.
 class View {
 public:
     View(const Camera& camera, double aspect)
         : view_from_world_(glm::lookAt(camera.eye, camera.target, camera.up))
     {
-        constexpr double margin = 1.02; // lines are drawn beside what they outline
+        constexpr double margin = 1.02; // lines extend beyond the surfaces that they outline
         if (camera.orthographic_half_height_m) {
             const double half_m = margin * *camera.orthographic_half_height_m;
             sides_ = {glm::dvec4(1, 0, 0, aspect * half_m), glm::dvec4(-1, 0, 0, aspect * half_m),
@@ -83,7 +83,7 @@ public:
         has_eye_ = true;
     }
 
-    /// The same view in the space of a mesh that stands at `world_from_mesh`.
+    /// The same view, in the space of a mesh with the transform `world_from_mesh`.
     [[nodiscard]] View within(const glm::dmat4& world_from_mesh) const
     {
         View view = *this;
@@ -91,7 +91,7 @@ public:
         return view;
     }
 
-    /// Whether all points are on the outer side of one of the sides.
+    /// Whether all points lie outside of one of the planes.
     [[nodiscard]] bool excludes(std::span<const glm::dvec3> points) const
     {
         std::array<bool, 5> outside{true, true, true, true, true};
@@ -106,8 +106,8 @@ public:
         return true;
     }
 
-    /// Whether a part of the triangle is on the inner side of all sides. Dearer than excludes(), and exact: a
-    /// large triangle may pass by the view with its corners beyond several sides.
+    /// Whether some part of the triangle lies inside all planes. Slower than excludes(), but exact: a large
+    /// triangle may miss the view although its corners lie outside of different planes.
     [[nodiscard]] bool holds_part_of(const std::array<glm::dvec3, 3>& corners) const
     {
         std::vector<glm::dvec4> polygon(corners.size());
@@ -133,7 +133,7 @@ public:
         return !polygon.empty();
     }
 
-    /// Whether the corners run counterclockwise on the page.
+    /// Whether the corners run counter-clockwise on the page.
     [[nodiscard]] bool is_counterclockwise(const std::array<glm::dvec3, 3>& corners) const
     {
         const auto placed = [this](const glm::dvec3& corner) {
@@ -144,7 +144,7 @@ public:
         return has_eye_ ? glm::dot(normal, a) < 0.0 : normal.z > 0.0;
     }
 
-    /// Whether the box holds the eye; a parallel projection has none.
+    /// Whether the box contains the eye; false in a parallel projection.
     [[nodiscard]] bool has_eye_in(const Bounds& box) const
     {
         const glm::dvec3 eye(glm::inverse(view_from_world_)[3]);
@@ -185,11 +185,11 @@ std::array<glm::dvec3, 8> corners_of(const Bounds& box, const glm::dmat4& world_
     return corners;
 }
 
-/// One primitive where it stands.
+/// A primitive in its place.
 struct PlacedPrimitive {
     Index node = no_index;
     const Primitive* primitive = nullptr;
-    bool mirrored = false; ///< the place turns the mesh inside out: triangles run the other way round
+    bool mirrored = false; ///< the transform mirrors the mesh, so that the winding of triangles is reversed
 };
 
 class Search {
@@ -200,7 +200,7 @@ public:
 
     [[nodiscard]] const InView& found() const { return found_; }
 
-    /// A mesh that does not bend, whose box is this.
+    /// Tests a mesh that does not deform and has this bounding box.
     void look_at_mesh(Index node, const Bounds& box, const glm::dmat4& world_from_mesh)
     {
         const auto corners = corners_of(box, world_from_mesh);
@@ -218,7 +218,7 @@ public:
             note_backs(node, view.has_eye_in(box), glm::length(corners.front() - corners.back()));
     }
 
-    /// A primitive that does bend.
+    /// Tests a primitive that deforms.
     void look_at_posed(const PosedPrimitive& posed)
     {
         if (has_ended() || view_.excludes(posed.positions))
@@ -233,14 +233,14 @@ public:
     }
 
 private:
-    /// Whether backs are in view. `corner` places a vertex in the space of `view`.
+    /// Tests whether backs are in view. `corner` places a vertex in the space of `view`.
     template <typename Corner>
     bool look_at(const PlacedPrimitive& placed, const View& view, const Corner& corner)
     {
         const Primitive& primitive = *placed.primitive;
         const bool moves_as_cloth = cloth_of(scene_, scene_.nodes[placed.node], primitive) != nullptr;
         if (primitive.topology != Topology::triangles || moves_as_cloth) {
-            // Lines and dots are wider than what they are drawn of, and cloth leaves its place.
+            // Lines and dots are wider than their geometry, and cloth moves away from its rest position.
             found_.content = ViewContent::something;
             return false;
         }
@@ -275,7 +275,7 @@ private:
     const Scene& scene_;
     const View& view_;
     InView found_;
-    double size_m_ = 0.0; ///< of what found_ names
+    double size_m_ = 0.0; ///< size of the box of the node in found_
     size_t triangles_ = 0;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Which nodes are hidden, and what of the others a camera can see.
+// Finds hidden nodes, and what a camera can see of the visible ones.
 
 #include <vector>
 
@@ -9,13 +9,13 @@
 
 namespace estampe {
 
-/// Whether each node is visible: Node::visible of the node and of all nodes above it. Everything that draws,
-/// lights, bounds or counts a scene asks here, or works on a scene that has been through hide_invisible().
+/// Whether each node is visible: Node::visible of the node and of all its ancestors. All code that draws,
+/// lights, bounds or counts a scene uses this, or works on a scene that has been through hide_invisible().
 /// Cost: linear in nodes.
 [[nodiscard]] std::vector<bool> visible_nodes(const Scene& scene);
 
-/// Takes mesh, skin, instances and light from the nodes that are not visible, and marks each of them itself
-/// as hidden. The nodes stay, because cameras, joints and the indices of other nodes depend on them.
+/// Removes mesh, skin, instances and light from invisible nodes, and sets Node::visible of each to false. The
+/// nodes stay, because cameras, joints and the indices of other nodes depend on them.
 void hide_invisible(Scene& scene);
 
 /// Whether a visible node carries a light.
@@ -23,24 +23,24 @@ void hide_invisible(Scene& scene);
 
 /// What a camera can see of a scene.
 enum class ViewContent : uint8_t {
-    nothing,    ///< certain: all of it lies behind the camera, before its near plane or beside its view
+    nothing,    ///< certain: everything lies behind the camera, before its near plane or beside its view
     backs_only, ///< certain: surfaces are in view, but all are one-sided and turn their undrawn backs to it
     something,  ///< perhaps, since surfaces in view may still hide each other or miss every pixel
 };
 
-/// What is in view, and of what the backs are.
+/// What is in view, and a node whose backs are in view.
 struct InView {
     ViewContent content = ViewContent::nothing;
-    Index backs_of = no_index; ///< for backs_only: a node whose backs are in view, if possible one whose box
-                               ///< holds the eye; the smallest of these
+    Index backs_of = no_index; ///< for backs_only: a node whose backs are in view; prefers the smallest box
+                               ///< with the eye inside
     bool holds_eye = false;    ///< the box of `backs_of` holds the eye
 };
 
-/// Looks at the scene through `camera` on a page of this aspect (width / height). Hidden nodes do not count.
-/// A terrain always counts as something, and so does a scene without meshes. Cost: a box for each mesh and
-/// each node and some triangles, until one in view is found that is two-sided or faces the camera; at most 4
-/// million triangles, after which the answer is `something`. Linear in vertices where meshes bend and nothing
-/// else is in view.
+/// Tests what `camera` can see of the scene on a page of this aspect (width / height). Hidden nodes are
+/// ignored. A terrain always counts as something, and so does a scene without meshes. Cost: a box for each
+/// mesh and each node and some triangles, until one in view is found that is two-sided or faces the camera;
+/// at most 4 million triangles, after which the answer is `something`. Linear in vertices if meshes deform
+/// and nothing else is in view.
 [[nodiscard]] InView find_in_view(const Scene& scene, const ScenePose& pose, const Camera& camera,
                                   double aspect);
 

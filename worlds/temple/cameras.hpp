@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Twelve places to look from, and a minute's way of a camera: from the dunes down the avenue, through gate,
-// court, arcade and portal, to the last hall.
+// Twelve viewpoints, and a camera path of one minute: from the dunes down the avenue, through gate, court,
+// arcade and portal, to the last hall.
 
 #include <cstdint>
 #include <optional>
@@ -28,7 +28,7 @@ struct Viewpoint {
     float vertical_fov_deg = 45.0F;
 };
 
-/// From outside to the last hall; eyes stand on what is there.
+/// Viewpoints from outside to the last hall; each eye stands on the ground or floor below it.
 [[nodiscard]] std::vector<Viewpoint> find_viewpoints(const Plan& plan, const Site& site,
                                                      const estampe::Terrain& desert);
 
@@ -36,16 +36,16 @@ class Flight final : public worlds::CameraPath {
 public:
     static constexpr double length_s = 60.0;
 
-    /// Through a scene that build_temple() made from that seed. Cost: about a second.
+    /// A path through the scene that build_temple() made with `seed`. Cost: about a second.
     Flight(const estampe::Scene& scene, uint64_t seed);
 
-    /// Where it is seen from at a moment of the minute; before and after it as at its ends.
+    /// The camera at a moment of the minute; outside of the minute, the camera at its nearer end.
     [[nodiscard]] estampe::Camera camera(double time_s) const override;
 
-    /// When it comes to a stand, in the last hall.
+    /// When the camera stops in the last hall.
     [[nodiscard]] double arrives_s() const { return arrives_s_; }
 
-    /// Who has flown to the last hall has reached it.
+    /// A camera that reaches the last hall makes the world end.
     [[nodiscard]] std::optional<double> end_s() const override { return arrives_s_; }
 
 private:
@@ -55,7 +55,7 @@ private:
         double fov_rad = 0.9;
     };
 
-    std::vector<Key> keys_; ///< at even times
+    std::vector<Key> keys_; ///< at equal intervals of time
     double arrives_s_ = 0.0;
 };
 

@@ -12,7 +12,7 @@ namespace {
 constexpr auto dt = static_cast<float>(Demon::step_s);
 constexpr float half_turn = std::numbers::pi_v<float>;
 
-/// So much nearer in a step as a spring without a swing would come in that time.
+/// Share of a distance that exponential smoothing with this time constant covers in a step.
 float nearer(float within_s)
 {
     return 1.0F - std::exp(-dt / within_s);
@@ -96,7 +96,7 @@ void Demon::choose_mood(const glm::vec3& walker_m)
         return;
     }
     const float away_m = glm::distance(walker_m, glm::vec3(place_m_.x, height_m_, place_m_.y));
-    // Once it is afraid, or has seen somebody, it stays so for a little further.
+    // Hysteresis: a demon that is afraid, or watches somebody, stays so a little farther away.
     const float fear_m = shies_m * (mood_ == Mood::shy ? 1.35F : 1.0F);
     const float sight_m = sees_m * (mood_ == Mood::watch ? 1.2F : 1.0F);
     mood_ = away_m < fear_m ? Mood::shy : away_m < sight_m ? Mood::watch : Mood::wander;
@@ -115,7 +115,8 @@ void Demon::choose_goal(const glm::vec3& walker_m)
         goal_m_ = place_m_;
         rests_s_ = 0.5F;
     } else if (mood_ == Mood::shy) {
-        // The farthest of some places about it, so that it slips past when it stands against a wall.
+        // Goes to the farthest of some places nearby, so that it slips past the visitor when it stands
+        // against a wall.
         const glm::vec2 walker(walker_m.x, walker_m.z);
         float best = -1e9F;
         for (int i = 0; i < 12; ++i) {
@@ -131,7 +132,7 @@ void Demon::choose_goal(const glm::vec3& walker_m)
         }
         rests_s_ = 0.0F;
     } else if (goes_s_ += dt; glm::distance(place_m_, goal_m_) < 0.3F || goes_s_ > 14.0F) {
-        // What stands in its way may stand on its goal.
+        // Gives up on a goal that an obstacle may cover.
         rests_s_ -= dt;
         if (rests_s_ < 0.0F) {
             goes_s_ = 0.0F;
@@ -159,7 +160,7 @@ void Demon::move(float most_m_s)
 
 void Demon::keep_in_haunt()
 {
-    // What is pushed out of a pillar may be pushed against a wall, and the other way round.
+    // Repeats, because pushing it out of a pillar may push it into a wall and the other way round.
     for (int round = 0; round < 4; ++round) {
         for (const glm::vec3& pillar : haunt_.pillars) {
             const glm::vec2 off = place_m_ - glm::vec2(pillar);
@@ -168,7 +169,7 @@ void Demon::keep_in_haunt()
                 const glm::vec2 out = near_m > 1e-3F ? off / near_m : glm::vec2(1.0F, 0.0F);
                 place_m_ = glm::vec2(pillar) + (pillar.z + 1e-3F) * out;
                 velocity_m_s_ -= std::min(glm::dot(velocity_m_s_, out), 0.0F) * out;
-                // Round it, not against it.
+                // Moves it around the pillar instead of against it.
                 velocity_m_s_ += 0.6F * dt * glm::vec2(-out.y, out.x);
             }
         }
@@ -186,7 +187,7 @@ void Demon::look(const glm::vec3& walker_m)
     const glm::vec3 to_walker = walker_m - head;
     const bool is_looking = mood_ == Mood::watch || mood_ == Mood::shy || mood_ == Mood::dissolve;
     if (is_looking) {
-        // When it flees it looks back.
+        // A fleeing demon looks back.
         yaw_rad_ = turned_to(yaw_rad_, std::atan2(to_walker.x, to_walker.z), nearer(0.5F));
     } else if (glm::length(velocity_m_s_) > 0.1F) {
         yaw_rad_ = turned_to(yaw_rad_, std::atan2(velocity_m_s_.x, velocity_m_s_.y), nearer(0.8F));
@@ -224,7 +225,7 @@ void Demon::drift(const glm::vec2& wind_m_s)
     for (size_t i = 0; i < joints_.size(); ++i) {
         const Strand& strand = strands()[i];
         std::vector<glm::vec3>& joints = joints_[i];
-        // Sleeves and ribbons hang on the shoulders, which lag behind the head as the body does.
+        // Sleeves and ribbons hang from the shoulders, which trail behind the head as the body does.
         const glm::vec3 lag = i == 0 ? glm::vec3(0.0F)
                                      : (joints_[0][1] - hung(-strands()[0].length_m * glm::vec3(0, 1, 0))) *
                                            (-strand.root_m.y / strands()[0].length_m);
@@ -244,7 +245,7 @@ void Demon::drift(const glm::vec2& wind_m_s)
             velocity += dt * (spring * (rest - joints[k]) / size + loose * air);
             velocity *= std::exp(-damping_per_s * dt);
             joints[k] += dt * velocity;
-            // It stretches by a fifth at most; folded, it opens by and by.
+            // A segment stretches by a fifth at most; a compressed one lengthens gradually.
             const glm::vec3 off = joints[k] - joints[k - 1];
             const float far_m = glm::length(off);
             const float opens_m = std::max(far_m, std::min(far_m + 0.02F, 0.8F * length_m));

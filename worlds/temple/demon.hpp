@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What is held in the temple: beings of ink and smoke. Here is how one behaves and how its body drifts after
-// it, in steps of a sixtieth of a second, the same on every run.
+// The demons of the temple: beings of ink and smoke. This file has the behaviour of one demon and the motion
+// of its body, simulated in steps of a sixtieth of a second; the result is deterministic.
 
 #include <array>
 #include <cstdint>
@@ -16,57 +16,57 @@
 
 namespace temple {
 
-/// Ground that a demon keeps to: a rectangle, less what stands on it.
+/// Ground that a demon stays on: a rectangle without the pillars on it.
 struct Haunt {
-    glm::vec2 low_m{0.0F}; ///< for its middle: as far from walls as it is wide
+    glm::vec2 low_m{0.0F}; ///< limits of the demon's middle, which keeps its own width away from walls
     glm::vec2 high_m{0.0F};
-    std::vector<glm::vec3> pillars; ///< x, z, and how far off its middle stays
-    int room = outside;             ///< of the prison, that it is in
-    bool is_on_floor = true;        ///< of the prison; else on sand
-    bool is_cell = false;           ///< it is held there
-    float size = 1.0F;              ///< of the demon, beside a usual one of 2.4 m
+    std::vector<glm::vec3> pillars; ///< x, z, and the distance that the demon's middle keeps
+    int room = outside;             ///< room of the prison that the ground is in
+    bool is_on_floor = true;        ///< it is a floor of the prison, not sand
+    bool is_cell = false;           ///< the demon is held in this cell
+    float size = 1.0F;              ///< size of the demon relative to the usual height of 2.4 m
 };
 
 enum class Mood : uint8_t {
     wander,   ///< drifts from place to place
-    watch,    ///< stands, and looks at who has come
-    shy,      ///< keeps away from who is too near
-    dissolve, ///< runs out
+    watch,    ///< stands and looks at the visitor
+    shy,      ///< keeps away from a visitor who is too near
+    dissolve, ///< dissolves into ink
     gone
 };
 
-/// One that drifts after where it hangs: the parts of a body from its head down.
+/// A chain of joints that trails behind the body: a part of the body from the head down.
 struct Strand {
     int joints = 4;
-    float length_m = 0.3F;           ///< from one joint to the next
-    glm::vec3 root_m{0.0F};          ///< where it hangs on the body, from the head
-    glm::vec3 hangs{0.0F, -1, 0.0F}; ///< which way it would, unit
-    float stiffness = 1.0F;          ///< of the first joint; less further down
+    float length_m = 0.3F;           ///< distance between joints
+    glm::vec3 root_m{0.0F};          ///< attachment on the body, relative to the head
+    glm::vec3 hangs{0.0F, -1, 0.0F}; ///< rest direction, unit
+    float stiffness = 1.0F;          ///< of the first joint; decreases further down
 };
 
 inline constexpr int strand_count = 6;
 
-/// The body, two sleeves and three ribbons.
+/// The strands of a demon: the body, two sleeves and three ribbons.
 [[nodiscard]] const std::array<Strand, strand_count>& strands();
 
 class Demon {
 public:
     static constexpr double step_s = 1.0 / 60.0;
-    static constexpr float sees_m = 15.0F;       ///< who is nearer is watched
-    static constexpr float shies_m = 5.5F;       ///< who is nearer is kept away from
-    static constexpr float despairs_m = 2.2F;    ///< who stays nearer makes it dissolve
-    static constexpr float despairs_s = 2.5F;    ///< after so long
-    static constexpr float dissolves_s = 4.5F;   ///< it takes
-    static constexpr float half_width_m = 0.75F; ///< room that it keeps to walls, for a size of 1
-    static constexpr float head_m = 2.05F;       ///< over the ground, for a size of 1
+    static constexpr float sees_m = 15.0F;       ///< a visitor nearer than this is watched
+    static constexpr float shies_m = 5.5F;       ///< a visitor nearer than this makes it retreat
+    static constexpr float despairs_m = 2.2F;    ///< a visitor who stays nearer than this makes it dissolve
+    static constexpr float despairs_s = 2.5F;    ///< how long the visitor must stay that near
+    static constexpr float dissolves_s = 4.5F;   ///< duration of the dissolving
+    static constexpr float half_width_m = 0.75F; ///< distance kept from walls, for a size of 1
+    static constexpr float head_m = 2.05F;       ///< height of the head above the ground, for a size of 1
 
-    /// `ground_m` is the height at x and z.
+    /// `ground_m` gives the height of the ground at x and z.
     Demon(Haunt haunt, std::function<float(const glm::vec2&)> ground_m, Dice dice);
 
-    /// A 60th of a second on. `wind_m_s` is x and z.
+    /// Advances the simulation by step_s. `wind_m_s` is the wind along x and z.
     void step(const glm::vec3& walker_m, const glm::vec2& wind_m_s);
 
-    /// From now on it runs out, whoever is near.
+    /// Starts to dissolve, whoever is near.
     void dissolve();
 
     [[nodiscard]] Mood mood() const { return mood_; }
@@ -79,27 +79,27 @@ public:
 
     [[nodiscard]] glm::vec3 head() const { return joints_[0][0]; }
 
-    /// Where it faces, from +z towards +x.
+    /// Direction that it faces, from +z towards +x.
     [[nodiscard]] float yaw_rad() const { return yaw_rad_; }
 
     [[nodiscard]] float pitch_rad() const { return pitch_rad_; }
 
-    /// In the world, from where the strand hangs on.
+    /// Joints of a strand in world space, from its attachment on.
     [[nodiscard]] const std::vector<glm::vec3>& joints(int strand) const
     {
         return joints_[static_cast<size_t>(strand)];
     }
 
-    /// 0 shut, 1 as they are, more when it is afraid.
+    /// Opening of the eyes: 0 shut, 1 normal, more when it is afraid.
     [[nodiscard]] float eyes() const { return eyes_; }
 
-    /// Share of its ink that has run out.
+    /// Share of its ink that has flowed out.
     [[nodiscard]] float spilled() const { return spilled_; }
 
-    /// Share that is still in the body.
+    /// Share of its ink that is still in the body.
     [[nodiscard]] float body() const { return 1.0F - spilled_; }
 
-    /// How far round its foot it stains what is there now; 0 when it is gone.
+    /// Radius of the stain around its foot; 0 when it is gone.
     [[nodiscard]] float stain_m() const;
 
 private:
@@ -119,13 +119,13 @@ private:
     glm::vec2 place_m_{0.0F};
     glm::vec2 velocity_m_s_{0.0F};
     glm::vec2 goal_m_{0.0F};
-    float height_m_ = 0.0F; ///< of the head
+    float height_m_ = 0.0F; ///< height of the head
     float yaw_rad_ = 0.0F;
     float pitch_rad_ = 0.0F;
     float eyes_ = 1.0F;
     float until_blink_s_ = 2.0F;
     float rests_s_ = 0.0F;
-    float goes_s_ = 0.0F; ///< to its goal
+    float goes_s_ = 0.0F; ///< time since it chose its goal
     float despair_s_ = 0.0F;
     float dissolving_s_ = 0.0F;
     float spilled_ = 0.0F;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float nobody_m = 1e4F;
 
-/// An open square of 20 m on a floor at 0.
+/// An open square of 20 m on a floor at height 0.
 Haunt open_haunt()
 {
     return {.low_m = glm::vec2(-10.0F), .high_m = glm::vec2(10.0F), .pillars = {}};
@@ -34,7 +34,7 @@ glm::vec3 beside(const Demon& demon, float away_m)
     return demon.head() + glm::vec3(away_m, -0.4F, 0.0F);
 }
 
-/// How far a place is within a wall of the plan, the openings of doors left out; 0 outside of all.
+/// Depth of a place inside a wall of the plan, without doorways; 0 outside of all walls.
 float within_walls_m(const Plan& plan, const glm::vec3& place)
 {
     float deepest = 0.0F;
@@ -81,7 +81,7 @@ TEST(Demons, StayWhereTheyAreHeldWhoeverComes)
         Dice dice(seed, 5);
         glm::dvec3 walker(0.0);
         for (int i = 0; i < 360; ++i) {
-            if (i % 10 == 0) { // now and then somebody stands right beside one of them
+            if (i % 10 == 0) { // sometimes a visitor stands right beside one of them
                 const auto which = static_cast<size_t>(dice.below(static_cast<int>(demons.all().size())));
                 const glm::vec3 off(dice.between(-2.6F, 2.6F), -0.4F, dice.between(-2.6F, 2.6F));
                 walker = glm::dvec3(demons.all()[which].head() + off);
@@ -191,7 +191,7 @@ TEST(Demons, DriftSmoothlyAndHangTogether)
     };
     std::vector<glm::vec3> before = joints_of();
     for (int i = 0; i < 900; ++i) {
-        // Somebody comes, goes, and comes again.
+        // A visitor comes and goes repeatedly.
         const glm::vec3 walker = (i / 200) % 2 == 0 ? beside(demon, 4.0F) : glm::vec3(nobody_m);
         demon.step(walker, {-8.0F, 4.0F});
         const std::vector<glm::vec3> now = joints_of();

@@ -22,8 +22,8 @@ using estampe::Primitive;
 
 constexpr float full_turn = 2.0F * std::numbers::pi_v<float>;
 
-/// The joints of a demon's body: those of its strands one after the other, from the head down, then its two
-/// eyes. As they are at rest, from the head.
+/// The joints of a demon's body in the rest pose, relative to the head: those of its strands one after the
+/// other, from the head down, then its two eyes.
 const std::vector<glm::vec3>& rest_joints()
 {
     static const std::vector<glm::vec3> all = [] {
@@ -40,7 +40,7 @@ const std::vector<glm::vec3>& rest_joints()
     return all;
 }
 
-/// The number of the first joint of a strand among them.
+/// Index of a strand's first joint in rest_joints().
 size_t first_joint(int strand)
 {
     size_t first = 0;
@@ -50,7 +50,7 @@ size_t first_joint(int strand)
     return first;
 }
 
-/// Two joints and how much of the second.
+/// Two joints and the weight of the second.
 struct Hold {
     size_t first = 0;
     size_t second = 0;
@@ -65,7 +65,8 @@ void add_vertex(Primitive& part, const glm::vec3& place, const glm::vec2& uv, co
     part.weights_0.emplace_back(1.0F - hold.share, hold.share, 0.0F, 0.0F);
 }
 
-/// Joins two rows of so many vertices, the second of which begins right after the first; closed to a ring.
+/// Adds triangles between two rows of vertices of equal number, the second directly after the first; closes
+/// the band to a ring.
 void add_band(Primitive& part, uint32_t first, uint32_t columns)
 {
     for (uint32_t i = 0; i < columns; ++i) {
@@ -91,7 +92,7 @@ void find_normals(Primitive& part)
     }
 }
 
-/// Where along a strand a place so far from its root is held.
+/// Joint weights of a place along a strand, by its distance from the root.
 Hold hold_at(int strand, float down_m)
 {
     const Strand& hung = strands()[static_cast<size_t>(strand)];
@@ -101,7 +102,7 @@ Hold hold_at(int strand, float down_m)
     return {first, first + 1, along - static_cast<float>(whole)};
 }
 
-/// Hood, shoulders and a cloak whose hem is torn.
+/// Adds hood, shoulders and a cloak with a torn hem.
 void add_cloak(Primitive& part, Dice& dice)
 {
     struct Ring {
@@ -148,8 +149,8 @@ void add_cloak(Primitive& part, Dice& dice)
     }
 }
 
-/// A sleeve that is wide at its torn end, or a ribbon that ends in a point: so wide and deep at its root and
-/// end.
+/// Adds a sleeve with a wide, torn end, or a ribbon that ends in a point. `root_m` and `end_m` are width and
+/// depth at both ends.
 void add_strand(Primitive& part, int number, const glm::vec2& root_m, const glm::vec2& end_m, Dice& dice)
 {
     const Strand& strand = strands()[static_cast<size_t>(number)];
@@ -201,8 +202,8 @@ void add_eyes(Primitive& part)
     }
 }
 
-/// A hooded shape with a torn hem, sleeves and ribbons, of `ink`, and two eyes of `pale`, bent by those
-/// joints. Its front is +z, and the head is at the origin.
+/// Builds a hooded shape with a torn hem, sleeves and ribbons of the material `ink`, and two eyes of `pale`,
+/// skinned to rest_joints(). Its front is +z, and its head is at the origin.
 estampe::Mesh build_demon(Dice dice, estampe::Index ink, estampe::Index pale)
 {
     Primitive body;
@@ -224,9 +225,9 @@ estampe::Mesh build_demon(Dice dice, estampe::Index ink, estampe::Index pale)
 using estampe::Index;
 
 constexpr size_t most_cells = 6;
-constexpr int forms = 3; ///< torn otherwise
+constexpr int forms = 3; ///< number of meshes with different torn edges
 
-/// Where smoke leaves it: joints of strands.
+/// A joint of a strand from which smoke rises.
 struct Wisp {
     int strand;
     int joint;
@@ -255,7 +256,7 @@ Haunt room_haunt(const Plan& plan, size_t room, float size)
     return haunt;
 }
 
-/// On the sand, clear of what stands there.
+/// A ground on the sand, without what stands there.
 Haunt sand_haunt(const Site& site, const glm::vec2& low, const glm::vec2& high, float size)
 {
     Haunt haunt{.low_m = low, .high_m = high, .pillars = {}, .is_on_floor = false, .size = size};
@@ -266,7 +267,7 @@ Haunt sand_haunt(const Site& site, const glm::vec2& low, const glm::vec2& high, 
     for (const glm::vec3& drum : site.drums) {
         haunt.pillars.emplace_back(drum.x, drum.y, 1.9F + wide_m);
     }
-    haunt.pillars.emplace_back(-5.4F, -4.0F, 1.6F + wide_m); // the figure
+    haunt.pillars.emplace_back(-5.4F, -4.0F, 1.6F + wide_m); // the statue
     for (const Sheet& sheet : site.sheets) {
         haunt.pillars.emplace_back(sheet.corner_m.x, sheet.corner_m.z, 0.3F + wide_m);
     }
@@ -327,7 +328,7 @@ Demons::Demons(const Plan& plan, const Site& site, const estampe::Terrain& deser
 void Demons::step(double seconds, const glm::dvec3& walker_m, const glm::vec2& wind_m_s)
 {
     owed_s_ += std::max(seconds, 0.0);
-    // A step that is all but due is taken: moments are sums of what has been rounded.
+    // The tolerance lets a step that is due run despite rounding in the sum of times.
     for (; owed_s_ > Demon::step_s - 1e-9; owed_s_ -= Demon::step_s) {
         for (Demon& demon : all_) {
             demon.step(glm::vec3(walker_m), wind_m_s);
@@ -406,7 +407,7 @@ std::vector<estampe::NodePlace> Demons::places(Index first,
         const auto size = static_cast<double>(demon.haunt().size);
         const bool is_gone = demon.mood() == Mood::gone || (is_hidden && is_hidden(demon));
         const auto left = static_cast<double>(demon.body());
-        // Running out it grows thin, and sinks.
+        // A dissolving demon grows thin and sinks.
         const double thin = std::max(std::sqrt(std::max(left, 0.0)), 1e-3);
         const glm::dvec3 head(demon.head());
         const glm::dquat turned = facing(demon);
@@ -423,7 +424,7 @@ std::vector<estampe::NodePlace> Demons::places(Index first,
             const auto open = static_cast<double>(demon.eyes());
             put(glm::dvec3(rest_joints()[eye]), straight, {0.6 + 0.4 * open, std::max(open, 0.02), 1.0});
         }
-        // They are turned against each other, so that no two streams look alike; upwards on the whole.
+        // Emitters are rotated differently, but mostly upwards, so that no two streams look alike.
         for (size_t i = 0; i < wisps.size(); ++i) {
             const double lean = wisps[i].strand == 0 ? 0.5 : 1.1;
             const glm::dquat aside = glm::angleAxis(2.4 * static_cast<double>(i), glm::dvec3(0.0, 1.0, 0.0)) *

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Demons in pictures.
+// Renders demons.
 #include "temple/world.hpp"
 
 #include <algorithm>
@@ -13,9 +13,9 @@ namespace {
 
 constexpr estampe::RenderSettings small{.width = 144, .height = 96};
 
-/// Nothing but demons, on a white page.
+/// A scene with only demons, on a white page.
 struct Stage {
-    /// All but one have dissolved.
+    /// All demons except one have dissolved.
     explicit Stage(size_t kept) : demons(plan, make_site(1), make_desert(plan, 1), 1)
     {
         for (size_t i = 0; i < demons.all().size(); ++i) {
@@ -34,7 +34,7 @@ struct Stage {
         style.set("material.demon*.wash.least=0");
     }
 
-    /// Where it is dark, on the page: how many pixels, and their middle.
+    /// Number and centre of the dark pixels on the page.
     struct Dark {
         size_t count = 0;
         glm::dvec2 middle_px{0.0};
@@ -68,7 +68,7 @@ struct Stage {
         return dark;
     }
 
-    /// From so far before its face.
+    /// A camera in front of a demon's face, at a distance.
     [[nodiscard]] estampe::Camera before(size_t demon, double away_m) const
     {
         const glm::dvec3 head(demons.all()[demon].head());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The film's camera: smooth, and nowhere in stone or sand, held against rays that know nothing of its way.
+// The film's camera moves smoothly and never through stone or sand, as independent rays confirm.
 #include "temple/cameras.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ glm::dvec3 look_of(const estampe::Camera& camera)
     return glm::normalize(camera.target - camera.eye);
 }
 
-/// Every direction, about 0.6 rad apart.
+/// Directions all around, about 0.6 rad apart.
 std::vector<glm::dvec3> around()
 {
     std::vector<glm::dvec3> all;
@@ -80,7 +80,7 @@ TEST(TempleFlight, PassesDunesGateCourtAndHallsWithoutAJerk)
             const glm::dvec3 eye = camera(frame).eye;
             const glm::dvec3 step = eye - camera(frame - 1).eye;
             const glm::dvec3 next = camera(frame + 1).eye - eye;
-            // Metres a second, and a second of that; degrees a second likewise.
+            // In metres per second and per second squared; likewise for degrees.
             ASSERT_LT(glm::length(step) * frames_a_s, 14.0) << seed << ", frame " << frame;
             ASSERT_LT(glm::length(next - step) * frames_a_s * frames_a_s, 9.0) << seed << ", frame " << frame;
             const double turn =
@@ -113,7 +113,7 @@ TEST(TempleFlight, HasSomethingToSeeBeforeIt)
             return !scene.nodes[posed.node].cloth;
         });
         const Flight flight(scene, seed);
-        // Of a picture of 16 x 9 rays the share that a wall is near before.
+        // Share of a picture of 16 x 9 rays in which a wall is near.
         const auto near_share = [&](const estampe::Camera& camera) {
             const glm::dvec3 right = glm::normalize(glm::cross(look_of(camera), glm::dvec3(0.0, 1.0, 0.0)));
             const glm::dvec3 up = glm::cross(right, look_of(camera));

@@ -22,7 +22,7 @@ class Hanger {
 public:
     explicit Hanger(Lamps& lamps) : lamps_(lamps) {}
 
-    /// A bowl on three chains under a ceiling.
+    /// Adds a bowl on three chains below a ceiling.
     void lamp(const glm::vec3& place_m, float ceiling_m, float candela)
     {
         const std::array<glm::vec2, 7> bowl{{{0.0F, -0.2F},
@@ -42,7 +42,7 @@ public:
         light(place_m + glm::vec3(0.0F, 0.22F, 0.0F), candela, false);
     }
 
-    /// A bowl of embers on a foot.
+    /// Adds a bowl of embers on a foot.
     void brazier(const glm::vec3& place_m, float candela, bool throws_shadows)
     {
         const std::array<glm::vec2, 11> foot{{{0.0F, 0.0F},
@@ -61,7 +61,7 @@ public:
         light(place_m + glm::vec3(0.0F, 1.75F, 0.0F), candela, throws_shadows);
     }
 
-    /// What falls through a hole in the roof, as if the sky were a lamp above it.
+    /// Adds the daylight through a hole in the roof, as a spot above it.
     void shaft(const glm::vec3& hole_m, float depth_m)
     {
         constexpr float above_m = 5.0F;
@@ -101,7 +101,7 @@ void light_room(Hanger& hanger, const Plan& plan, int index, Dice& dice)
     const glm::ivec2 modules = room.last - room.first;
     switch (room.kind) {
     case RoomKind::cell:
-        // A cell has its lamp beside the wall, not in the way.
+        // A cell's lamp hangs near the wall, out of the way.
         hanger.lamp(
             {middle.x + dice.between(-1.2F, 1.2F), floor_m + 2.5F, middle.y + dice.between(-1.2F, 1.2F)},
             ceiling, 6.0F);
@@ -129,14 +129,14 @@ void light_room(Hanger& hanger, const Plan& plan, int index, Dice& dice)
                                                 {high.x - in, high.y - in},
                                                 {low.x + in, high.y - in}}};
         for (size_t i = 0; i < corners.size(); ++i) {
-            // Two of the great halls' fires throw shadows.
+            // One fire in each of the two great halls casts shadows.
             const bool throws_shadows = is_great && i == (room.kind == RoomKind::last ? 0U : 1U);
             if (is_great || i % 2 == 0) {
                 hanger.brazier({corners[i].x, floor_m, corners[i].y}, is_great ? 32.0F : 24.0F,
                                throws_shadows);
             }
         }
-        // Along the middle, where no columns stand.
+        // Hangs lamps along the middle, where no columns stand.
         const bool is_along_x = modules.x >= modules.y;
         for (int i = 0; i < std::max(modules.x, modules.y); i += 2) {
             const float along = module_m * (static_cast<float>(i) + 0.5F);
@@ -193,8 +193,8 @@ Lamps hang_lamps(const Plan& plan, uint64_t seed)
 namespace {
 
 constexpr double seen_within_m = 26.0;
-constexpr double box_half_m = 1.8;  ///< of the box that smoke rises in
-constexpr float over_foot_m = 0.1F; ///< of the fire its floor is
+constexpr double box_half_m = 1.8;  ///< half the size of the smoke simulation's box
+constexpr float over_foot_m = 0.1F; ///< height of the box's floor above the foot of the fire
 
 bool is_within(const Room& room, const glm::vec2& place_m)
 {

@@ -23,7 +23,7 @@ glm::vec2 corner_m(glm::ivec2 module)
             front_z_m - module_m * static_cast<float>(module.y)};
 }
 
-/// Fills what is free with rectangles.
+/// Fills free modules with rectangles.
 class Divider {
 public:
     explicit Divider(Dice& dice) : dice_(dice) { taken_.fill(false); }
@@ -111,11 +111,11 @@ float height_of(const Room& room, Dice& dice)
     return 4.0F;
 }
 
-/// All stretches of wall, each between the same two rooms.
+/// All straight pieces of wall, each between the same two rooms.
 std::vector<WallRun> find_walls(const Plan& plan)
 {
     std::vector<WallRun> walls;
-    // Lines of the grid along x (`is_along_x`), then along z.
+    // Lines of the grid along x first, then along z.
     for (const bool is_along_x : {true, false}) {
         const int lines = is_along_x ? modules_z : modules_x;
         const int steps = is_along_x ? modules_x : modules_z;
@@ -161,7 +161,7 @@ bool is_cell(const Plan& plan, int room)
 Door door_in(const Plan& plan, const WallRun& wall)
 {
     Door door{.a = wall.a, .b = wall.b, .place_m = 0.5F * (wall.from_m + wall.to_m)};
-    if (wall.a == outside || wall.b == outside) { // the portal
+    if (wall.a == outside || wall.b == outside) { // this wall is for the portal only
         door.half_m = 1.9F;
         door.springing_m = 3.4F;
     } else if (is_cell(plan, wall.a) || is_cell(plan, wall.b)) {
@@ -176,7 +176,7 @@ Door door_in(const Plan& plan, const WallRun& wall)
     return door;
 }
 
-/// Doors that join all rooms into one tree of chance, by Kruskal's way, and a few more that close rings.
+/// Opens doors that join all rooms into a random spanning tree (Kruskal), and a few more that close loops.
 void open_doors(Plan& plan, Dice& dice)
 {
     struct Choice {
@@ -196,7 +196,7 @@ void open_doors(Plan& plan, Dice& dice)
             }
             continue;
         }
-        // Cells open on what is no cell; and the last hall has few doors.
+        // Cells have no doors to other cells, and the last hall has few doors.
         const bool is_last = wall.a == plan.last_room || wall.b == plan.last_room;
         const int cells = (is_cell(plan, wall.a) ? 1 : 0) + (is_cell(plan, wall.b) ? 1 : 0);
         choices.push_back({dice.share() + 2.0F * static_cast<float>(cells) + (is_last ? 1.0F : 0.0F), i});
@@ -216,7 +216,7 @@ void open_doors(Plan& plan, Dice& dice)
         plan.doors.push_back(door_in(plan, wall));
         std::ranges::replace(group, b, a);
     }
-    // Cells through which no way leads may be shut.
+    // Cells that are not on the way to another room may be shut.
     std::map<int, int> ways;
     for (const Door& door : plan.doors) {
         ++ways[door.a];
@@ -231,7 +231,7 @@ void open_doors(Plan& plan, Dice& dice)
     }
 }
 
-/// A pier stands wherever walls end, as high as the highest of them.
+/// Piers stand wherever walls end, as high as the highest of them.
 std::vector<Post> find_posts(const std::vector<WallRun>& walls)
 {
     std::map<std::pair<float, float>, float> heights;
@@ -321,9 +321,9 @@ Plan make_plan(uint64_t seed)
 namespace {
 
 constexpr float cell_m = 0.25F;
-constexpr float margin_m = 4.0F; ///< of free ground around the prison
+constexpr float margin_m = 4.0F; ///< width of free ground around the prison
 
-/// The ground of the prison in small squares, free or not.
+/// The ground of the prison as a grid of free and blocked squares.
 class Floor {
 public:
     explicit Floor(float radius_m)
@@ -334,7 +334,7 @@ public:
     {
     }
 
-    /// Nobody's middle comes nearer to the rectangle than the walker's radius.
+    /// Blocks a rectangle and a margin of the walker's radius around it.
     void fill(const glm::vec2& low_m, const glm::vec2& high_m)
     {
         const glm::vec2 grow(radius_m_);
@@ -372,7 +372,7 @@ public:
         if (next.empty()) {
             return way;
         }
-        // Every cell knows by which step it was come upon, from the goal's side.
+        // Each square knows the step by which the search reached it from the goal.
         for (glm::ivec2 here = goal;; here -= steps[state_[index(here)]]) {
             way.push_back(low_m_ + cell_m * (glm::vec2(here) + 0.5F));
             if (here == start) {

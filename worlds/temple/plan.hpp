@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The prison's rooms: who lies beside whom, where doors lead, where columns stand. Numbers alone, no shapes.
+// The floor plan of the prison: which rooms are adjacent, where doors lead, where columns stand. Contains
+// only numbers, no meshes.
 
 #include <cstdint>
 #include <optional>
@@ -13,30 +14,30 @@
 
 namespace temple {
 
-inline constexpr float module_m = 6.0F; ///< rooms are whole numbers of it long and wide
+inline constexpr float module_m = 6.0F; ///< length and width of rooms are whole multiples of this
 inline constexpr int modules_x = 8;
 inline constexpr int modules_z = 6;
-inline constexpr float floor_m = 1.2F;     ///< of all rooms, over the court
-inline constexpr float front_z_m = -27.0F; ///< the prison's front; its rooms lie behind, towards -z
-inline constexpr float post_half_m = 0.7F; ///< of the piers where walls meet
+inline constexpr float floor_m = 1.2F;     ///< height of all floors above the court
+inline constexpr float front_z_m = -27.0F; ///< z of the prison's front; its rooms lie behind it, towards -z
+inline constexpr float post_half_m = 0.7F; ///< half the width of the piers where walls meet
 
 enum class RoomKind : uint8_t {
     entrance,
     hall,
     corridor,
     cell,
-    fallen, ///< its roof has come down and sand lies in it
-    last,   ///< where the way ends
+    fallen, ///< its roof has collapsed and sand lies in it
+    last,   ///< the visitor's destination
 };
 
-/// A rectangle of modules: from the first to before the last.
+/// A rectangle of modules; `last` is exclusive.
 struct Room {
     RoomKind kind = RoomKind::hall;
     glm::ivec2 first{0}, last{0};
     float height_m = 4.0F;
 
-    [[nodiscard]] glm::vec2 low_m() const;  ///< corner with the least x and z
-    [[nodiscard]] glm::vec2 high_m() const; ///< and with the greatest
+    [[nodiscard]] glm::vec2 low_m() const;  ///< corner with the smallest x and z
+    [[nodiscard]] glm::vec2 high_m() const; ///< corner with the largest x and z
 
     [[nodiscard]] glm::vec2 middle_m() const { return 0.5F * (low_m() + high_m()); }
 
@@ -45,17 +46,17 @@ struct Room {
 
 inline constexpr int outside = -1;
 
-/// A way through a wall.
+/// A doorway through a wall.
 struct Door {
     int a = outside, b = outside; ///< rooms
     glm::vec2 place_m{0.0F};
     float half_m = 1.0F;
     float springing_m = 2.2F;
     bool is_arched = true;
-    bool is_barred = false; ///< of a cell that is still shut
+    bool is_barred = false; ///< a grating still closes this cell
 };
 
-/// A wall between two rooms, or around all of them, along x or z.
+/// A wall between two rooms or around the prison, along x or z.
 struct WallRun {
     int a = outside, b = outside;
     glm::vec2 from_m{0.0F}, to_m{0.0F}; ///< from pier to pier
@@ -65,7 +66,7 @@ struct WallRun {
     std::optional<size_t> door;
 };
 
-/// A pier at a corner of rooms.
+/// A pier at the corner of rooms.
 struct Post {
     glm::vec2 place_m{0.0F};
     float height_m = 4.0F;
@@ -78,21 +79,21 @@ struct PlacedColumn {
 };
 
 struct Plan {
-    std::vector<Room> rooms; ///< the entrance first
-    std::vector<Door> doors; ///< the portal first
+    std::vector<Room> rooms; ///< the first is the entrance
+    std::vector<Door> doors; ///< the first is the portal
     std::vector<WallRun> walls;
     std::vector<Post> posts;
     std::vector<PlacedColumn> columns;
     int last_room = 0;
 
-    /// The room of a module.
+    /// Index of the room that contains a module.
     [[nodiscard]] int room_at(glm::ivec2 module) const;
 };
 
 [[nodiscard]] Plan make_plan(uint64_t seed);
 
-/// The way a walker of that radius takes from before the portal to the middle of the last hall, on a grid of
-/// a quarter of a metre; empty where there is none.
+/// A path for a walker of that radius from the portal to the middle of the last hall, on a grid of a quarter
+/// of a metre; empty if there is none.
 [[nodiscard]] std::vector<glm::vec2> find_way(const Plan& plan, float radius_m = 0.35F);
 
 } // namespace temple

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A hundred temples: rooms, ways, columns and walls, without drawing any.
+// Checks rooms, paths, columns and walls of a hundred temples, without rendering.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr uint64_t seeds = 100;
 
-/// How far two rectangles about their middles lie apart; negative where they overlap.
+/// Distance between two rectangles given by centre and half size; negative if they overlap.
 float gap_m(const glm::vec2& a, const glm::vec2& half_a, const glm::vec2& b, const glm::vec2& half_b)
 {
     const glm::vec2 off = glm::abs(a - b) - half_a - half_b;
@@ -92,7 +92,7 @@ TEST(TemplePlan, ColumnsStandClearOfEachOtherAndOfWalls)
             for (size_t k = 0; k < i; ++k) {
                 const StandingColumn& a = outside_columns[i];
                 const StandingColumn& b = outside_columns[k];
-                // Their tops lean, towards each other at worst.
+                // Their tops lean, in the worst case towards each other.
                 const float lean = std::sin(glm::radians(a.column.lean_deg)) * a.column.height_m +
                                    std::sin(glm::radians(b.column.lean_deg)) * b.column.height_m;
                 ASSERT_GT(gap_m(a.place_m, glm::vec2(foot_half_m(a.column)), b.place_m,
@@ -124,7 +124,7 @@ TEST(TemplePlan, LampsAreManyAndFewThrowShadows)
             std::ranges::count_if(lights, [](const PlacedLight& lamp) { return lamp.light.casters != 0; });
         EXPECT_GE(shadowed, 3) << seed;
         EXPECT_LE(shadowed, 8) << seed;
-        for (const PlacedLight& lamp : lights) { // spots hang over the roof, above their holes
+        for (const PlacedLight& lamp : lights) { // spots hang above the roof, over its holes
             const bool is_spot = lamp.light.type == estampe::LightType::spot;
             for (const PlacedColumn& column : plan.columns) {
                 ASSERT_GT(gap_m({lamp.place_m.x, lamp.place_m.z}, {}, column.place_m,
@@ -136,7 +136,7 @@ TEST(TemplePlan, LampsAreManyAndFewThrowShadows)
     }
 }
 
-/// How much of a stone lies on stones of the course below, or on an arch that stands.
+/// Share of a stone's width that lies on stones of the course below, or on an arch that stands.
 float carried_share(const Wall& wall, const Laid& laid, size_t course, const Stone& stone)
 {
     constexpr int samples = 64;
@@ -178,7 +178,7 @@ TEST(TempleWalls, NoStoneFloats)
                 ++stones;
             }
         }
-        // Of a broken arch a stone is left only next to its pier, or next to such a stone.
+        // A stone of a broken arch remains only next to its pier or to another remaining stone.
         for (const Voussoir& voussoir : laid.voussoirs) {
             if (laid.is_whole[static_cast<size_t>(voussoir.arch)]) {
                 continue;
@@ -206,7 +206,8 @@ TEST(TempleSand, BuriesTheFeetOfWhatStandsOnIt)
                 EXPECT_LE(standing.foot_m, 0.0F) << seed;
             }
         }
-        // Below every floor, but for where it came in through a gap; never up to a sill of the roofs.
+        // Sand lies below every floor except where it came in through a gap, and never reaches the sills of
+        // roofs.
         for (const Room& room : plan.rooms) {
             const float level = sand_level_m(plan, seed, room.middle_m());
             if (room.kind == RoomKind::fallen) {
@@ -215,7 +216,7 @@ TEST(TempleSand, BuriesTheFeetOfWhatStandsOnIt)
                 EXPECT_LT(level, floor_m - 0.5F) << seed;
             }
         }
-        // The way in is not blocked.
+        // The entrance is not blocked.
         EXPECT_LT(sand_level_m(plan, seed, plan.doors.front().place_m), floor_m + 0.6F) << seed;
         EXPECT_LT(sand_level_m(plan, seed, {0.0F, court_south_m}), 1.0F) << seed;
     }

@@ -14,7 +14,7 @@
 namespace temple {
 namespace {
 
-/// What is left of a wall that stands in the open.
+/// Height of what remains of a wall in the open.
 std::function<float(float)> ruined_top(float height_m, float deep, Dice& dice)
 {
     const float phase = 6.0F * dice.share();
@@ -47,10 +47,10 @@ Kit build_run(const Plan& plan, const WallRun& run, Dice dice)
     }
     if (stands_open(plan, run)) {
         wall.top_m = ruined_top(run.height_m, dice.between(0.25F, 0.5F), dice);
-    } else if (run.a == outside || run.b == outside) { // its parapet alone has suffered
+    } else if (run.a == outside || run.b == outside) { // only its parapet is damaged
         wall.top_m = ruined_top(run.height_m, 1.3F / run.height_m, dice);
     }
-    // From its beginning along +x; a wall along z begins at its end with the greater z.
+    // Walls are built along +x; a wall along z begins at its end with the greater z.
     const glm::vec2 way = glm::normalize(run.to_m - run.from_m);
     const glm::vec2 from = run.from_m + 0.8F * post_half_m * way;
     Kit kit;
@@ -71,7 +71,7 @@ void add_post(Kit& kit, const Post& post, Dice& dice)
             at({post.place_m.x - post_half_m, floor_m, post.place_m.y}));
 }
 
-/// Flags in rows, a few of their joints drawn.
+/// Adds flagstones in rows; only a few of their joints are drawn.
 void add_floor(Kit& kit, const Room& room, Dice& dice)
 {
     const glm::vec2 low = room.low_m();
@@ -93,7 +93,7 @@ void add_floor(Kit& kit, const Room& room, Dice& dice)
     }
 }
 
-/// A roof of slabs, with a hole where light is to fall through.
+/// Adds a roof of slabs, with a hole for light if `shaft` is set.
 void add_roof(Kit& kit, const Room& room, std::optional<glm::vec2> shaft)
 {
     constexpr float thick_m = 0.5F;
@@ -115,7 +115,7 @@ void add_roof(Kit& kit, const Room& room, std::optional<glm::vec2> shaft)
     slab(to.x, from.y, high.x, to.y);
 }
 
-/// Beams over the columns, from wall to wall.
+/// Adds beams above the columns, from wall to wall.
 void add_beams(Kit& kit, const Plan& plan, int index)
 {
     const Room& room = plan.rooms[static_cast<size_t>(index)];
@@ -140,7 +140,7 @@ void add_beams(Kit& kit, const Plan& plan, int index)
     }
 }
 
-/// A barrel under the roof of a corridor, along its length.
+/// Adds a barrel vault below the roof of a corridor, along its length.
 void add_vault(Kit& kit, const Room& room, Dice& dice)
 {
     const glm::vec2 size = room.high_m() - room.low_m();
@@ -247,23 +247,23 @@ std::vector<Thing> build_prison(const Plan& plan, uint64_t seed)
 
 namespace {
 
-constexpr float wider_m = 0.8F;   ///< than it is a door counts
-constexpr float within_m = 1.2F;  ///< of a door one is in both rooms
-constexpr float above_m = 5.0F;   ///< the floor one may look down on roofs
-constexpr float around_m = 60.0F; ///< from which one sees holes in them
+constexpr float wider_m = 0.8F;   ///< by which a door counts as wider than it is
+constexpr float within_m = 1.2F;  ///< distance from a door within which an eye counts as in both rooms
+constexpr float above_m = 5.0F;   ///< height above the floor from which roofs are visible from above
+constexpr float around_m = 60.0F; ///< distance within which holes in them are visible
 
 float cross(const glm::vec2& a, const glm::vec2& b)
 {
     return a.x * b.y - a.y * b.x;
 }
 
-/// A way out of a room, from side to side.
+/// A door of a room, between its two sides.
 struct Portal {
     int to = outside;
     glm::vec2 from_m{0.0F}, to_m{0.0F};
 };
 
-/// What lies between two directions, counter-clockwise from the first, less than half a turn.
+/// The directions between two, counter-clockwise from the first, less than half a turn.
 struct Wedge {
     glm::vec2 first{0.0F}, last{0.0F};
 };
@@ -282,13 +282,13 @@ public:
     {
     }
 
-    /// All that is seen from within a room, or from the open.
+    /// Finds everything visible from inside a room, or from outdoors.
     void look_around(int room) { look(room, std::nullopt); }
 
     [[nodiscard]] const std::vector<bool>& seen() const { return seen_; }
 
 private:
-    /// Rooms without a roof are parts of the open.
+    /// Rooms without a roof count as outdoors.
     [[nodiscard]] int place_of(int room) const
     {
         return room == outside || plan_.rooms[static_cast<size_t>(room)].is_roofed() ? room : outside;
@@ -319,7 +319,7 @@ private:
         if (room != outside) {
             const auto index = static_cast<size_t>(room);
             if (is_passed_[index]) {
-                return; // no straight way comes twice into a room
+                return; // a straight line enters a room only once
             }
             seen_[index] = true;
             is_passed_[index] = true;
@@ -357,7 +357,7 @@ private:
     const Plan& plan_;
     glm::vec2 eye_;
     std::vector<bool> seen_;
-    std::vector<bool> is_passed_; ///< on the way that is being followed
+    std::vector<bool> is_passed_; ///< rooms on the line of sight that is being followed
     bool is_outside_passed_ = false;
 };
 

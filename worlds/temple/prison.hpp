@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The rooms of a plan in stone, and what of them can be seen from a place: rooms are cells, and doors the
-// portals between them.
+// Builds the rooms of a plan in stone, and computes which of them are visible from a place: rooms are the
+// cells and doors the portals of the visibility search.
 
 #include <string>
 #include <vector>
@@ -14,27 +14,27 @@
 
 namespace temple {
 
-/// A thing of the scene: one mesh, one node.
+/// An object of the scene: one mesh and one node.
 struct Thing {
     std::string name;
     Kit kit;
     glm::vec3 place_m{0.0F};
-    bool on_sand = false; ///< its place is so high over the sand
+    bool on_sand = false; ///< the height of `place_m` is relative to the sand
 };
 
-/// Walls, piers, and for each room its floor, roof, columns and bars.
+/// Builds walls and piers, and for each room its floor, roof, columns and bars.
 [[nodiscard]] std::vector<Thing> build_prison(const Plan& plan, uint64_t seed);
 
-/// The opening in a hall's roof through which light falls, if it has one: its middle.
+/// Centre of the opening in a hall's roof through which light falls; nothing if the roof has none.
 [[nodiscard]] std::optional<glm::vec2> shaft_of(const Plan& plan, int room);
 
 inline constexpr float shaft_half_m = 0.9F;
 
-/// For each room whether anything in it may be seen from that place; doors count as 0.8 m wider to either
-/// side than they are, so that what comes into sight is there before it does. Rooms that have lost their roof
-/// are as the open air. From outside, rooms are seen through doors and, from above the roofs, from 60 m
-/// around through the holes in them. After Luebke and Georges, "Portals and Mirrors", 1995, in the plane.
-/// Cost: some microseconds.
+/// For each room, whether anything in it may be visible from that place. Doors count as 0.8 m wider on either
+/// side than they are, so that objects appear in the scene before they come into sight. Rooms without a roof
+/// count as outdoors. From outside, rooms are visible through doors and, from above the roofs within 60 m,
+/// through the holes in them. After Luebke and Georges, "Portals and Mirrors", 1995, in the plane. Cost: some
+/// microseconds.
 [[nodiscard]] std::vector<bool> rooms_in_sight(const Plan& plan, const glm::vec3& eye_m);
 
 } // namespace temple

@@ -17,14 +17,14 @@ namespace {
 constexpr float mask_m = 264.0F;
 constexpr int mask_texels = 528;
 
-/// The way from a place to a rectangle; negative within.
+/// Distance from a place to a rectangle; negative inside.
 float distance_m(const glm::vec2& place, const glm::vec2& low, const glm::vec2& high)
 {
     const glm::vec2 off = glm::abs(place - 0.5F * (low + high)) - 0.5F * (high - low);
     return glm::length(glm::max(off, 0.0F)) + std::min(std::max(off.x, off.y), 0.0F);
 }
 
-/// Smooth chance in [-1, 1]: sums of waves whose crests cross.
+/// Smooth noise in [-1, 1]: a sum of waves in several directions.
 class Waves {
 public:
     explicit Waves(Dice dice)
@@ -50,20 +50,20 @@ private:
     glm::vec3 waves_[4];
 };
 
-/// A bank against a wall: as high as this at its foot, half as high so far away.
+/// Height of a sand bank against a wall: `high_m` at its foot, half as high at `half_way_m`.
 float bank_m(float way_m, float high_m, float half_way_m)
 {
     return high_m * std::exp2(-std::max(way_m, 0.0F) / half_way_m);
 }
 
-/// Against the walls in the wind's way, more in some places than in others.
+/// Banks against the walls on the windward and lee sides, higher in some places than in others.
 float banks_m(const glm::vec2& place, const Waves& waves)
 {
     const float uneven = 0.65F + 0.7F * waves.at(place, 26.0F);
     const glm::vec2 prison_low(-0.5F * module_m * modules_x, front_z_m - module_m * modules_z);
     const glm::vec2 prison_high(-prison_low.x, front_z_m);
     float level = 0.0F;
-    // The prison stands in the wind with its eastern side, and lies deep in its lee.
+    // The eastern side of the prison faces the wind; deep sand lies on its lee side.
     const float behind = glm::smoothstep(front_z_m + 10.0F, front_z_m - 2.0F, place.y);
     if (behind > 0.0F) {
         const float way = distance_m(place, prison_low, prison_high);
@@ -74,11 +74,11 @@ float banks_m(const glm::vec2& place, const Waves& waves)
                                                     (0.8F + 0.3F * waves.at(place, 31.0F)),
                                                 4.2F));
     }
-    // The western arcade catches what blows over the court.
+    // The western arcade catches sand that blows across the court.
     const float along_court = glm::smoothstep(court_south_m + 5.0F, court_south_m - 4.0F, std::abs(place.y));
     const float before_west = place.x - (court_west_m + 0.5F);
     level = std::max(level, along_court * bank_m(std::abs(before_west), 1.5F * uneven, 1.5F));
-    // The eastern one stands in its own bank.
+    // The eastern arcade stands in its own bank.
     const float from_east = place.x - court_east_m;
     level = std::max(
         level, along_court * bank_m(from_east > 0.0F ? from_east : -2.2F * from_east, 1.9F * uneven, 3.8F));
@@ -97,8 +97,8 @@ float banks_m(const glm::vec2& place, const Waves& waves)
     return level;
 }
 
-/// What has blown in through the portal, over the floor: a heap on its sill that runs out to both sides, flat
-/// enough to be walked over. Far below the floor where there is none.
+/// Sand that has blown in through the portal, above the floor: a heap on its sill that slopes to both sides,
+/// flat enough to walk over. Far below the floor where there is none.
 float tongue_m(const Plan& plan, const Waves& waves, const glm::vec2& place)
 {
     const glm::vec2 in = glm::vec2(1.0F, -1.0F) * (place - plan.doors.front().place_m);
@@ -106,7 +106,7 @@ float tongue_m(const Plan& plan, const Waves& waves, const glm::vec2& place)
     return 0.42F - run - 0.16F * std::abs(in.x + 0.35F * in.y) + 0.06F * waves.at(place, 3.0F);
 }
 
-/// 0 in a doorway, 1 where sand that lies high shuts none: it falls off no steeper than one can walk.
+/// 0 in a doorway, 1 where high sand blocks none; falls off no steeper than one can walk.
 float clear_of_doors(const Plan& plan, const glm::vec2& place)
 {
     float nearest_m = 100.0F;
@@ -116,7 +116,7 @@ float clear_of_doors(const Plan& plan, const glm::vec2& place)
     return glm::smoothstep(1.0F, 6.5F, nearest_m);
 }
 
-/// Under the floors; above them where sand came in.
+/// Sand below the floors, and above them where it came in.
 float indoors_m(const Plan& plan, const Waves& waves, const glm::vec2& place)
 {
     constexpr float hidden_m = floor_m - 1.4F;
@@ -126,7 +126,7 @@ float indoors_m(const Plan& plan, const Waves& waves, const glm::vec2& place)
         if (inside < 0.0F || room.is_roofed()) {
             continue;
         }
-        // What fell in through the open roof lies highest in one corner.
+        // Sand that fell in through the open roof is highest in one corner.
         const glm::vec2 share = (place - room.low_m()) / (room.high_m() - room.low_m());
         const float heap = 1.5F * share.x * (1.0F - 0.5F * share.y) + 0.25F * waves.at(place, 7.0F) - 0.15F;
         level = std::max(level,
@@ -136,7 +136,7 @@ float indoors_m(const Plan& plan, const Waves& waves, const glm::vec2& place)
     return level;
 }
 
-/// As the language of heights writes it.
+/// A number in the syntax of height expressions.
 std::string decimal(float value)
 {
     std::array<char, 32> text{};
@@ -145,7 +145,8 @@ std::string decimal(float value)
     return {text.data(), end};
 }
 
-/// A bowl, and what was in it as a rim. One without a depth keeps the same graph: it is too small to see.
+/// Nodes for a bowl, whose volume forms a rim. A hollow without depth keeps the same graph: it is too small
+/// to see.
 std::string hollow_nodes(const std::string& number, const Hollow& hollow)
 {
     constexpr float least_m = 0.0002F;
@@ -158,7 +159,7 @@ std::string hollow_nodes(const std::string& number, const Hollow& hollow)
            ") + smoothstep(" + at(0.3F) + ", " + at(1.2F) + ", " + away + ") - 1)\"\n";
 }
 
-/// Down the avenue, through the gate and past what lies in the court to the stairs.
+/// Footprints down the avenue, through the gate, past the obstacles in the court, to the stairs.
 estampe::TerrainTrack pilgrim()
 {
     return {.name = "pilgrim",
@@ -186,9 +187,9 @@ float sand_level_m(const Plan& plan, uint64_t seed, const glm::vec2& place_m)
     if (distance_m(place_m, low, high) < 0.0F) {
         return indoors_m(plan, waves, place_m);
     }
-    // The court is even; outside it the ground begins to move.
+    // The court is level; outside it the dunes begin to move.
     const float out_m = distance_m(place_m, {court_west_m - 6.0F, front_z_m}, {court_east_m, court_south_m});
-    const float way_m = std::abs(place_m.x) - 4.0F; // the avenue lies fairly even
+    const float way_m = std::abs(place_m.x) - 4.0F; // the avenue is fairly level
     const float wild = glm::smoothstep(2.0F, 30.0F, out_m) *
                        glm::smoothstep(0.0F, 30.0F, way_m + std::max(0.0F, -place_m.y));
     const float roll = (0.1F + 1.3F * wild) * waves.at(place_m, 46.0F) + 0.08F * waves.at(place_m, 11.0F);
@@ -249,7 +250,7 @@ estampe::Terrain Desert::with(std::span<const Hollow> hollows, bool is_trodden) 
         "speed_m_s = " +
         decimal(calm_m_s) +
         "\n"
-        "[ripples]\n" // the pen draws the sand's own streaks
+        "[ripples]\n" // the pen draws the ripples of the sand itself
         "height_m = 0\n";
     estampe::TerrainDescription description = estampe::parse_terrain(text, "temple");
     if (is_trodden) {

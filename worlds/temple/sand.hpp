@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The desert, and the sand that has drifted against the walls and in through the gaps.
+// The desert, and the sand that has drifted against the walls and through the gaps.
 
 #include <cstddef>
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace temple {
 
-/// Where the sand lies around the temple, and under its floors. The wind blows from the east.
+/// Height of the sand around the temple and under its floors. The wind blows from the east.
 [[nodiscard]] float sand_level_m(const Plan& plan, uint64_t seed, const glm::vec2& place_m);
 
 /// A hollow that something presses into the sand, with a rim around it.
@@ -27,22 +27,22 @@ struct Hollow {
 
 inline constexpr size_t most_hollows = 5;
 
-/// Dunes that go with the wind, and among them, still, the temple's own sand.
+/// Dunes that move with the wind, and the sand at the temple, which does not move.
 class Desert {
 public:
     Desert(const Plan& plan, uint64_t seed);
 
-    /// The desert with these hollows; of more than `most_hollows` the first ones. They are numbers of the
-    /// same graph, so that a renderer draws on with the shader it has. Where it is trodden, somebody has come
-    /// down the avenue and gone in when time begins, and left prints. Cost: a copy of a megabyte.
+    /// The desert with these hollows; only the first `most_hollows` count. Hollows are parameters of the same
+    /// graph, so that a renderer can keep its compiled shader. With `is_trodden`, somebody has walked down
+    /// the avenue and into the temple before time 0, and left footprints. Cost: a copy of a megabyte.
     [[nodiscard]] estampe::Terrain with(std::span<const Hollow> hollows, bool is_trodden = false) const;
 
 private:
     uint64_t seed_;
-    std::vector<float> levels_m_; ///< of the mask about the temple
+    std::vector<float> levels_m_; ///< values of the mask around the temple
 };
 
-/// The desert as it lies when nobody is about.
+/// The desert without hollows and footprints.
 [[nodiscard]] estampe::Terrain make_desert(const Plan& plan, uint64_t seed);
 
 } // namespace temple

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is said to be out of sight is: held against rays through the temple's triangles.
+// What is reported as out of sight is really invisible, as rays through the temple's triangles confirm.
 #include "temple/prison.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ TEST(TempleSight, NothingThatIsSeenIsSaidToBeHidden)
         size_t hidden = 0;
         size_t rays = 0;
         for (int i = 0; i < 400; ++i) {
-            // In the prison, or before it.
+            // Inside the prison, or in front of it.
             const bool is_inside = i % 4 != 0;
             const glm::vec3 eye(between(-24.0F, 24.0F), floor_m + 1.7F,
                                 is_inside ? between(-62.0F, -28.0F) : between(-26.0F, 20.0F));
@@ -61,8 +61,8 @@ TEST(TempleSight, OnesOwnRoomAndWhatItsDoorsShow)
         const std::vector<bool> seen = rooms_in_sight(plan, {middle.x, floor_m + 1.7F, middle.y});
         EXPECT_TRUE(seen[room]);
     }
-    // Straight before the portal one looks in; from the far end of the dunes, through its gate, not into
-    // cells.
+    // From directly before the portal one sees into it. From the far end of the dunes one sees through the
+    // gate, but not into cells.
     const glm::vec2 portal = plan.doors.front().place_m;
     EXPECT_TRUE(rooms_in_sight(plan, {portal.x, floor_m + 1.7F, portal.y + 4.0F}).front());
     EXPECT_TRUE(rooms_in_sight(plan, {portal.x, floor_m + 20.0F, portal.y + 4.0F}).back())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Smoke over the great halls' fires.
+// Smoke over the fires of the great halls.
 #include "temple/lamps.hpp"
 
 #include <algorithm>

@@ -18,7 +18,7 @@ namespace {
 
 using estampe::Index;
 
-/// Collects the nodes.
+/// Collects the scene's nodes.
 class Stage {
 public:
     estampe::Node& node(const std::string& name, const glm::dvec3& place_m)
@@ -30,7 +30,7 @@ public:
         return node;
     }
 
-    /// A mesh that nodes may show.
+    /// Adds a mesh that several nodes may show.
     Index keep(estampe::Mesh mesh)
     {
         scene_.meshes.push_back(std::move(mesh));
@@ -68,7 +68,7 @@ public:
     estampe::Scene& scene() { return scene_; }
 
 private:
-    /// Turns -z that way, upright.
+    /// Rotation that turns -z towards a direction and keeps up upright.
     static glm::dquat looking(const glm::dvec3& towards)
     {
         const glm::dvec3 way = glm::normalize(towards);
@@ -80,7 +80,7 @@ private:
     estampe::Scene scene_;
 };
 
-/// Low, from the east and a little from the south: shadows lie long over the court.
+/// Adds a low sun in the east and a little south: long shadows fall across the court.
 void add_sun(Stage& stage)
 {
     constexpr double azimuth_deg = 66.0; // 0 is +z, 90 +x

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The temple in the sand: a half-buried prison in a desert of dunes, all of it made by chance from one
-// number.
+// The temple in the sand: a half-buried prison in a desert of dunes, generated procedurally from one seed.
 
 #include <cstdint>
 
@@ -10,8 +9,8 @@
 
 namespace temple {
 
-/// The whole of it: desert, stones, lights, flags, and a camera for each viewpoint. The same seed gives the
-/// same scene. Cost: about a second.
+/// Builds the whole scene: desert, stones, lights, flags, and a camera for each viewpoint. The same seed
+/// gives the same scene. Cost: about a second.
 [[nodiscard]] estampe::Scene build_temple(uint64_t seed);
 
 } // namespace temple

@@ -16,7 +16,7 @@ namespace {
 
 using estampe::Scene;
 
-/// FNV-1a over all that is drawn.
+/// FNV-1a hash of everything that is drawn.
 uint64_t hash_of(const Scene& scene)
 {
     uint64_t hash = 0xcbf29ce484222325U;
@@ -102,7 +102,7 @@ TEST(Temple, HasTwelveViewpointsOverTheGround)
     }
 }
 
-/// What stands in the sand reaches down into it, everywhere that it could show.
+/// Objects in the sand reach below it wherever that could be visible.
 TEST(Temple, NothingFloatsOverTheSand)
 {
     for (const uint64_t seed : {1U, 2U, 3U}) {
@@ -123,7 +123,7 @@ TEST(Temple, NothingFloatsOverTheSand)
                 }
             }
             const glm::dvec3& foot = node.transform.translation;
-            // The portico's columns stand on its platform.
+            // The columns of the portico stand on its platform.
             const bool is_on_platform =
                 std::abs(foot.x) < stairs_half_m && foot.z < stairs_foot_m && foot.z > front_z_m;
             const double ground_m = is_on_platform ? floor_m : scene.terrain->sample(foot.x, foot.z).height_m;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Somebody who walks through the temple: what comes of it when the middle of the last hall is reached (fires
-// sink to embers, from there outwards, daylight grows in the halls, and the gratings of the cells go down
-// into the floor; nothing is said), and a tour of all of it that nobody's hands are needed for.
+// A walk through the temple; what happens when the visitor reaches the middle of the last hall (from there
+// outwards, fires sink to embers, daylight grows in the halls, and the gratings of the cells sink into the
+// floor; no text appears); and an automatic tour of the whole temple.
 
 #include <cstddef>
 #include <cstdint>
@@ -24,24 +24,25 @@ namespace temple {
 
 class Ending {
 public:
-    static constexpr double lasts_s = 24.0; ///< then all is as it stays
+    static constexpr double lasts_s = 24.0; ///< after this, nothing changes any more
 
-    /// Of a scene that build_temple() made from that seed, which may be gone afterwards.
+    /// `scene` was made by build_temple() with `seed`; it may be destroyed afterwards.
     Ending(const estampe::Scene& scene, uint64_t seed);
 
-    /// Whether one who stands there brings it about.
+    /// Whether a visitor at this position starts the ending.
     [[nodiscard]] bool begins_at(const glm::dvec3& feet_m) const;
 
-    /// Lights as they are so long after; before it, of negative seconds, as the scene has them.
+    /// Brightness of the lights at this time after the start of the ending; negative times give the scene's
+    /// own values.
     [[nodiscard]] std::vector<estampe::LightBrightness> lights(double after_s) const;
 
-    /// The same of flames and gratings, for Renderer::place().
+    /// Transforms of flames and gratings at this time after the start of the ending, for Renderer::place().
     [[nodiscard]] std::vector<estampe::NodePlace> nodes(double after_s) const;
 
-    /// The gratings that stand in the way until then.
+    /// The node of the gratings, which block the way until the ending opens them.
     [[nodiscard]] estampe::Index gratings() const { return gratings_.node; }
 
-    /// When nobody runs into them any more.
+    /// Whether the gratings no longer block the way.
     [[nodiscard]] static bool are_open(double after_s);
 
 private:
@@ -62,18 +63,19 @@ private:
     estampe::NodePlace gratings_;
 };
 
-/// What of the scene cannot be walked through.
+/// The parts of the scene that block a walker.
 [[nodiscard]] walk::Solids solids_of(const estampe::Scene& scene);
 
-/// The sand at a moment that may go on; both are to outlive it.
+/// The sand at the moment `time_s`, which may advance; both arguments must outlive the result.
 [[nodiscard]] walk::SandAt sand_of(const estampe::Terrain& desert, const double& time_s);
 
 class Visit final : public worlds::Visit {
 public:
-    /// Of a scene that build_temple() made from that seed; begins where the avenue does. Cost: 0.2 s.
+    /// `scene` was made by build_temple() with `seed`. The walk begins at the start of the avenue. Cost: 0.2
+    /// s.
     Visit(const estampe::Scene& scene, uint64_t seed);
 
-    /// For so long, at a moment of the scene.
+    /// Walks for `seconds`; `time_s` is the scene's time.
     void go(const walk::Intent& intent, double seconds, double time_s) override;
 
     [[nodiscard]] walk::Walker& walker() override { return *walker_; }
@@ -82,7 +84,7 @@ public:
 
     [[nodiscard]] const walk::Solids& solids() const { return solids_; }
 
-    /// How long ago the last hall was reached; nothing before.
+    /// Seconds since the visitor reached the last hall; nothing before that.
     [[nodiscard]] std::optional<double> since_arrival_s() const { return since_arrival_s_; }
 
     [[nodiscard]] bool has_arrived() const override { return since_arrival_s_.has_value(); }
@@ -100,22 +102,22 @@ private:
 
 class Tour {
 public:
-    /// Of a visit that has just begun, which is to outlive it. Cost: half a second.
+    /// `visit` has just begun and must outlive this object. Cost: half a second.
     Tour(const Visit& visit, uint64_t seed);
 
-    /// What the walker is to do now.
+    /// What the walker should do now.
     [[nodiscard]] walk::Intent intent();
 
-    /// How often it has come back to where it began.
+    /// Number of completed rounds of the tour.
     [[nodiscard]] size_t rounds() const { return rounds_; }
 
-    /// Rooms on the way that are no cells.
+    /// Number of rooms on the tour that are not cells.
     [[nodiscard]] size_t halls() const { return halls_; }
 
 private:
     [[nodiscard]] glm::dvec2 target_m() const { return {way_.at(next_).x, way_.at(next_).z}; }
 
-    /// The place nearest to a room's middle that can be gone to.
+    /// The reachable place nearest to a room's middle.
     [[nodiscard]] std::optional<glm::dvec2> find_open(const Room& room) const;
 
     const Visit& visit_;

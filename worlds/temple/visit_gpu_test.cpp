@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A walk as it is drawn: memory stays, and lights that burn lower are as if the scene had them so.
+// Rendering a walk: memory stays constant, and dimmed lights look as if the scene had defined them so.
 #include "temple/visit.hpp"
 
 #include <gtest/gtest.h>

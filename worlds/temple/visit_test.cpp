@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ten minutes on foot from the dunes to the last hall and back, held against rays that know nothing of how
-// the walker keeps out of walls.
+// Walks for ten minutes from the dunes to the last hall and back; rays that are independent of the walker's
+// collision detection check the path.
 #include "temple/visit.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ bool is_long()
     return std::getenv("ESTAMPE_LONG") != nullptr;
 }
 
-/// What no walker goes through; cloth and flames give way.
+/// Everything that blocks a walker; cloth and flames do not.
 class Stone {
 public:
     explicit Stone(const estampe::Scene& scene)
@@ -48,7 +48,8 @@ private:
     estampe::test::EmbreeScene rays_;
 };
 
-/// Holds one step of a walker against stone and sand. Returns what is wrong, if anything is.
+/// Checks one step of a walker against stone and sand. Returns a description of the fault, or an empty
+/// string.
 std::string wrong_with(const Stone& stone, const estampe::Terrain& desert, const glm::dvec3& before,
                        const glm::dvec3& after, bool are_cells_open, double time_s)
 {
@@ -115,7 +116,7 @@ TEST(TempleVisit, TheLastHallChangesTheTempleAndStaysSo)
     EXPECT_FALSE(ending.begins_at({middle.x, floor_m + 8.0F, middle.y})) << "on the roof";
     EXPECT_FALSE(ending.begins_at({plan.doors.front().place_m.x, floor_m, plan.doors.front().place_m.y}));
 
-    // Before it all is as the scene has it, after it nothing moves on.
+    // Before the ending everything is as in the scene; after it nothing changes.
     const auto before = ending.lights(-1.0);
     const auto last = ending.lights(Ending::lasts_s);
     const auto later = ending.lights(100.0 * Ending::lasts_s);
@@ -128,7 +129,7 @@ TEST(TempleVisit, TheLastHallChangesTheTempleAndStaysSo)
         EXPECT_EQ(last[i].intensity, later[i].intensity);
         EXPECT_GT(last[i].intensity, 0.0F) << "its shadow would be drawn anew";
         (last[i].intensity < own ? fires : days) += 1;
-        // Nothing goes to and fro on the way.
+        // Brightness changes monotonically in between.
         float was = own;
         for (double s = 0.0; s < Ending::lasts_s; s += 0.1) {
             const float now = ending.lights(s)[i].intensity;
@@ -146,7 +147,7 @@ TEST(TempleVisit, TheLastHallChangesTheTempleAndStaysSo)
     EXPECT_EQ(scene.nodes[ending.gratings()].name, "bars");
 }
 
-/// A cell that was shut can be walked into when the gratings are down.
+/// A shut cell can be entered once the gratings are down.
 TEST(TempleVisit, ShutCellsOpen)
 {
     size_t opened = 0;
@@ -165,7 +166,7 @@ TEST(TempleVisit, ShutCellsOpen)
                 return plan.rooms[static_cast<size_t>(room)].kind == RoomKind::fallen;
             };
             if (has_sand(wall.a) || has_sand(wall.b)) {
-                continue; // it may lie in the doorway
+                continue; // the place may lie in the doorway
             }
             const glm::dvec2 across = wall.is_along_x ? glm::dvec2(0.0, 1.0) : glm::dvec2(1.0, 0.0);
             const glm::dvec2 before = glm::dvec2(door.place_m) - 1.4 * across;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-/// Heights at which courses meet: at the springing of the arches, and evenly between.
+/// Heights of the joints between courses: at the springing of the arches, and evenly spaced between.
 std::vector<float> beds(const Wall& wall)
 {
     std::vector<float> fixed{0.0F, wall.height_m};
@@ -37,7 +37,7 @@ std::vector<float> beds(const Wall& wall)
     return all;
 }
 
-/// A piece of a course between openings.
+/// A part of a course between openings.
 struct Span {
     float left_m, right_m;
     int arch_left, arch_right;
@@ -94,7 +94,7 @@ std::vector<Stone> course_of(const Wall& wall, float low_m, float high_m, bool i
     return course;
 }
 
-/// The share of a stone under which there is something that carries it.
+/// Share of a stone's width that the course below supports.
 float carried(const Stone& stone, const std::vector<Stone>& below, const Wall& wall,
               const std::vector<bool>& is_whole)
 {
@@ -127,7 +127,7 @@ void find_open_sides(std::vector<Stone>& course)
     }
 }
 
-/// The stones of the arches; of broken ones those that still hold on to their piers.
+/// Lays the stones of the arches; of broken arches only those still attached to their piers.
 void lay_arches(const Wall& wall, Dice& dice, Laid& laid)
 {
     for (size_t i = 0; i < wall.arches.size(); ++i) {
@@ -141,7 +141,7 @@ void lay_arches(const Wall& wall, Dice& dice, Laid& laid)
         const bool stands_left = !wall.top_m || wall.top_m(arch.x_m - arch.half_m) > arch.springing_m;
         const bool stands_right = !wall.top_m || wall.top_m(arch.x_m + arch.half_m) > arch.springing_m;
         for (int k = 0; k < stones; ++k) {
-            // Counted from +x: the right pier carries the first ones.
+            // Stones are counted from +x: the right pier carries the first ones.
             const bool holds =
                 laid.is_whole[i] || (k < right && stands_right) || (k >= stones - left && stands_left);
             if (!holds) {
@@ -163,7 +163,7 @@ float cut_half_m(const Arch& arch, float height_m)
     if (height_m < arch.springing_m) {
         return arch.half_m;
     }
-    // The wall reaches in behind the ring, so that nothing shows between.
+    // The wall overlaps the ring of stones, so that no gap is visible.
     const float radius_m = arch.half_m + 0.5F * arch.ring_m;
     const float rise_m = height_m - arch.springing_m;
     return arch.ring_m == 0.0F || rise_m >= radius_m ? 0.0F
@@ -174,7 +174,7 @@ Laid lay(const Wall& wall, Dice dice)
 {
     Laid laid;
     for (const Arch& arch : wall.arches) {
-        // A crown wants some wall above it.
+        // An arch needs some wall above its crown.
         bool is_whole = true;
         for (const float side : {-1.0F, 0.0F, 1.0F}) {
             is_whole = is_whole && (!wall.top_m || wall.top_m(arch.x_m + side * arch.half_m) >
@@ -203,7 +203,7 @@ Laid lay(const Wall& wall, Dice dice)
 
 namespace {
 
-/// How far the light on a stone's face leans away from the wall's: no two are hewn alike.
+/// Tilts the shading normal of a stone's face, so that no two stones look alike.
 glm::vec3 hewn(const glm::vec3& normal, const glm::vec3& along, Dice& dice)
 {
     constexpr float lean = 0.045F;
@@ -211,13 +211,13 @@ glm::vec3 hewn(const glm::vec3& normal, const glm::vec3& along, Dice& dice)
     return glm::normalize(normal + dice.between(-lean, lean) * along + dice.between(-lean, lean) * up);
 }
 
-/// How wide an arch is beside a stone at a height: the stones of the piers end where its round part begins.
+/// Half the width of an arch beside a stone at a height; the stones of the piers end where its curve begins.
 float half_beside_m(const Arch& arch, const Stone& stone, float height_m)
 {
     return stone.low_m < arch.springing_m - 0.01F ? arch.half_m : cut_half_m(arch, height_m);
 }
 
-/// The place of a stone's side at a height.
+/// x of a stone's left side at a height.
 float left_at(const Wall& wall, const Stone& stone, float height_m)
 {
     if (stone.arch_left < 0) {
@@ -236,7 +236,7 @@ float right_at(const Wall& wall, const Stone& stone, float height_m)
     return std::max(arch.x_m - half_beside_m(arch, stone, height_m), stone.left_m);
 }
 
-/// The share of a stone's top on which nothing lies.
+/// Share of a stone's top on which nothing lies.
 bool is_open_above(const Stone& stone, const std::vector<Stone>* above)
 {
     if (above == nullptr) {
@@ -335,7 +335,7 @@ private:
         return false;
     }
 
-    /// A pen does not draw each joint: it draws some, in clusters, and leaves the rest to the eye.
+    /// Whether a joint is drawn: as in pen drawings, only clusters of joints are.
     [[nodiscard]] bool is_drawn(float x_m, float y_m)
     {
         const float cluster = 0.5F + 0.5F * std::sin(0.61F * x_m + 1.7F * std::sin(0.23F * y_m + phase_)) *
@@ -374,7 +374,7 @@ private:
             }
             if (side < 0.0F) {
                 std::reverse(face.begin(), face.end());
-                // Edges in the order of the corners: top, right, bottom, left.
+                // Reorders the edges to match the corners: top, right, bottom, left.
                 drawn = (drawn & 4U) >> 2U | (drawn & 2U) | (drawn & 1U) << 2U | (drawn & 8U);
             }
             kit_.add_face(Stuff::stone, face, normal, grain, drawn);
@@ -452,7 +452,7 @@ Kit build_wall(const Wall& wall, const Laid& laid, Dice dice)
     Kit kit = mason.take();
     const float half_m = 0.5F * wall.thickness_m;
     for (const Arch& arch : wall.arches) {
-        if (arch.ring_m == 0.0F) { // its lintel stands out a little
+        if (arch.ring_m == 0.0F) { // a lintel protrudes a little
             add_block(kit, Stuff::stone, {arch.x_m - arch.half_m - 0.35F, arch.springing_m, -half_m - 0.06F},
                       {arch.x_m + arch.half_m + 0.35F, arch.springing_m + wall.course_m, half_m + 0.06F});
         }

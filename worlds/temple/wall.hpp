@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Walls of stones in courses, with round arches through them, whole or in ruin.
+// Walls of stones in courses, with round arches, whole or in ruin.
 
 #include <functional>
 #include <vector>
@@ -10,56 +10,56 @@
 
 namespace temple {
 
-/// A round arch through a wall, or with `ring_m` 0 a door under a lintel.
+/// A round arch through a wall; with `ring_m` 0, a door under a lintel.
 struct Arch {
-    float x_m = 0.0F; ///< its middle, along the wall
+    float x_m = 0.0F; ///< middle of the arch along the wall
     float half_m = 1.5F;
-    float springing_m = 3.0F; ///< where the round part begins, or the lintel lies
-    float ring_m = 0.6F;      ///< depth of its stones
+    float springing_m = 3.0F; ///< height where the curve begins, or where the lintel lies
+    float ring_m = 0.6F;      ///< radial depth of the arch stones
 
     [[nodiscard]] float crown_m() const { return springing_m + (ring_m > 0.0F ? half_m : 0.0F); }
 };
 
-/// A wall along +x from x = 0, its front towards +z, the middle of its thickness on z = 0.
+/// A wall along +x from x = 0. Its front faces +z, and z = 0 is the middle of its thickness.
 struct Wall {
     float length_m = 10.0F;
     float height_m = 6.0F;
     float thickness_m = 1.0F;
-    float foot_m = -4.0F; ///< how deep it stands in the sand
+    float foot_m = -4.0F; ///< lowest height, in the sand
     float course_m = 0.62F;
     float stone_m = 1.35F;
     std::vector<Arch> arches;
-    std::function<float(float)> top_m; ///< of what is left, by x; empty: all of it
+    std::function<float(float)> top_m; ///< height of the remaining wall at x; empty for an undamaged wall
     float joints = 0.45F;              ///< share of joints that are drawn
     bool cornice = false;
 };
 
-/// One stone as it lies: its sides are upright but where an arch cuts them.
+/// A stone in its place. Its sides are vertical except where an arch cuts them.
 struct Stone {
     float low_m, high_m;
     float left_m, right_m;
-    int arch_left = -1, arch_right = -1;        ///< what cuts it there
-    bool ends_left = false, ends_right = false; ///< the side there is open to the air
+    int arch_left = -1, arch_right = -1;        ///< the arch that cuts this side
+    bool ends_left = false, ends_right = false; ///< no stone lies beside it on this side
 };
 
-/// A stone of an arch, between two angles from +x about the middle of its springing.
+/// A stone of an arch, between two angles counter-clockwise from +x around the centre of the arch.
 struct Voussoir {
     int arch = 0;
     float from_rad, to_rad;
     float outer_m;
 };
 
-/// A wall before it is built.
+/// Layout of a wall's stones, before it is built.
 struct Laid {
-    std::vector<std::vector<Stone>> courses; ///< from the foot up; each from left to right
+    std::vector<std::vector<Stone>> courses; ///< from bottom to top; each from left to right
     std::vector<Voussoir> voussoirs;
-    std::vector<bool> is_whole; ///< of each arch
+    std::vector<bool> is_whole; ///< for each arch
 };
 
-/// Decides where each stone lies. No stone is left over that nothing carries.
+/// Decides where each stone lies. Removes stones that have no support.
 [[nodiscard]] Laid lay(const Wall& wall, Dice dice);
 
-/// The way from an arch's middle to where the stones of the wall begin, at a height; 0 above the arch.
+/// Distance at a height from an arch's middle to the nearest stones of the wall; 0 above the arch.
 [[nodiscard]] float cut_half_m(const Arch& arch, float height_m);
 
 [[nodiscard]] Kit build_wall(const Wall& wall, const Laid& laid, Dice dice);

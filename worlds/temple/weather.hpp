@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The temple's weather and its time of day, as a line of time that chance lays out: one wind for sand, flags
-// and ink, gusts, storms of sand that rise, close the view and pass, tornadoes that walk by, clouds, and a
-// sun that goes on. And what the wind carries: sand over the ground and in storms, and a tornado's trunk.
+// The temple's weather and time of day, as a random timeline: one wind for sand, flags and ink, gusts,
+// sandstorms that rise, hide the view and pass, tornadoes that wander by, clouds, and a moving sun. Also what
+// the wind carries: sand over the ground and in storms, and the funnel of a tornado.
 
 #include <cstddef>
 #include <cstdint>
@@ -20,58 +20,58 @@
 
 namespace temple {
 
-/// What it may be told to be like, for as long as one looks.
+/// The weather that a user may choose; it then stays of this kind.
 enum class WeatherKind : uint8_t { calm, gusts, storm, tornado };
 
-/// The kind of that name; nothing for another.
+/// The weather of that name; nothing for an unknown name.
 [[nodiscard]] std::optional<WeatherKind> weather_named(std::string_view name);
 
-/// All names that weather_named() takes.
+/// All names that weather_named() accepts.
 [[nodiscard]] std::vector<std::string> weather_names();
 
-/// A tornado on its way.
+/// A moving tornado.
 struct Tornado {
     glm::vec2 foot_m{0.0F};
-    float strength = 0.0F; ///< 0 there is none, to 1
+    float strength = 0.0F; ///< 0, no tornado, to 1
 };
 
 /// The weather at a moment.
 struct Weather {
     float wind_m_s = 7.0F;
-    double blown_m = 0.0; ///< how far the wind has blown since the beginning
-    float gusts = 0.0F;   ///< 0 to 1
-    float dust = 0.0F;    ///< in the air: 0 to 1, where one sees no farther than a room is long
-    float clouds = 0.0F;  ///< share of the sky
+    double blown_m = 0.0; ///< distance that the wind has blown since time 0
+    float gusts = 0.0F;   ///< strength of the gusts, 0 to 1
+    float dust = 0.0F;    ///< dust in the air, 0 to 1; at 1 visibility is as short as a room
+    float clouds = 0.0F;  ///< share of the sky that clouds cover
     Tornado tornado;
-    std::optional<float> hour; ///< of the sun; nothing: it stands as the scene has it
+    std::optional<float> hour; ///< hour of the sun; nothing: the sun of the scene
 };
 
-inline constexpr float wind_to_deg = 200.0F; ///< where it blows to, always: 0 is +x, 90 is +z
+inline constexpr float wind_to_deg = 200.0F; ///< direction that the wind always blows to: 0 is +x, 90 is +z
 inline constexpr float calm_m_s = 7.0F;
 inline constexpr float strongest_m_s = 19.0F;
 
-/// Unit: where the wind blows to, along x and z.
+/// Unit vector along x and z that the wind blows to.
 [[nodiscard]] glm::vec2 wind_way();
 
-/// What was asked for.
+/// The weather that the user asked for.
 struct WeatherChoice {
-    std::optional<WeatherKind> kind; ///< nothing: it changes
-    std::optional<float> hour;       ///< where the sun stands; nothing: it goes on, or stands in stills
-    float hours_a_minute = 0.0F;     ///< that the sun goes on, from the hour or from the scene's own
+    std::optional<WeatherKind> kind; ///< nothing: it changes over time
+    std::optional<float> hour;   ///< hour of the sun; nothing: it moves, or stands still in single pictures
+    float hours_a_minute = 0.0F; ///< speed of the sun, starting from `hour` or from the scene's own
 };
 
-/// All weather of a temple. Each moment is worked out by itself: it is the same whatever was asked before.
+/// The weather of a temple at any moment. Each moment is computed independently of earlier calls.
 class WeatherTimeline {
 public:
-    static constexpr double rises_s = 9.0; ///< a storm
+    static constexpr double rises_s = 9.0; ///< duration in which a storm rises
     static constexpr double holds_s = 9.0;
     static constexpr double passes_s = 11.0;
-    static constexpr double between_s = 75.0;    ///< from the middle of one to that of the next, about
-    static constexpr double sun_steps_a_s = 6.0; ///< in which the hour goes on
+    static constexpr double between_s = 75.0;    ///< average time from the middle of one storm to the next
+    static constexpr double sun_steps_a_s = 6.0; ///< the hour advances in steps, this many per second
 
     WeatherTimeline(uint64_t seed, WeatherChoice choice) : seed_(seed), choice_(choice) {}
 
-    /// Cost: a few hundred sums.
+    /// Cost: a few hundred additions.
     [[nodiscard]] Weather at(double time_s) const;
 
 private:
@@ -85,20 +85,20 @@ private:
     WeatherChoice choice_;
 };
 
-/// Adds `sand N`, `whirl N` and `murk N`, which give particles, and `eddy N`, which turns ink; all of
-/// no size until they are moved; and the funnel of a tornado.
+/// Adds the particle emitters `sand N`, `whirl N` and `murk N`, the ink vortices `eddy N`, and the funnel of
+/// a tornado. Emitters and vortices have no size until they are placed.
 void add_air(estampe::Scene& scene);
 
-/// Who is in it.
+/// The camera and the ground that the air depends on.
 struct AirView {
     glm::dvec3 eye_m{0.0};
     double time_s = 0.0;
     std::function<float(const glm::vec2&)> ground_m;
-    std::function<bool(const glm::vec2&)> is_roofed; ///< no sand rises there
+    std::function<bool(const glm::vec2&)> is_roofed; ///< whether a roof covers a place; no sand rises there
 };
 
-/// Where they are in a weather, for Renderer::place(); `first` is the scene's node `sand 0`. Those that give
-/// nothing have no size.
+/// Transforms of the nodes of add_air(), for Renderer::place(); `first` is the scene's node `sand 0`.
+/// Inactive nodes have no size.
 [[nodiscard]] std::vector<estampe::NodePlace> air_places(estampe::Index first, const Weather& weather,
                                                          const AirView& view);
 

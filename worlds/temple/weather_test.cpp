@@ -44,7 +44,7 @@ TEST(Weather, StormsRiseCloseTheViewAndPass)
         EXPECT_LT(timeline.at(20.0).dust, 0.01F);
         EXPECT_GT(timeline.at(38.0).dust, 0.99F);
         EXPECT_LT(timeline.at(60.0).dust, 0.05F) << "within a minute's film";
-        // Others come, and go too.
+        // Further storms come and go.
         int storms = 0;
         bool is_in = false;
         for (double time_s = 0.0; time_s < 600.0; time_s += 0.5) {

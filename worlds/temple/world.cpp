@@ -45,10 +45,10 @@ void Setter::color(const std::string& key, const glm::vec3& srgb)
     style_.set(key + "=" + text);
 }
 
-/// Demons of ink, and the blots that stay behind where they go.
+/// Style of the demons, and of the blots that they leave on the page.
 void dress_demons(Setter& set)
 {
-    // What is of ink is black in every style.
+    // Ink is black in every style.
     set("material.demon*.wash.strength", 1.0);
     set("material.demon*.wash.neutral", 1.0);
     set("material.demon*.wash.least", 0.0);
@@ -69,7 +69,7 @@ void dress_demons(Setter& set)
     set(wisp + "soft_m", 0.05);
 }
 
-/// What the wind carries.
+/// Style of sand and other particles in the wind.
 void dress_air(Setter& set)
 {
     const std::string sand = "object.sand*.particles.";
@@ -104,7 +104,8 @@ void dress_air(Setter& set)
     }
 }
 
-/// Ink runs from demons, and over the page when they dissolve; of a style that has ink already there is that.
+/// Style of the ink that runs from demons, and over the page when they dissolve. If `base` has ink already,
+/// its settings stay.
 void dress_ink(Setter& set, const estampe::Style& base)
 {
     if (base.number("ink.drawn") != 0.0) {
@@ -128,13 +129,13 @@ void dress_ink(Setter& set, const estampe::Style& base)
     set("ink.sharpness", 0.8);
 }
 
-/// What rises from fires, where it is drawn; smoke of a style that has some already is as that says.
+/// Style of the smoke over fires. If `base` has smoke already, its settings stay.
 void dress_smoke(Setter& set, const estampe::Style& base)
 {
     if (base.number("smoke.drawn") != 0.0) {
         return;
     }
-    // A slender column that one sees through: puffs over a bowl on a foot would be a tree.
+    // A slender, transparent column: puffs over a bowl on a foot would look like a tree.
     set("smoke.cells", "64");
     set("smoke.puffs", "false");
     set("smoke.age_s", 3.0);
@@ -154,13 +155,13 @@ void dress_smoke(Setter& set, const estampe::Style& base)
     set("smoke.line_mm", 0.16);
 }
 
-/// What a film has and a picture has not: smoke rises, the lens is sharp at one distance, and the shutter is
-/// open while the eye moves. What a style has of these already is as that says.
+/// Style of films, as opposed to pictures: smoke rises, the lens is sharp at one distance, and motion blur
+/// follows the moving eye. Settings that `base` has already stay.
 void dress_film(Setter& set, const estampe::Style& base)
 {
     set("smoke.drawn", "true");
     if (base.text("lens.mode") == "none") {
-        // As wide as leaves all of a room sharp but what is close to the eye, and what is far a little soft.
+        // The aperture leaves a room sharp except close to the eye; far objects are a little soft.
         set("lens.mode", "gather");
         set("lens.focus_m", 8.0);
         set("lens.f_number", 2.8);
@@ -173,9 +174,9 @@ void dress_film(Setter& set, const estampe::Style& base)
     }
 }
 
-constexpr double before_s = 8.0;      ///< that all has been going on when time begins
-constexpr double remembered_s = 60.0; ///< of a moment that one leaps to
-constexpr double sample_s = 0.1;      ///< between places that plumes go by
+constexpr double before_s = 8.0;      ///< time simulated before time 0
+constexpr double remembered_s = 60.0; ///< time simulated before a moment that is jumped to
+constexpr double sample_s = 0.1;      ///< interval of the samples that plumes are simulated with
 
 const glm::vec3 dust_color(0.84F, 0.72F, 0.52F); ///< sRGB
 
@@ -187,14 +188,14 @@ bool is_in_prison(const Plan& plan, const glm::vec2& place)
     });
 }
 
-/// 0 outside, 1 where a roof is all around.
+/// How sheltered a place is: 0 outside, 1 deep under a roof.
 float shelter_at(const Plan& plan, const glm::vec2& place)
 {
     constexpr float within_m = 3.5F;
     float inside_m = 0.0F;
     for (const Room& room : plan.rooms) {
         const glm::vec2 in = glm::min(place - room.low_m(), room.high_m() - place);
-        // What lies deep in the prison is no nearer to the open for the walls between its rooms.
+        // Inner walls do not count: depth is measured from the prison's front.
         if (room.is_roofed() && std::min(in.x, in.y) > 0.0F) {
             inside_m = front_z_m - place.y;
         }
@@ -205,13 +206,13 @@ float shelter_at(const Plan& plan, const glm::vec2& place)
 float hours_a_minute(worlds::Occasion occasion)
 {
     constexpr float of_films = 1.2F;
-    constexpr float of_walks = 0.04F; // half an hour from where it stands until it sets
+    constexpr float of_walks = 0.04F; // the sun sets after half an hour from its initial position
     return occasion == worlds::Occasion::film   ? of_films
            : occasion == worlds::Occasion::walk ? of_walks
                                                 : 0.0F;
 }
 
-/// Towards `to` by a share, in equal parts of its size.
+/// Interpolates in the logarithm of a size.
 double mixed_size(double from, double to, double share)
 {
     return std::exp((1.0 - share) * std::log(std::max(from, 0.01)) + share * std::log(std::max(to, 0.01)));
@@ -238,7 +239,7 @@ estampe::Scene World::scene() const
 void World::go_to(double time_s, const estampe::Camera& walker)
 {
     constexpr double leap_s = 10.0;
-    constexpr double slack_s = 0.5; // as of two pictures that are drawn in turn
+    constexpr double slack_s = 0.5; // tolerance for two pictures that are drawn alternately
     if (!time_s_ || time_s < *time_s_ - slack_s || time_s > *time_s_ + leap_s) {
         demons_ = Demons(plan_, site_, still_, seed_);
         time_s_ = std::max(time_s - remembered_s, 0.0) - before_s;
@@ -247,7 +248,7 @@ void World::go_to(double time_s, const estampe::Camera& walker)
     const std::vector<bool> in_sight = rooms_in_sight(plan_, glm::vec3(walker.eye));
     const auto record = [&] {
         weather_ = timeline_.at(*time_s_);
-        // What lives behind walls is not drawn.
+        // Demons in rooms out of sight are not drawn.
         Shown shown{.time_s = *time_s_, .places = demons_.places(first_of_demons_, [&](const Demon& demon) {
                         return demon.haunt().room != outside &&
                                !in_sight[static_cast<size_t>(demon.haunt().room)];
@@ -264,7 +265,7 @@ void World::go_to(double time_s, const estampe::Camera& walker)
         shown.places.insert(shown.places.end(), air.begin(), air.end());
         const auto smoke = smoke_places(first_of_smoke_, plumes_, walker.eye, in_sight);
         shown.places.insert(shown.places.end(), smoke.begin(), smoke.end());
-        // What stands still until then is not made to move before.
+        // Static nodes of the ending are not moved before it begins.
         has_begun_to_end_ = has_begun_to_end_ || (end_s_ && *time_s_ >= *end_s_);
         if (has_begun_to_end_ && ending_) {
             const auto moved = ending_->nodes(end_s_ ? *time_s_ - *end_s_ : -1.0);
@@ -375,19 +376,19 @@ estampe::Style World::style(const estampe::Style& base, const estampe::Camera& c
         set("object." + what + ".particles.wind_mps", speed_m_s);
         set("object." + what + ".particles.wind_deg", bearing_deg);
     };
-    // Plumes are the flights of all their particles at once: wind that changed with every gust would shake
-    // them.
+    // Plumes consist of the paths of all their particles at once: wind that changed with every gust would
+    // shake them.
     blow("wisp*", 0.8);
     blow("sand*", 12.0);
     blow("whirl*", 4.0);
     blow("murk*", 4.0);
-    // Lighter than what lies there; in a storm darker than what all the air is full of.
+    // Lighter than the ground; in a storm darker than the dusty air.
     set.color("object.sand*.particles.color", dust_color + static_cast<float>(glm::mix(0.06, -0.16, dust)));
     set("sky.darkness", base.number("sky.darkness") * (1.0 - 0.85 * dust));
     set.color("object.whirl*.particles.color", dust_color);
     set("drift.amount", std::min(0.6 + 0.4 * gusts, 1.0));
 
-    // Where the wind goes on the page.
+    // Direction of the wind on the page.
     const glm::dvec3 ahead = glm::normalize(camera.target - camera.eye);
     const glm::dvec3 right = glm::normalize(glm::cross(ahead, camera.up));
     const glm::dvec3 way(wind_way().x, 0.0, wind_way().y);
@@ -404,7 +405,8 @@ estampe::Style World::style(const estampe::Style& base, const estampe::Camera& c
     dusty("sky.zenith", 0.75 * dust);
     dusty("wash.air_color", dust);
     if (base.text("light.metering") == "lights") {
-        // By its many lamps the whole court would be dark; the sun gives white marble its white.
+        // Automatic exposure would darken the court because of its many lamps; this value keeps white marble
+        // white in the sun.
         set("light.metering", "manual");
         set("light.ev100", -0.1);
     }
@@ -413,7 +415,7 @@ estampe::Style World::style(const estampe::Style& base, const estampe::Camera& c
         (1.0 - dust) * std::max(static_cast<double>(weather_.clouds), base.number("clouds.coverage")));
     set("clouds.wind_deg", bearing_deg);
     if (base.number("clouds.coverage") == 0.0) {
-        // The temple's clouds have the sky's colours: no white but the marble's.
+        // Clouds take the sky's colours, so that only marble is white.
         const glm::vec3 straw = base.color("sky.horizon");
         set.color("clouds.color", glm::mix(base.color("clouds.color"), straw, 0.6F));
         set.color("clouds.shade_color", glm::mix(straw, base.color("sky.zenith"), 0.3F));
@@ -428,7 +430,7 @@ estampe::Style World::style(const estampe::Style& base, const estampe::Camera& c
     return style;
 }
 
-// What the program knows about the temple before it makes it.
+// Properties of the temple that the program needs before creating it.
 
 namespace {
 

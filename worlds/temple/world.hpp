@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The temple alive: its demons, its weather and its light, brought to a moment and shown; and how what lives
-// and what burns is drawn, over any style.
+// The animated temple: brings its demons, weather and light to a moment and shows them, and adjusts any style
+// to them.
 
 #include <cstdint>
 #include <memory>
@@ -28,7 +28,8 @@
 
 namespace temple {
 
-/// One temple and what goes on in it. The same seed, weather and ways of the walker give the same moments.
+/// A temple with everything that moves in it. The same seed, weather and paths of the walker give the same
+/// moments.
 ///
 ///     temple::World world(seed, {.kind = temple::WeatherKind::storm});
 ///     const Scene scene = world.scene();
@@ -42,42 +43,42 @@ class World final : public worlds::World {
 public:
     explicit World(uint64_t seed, const WeatherChoice& weather = {});
 
-    /// All of it as it stands at the beginning. Cost: a fifth of a second.
+    /// The whole scene at time 0. Cost: a fifth of a second.
     [[nodiscard]] estampe::Scene scene() const override;
 
-    /// Calls meet(). The sun moves in a film, and slowly on a walk, unless WeatherChoice sets its speed.
+    /// Calls meet(). The sun moves in a film, and slowly in a walk, unless WeatherChoice sets its speed.
     /// Calls film() for a film that is not a draft.
     void begin(const estampe::Scene& scene, const worlds::Purpose& purpose) override;
 
-    /// Learns which nodes of its scene() are what. Throws Error for a scene that has no demons.
+    /// Finds its own nodes in a scene that scene() made. Throws Error for a scene without demons.
     void meet(const estampe::Scene& scene);
 
-    /// Brings what lives to a moment, which is seen and walked by `walker`. Moments of a film or a walk come
-    /// one after the other; one long before the last, or more than 10 s after it, begins anew, 8 s before
-    /// time does or a minute before itself. One up to half a second before it leaves all as it is. Cost: a
-    /// millisecond a tenth of a second.
+    /// Simulates up to a moment, for a visitor at `walker`. Moments of a film or a walk must follow each
+    /// other. A moment far before the last one, or more than 10 s after it, restarts the simulation 8 s
+    /// before time 0 or a minute before that moment. A moment up to half a second before the last one changes
+    /// nothing. Cost: a millisecond per tenth of a second.
     void go_to(double time_s, const estampe::Camera& walker) override;
 
-    /// Somebody comes to the middle of the last hall at that moment, from which on its Ending takes its way.
+    /// The visitor reaches the middle of the last hall at `time_s`; the Ending starts then.
     void end_at(double time_s) override { end_s_ = time_s; }
 
-    /// A film is taken of it: smoke rises from the great halls' fires, one who came before has left prints in
-    /// the sand, and style() has a lens, and a shutter that is open.
+    /// Prepares for a film: smoke rises from the fires of the great halls, footprints of an earlier visitor
+    /// are in the sand, and style() sets lens and shutter for motion blur.
     void film() { is_filmed_ = true; }
 
-    /// Moves it on the renderer that has the scene. Cost: linear in the nodes that move; where the ending
-    /// begins, once that of laying out anew what stood still.
+    /// Updates the nodes on a renderer that has the scene. Cost: linear in moving nodes; at the start of the
+    /// ending, once the cost of preparing static nodes to move.
     void show(estampe::Renderer& renderer) override;
 
-    /// Pushes the renderer's sand back where demons are. Cost: where one has moved on sand, a copy of the
-    /// heights of its mask.
+    /// Deforms the renderer's sand where demons are. Cost: if one has moved on sand, a copy of the heights of
+    /// its mask.
     void press(estampe::Renderer& renderer) override;
 
-    /// Another world, or nobody, has pressed the renderer's sand since.
+    /// Call this after other code has changed the renderer's sand.
     void forget_pressed() override { pressed_.reset(); }
 
     /// `base` with the weather and the light of the moment that was shown: wind for cloth, sand and ink, air,
-    /// sky, clouds and the sun; and how demons and what flies are drawn.
+    /// sky, clouds and the sun; also how demons and particles are drawn.
     [[nodiscard]] estampe::Style style(const estampe::Style& base,
                                        const estampe::Camera& camera) const override;
 
@@ -93,7 +94,7 @@ public:
 
     [[nodiscard]] const Weather& weather() const { return weather_; }
 
-    /// The ground that nobody presses, for those who walk on it.
+    /// The ground without hollows, for walking.
     [[nodiscard]] const estampe::Terrain& desert() const { return still_; }
 
     [[nodiscard]] const Plan& plan() const { return plan_; }
@@ -101,7 +102,7 @@ public:
     [[nodiscard]] const Site& site() const { return site_; }
 
 private:
-    /// Where nodes were at a moment.
+    /// Transforms of nodes at a moment.
     struct Shown {
         double time_s = 0.0;
         std::vector<estampe::NodePlace> places;
@@ -121,15 +122,15 @@ private:
     estampe::Index first_of_demons_ = 0;
     estampe::Index first_of_air_ = 0;
     estampe::Index first_of_smoke_ = 0;
-    std::vector<Shown> shown_;                   ///< not yet on a renderer
-    std::optional<std::vector<Hollow>> pressed_; ///< nothing: the renderer's sand is as it may be
+    std::vector<Shown> shown_;                   ///< not sent to a renderer yet
+    std::optional<std::vector<Hollow>> pressed_; ///< nothing: the state of the renderer's sand is unknown
     std::optional<Ending> ending_;
     std::optional<double> end_s_;
     bool has_begun_to_end_ = false;
     bool is_filmed_ = false;
 };
 
-/// The temple among the worlds that the program knows by name.
+/// Describes the temple for the registry of worlds.
 [[nodiscard]] worlds::Description description();
 
 } // namespace temple

@@ -103,7 +103,7 @@ TEST(TempleWorld, IsTheSameInOneLeapAndPictureByPicture)
         EXPECT_LT(glm::length(off), 0.02F) << "but for how the wind is sampled";
     }
     EXPECT_EQ(leaping.weather().wind_m_s, walking.weather().wind_m_s);
-    // Going back begins anew.
+    // Going back in time restarts the simulation.
     walking.go_to(1.0, camera);
     walking.go_to(3.0, camera);
     EXPECT_EQ(walking.demons().all()[0].place_m(), leaping.demons().all()[0].place_m());
@@ -125,7 +125,7 @@ TEST(TempleWorld, AFilmHasALensAnOpenShutterAndSmokeAndAPictureHasNot)
     EXPECT_EQ(film.text("motion_blur.mode"), "tiles");
     EXPECT_EQ(film.number("smoke.drawn"), 1.0);
     EXPECT_EQ(film.number("smoke.cells"), 64.0);
-    // A style that has them keeps its own.
+    // Settings that the style has already are kept.
     base.set("lens.mode=separable");
     base.set("motion_blur.mode=own");
     base.set("smoke.drawn=true");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Where a body can go, and by what way: squares of ground that are found by going over them.
+// Finds where a body can walk, and a path between two places, on a grid of squares.
 
 #include <vector>
 
@@ -17,20 +17,21 @@ struct ChartLimits {
     double square_m = 0.3;
 };
 
-/// The squares that a body can go to and come back from, to all of which it has room, one height each.
+/// The squares that a body can reach and return from, and on which it has room; one height per square.
 class Chart {
 public:
-    /// From a place where it stands. Cost: about 10 microseconds a square that is reached.
+    /// Explores the ground from `from_m`, where the body stands. Cost: about 10 microseconds per square
+    /// reached.
     Chart(const Place& place, const Body& body, const glm::dvec3& from_m, const ChartLimits& limits);
 
-    /// Whether a place is on a square that can be gone to.
+    /// Whether a place lies on a reachable square.
     [[nodiscard]] bool reaches(const glm::dvec2& place_m) const;
 
-    /// A way between two places, as the squares' middles at the feet's height: short, but rather in the
-    /// middle of a room than along its wall. Empty where there is none. Cost: n log n in squares.
+    /// A path between two places, as centres of squares at the height of the feet. It is short, but prefers
+    /// the middle of a room to its walls. Empty if there is no path. Cost: n log n in squares.
     [[nodiscard]] std::vector<glm::dvec3> way(const glm::dvec2& from_m, const glm::dvec2& to_m) const;
 
-    /// How far a place is from where there is no room, up to 2 m; 0 beyond.
+    /// Distance from a place to the nearest one without room, up to 2 m; 0 outside of reachable squares.
     [[nodiscard]] double room_m(const glm::dvec2& place_m) const;
 
 private:
@@ -43,7 +44,7 @@ private:
 
     ChartLimits limits_;
     glm::ivec2 size_{0};
-    std::vector<float> height_m_; ///< not a number where it cannot go
+    std::vector<float> height_m_; ///< not a number on squares that cannot be reached
     std::vector<float> room_m_;
 };
 

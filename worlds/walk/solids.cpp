@@ -23,7 +23,7 @@ glm::vec3 high_of(const Triangle& triangle)
     return glm::max(glm::max(triangle.a, triangle.b), triangle.c);
 }
 
-/// Where along `way` from `from` a triangle is met (Möller and Trumbore), in lengths of `way`.
+/// Position along `way` from `from` at which it hits a triangle (Möller and Trumbore), in lengths of `way`.
 std::optional<float> meets(const glm::vec3& from, const glm::vec3& way, const Triangle& triangle)
 {
     const glm::vec3 ab = triangle.b - triangle.a;
@@ -38,7 +38,7 @@ std::optional<float> meets(const glm::vec3& from, const glm::vec3& way, const Tr
     const glm::vec3 q = glm::cross(off, ab);
     const float v = glm::dot(way, q) / det;
     const float t = glm::dot(ac, q) / det;
-    constexpr float edge = 1e-5F; // no ray slips through between two
+    constexpr float edge = 1e-5F; // tolerance, so that no ray slips between two triangles
     const bool is_met = u >= -edge && v >= -edge && u + v <= 1.0F + edge && t >= 0.0F && t <= 1.0F;
     return is_met ? std::optional(t) : std::nullopt;
 }
@@ -183,7 +183,7 @@ void Solids::build()
         boxes_.reserve(triangles_.size());
         std::vector<uint32_t> order(triangles_.size());
         std::iota(order.begin(), order.end(), 0U);
-        // Halves by the middle triangle along the longest side of the middles' box.
+        // Splits at the median triangle along the longest side of the box around all centroids.
         const std::function<void(size_t, size_t)> sort = [&](size_t first, size_t last) {
             if (last - first <= triangles_a_box) {
                 return;
@@ -256,7 +256,7 @@ void Solids::search(const Touches& touches, const Visit& visit) const
     if (boxes_.empty()) {
         return;
     }
-    std::array<uint32_t, 64> open{}; // halves: no deeper than the logarithm of their number
+    std::array<uint32_t, 64> open{}; // each split halves the triangles, so the tree is never deeper than this
     size_t count = 1;
     while (count > 0) {
         const uint32_t index = open.at(--count);

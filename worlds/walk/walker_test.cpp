@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A body among walls whose answers are known, and trees of boxes against asking every triangle.
+// A body among walls with known answers, and the bounding volume hierarchy against a search through every
+// triangle.
 #include "walk/walker.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 namespace walk {
 namespace {
 
-/// A block along the axes.
+/// Adds an axis-aligned block.
 void add_block(std::vector<Triangle>& triangles, const glm::vec3& low, const glm::vec3& high)
 {
     const auto corner = [&](int k) {
@@ -34,7 +35,7 @@ SandAt slope_of(double rise)
     return [=](const glm::dvec2& place) { return Sand{rise * place.x, {rise, 0.0}}; };
 }
 
-/// A body on sand that rises along x, among blocks.
+/// A body among blocks on sand that rises along x.
 struct Yard {
     explicit Yard(const std::vector<Triangle>& triangles = {}, double rise = 0.0,
                   const glm::dvec3& feet_m = glm::dvec3(0.0))
@@ -89,8 +90,8 @@ TEST(WalkSolids, NearestIsNoFartherThanAnyPairOfPlaces)
             least = std::min(least, glm::distance(glm::mix(from, to, share(random)), on));
         }
         ASSERT_LE(found, least + 1e-4F);
-        ASSERT_GE(found, least - 0.25F); // as fine as the throws are
-        // Both are where they are said to be.
+        ASSERT_GE(found, least - 0.25F); // the precision of the random samples
+        // Both points lie where the result says.
         const glm::vec3 normal = glm::normalize(glm::cross(triangle.b - triangle.a, triangle.c - triangle.a));
         ASSERT_NEAR(glm::dot(pair.on_triangle - triangle.a, normal), 0.0F, 1e-3F);
         const float along = glm::length(to - from);
@@ -192,7 +193,7 @@ TEST(Walker, TakesStairsAndNoTable)
     before.go({1.0, 0.0}, 4.0);
     EXPECT_LT(before.walker.feet_m().x, 2.0);
     EXPECT_EQ(before.walker.feet_m().y, 0.0);
-    // Over it leads a jump.
+    // A jump leads over it.
     before.walker.step({.way = {1.0, 0.0}, .jumps = true});
     before.go({1.0, 0.0}, 2.0);
     EXPECT_NEAR(before.walker.feet_m().y, 0.6, 1e-5);
@@ -288,7 +289,7 @@ TEST(Walker, GoesTheSameWayHoweverTheClockTicks)
     for (int i = 0; i < 16; ++i) {
         jerky.walker.advance({.way = {1.0, 0.1}}, 0.25);
     }
-    EXPECT_NEAR(glm::distance(smooth.walker.feet_m(), jerky.walker.feet_m()), 0.0, 0.02); // of one step
+    EXPECT_NEAR(glm::distance(smooth.walker.feet_m(), jerky.walker.feet_m()), 0.0, 0.02); // one step
     EXPECT_GT(smooth.walker.feet_m().x, 3.3) << "round the block";
 }
 

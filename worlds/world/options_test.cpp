@@ -23,7 +23,7 @@ Values values(const std::vector<std::string>& assignments)
     return {options, assignments};
 }
 
-/// What is said about assignments that are not taken.
+/// The error message for invalid assignments.
 std::string refusal(const std::vector<std::string>& assignments)
 {
     try {

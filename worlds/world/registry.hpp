@@ -39,11 +39,11 @@ struct Option {
     std::string without;       ///< For help: what happens if the option has no value.
     bool changes_scene = true; ///< False if World::scene() is the same for all values.
 
-    /// "seed=N", "hour=0..24" or "weather=calm|storm".
+    /// Syntax of the option for help: "seed=N", "hour=0..24" or "weather=calm|storm".
     [[nodiscard]] std::string syntax() const;
 };
 
-/// "seed, weather, hour".
+/// The keys of options as a list: "seed, weather, hour".
 [[nodiscard]] std::string keys_of(std::span<const Option> options);
 
 /// The values of a world's options.
@@ -54,12 +54,12 @@ public:
     /// value that is not allowed.
     Values(std::span<const Option> options, std::span<const std::string> assignments);
 
-    // Nothing if the option has no value. To be called for keys and types that the options have.
+    // The value of an option; nothing if it has none. Only valid for keys and types of this world's options.
     [[nodiscard]] std::optional<uint64_t> whole(std::string_view key) const;
     [[nodiscard]] std::optional<double> number(std::string_view key) const;
     [[nodiscard]] std::optional<std::string> word(std::string_view key) const;
 
-    /// Whether a world makes the same scene of both, which are values of the same options.
+    /// Whether a world makes the same scene from both, which must be values of the same options.
     [[nodiscard]] bool make_same_scene(const Values& other) const;
 
 private:
@@ -85,10 +85,10 @@ struct Description {
     std::vector<std::string> examples; ///< Commands for help, such as "estampe render NAME -o NAME.png".
     std::vector<Option> options;
     std::optional<double> film_s; ///< Length of the world's own film; nothing: it has none.
-    /// Length of a film by any other camera, in which all that goes on is seen once; nothing: nothing moves
-    /// but the scene's animations.
+    /// Length of a film by any other camera that shows all events once; nothing: only the scene's animations
+    /// move.
     std::optional<double> show_s;
-    /// Makes the world with these values, which are of `options`.
+    /// Makes the world with `values`, which must be values of `options`.
     std::function<std::unique_ptr<World>(const Values& values)> make;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A second world, for tests alone: a box on a floor. It shows how little a world needs.
+// A minimal second world, only for tests: a box on a floor.
 
 #include <memory>
 #include <utility>
@@ -84,7 +84,7 @@ inline Description box_description()
             }};
 }
 
-/// The one line by which a program has the world.
+/// Registers the world.
 inline void know_box()
 {
     if (registry().find("box") == nullptr) {

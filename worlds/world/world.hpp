@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A world: a scene that code makes, with what moves in it. docs/how-to/own-world.md tells how to add one.
+// A world: a scene that code makes, and the animation of it. docs/how-to/own-world.md explains how to add one.
 
 #include <cstdint>
 #include <memory>
@@ -17,13 +17,13 @@ namespace worlds {
 
 enum class Occasion : uint8_t { picture, film, walk };
 
-/// What a world is drawn for.
+/// The purpose for which a world is drawn.
 struct Purpose {
     Occasion occasion = Occasion::picture;
-    bool is_draft = false; ///< The user wants it quickly: what only makes a film finer can be left out.
+    bool is_draft = false; ///< The user wants a quick result: what only makes a film finer can be left out.
 };
 
-/// The way of the camera in a world's own film.
+/// The camera of a world's own film.
 class CameraPath {
 public:
     CameraPath() = default;
@@ -31,7 +31,7 @@ public:
     CameraPath(const CameraPath&) = delete;
     CameraPath& operator=(const CameraPath&) = delete;
 
-    /// The camera so many seconds after the film's beginning; before and after the film, that at its ends.
+    /// The camera at a time since the film's beginning; outside of the film, the camera at its nearer end.
     [[nodiscard]] virtual estampe::Camera camera(double time_s) const = 0;
 
     /// When the camera reaches the place that makes the world end, see World::end_at(); nothing if it does
@@ -39,7 +39,7 @@ public:
     [[nodiscard]] virtual std::optional<double> end_s() const { return std::nullopt; }
 };
 
-/// Somebody who walks through a world.
+/// A visitor who walks through a world.
 class Visit {
 public:
     Visit() = default;
@@ -47,7 +47,7 @@ public:
     Visit(const Visit&) = delete;
     Visit& operator=(const Visit&) = delete;
 
-    /// Walks for so long; `time_s` is the scene's time.
+    /// Walks for `seconds`; `time_s` is the scene's time.
     virtual void go(const walk::Intent& intent, double seconds, double time_s) = 0;
 
     [[nodiscard]] virtual walk::Walker& walker() = 0;
@@ -96,7 +96,7 @@ public:
         return base;
     }
 
-    /// Somebody reaches the end of the world at `time_s`: from then on the world changes, if it has an end.
+    /// A visitor reaches the end of the world at `time_s`: from then on the world changes, if it has an end.
     virtual void end_at(double /*time_s*/) {}
 
     /// The camera of the world's own film; null if it has none. Only called where Description::film_s is set.
@@ -105,7 +105,7 @@ public:
         return nullptr;
     }
 
-    /// Somebody who walks through `scene`; null if the world is not made for walking. The viewer then walks
+    /// A visitor who walks through `scene`; null if the world is not made for walking. The viewer then walks
     /// over its ground without collisions.
     [[nodiscard]] virtual std::unique_ptr<Visit> visit(const estampe::Scene& /*scene*/) const
     {

@@ -28,7 +28,7 @@
 namespace estampe {
 namespace {
 
-/// How far apart neighbouring floats are at the far end of a mesh, in parts of its size.
+/// Spacing of floats at the far end of a mesh, relative to the mesh's size.
 double step_in_sizes(const Mesh& mesh)
 {
     Bounds bounds;
@@ -46,8 +46,8 @@ double step_in_sizes(const Mesh& mesh)
 
 constexpr double visible_step = 1e-4;
 
-/// Adds a warning when nodes are moved so far, in floats, that they stand imprecisely beside each other.
-/// `scene` is one whose nodes have been read as floats.
+/// Adds a warning when nodes lie so far away that floats place them imprecisely relative to each other. The
+/// nodes of `scene` have been read as floats.
 void warn_of_far_nodes(Scene& scene)
 {
     const Bounds bounds = scene_bounds(scene, pose_scene(scene, 0.0, no_index));
@@ -59,7 +59,7 @@ void warn_of_far_nodes(Scene& scene)
         shown += node.mesh != no_index ? 1 : 0;
     }
     const double step = farthest * static_cast<double>(std::numeric_limits<float>::epsilon());
-    // In the file's unit, which is that of the scene's size but for the scale of the root.
+    // In the file's unit. The size of the scene has the same unit, apart from the scale of the root.
     const double unit_m =
         scene.roots.empty()
             ? 1.0
@@ -71,8 +71,8 @@ void warn_of_far_nodes(Scene& scene)
                                              step * unit_m));
 }
 
-/// Adds a warning when meshes lie so far from their origin that the floats which their vertices have been
-/// read as coarsen their shape.
+/// Adds a warning when meshes lie so far from their origin that reading their vertices as floats has damaged
+/// their shape.
 void warn_of_far_meshes(Scene& scene)
 {
     size_t count = 0;
@@ -140,7 +140,7 @@ Index add_mesh(Conversion& conversion, const std::string& name, std::vector<Prim
     return static_cast<Index>(conversion.scene().meshes.size() - 1);
 }
 
-/// A node has one skin and here every mesh may have its own, so each skinned mesh gets a node for itself.
+/// Assimp has a skin per mesh, Estampe one per node, so each skinned mesh gets its own node.
 void add_skinned(Conversion& conversion, unsigned source, Index parent)
 {
     const aiMesh& mesh = *conversion.source.mMeshes[source];
@@ -206,8 +206,7 @@ std::string name_of(const aiString& name)
 
 namespace {
 
-/// What a file names beside itself is opened only if it is a file: a pipe or a device could be waited for
-/// without end.
+/// Opens external files only if they are regular files: reading a pipe or a device could wait forever.
 class RegularFiles : public Assimp::DefaultIOSystem {
 public:
     bool Exists(const char* file) const override
@@ -278,14 +277,14 @@ TransferScene read_dae(Assimp::Importer& importer, const std::filesystem::path& 
     return std::move(conversion.transfer);
 }
 
-/// Reads `path` with Assimp and puts what it found into our terms. Runs in the child process: it may crash or
-/// hang on a hostile file. Geometry is passed on as it is, vertices of a face unshared, normals only where
-/// the file has them. Throws Error or std::bad_alloc.
+/// Reads `path` with Assimp and converts the result. Runs in the child process, because Assimp may crash or
+/// hang on a hostile file. Geometry is not changed: faces share no vertices, and normals exist only if the
+/// file has them. Throws Error or std::bad_alloc.
 TransferScene read_with_assimp(const std::filesystem::path& path)
 {
     constexpr unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType;
     Assimp::Importer importer;
-    importer.SetIOHandler(new RegularFiles); // it is the importer's from now on
+    importer.SetIOHandler(new RegularFiles); // the importer takes ownership
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
     const std::string extension = lower_extension(path);
     if (extension == ".fbx")
@@ -309,8 +308,8 @@ uint64_t size_of_file(const std::filesystem::path& path)
     return size;
 }
 
-/// These formats' lights have no unit: 1 lights a surface fully. That is pi lux, here and, for lamps, at the
-/// distance of the scene.
+/// Converts light intensities to physical units. In these formats a light of 1 fully lights a surface; here
+/// that is pi lux, for lamps at a distance equal to the scene's size.
 void give_lights_units(Scene& scene)
 {
     if (scene.lights.empty())

@@ -27,7 +27,7 @@ namespace {
 
 constexpr const char* try_others = "check that the file opens in other programs, or convert it to glTF";
 
-// The first byte that the child sends says how it went.
+// The first byte that the child sends tells whether it succeeded.
 constexpr std::byte went_well{'+'};
 constexpr std::byte threw{'-'};
 constexpr std::byte ran_out_of_memory{'m'};
@@ -103,11 +103,11 @@ void send(int pipe_end, std::span<const std::byte> bytes)
         send(pipe_end, {&threw, 1});
         send(pipe_end, std::as_bytes(std::span(error.what(), std::strlen(error.what()))));
     }
-    // Without destructors and exit handlers: they belong to the parent.
+    // Skips destructors and exit handlers, because they belong to the parent.
     _exit(0);
 }
 
-/// Reads until the child closes its end. False when the time is over first.
+/// Reads until the child closes its end of the pipe. Returns false if time runs out first.
 bool receive(int pipe_end, double wall_s, std::vector<std::byte>& bytes)
 {
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(wall_s);

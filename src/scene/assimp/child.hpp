@@ -9,18 +9,18 @@
 
 namespace estampe {
 
-/// What a child process may use before it is ended.
+/// Limits of a child process; exceeding one ends it.
 struct ChildLimits {
     double wall_s = 120.0;
     uint32_t cpu_s = 60;
-    uint64_t memory_bytes = uint64_t{4}
-                            << 30; ///< beyond what the parent has mapped; not enforced under sanitizers
+    uint64_t memory_bytes = uint64_t{4} << 30; ///< in addition to what the parent has mapped; not enforced
+                                               ///< under sanitizers
 };
 
-/// Runs `work` in a forked child, without terminal output, and returns what it returned. A crash, a hang,
-/// running out of memory or an exception in there is an Error here; `where` becomes its place. Nothing else
-/// of the child's doing is seen by the parent. Cost: a fork and a copy of the bytes through a pipe, about 1
-/// ms and 1 ms a megabyte.
+/// Runs `work` in a forked child process without terminal output and returns its result. If `work` crashes,
+/// hangs, runs out of memory or throws, this function throws Error with `where` as its place. The child has
+/// no other effect on the parent. Cost: a fork and a copy of the bytes through a pipe, about 1 ms plus 1 ms
+/// per megabyte.
 [[nodiscard]] std::vector<std::byte> run_in_child(const std::function<std::vector<std::byte>()>& work,
                                                   const ChildLimits& limits, const std::string& where);
 

@@ -22,7 +22,7 @@ Wrap wrap_of(aiTextureMapMode mode)
     return mode == aiTextureMapMode_Wrap ? Wrap::repeat : Wrap::clamp;
 }
 
-/// Pictures inside the file are either those of a file, kept as they are, or plain texels.
+/// An embedded picture is either an encoded file, which is kept as it is, or raw texels.
 void take_embedded(const aiTexture& source, Texture& texture, ImageSource& image)
 {
     if (source.mHeight == 0) {
@@ -88,7 +88,7 @@ Material convert_material(Conversion& conversion, const aiMaterial& source)
     if (texture == no_index)
         texture = texture_of(conversion, source, aiTextureType_DIFFUSE);
     material.base_color_texture.texture = texture;
-    // Exporters leave the colour black where the texture says it all.
+    // Exporters often leave the colour black when a texture gives it.
     if (texture != no_index && glm::vec3(material.base_color) == glm::vec3(0.0F))
         material.base_color = glm::vec4(1.0F);
 
@@ -151,7 +151,7 @@ void convert_morph_targets(const aiMesh& mesh, Primitive& primitive)
     }
 }
 
-/// Keeps the eight strongest influences of a vertex.
+/// Keeps the eight largest joint weights of a vertex.
 struct Influences {
     std::array<float, 8> weights{};
     std::array<uint16_t, 8> joints{};
@@ -235,8 +235,8 @@ glm::dvec3 exact(const aiVector3D& v)
     return {v.x, v.y, v.z};
 }
 
-/// A child of the node of that name, at `place`, looking along `direction`: lights and cameras have a place
-/// of their own within their node. no_index when there is no such node.
+/// Adds a child at `place`, looking along `direction`, to the node named `name`: Assimp's lights and cameras
+/// have a position within their node. Returns no_index if there is no such node.
 Index add_looking_node(Conversion& conversion, const aiString& name, const glm::dvec3& place,
                        const glm::dvec3& direction, const glm::dvec3& up)
 {
@@ -260,7 +260,7 @@ Index add_looking_node(Conversion& conversion, const aiString& name, const glm::
     return static_cast<Index>(scene.nodes.size() - 1);
 }
 
-/// Places the values of `count` keys, `get(key)` giving time and value.
+/// Fills a channel from `count` keys; `get(key)` returns time and value.
 template <typename Key, typename Put>
 AnimationChannel channel_of(Index node, AnimatedPath path, const Key* keys, unsigned count,
                             double ticks_per_s, Put put)
@@ -300,7 +300,7 @@ void add_channels(Conversion& conversion, const aiNodeAnim& source, double ticks
     add(channel_of(index, AnimatedPath::scale, source.mScalingKeys, source.mNumScalingKeys, ticks_per_s,
                    put_vector));
 
-    // An animated node has to be in parts, as its keys are.
+    // The keys are of translation, rotation and scale, so an animated node must not use a matrix.
     Node& node = conversion.scene().nodes[index];
     if (!node.matrix)
         return;

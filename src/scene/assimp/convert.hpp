@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// From Assimp's scene to ours: what runs in the child process, one function a subject.
+// Converts Assimp's scene to Estampe's, with one function per subject. Runs in the child process.
 
 #include <filesystem>
 #include <map>
@@ -18,7 +18,7 @@
 
 namespace estampe {
 
-/// The conversion under way: nodes by name, as Assimp refers to them.
+/// State of the conversion. Assimp refers to nodes by name, hence the map.
 struct Conversion {
     const aiScene& source;
     TransferScene transfer;
@@ -41,14 +41,14 @@ void convert_materials(Conversion& conversion);
 
 void convert_lights(Conversion& conversion);
 
-/// Cameras of a COLLADA file, see dae::Document.
+/// Adds the cameras of a COLLADA file; `lenses` are those of dae::Document.
 void convert_cameras(Conversion& conversion, const std::vector<SceneCamera>& lenses);
 
 void convert_animations(Conversion& conversion);
 
-/// Puts into the converted scene what Assimp leaves out of an FBX file: pivots and fixed turns of nodes, axes
-/// and unit of the file, cameras and what cameras and lights look at, frame rate and length of animations.
-/// The file must have been read with its pivots hidden, see fbx::hide_pivots().
+/// Adds to the converted scene what Assimp leaves out of an FBX file: pivots and fixed rotations of nodes,
+/// axes and unit of the file, cameras and the targets of cameras and lights, frame rate and length of
+/// animations. The file must have been read after fbx::hide_pivots() changed it.
 void apply_fbx(Conversion& conversion, const fbx::Document& document);
 
 } // namespace estampe

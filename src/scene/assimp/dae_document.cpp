@@ -22,7 +22,7 @@
 namespace estampe::dae {
 namespace {
 
-constexpr double usual_aspect = 16.0 / 9.0; ///< where a camera has only a width: the page is not known yet
+constexpr double usual_aspect = 16.0 / 9.0; ///< for cameras with only a width; the page is not known yet
 
 double unit_m(const pugi::xml_node& collada)
 {
@@ -36,7 +36,8 @@ std::optional<double> positive(const pugi::xml_node& optics, const char* name)
     return number > 0.0 && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
-/// Of a width and a height, or one of them and the aspect ratio, the height; `widths` are to be proportional.
+/// The height that follows from width, height and aspect ratio, of which some may be missing. Inputs must be
+/// proportional to lengths: tangents, not angles.
 std::optional<double> height_of(const std::optional<double>& width, const std::optional<double>& height,
                                 const std::optional<double>& aspect)
 {
@@ -79,9 +80,9 @@ void add_number(pugi::xml_node parent, const char* name, double value)
     parent.append_child(name).text().set(value);
 }
 
-/// Reads the lenses of all cameras, in metres and radians, and puts in place of each a perspective one whose
-/// far plane is its number, see lens_index(): Assimp knows no parallel projections, and makes a wrong angle
-/// of a camera that has only a vertical one.
+/// Reads the lenses of all cameras, in metres and radians, and replaces each by a perspective camera whose
+/// far plane is its number, see lens_index(). Assimp does not know parallel projections, and computes a wrong
+/// angle for a camera with only a vertical field of view.
 std::vector<SceneCamera> number_cameras(const pugi::xml_node& collada)
 {
     const double metres = unit_m(collada);
@@ -118,7 +119,7 @@ size_t lens_index(double far_plane)
 
 namespace {
 
-/// From this many times its own size away on, a mesh is moved: floats keep five digits of it then.
+/// A mesh is moved if its distance is this many times its size: floats then keep only five of its digits.
 constexpr double far_in_sizes = 50.0;
 
 std::string id_of_url(std::string_view url)
@@ -131,7 +132,7 @@ pugi::xml_node child_with_id(const pugi::xml_node& parent, const char* name, con
     return parent.find_child_by_attribute(name, "id", id.c_str());
 }
 
-/// The array of the vertices' places; null where it is not simply three numbers for each.
+/// The array of vertex positions; null unless it has exactly three numbers per vertex.
 pugi::xml_node place_array(const pugi::xml_node& mesh)
 {
     const pugi::xml_node input =
@@ -143,7 +144,7 @@ pugi::xml_node place_array(const pugi::xml_node& mesh)
     return source.child("float_array");
 }
 
-/// Nothing where a word is no number.
+/// Parses numbers; returns nothing if a word is not a number.
 std::vector<double> numbers_of(std::string_view text)
 {
     std::vector<double> numbers;
@@ -231,7 +232,7 @@ struct FindInstances : pugi::xml_tree_walker {
     }
 };
 
-/// Puts a node of the same name between, so that the other contents of the node stay where they are.
+/// Inserts a child node of the same name for `instance`, so that the node's other contents are not displaced.
 void displace(const pugi::xml_node& instance, const glm::dvec3& offset)
 {
     pugi::xml_node parent = instance.parent();
@@ -245,9 +246,9 @@ void displace(const pugi::xml_node& instance, const glm::dvec3& offset)
     between.append_move(instance);
 }
 
-/// Moves vertices that lie far from their origin to it, and the nodes that show them the other way by as
-/// much. The distance is one that a float holds exactly. What bends with a skeleton stays where it is.
-/// Returns whether anything was moved.
+/// Moves vertices that lie far from their origin to it, and their nodes by the opposite offset, which is
+/// exactly representable as a float. Skinned and morphed meshes are not moved. Returns whether anything was
+/// moved.
 bool move_to_origin(const pugi::xml_node& collada)
 {
     const std::set<std::string> bent = bent_geometries(collada);
@@ -274,13 +275,14 @@ bool is_blank(char letter)
     return letter == ' ' || letter == '\t' || letter == '\r' || letter == '\n';
 }
 
-/// Programs of Windows write "-1.#IND" and the like for what is not a number.
+/// Recognises NaN as Windows programs print it, such as "-1.#IND".
 bool is_windows_nan(std::string_view word)
 {
     return word.find(".#") != std::string_view::npos;
 }
 
-/// One blank between words and none around: Assimp takes a blank for a number in some places.
+/// Leaves one blank between words and none around them, because Assimp misreads extra blanks as numbers in
+/// some places.
 std::string tidied(std::string_view text)
 {
     std::string result;
@@ -302,7 +304,7 @@ std::string tidied(std::string_view text)
     return result;
 }
 
-/// Names of files keep their blanks within.
+/// File names keep their inner blanks.
 bool holds_a_path(const pugi::xml_node& text)
 {
     const std::string_view parent = text.parent().name();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whole COLLADA files: axes, units, cameras, slack writing, and places far from the origin.
+// Whole COLLADA files: axes, units, cameras, sloppy syntax, and positions far from the origin.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -17,7 +17,7 @@
 namespace estampe {
 namespace {
 
-/// The parts of a file with one tetrahedron, 1, 2 and 3 long along x, y and z.
+/// The parts of a file with one tetrahedron of size 1, 2 and 3 along x, y and z.
 struct File {
     std::string asset = "<unit name=\"meter\" meter=\"1\"/><up_axis>Y_UP</up_axis>";
     std::string places = "0 0 0 1 0 0 0 2 0 0 0 3";

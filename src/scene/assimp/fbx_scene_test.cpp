@@ -49,7 +49,7 @@ void expect_bounds(const Scene& scene, const glm::dvec3& min, const glm::dvec3& 
     expect_near(bounds.max, max);
 }
 
-/// A file of one tetrahedron with these settings, its node having these properties.
+/// A file with one tetrahedron, these settings, and these properties of its node.
 File tetrahedron(const std::string& settings, const std::string& properties = "")
 {
     File file;
@@ -92,11 +92,11 @@ TEST_F(FbxScene, AxesTurnTheSceneUpright)
     const std::string metres = number("UnitScaleFactor", 100.0);
     expect_bounds(load(tetrahedron(metres + axes(2, 3, 1))), {0, 0, 0}, {1, 2, 3});
     expect_bounds(load(tetrahedron(metres + axes(3, -2, 1))), {0, 0, -2}, {1, 3, 0});   // 3ds Max
-    expect_bounds(load(tetrahedron(metres + axes(3, 2, -1))), {-1, 0, 0}, {0, 3, 2});   // faces the other way
+    expect_bounds(load(tetrahedron(metres + axes(3, 2, -1))), {-1, 0, 0}, {0, 3, 2});   // front reversed
     expect_bounds(load(tetrahedron(metres + axes(1, 3, -2))), {-2, 0, 0}, {0, 1, 3});   // x is up
-    expect_bounds(load(tetrahedron(metres + axes(-2, 3, -1))), {-1, -2, 0}, {0, 0, 3}); // hangs upside down
+    expect_bounds(load(tetrahedron(metres + axes(-2, 3, -1))), {-1, -2, 0}, {0, 0, 3}); // upside down
     expect_bounds(load(tetrahedron(metres + axes(2, -3, 1))), {0, 0, -3}, {1, 2, 0});   // left-handed
-    expect_bounds(load(tetrahedron(metres + axes(2, 2, 1))), {0, 0, 0}, {1, 2, 3});     // nonsense
+    expect_bounds(load(tetrahedron(metres + axes(2, 2, 1))), {0, 0, 0}, {1, 2, 3});     // invalid axes
 }
 
 TEST_F(FbxScene, KeysOfATurnedSceneTurnWithIt)
@@ -130,7 +130,7 @@ TEST_F(FbxScene, ANodeTurnsAndGrowsAboutItsPivots)
 
 TEST_F(FbxScene, FixedTurnsStandBeforeAndAfterTheRotation)
 {
-    // Upright, then turned by the rotation about the parent's y; x is turned away beforehand.
+    // The node is turned upright, then rotated about the parent's y; its x is rotated beforehand.
     const std::string turns =
         whole("RotationActive", 1) + vector("PreRotation", -90, 0, 0) + vector("PostRotation", 0, 0, 90);
     const std::string metres = number("UnitScaleFactor", 100.0);
@@ -138,7 +138,7 @@ TEST_F(FbxScene, FixedTurnsStandBeforeAndAfterTheRotation)
     File animated = tetrahedron(metres, turns);
     animated.animate(90, 10, "Lcl Rotation", "Z", 0.0, 2.0, 0.0, 180.0);
     expect_bounds(load(animated), {0, 0, -2}, {1, 3, 0}, 1.0);
-    // Without being active the fixed turns are not there.
+    // Without RotationActive the fixed rotations do not apply.
     expect_bounds(load(tetrahedron(metres, whole("RotationActive", 0) + vector("PreRotation", -90, 0, 0))),
                   {0, 0, 0}, {1, 2, 3});
 }
@@ -268,7 +268,7 @@ TEST_F(FbxScene, AMeshFarFromItsOriginIsWarnedOf)
     ASSERT_EQ(scene.warnings.size(), 1U);
     EXPECT_NE(scene.warnings[0].find("\"far house\""), std::string::npos) << scene.warnings[0];
     EXPECT_NE(scene.warnings[0].find("origin"), std::string::npos) << scene.warnings[0];
-    // A node may stand as far away as it likes.
+    // The position of a node has no limit.
     const Scene moved = load(tetrahedron("", vector("Lcl Translation", 123456789.25, 0, 0)));
     EXPECT_TRUE(moved.warnings.empty());
     EXPECT_NEAR(scene_bounds(moved, pose_scene(moved, 0.0)).min.x, 1234567.8925, 1e-6);
@@ -310,7 +310,7 @@ TEST_F(FbxScene, HiddenModelsAreHidden)
 
 TEST_F(FbxScene, VisibilityIsInheritedAndShowIsNot)
 {
-    // The child stands 100 m aside: its bounds tell whether it is shown.
+    // The child stands 100 m aside, so its bounds show whether it is visible.
     const auto child_is_shown = [this](const std::string& parent, const std::string& child,
                                        const std::string& between = "") {
         File file = tetrahedron(number("UnitScaleFactor", 100.0), parent);

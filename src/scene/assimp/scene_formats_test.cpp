@@ -123,8 +123,8 @@ TEST_F(SceneFormats, DaeCameraAndSunLookWhereTheyShould)
         }
 }
 
-/// Writes the arm as FBX text. Assimp's exporter takes ticks for seconds, so they are made seconds first; its
-/// binary form cannot be read back by anyone.
+/// Writes the arm as FBX text. Assimp's exporter takes ticks for seconds, so they are converted first; no
+/// importer can read its binary form.
 void export_fbx(const std::filesystem::path& dae, const std::filesystem::path& fbx)
 {
     Assimp::Importer importer;

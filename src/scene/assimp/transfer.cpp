@@ -9,7 +9,7 @@
 namespace estampe {
 namespace {
 
-/// Writes, or reads, value after value; `exchange` below describes the order once for both.
+/// Writes or reads values in sequence; `exchange` below defines the order for both.
 class Packer {
 public:
     static constexpr bool reading = false;
@@ -287,7 +287,7 @@ void exchange(Archive& archive, TransferScene& transfer)
 std::vector<std::byte> pack(const TransferScene& transfer)
 {
     Packer packer;
-    // Packing only reads, but shares its description with unpacking, which writes.
+    // Packing only reads, but shares `exchange` with unpacking, which writes.
     exchange(packer, const_cast<TransferScene&>(transfer));
     return packer.take();
 }

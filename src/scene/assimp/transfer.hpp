@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A scene on its way from the process that read the file.
+// Serialises a scene to pass it from the child process that read the file to the parent.
 
 #include <cstddef>
 #include <span>
@@ -14,7 +14,7 @@
 
 namespace estampe {
 
-/// A scene whose textures have no pictures yet; `images` has one entry per texture.
+/// A scene whose textures are not decoded yet; `images` has one entry per texture.
 struct TransferScene {
     Scene scene;
     std::vector<ImageSource> images;
@@ -22,9 +22,9 @@ struct TransferScene {
 
 [[nodiscard]] std::vector<std::byte> pack(const TransferScene& transfer);
 
-/// The inverse of pack(). Throws Error, with `where` as its place, when the bytes end early, when a count is
-/// larger than what follows, or when an enumeration has a value it does not know. Indices and numbers are not
-/// looked at.
+/// The inverse of pack(). Throws Error, with `where` as its place, when the bytes end early, a count is
+/// larger than the bytes that follow, or an enumeration has an unknown value. Does not check indices and
+/// numbers.
 [[nodiscard]] TransferScene unpack(std::span<const std::byte> bytes, const std::string& where);
 
 } // namespace estampe

@@ -10,7 +10,7 @@
 namespace estampe::charts {
 namespace {
 
-/// How far two triangles reach into each other along `axis`, as a share of the shorter reach.
+/// Overlap of two triangles along `axis`, as a share of the shorter extent.
 bool separates(const glm::vec2& axis, const FlatTriangle& a, const FlatTriangle& b)
 {
     constexpr float tolerance = 1e-4F;
@@ -95,15 +95,15 @@ bool OverlapGrid::add(const FlatTriangle& triangle)
 namespace {
 
 constexpr float sharpest_edge_cosine =
-    0.5F; // no chart goes around an edge that turns by more than 60 degrees
+    0.5F; // charts do not grow across an edge that turns by more than 60 degrees
 
 struct Face {
     glm::vec3 normal{0.0F};
     float area_m2 = 0.0F;
-    std::vector<uint32_t> neighbours; ///< across its edges
+    std::vector<uint32_t> neighbours; ///< triangles across its edges
 };
 
-/// A plane to lay triangles on.
+/// A plane onto which triangles are projected.
 struct Plane {
     explicit Plane(const glm::vec3& along)
         : normal(along), right(glm::normalize(glm::cross(
@@ -147,7 +147,7 @@ std::vector<Face> faces_of(std::span<const glm::vec3> corners)
         }
     }
     const std::vector<uint32_t> vertices = welded(corners);
-    std::vector<std::tuple<uint32_t, uint32_t, uint32_t>> edges; // two vertices, triangle
+    std::vector<std::tuple<uint32_t, uint32_t, uint32_t>> edges; // two vertices and the triangle
     for (uint32_t i = 0; i < vertices.size(); ++i) {
         const uint32_t next = vertices[i % 3 == 2 ? i - 2 : i + 1];
         edges.emplace_back(std::min(vertices[i], next), std::max(vertices[i], next), i / 3);
@@ -229,7 +229,7 @@ private:
         return face.area_m2 > 0.0F && glm::dot(face.normal, plane.normal) >= least_cosine;
     }
 
-    /// The triangles that `seed` reaches over edges, in the order they are reached.
+    /// The triangles that can be reached from `seed` over edges, in the order in which they are reached.
     std::vector<uint32_t> grown(uint32_t seed, const Plane& plane)
     {
         ++round_;
@@ -243,7 +243,7 @@ private:
             }
         };
         take(seed);
-        size_t next = 0; // members come to it meanwhile
+        size_t next = 0; // `members` grows in this loop
         while (next < members.size()) {
             const Face& face = faces_[members[next++]];
             for (const uint32_t neighbour : face.neighbours) {
@@ -259,7 +259,7 @@ private:
     std::span<const glm::vec3> corners_;
     std::vector<Face> faces_;
     std::vector<bool> taken_;
-    std::vector<uint32_t> queued_by_; ///< the round that last looked at each triangle
+    std::vector<uint32_t> queued_by_; ///< the last round that looked at each triangle
     uint32_t round_ = 0;
     float cell_m_ = 1.0F;
 };
@@ -278,7 +278,7 @@ glm::vec2 extent(const std::vector<glm::vec2>& corners, float angle_rad, glm::ve
     return high - low;
 }
 
-/// Turns a chart so that its upright box is small, along its longest edge or one of twelve directions.
+/// Rotates a chart to make its bounding box small: along its longest edge or one of twelve directions.
 void settle(Chart& chart)
 {
     std::vector<float> angles_rad;

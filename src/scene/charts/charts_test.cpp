@@ -23,7 +23,8 @@ std::vector<glm::vec3> corners_of(const Primitive& primitive)
     return corners;
 }
 
-/// A ribbon that winds twice above itself, all of it nearly level: laid flat as one piece it would overlap.
+/// A ribbon that winds twice around and above itself, nearly level everywhere: projected as one chart it
+/// would overlap.
 Primitive ramp()
 {
     Primitive primitive;
@@ -55,7 +56,7 @@ FlatTriangle flat(const Atlas& atlas, uint32_t triangle)
     return {corner[0], corner[1], corner[2]};
 }
 
-/// A little smaller, as rounding to texels moves corners by some hundred-thousandths of one.
+/// A slightly smaller triangle, because rounding to texels moves corners by some hundred-thousandths of one.
 FlatTriangle shrunk(FlatTriangle t)
 {
     const glm::vec2 middle = (t[0] + t[1] + t[2]) / 3.0F;
@@ -72,8 +73,8 @@ float flat_area(const FlatTriangle& t)
     return 0.5F * std::abs(a.x * b.y - a.y * b.x);
 }
 
-/// Largest and smallest stretch of a triangle on its way into the map, as singular values. In doubles: the
-/// height of a sliver is a small difference of large numbers.
+/// Largest and smallest stretch of a triangle when it is mapped to the atlas, as singular values. Computed in
+/// doubles, because the height of a sliver is a small difference of large numbers.
 glm::vec2 stretch(const glm::vec3* corner, const FlatTriangle& t)
 {
     const glm::dvec3 ab = glm::dvec3(corner[1]) - glm::dvec3(corner[0]);
@@ -149,7 +150,7 @@ TEST(BakeCharts, ABoxHasSixAndFillsMostOfTheMap)
     for (const uint32_t triangle : atlas.triangles) {
         used += flat_area(flat(atlas, triangle));
     }
-    EXPECT_GT(used, 0.55F * 256.0F * 256.0F); // six squares fit three by three
+    EXPECT_GT(used, 0.55F * 256.0F * 256.0F); // six squares, packed three by three
 }
 
 TEST(BakeCharts, GuttersOfTwoChartsDoNotTouch)
@@ -200,7 +201,7 @@ TEST(BakeCharts, CoordinatesOfTheFileAreKeptWhereTheyServe)
     EXPECT_EQ(own->triangles.size(), corners.size() / 3);
     EXPECT_NEAR(own->size_m.x, 2.0F, 1e-3F);
     for (glm::vec2& uv : uvs) {
-        uv = glm::abs(uv); // folded in four
+        uv = glm::abs(uv); // folded into a quarter
     }
     EXPECT_FALSE(own_chart(corners, uvs).has_value());
     EXPECT_FALSE(own_chart(corners, std::vector<glm::vec2>(corners.size(), glm::vec2(0.0F))).has_value());

@@ -23,7 +23,7 @@
 namespace estampe::charts {
 namespace {
 
-/// Rectangles of the charts at `texels_per_m`, packed; nothing when they do not all fit.
+/// Packed rectangles of the charts at `texels_per_m`; nothing if they do not all fit.
 std::vector<stbrp_rect> packed(std::span<const Chart> charts, uint32_t size, double texels_per_m)
 {
     std::vector<stbrp_rect> rectangles(charts.size());
@@ -40,13 +40,13 @@ std::vector<stbrp_rect> packed(std::span<const Chart> charts, uint32_t size, dou
     std::vector<stbrp_node> nodes(size);
     const auto side = static_cast<int>(size);
     stbrp_init_target(&context, side, side, nodes.data(), side);
-    // Sorting none, it would hand a null pointer on.
+    // stb would sort a null pointer if there are no rectangles.
     const bool all_fit = rectangles.empty() || stbrp_pack_rects(&context, rectangles.data(),
                                                                 static_cast<int>(rectangles.size())) != 0;
     return all_fit ? rectangles : std::vector<stbrp_rect>();
 }
 
-/// The point of the triangle that is nearest to the origin, by the weights of its second and third corner.
+/// Barycentric weights (second and third corner) of the triangle's point nearest to the origin.
 glm::vec2 nearest_weights(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c, float& distance_2)
 {
     const glm::vec2 ab = b - a;
@@ -78,7 +78,7 @@ glm::vec2 nearest_weights(const glm::vec2& a, const glm::vec2& b, const glm::vec
     return best;
 }
 
-/// Who has a texel so far.
+/// The triangle that currently owns a texel.
 struct Claim {
     float distance_2 = INFINITY;
     uint32_t triangle = 0;

@@ -13,7 +13,7 @@ size_t component_bytes(int component_type)
     return static_cast<size_t>(tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(component_type)));
 }
 
-/// A row of elements in a view: `count` of them, `stride` bytes apart.
+/// Elements in a buffer view: `count` of them, `stride` bytes apart.
 struct Elements {
     std::span<const std::byte> bytes;
     uint64_t count = 0;

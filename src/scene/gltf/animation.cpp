@@ -29,13 +29,13 @@ std::optional<AnimatedPath> path_of(const std::string& path)
 
 constexpr auto pointer_extension = "KHR_animation_pointer";
 
-/// What a channel animates: a property of a node.
+/// The animated property of a node.
 struct Target {
     Index node = no_index;
     AnimatedPath path = AnimatedPath::translation;
 };
 
-/// Splits "/nodes/3/rotation" into its node and what follows.
+/// Splits "/nodes/3/rotation" into the node and the property.
 std::optional<std::pair<Index, std::string>> node_and_property(const Scene& scene, std::string_view pointer)
 {
     constexpr std::string_view nodes = "/nodes/";
@@ -52,7 +52,7 @@ std::optional<std::pair<Index, std::string>> node_and_property(const Scene& scen
     return std::pair(node, std::string(pointer.substr(1)));
 }
 
-/// KHR_animation_pointer: the properties of nodes are animated, with a warning for all others.
+/// Target of KHR_animation_pointer. Only properties of nodes are supported; others cause a warning.
 std::optional<Target> pointer_target(Data& data, const Scene& scene, const tinygltf::AnimationChannel& source,
                                      const std::string& place)
 {
@@ -80,7 +80,8 @@ std::optional<Target> pointer_target(Data& data, const Scene& scene, const tinyg
     return std::nullopt;
 }
 
-/// Nothing, with a warning where the file asks for more, when the channel moves nothing here.
+/// The target of a channel; nothing if it has none here, with a warning if the file animates something
+/// unsupported.
 std::optional<Target> target_of(Data& data, const Scene& scene, const tinygltf::AnimationChannel& source,
                                 const std::string& place)
 {
@@ -99,7 +100,7 @@ std::optional<Target> target_of(Data& data, const Scene& scene, const tinygltf::
     return Target{.node = static_cast<Index>(source.target_node), .path = *path};
 }
 
-/// Floats a key, before the tangents of cubic splines; zero when there is nothing to move.
+/// Floats per key, not counting the tangents of cubic splines; zero if there is nothing to animate.
 size_t key_width(const Scene& scene, const AnimationChannel& channel)
 {
     switch (channel.path) {

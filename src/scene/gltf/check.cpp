@@ -19,22 +19,22 @@
 namespace estampe::gltf {
 namespace {
 
-/// What one property of a glTF object may be.
+/// Type of a property in a glTF object.
 enum class Kind : uint8_t { index, integer, number, text, boolean, choice, object, index_map, list };
 
-constexpr double max_number = 3.0e38;      ///< what a float can hold
-constexpr double max_count = 2147483647.0; ///< what a glTF file can address
+constexpr double max_number = 3.0e38;      ///< largest value that fits in a float
+constexpr double max_count = 2147483647.0; ///< largest index in a glTF file
 constexpr double max_offset = 1099511627776.0;
 
 struct Rule {
     std::string_view key;
     Kind kind = Kind::object;
-    std::string target; ///< the array an index points into, the schema of an object, or the words of a choice
+    std::string target; ///< array of an index, schema of an object, or words of a choice
     bool required = false;
     double min = -max_number;
     double max = max_number;
-    Kind entry = Kind::object; ///< of a list
-    int length = -1;           ///< of a list; negative: any
+    Kind entry = Kind::object; ///< type of the entries of a list
+    int length = -1;           ///< length of a list; negative: any
 };
 
 Rule required(Rule rule)
@@ -318,7 +318,7 @@ public:
     }
 
 private:
-    /// Adds one step to the JSON pointer while it lives.
+    /// Appends a step to the JSON pointer during its lifetime.
     class Step {
     public:
         template <typename Key>
@@ -452,7 +452,7 @@ private:
     std::string place_;
 };
 
-/// A camera carries the object that its type names.
+/// A camera must contain the object that its type names.
 void check_cameras(const json& document, const std::string& file)
 {
     const json cameras = document.value("cameras", json::array());

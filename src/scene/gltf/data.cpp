@@ -22,7 +22,7 @@
 namespace estampe::gltf {
 namespace {
 
-/// What EXT_meshopt_compression says of a buffer view.
+/// Parameters of EXT_meshopt_compression for a buffer view.
 struct MeshoptLayout {
     uint64_t count = 0;
     uint64_t stride = 0;
@@ -30,7 +30,7 @@ struct MeshoptLayout {
     std::string filter; ///< NONE, OCTAHEDRAL, QUATERNION or EXPONENTIAL
 };
 
-/// The decoders assert what is checked here.
+/// Checks what the decoders of meshoptimizer only assert.
 void check_layout(const MeshoptLayout& layout)
 {
     bool good = false;
@@ -51,8 +51,8 @@ void check_layout(const MeshoptLayout& layout)
     }
 }
 
-/// count * stride bytes. Throws Error without a place when layout and data do not fit together or the data is
-/// damaged.
+/// Decodes count * stride bytes. Throws Error without a place when layout and data do not fit together or the
+/// data is damaged.
 std::vector<std::byte> decode_meshopt(std::span<const std::byte> source, const MeshoptLayout& layout)
 {
     check_layout(layout);
@@ -92,8 +92,8 @@ const tinygltf::Value* compression_of(const tinygltf::BufferView& view)
     return found == view.extensions.end() ? nullptr : &found->second;
 }
 
-/// A buffer that only compressed views name may have no bytes: it is the fallback for readers without the
-/// extension.
+/// Whether a buffer may have no bytes: it is the fallback for readers without the extension, and only
+/// compressed views refer to it.
 bool is_fallback(const tinygltf::Model& model, size_t buffer)
 {
     for (const tinygltf::BufferView& view : model.bufferViews) {
@@ -124,7 +124,7 @@ Data::Data(Document document, const Container& container, std::string file,
 
 void Data::load_buffers(const Container& container)
 {
-    // Of each file as much as the longest of its buffers declares, and once.
+    // Each file is read once, up to the longest length that its buffers declare.
     std::map<std::string_view, size_t> longest;
     for (size_t i = 0; i < document_.buffers.size(); ++i) {
         const BufferSource& source = document_.buffers[i];

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A glTF file before it is a scene: its container, its document, and its bytes with every access checked.
+// A glTF file before conversion to a scene: its container, its document, and bounds-checked access to its
+// bytes.
 
 #include <cstddef>
 #include <filesystem>
@@ -25,34 +26,35 @@ struct Container {
     std::string_view json;
     std::optional<std::span<const std::byte>> binary;
     bool is_binary = false;
-    size_t json_offset = 0; ///< where the JSON text begins in the file
+    size_t json_offset = 0; ///< byte offset of the JSON text in the file
 };
 
-/// The bytes of a glTF file, and none of what lies behind: its first bytes are looked at before the rest is
-/// read, so that a large file of something else is refused at once. Throws Error as open_container() does.
+/// The bytes of a glTF file, up to the length that it declares. The first bytes are checked before the rest
+/// is read, so that a large file of another type is refused at once. Throws Error as open_container() does.
 [[nodiscard]] std::vector<std::byte> read_gltf_bytes(const std::filesystem::path& path);
 
-/// Takes a file apart without copying; the result points into `bytes`. Throws Error with a byte offset when
-/// it is empty, truncated, of another version, or no glTF at all, and when the JSON is nested deeper than 256
-/// levels.
+/// Finds the parts of a glTF file without copying; the result points into `bytes`. Throws Error with a byte
+/// offset when the file is empty, truncated, of another version or not glTF, and when the JSON is nested
+/// deeper than 256 levels.
 [[nodiscard]] Container open_container(std::span<const std::byte> bytes, const std::string& file);
 
 [[nodiscard]] bool is_data_uri(std::string_view uri);
 
-/// The bytes of "data:...;base64,..."; nothing when it is not base64 or damaged.
+/// The bytes of "data:...;base64,..."; nothing when the URI is not base64 or is damaged.
 [[nodiscard]] std::optional<std::vector<std::byte>> decode_data_uri(std::string_view uri);
 
-/// The file name in a relative URI, percent-decoded; nothing for an absolute path, another scheme, or a zero
-/// byte.
+/// The percent-decoded file name in a relative URI; nothing for an absolute path, another scheme, or a name
+/// with a zero byte.
 [[nodiscard]] std::optional<std::string> decode_relative_uri(std::string_view uri);
 
-/// Where a buffer's bytes are. Kept out of tinygltf's model, which would read them unasked.
+/// Location of a buffer's bytes. Kept out of tinygltf's model, because tinygltf would read the buffers
+/// itself.
 struct BufferSource {
-    std::string uri; ///< empty: the binary chunk, or a fallback that nobody reads
+    std::string uri; ///< empty for the binary chunk, or for a fallback that nobody reads
     uint64_t byte_length = 0;
 };
 
-/// Where an image is: a data URI, a relative path, or a buffer view.
+/// Location of an image: a data URI, a relative path, or a buffer view.
 struct ImageSource {
     std::string name;
     std::string uri;
@@ -64,35 +66,36 @@ struct Document {
     std::vector<BufferSource> buffers;
     std::vector<ImageSource> images;
 
-    /// The index accessor of each primitive of each mesh, or -1. tinygltf refuses one without a buffer view,
-    /// which glTF allows.
+    /// The index accessor of each primitive of each mesh, or -1. Kept here because tinygltf refuses index
+    /// accessors without a buffer view, which glTF allows.
     std::vector<std::vector<int>> indices;
 
-    /// Names of the material variants (KHR_materials_variants). tinygltf drops those without a name.
+    /// Names of the material variants (KHR_materials_variants). Kept here because tinygltf drops variants
+    /// without a name.
     std::vector<std::string> variants;
 };
 
 /// Parses and checks the JSON. Afterwards every index in the model is inside its array and every number is in
-/// range. Throws Error with a JSON pointer, a line and column, or a byte.
+/// range. Throws Error with a JSON pointer, a line and column, or a byte offset.
 [[nodiscard]] Document read_document(const Container& container, const std::string& file);
 
-/// Checks the parsed JSON of a glTF file against what the importer relies on: every property it reads has its
-/// type and range, what is required is there, and every index points into its array. Numbers with a zero
-/// fraction where an integer belongs become integers.
+/// Checks the parsed JSON of a glTF file against what the importer relies on: every property that it reads
+/// has its type and range, required properties exist, and every index points into its array. Converts numbers
+/// with a zero fraction to integers where an integer is expected.
 ///
 /// Throws Error with `file#/json/pointer`. After it, reading a property can neither fail nor overflow.
 void check_document(nlohmann::json& document, const std::string& file);
 
-/// Under which the extras of an object have what only this library reads.
+/// Key in the `extras` of an object for the settings that only this library reads.
 inline constexpr const char* our_key = "estampe";
 
-/// One file on its way to a Scene: the parsed document and its bytes, with every access checked.
+/// A glTF file during its import: the parsed document and bounds-checked access to its bytes.
 ///
-/// Reading adds to a budget of a few hundred times the files' size, so that a small file cannot ask for a
+/// Reading spends a budget of a few hundred times the files' size, so that a small file cannot ask for a
 /// large scene. All members throw Error with `file#/json/pointer`.
 class Data {
 public:
-    /// Reads every buffer. Without a `folder`, files beside the document cannot be read.
+    /// Reads every buffer. Without a `folder`, external files cannot be read.
     Data(Document document, const Container& container, std::string file,
          std::optional<std::filesystem::path> folder);
 
@@ -112,15 +115,15 @@ public:
         return views_[static_cast<size_t>(index)];
     }
 
-    /// The bytes of a data URI or of a file beside the document. The Error it throws has the resource's name
-    /// for a place.
+    /// The bytes of a data URI or of a file beside the document. Throws Error with the resource's name as its
+    /// place.
     [[nodiscard]] std::vector<std::byte> resource(const std::string& uri) const;
     [[nodiscard]] std::string resource_name(const std::string& uri) const;
 
     /// Takes `bytes` from the budget.
     void spend(uint64_t bytes, const std::string& pointer);
 
-    /// Notes a repair, in one line; the same line only once.
+    /// Records a repair as one line; repeated lines are kept once.
     void warn(const std::string& pointer, const std::string& what);
 
     [[nodiscard]] std::string place(const std::string& pointer) const { return file_ + "#" + pointer; }
@@ -131,7 +134,7 @@ public:
         throw Error(what, place(pointer), remedy);
     }
 
-    /// What was repaired, at most a hundred lines and one that counts the rest.
+    /// The recorded repairs: at most a hundred lines, and one line that counts the rest.
     [[nodiscard]] std::vector<std::string> take_warnings();
 
 private:
@@ -155,27 +158,27 @@ private:
     size_t warning_count_ = 0;
 };
 
-/// The vertices that an accessor holds, as floats: normalised integers become -1..1 or 0..1, others keep
-/// their value, sparse entries are put in. `components` floats an element; what the file lacks stays as it is
-/// in `fill`.
+/// The elements of an accessor as floats, `components` per element. Normalised integers become -1..1 or 0..1,
+/// other integers keep their value, and sparse entries are applied. Components that the file lacks are
+/// `fill`.
 [[nodiscard]] std::vector<float> read_floats(Data& data, int accessor, int components, float fill = 0.0F);
 
-/// The same for integers: indices and joints.
+/// The elements of an accessor as integers, for indices and joints.
 [[nodiscard]] std::vector<uint32_t> read_integers(Data& data, int accessor, int components);
 
-/// The same into GLM vectors or matrices of floats.
+/// The elements of an accessor as GLM vectors or matrices of floats; see read_floats().
 template <typename Vector>
 [[nodiscard]] std::vector<Vector> read_vectors(Data& data, int accessor, float fill = 0.0F);
 
-/// "/accessors/3"
+/// JSON pointer of an accessor, such as "/accessors/3".
 [[nodiscard]] std::string accessor_pointer(int accessor);
 
 [[nodiscard]] const tinygltf::Accessor& accessor_of(const Data& data, int accessor);
 
-/// Components an element: 1 for SCALAR, 16 for MAT4.
+/// Components per element: 1 for SCALAR, 16 for MAT4.
 [[nodiscard]] int component_count(const tinygltf::Accessor& accessor);
 
-/// Checks every accessor of the file against its view, whether something uses it or not.
+/// Checks every accessor of the file, used or not, against its buffer view.
 void check_accessors(const Data& data);
 
 } // namespace estampe::gltf

@@ -35,7 +35,7 @@ uint32_t read_u32(std::span<const std::byte> bytes, size_t offset)
     throw Error(what, fmt::format("{}:byte {}", file, byte), remedy);
 }
 
-/// The chunk at `offset`, and the offset after it.
+/// Returns the chunk at `offset`, and moves `offset` behind it.
 std::span<const std::byte> take_chunk(std::span<const std::byte> bytes, size_t& offset, uint32_t& type,
                                       const std::string& file)
 {
@@ -60,7 +60,7 @@ bool is_binary(std::span<const std::byte> bytes)
     return std::memcmp(bytes.data(), magic.data(), std::min(bytes.size(), magic.size())) == 0;
 }
 
-/// The length that the header of a .glb promises.
+/// The file length in the header of a .glb.
 uint32_t promised_length(std::span<const std::byte> bytes, const std::string& file)
 {
     if (bytes.size() < header_bytes) {
@@ -74,7 +74,7 @@ uint32_t promised_length(std::span<const std::byte> bytes, const std::string& fi
     return read_u32(bytes, 8);
 }
 
-/// Throws unless the first byte that is not blank begins a JSON object.
+/// Throws Error unless the first non-blank byte begins a JSON object.
 void check_is_text(std::span<const std::byte> bytes, const std::string& file)
 {
     constexpr std::string_view blank_or_mark = " \t\r\n\xEF\xBB\xBF";
@@ -116,7 +116,7 @@ Container open_binary(std::span<const std::byte> bytes, const std::string& file)
     return container;
 }
 
-/// "file:line:column" for text, "file:byte N" for binary.
+/// Place of a byte of the JSON in messages: "file:line:column" for text, "file:byte N" for binary.
 std::string place_in_json(const Container& container, const std::string& file, size_t json_byte)
 {
     if (container.is_binary) {
@@ -368,7 +368,7 @@ std::vector<std::string> variant_names(const json& document)
     return names;
 }
 
-/// tinygltf refuses a channel without a node, which glTF allows.
+/// Adds a node to channels without one, which glTF allows and tinygltf refuses.
 void complete_channels(json& document)
 {
     for (json& animation : document["animations"]) {

@@ -52,7 +52,7 @@ namespace {
 
 constexpr int group_count = 16;
 
-/// true and false, and what Blender's custom properties make of them: 1, 0, "true", "0".
+/// Parses true and false, also as Blender's custom properties write them: 1, 0, "true", "0".
 std::optional<bool> boolean_of(const tinygltf::Value& value)
 {
     if (value.IsBool()) {
@@ -66,8 +66,8 @@ std::optional<bool> boolean_of(const tinygltf::Value& value)
     return word == "false" || number == 0.0 ? std::optional(false) : std::nullopt;
 }
 
-/// One object of ours, read key by key. What is not understood is left out, with a warning that names the
-/// key and whose it is: a mistake in a custom property does not end the render.
+/// Reads an object named "estampe" key by key. Settings that are not understood are ignored with a warning
+/// that names the key and its owner, so that a mistake in a custom property does not stop the render.
 class Reader {
 public:
     Reader(Data& data, const tinygltf::Value& extras, const std::string& pointer)
@@ -77,7 +77,7 @@ public:
         check_object();
     }
 
-    /// Of an object within it.
+    /// Reads an object within `whole`.
     Reader(const Reader& whole, const std::string& key)
         : data_(whole.data_), value_(whole.value_.Get(key)), pointer_(whole.at(key)), owner_(whole.owner_)
     {
@@ -109,7 +109,7 @@ public:
         return has(key) && value_.Get(key).IsObject();
     }
 
-    /// Each of these is nothing where the key is not there, and with a warning where its value is not
+    /// These functions return nothing if the key is missing, and also, with a warning, if its value is not
     /// understood.
     [[nodiscard]] std::optional<bool> boolean(const std::string& key) const
     {
@@ -124,7 +124,7 @@ public:
         });
     }
 
-    /// Of a list of so many things.
+    /// An index into a list of `count` entries.
     [[nodiscard]] std::optional<Index> index(const std::string& key, size_t count,
                                              std::string_view what) const
     {
@@ -137,7 +137,7 @@ public:
                     });
     }
 
-    /// The place of the word among `words`.
+    /// The index of the key's word in `words`.
     [[nodiscard]] std::optional<size_t> choice(const std::string& key,
                                                std::span<const std::string_view> words) const
     {
@@ -150,7 +150,7 @@ public:
         });
     }
 
-    /// A list of groups, or one alone.
+    /// A list of groups, or a single group.
     [[nodiscard]] std::optional<Groups> groups(const std::string& key) const
     {
         const std::string wanted =
@@ -335,7 +335,8 @@ void read_collider_extras(Data& data, const tinygltf::Value& extras, const std::
 
 namespace {
 
-/// "cloth", or that with something behind it that is no letter: "cloth_flag", "Cloth.001".
+/// Whether a name is "cloth", or "cloth" followed by a character that is not a letter: "cloth_flag",
+/// "Cloth.001".
 bool names_cloth(const std::string& name)
 {
     constexpr std::string_view word = "cloth";
@@ -347,7 +348,7 @@ bool names_cloth(const std::string& name)
     return name.size() == word.size() || std::isalpha(static_cast<unsigned char>(name[word.size()])) == 0;
 }
 
-/// The red of a texture at a place, between its four nearest texels.
+/// The red of a texture at `uv`, bilinearly interpolated.
 float red_at(const Texture& texture, glm::vec2 uv)
 {
     const auto wrapped = [](int at, int size, Wrap wrap) {
@@ -372,7 +373,8 @@ float red_at(const Texture& texture, glm::vec2 uv)
            255.0F;
 }
 
-/// By a texture if it says so and has UVs, else by its vertices' colours.
+/// Sets how strongly vertices are held: from a texture if the primitive has UVs, else from its vertex
+/// colours.
 void hold(Primitive& primitive, const Scene& scene, Index texture)
 {
     if (texture != no_index && !primitive.uvs[0].empty()) {

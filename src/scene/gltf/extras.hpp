@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What glTF cannot say of lights and objects stands in `extras`, in an object named "estampe":
+// Properties of lights and objects that glTF lacks are read from `extras`, from an object named "estampe":
 //
 //     light           "falloff": "inverse_square" or "unit_volume"   "shape": "cone" or "pyramid"
 //                     "type": "ambient"                              "shadows": true or false
@@ -15,41 +15,41 @@
 //     node, material  "groups": [1]       lit by lights of these     "casts": [1], true or false
 //                     "receives": true or false               "lightmap": see estampe/lightmap.hpp
 //
-// Groups have numbers from 1 to 16; what names none belongs to all. A node hands what it says down to its
-// children, which may say otherwise.
+// Groups have numbers from 1 to 16; an object that names none belongs to all. The settings of a node apply to
+// its children unless they override them.
 //
-// Blender's custom properties have no booleans in older versions, and artists type numbers as text: 0, 1,
-// "0", "true" and the like are read where true or false is expected, "0.5" where a number is, and one group
-// where a list is.
+// Older versions of Blender have no boolean custom properties, and artists type numbers as text. So 0, 1,
+// "0", "true" and the like are accepted as booleans, "0.5" as a number, and one group as a list.
 
 #include "scene/gltf/data.hpp"
 
 namespace estampe::gltf {
 
-/// Each leaves out what is not listed above, with a warning that names the key, its place and whose it is.
+/// These functions ignore settings that are not listed above, with a warning that names the key, its place
+/// and its owner.
 void read_light_extras(Data& data, const tinygltf::Value& extras, const std::string& pointer, Light& light);
 void read_link_extras(Data& data, const tinygltf::Value& extras, const std::string& pointer,
                       LightLinks& links);
 
 void read_cloth_extras(Data& data, const tinygltf::Value& extras, const std::string& pointer,
                        std::optional<Cloth>& cloth);
-/// The file's texture whose red says how much vertices of cloth are held, if it says so.
+/// The file's texture whose red says how strongly the vertices of cloth are held; nothing if there is none.
 [[nodiscard]] std::optional<Index> held_texture(Data& data, const tinygltf::Value& extras,
                                                 const std::string& pointer);
 void read_collider_extras(Data& data, const tinygltf::Value& extras, const std::string& pointer,
                           ClothCollider& collider);
 
-/// Warns of what is not understood in the lightmaps that materials, nodes and scenes name; named_lightmap()
-/// reads them.
+/// Warns of unknown settings in the lightmaps that materials, nodes and scenes name; named_lightmap() reads
+/// them.
 void check_lightmap_extras(Data& data);
 
-/// "node \"Flag\"": whose extras stand at or below `pointer`.
+/// The owner of the extras at or below `pointer`, as in: node "Flag".
 [[nodiscard]] std::string owner_at(const Data& data, const std::string& pointer);
 
 /// A number, or text that holds nothing but a number.
 [[nodiscard]] std::optional<double> number_of(const tinygltf::Value& value);
 
-/// Whether `extras` has an object of ours at all.
+/// Whether `extras` has an object named "estampe".
 [[nodiscard]] bool has_extras(const tinygltf::Value& extras);
 
 } // namespace estampe::gltf

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A hundred files that are broken in one place each: every one must give an Error that names the place.
+// A hundred files with one fault each: each must give an Error that names the place.
 
 #include <limits>
 
@@ -86,9 +86,9 @@ TEST(GltfBroken, the_whole_file_loads)
 }
 
 struct Change {
-    const char* pointer; ///< what is set in the rich file ...
-    const char* value;   ///< ... to this JSON; empty: it is removed
-    const char* where;   ///< the pointer that the error names; null: the same
+    const char* pointer; ///< the pointer that is changed in the rich file
+    const char* value;   ///< the JSON that is set there; empty removes it
+    const char* where;   ///< the pointer that the error names; null means the same pointer
 };
 
 const Change changes[] = {

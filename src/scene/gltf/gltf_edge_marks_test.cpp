@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Marked edges: the examples of the extension's own text, in every topology, and what is wrong with files.
+// Marked edges: the examples of the extension's specification, in every topology, and invalid files.
 
 #include <gtest/gtest.h>
 
@@ -66,12 +66,12 @@ TEST(GltfEdgeMarks, ComeFromLineStringsToo)
 
 TEST(GltfEdgeMarks, FollowTheOrderOfCornersInStripsAndFans)
 {
-    // The fan's second triangle is 2 3 0: its first edge is 23.
+    // The fan's second triangle is 2 3 0; its first edge is 23.
     TestFile fan = fan_file({0, 1, 2, 3, 4, 5}, 6);
     marks_of(fan)["visibility"] = fan.add<uint8_t>({0b10000000, 0, 0}, "SCALAR");
     EXPECT_EQ(loaded_marks(fan), (Marks{0, 0b010, 0, 0}));
-    // The strip's are 1 2 0 and, every other one turned, 2 3 0; the edge 20 is the second of the
-    // one and the third of the other.
+    // The strip's triangles are 1 2 0 and, reversed like every other one, 2 3 0. The edge 20 is the second of
+    // the first and the third of the second.
     TestFile strip = fan_file({1, 2, 0, 3}, 5);
     marks_of(strip)["visibility"] = strip.add<uint8_t>({0b00001000, 0b00001100}, "SCALAR");
     const Scene scene = strip.load();
@@ -89,7 +89,7 @@ TEST(GltfEdgeMarks, FollowTheOrderOfCornersInStripsAndFans)
 TEST(GltfEdgeMarks, HoldWhereVerticesAreMadeAnew)
 {
     TestFile file = fan_file({0, 1, 2, 0, 2, 3});
-    file.attributes().erase("NORMAL"); // flat normals need vertices of their own
+    file.attributes().erase("NORMAL"); // flat normals would give each triangle its own vertices
     marks_of(file)["visibility"] = file.add<uint8_t>({226, 2}, "SCALAR");
     EXPECT_EQ(loaded_marks(file), (Marks{0b101, 0b011}));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Extensions that are not read: which a scene is drawn without, and what is said of it.
+// Unsupported extensions: which of them a scene can be drawn without, and the warnings.
 #include <gtest/gtest.h>
 
 #include <estampe/error.hpp>
@@ -14,8 +14,8 @@ namespace {
 const Image blue{.width = 1, .height = 1, .rgba = {0, 0, 255, 255}};
 const Image white{.width = 1, .height = 1, .rgba = {255, 255, 255, 255}};
 
-/// A material that shows texture 0 as colour, normals and glow; the texture has its picture by an extension
-/// alone.
+/// A material that uses texture 0 for colour, normals and emission; the texture has its picture only through
+/// an extension.
 TestFile textured_by(const std::string& extension, const std::string& image_file)
 {
     TestFile file = triangle_file();

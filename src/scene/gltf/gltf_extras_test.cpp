@@ -16,7 +16,7 @@ TestFile lamp_file(const char* extras)
     return file;
 }
 
-/// The only warning of a load that succeeds.
+/// The only warning of a load that must succeed.
 std::string warning(const TestFile& file)
 {
     const Scene scene = file.load();
@@ -98,7 +98,7 @@ TEST(GltfExtras, TexturesAndColoursSayHowMuchClothIsHeld)
         file.add(std::vector<float>{1.0F, 0.2F, 0.0F, 0.25F, 1.0F, 0.0F, 0.0F, 1.0F, 1.0F}, "VEC3");
     const Primitive coloured = file.load().meshes[0].primitives[0];
     EXPECT_EQ(coloured.held, (std::vector<float>{1.0F, 0.25F, 0.0F}));
-    EXPECT_TRUE(coloured.colors.empty()); // they colour nothing
+    EXPECT_TRUE(coloured.colors.empty()); // they are not drawn as colours
     attributes["TEXCOORD_0"] = file.add(std::vector<float>{0.25F, 0.5F, 0.75F, 0.5F, 0.5F, 0.5F}, "VEC2");
     const Bytes image = encode_png({.width = 2, .height = 1, .rgba = {255, 0, 9, 255, 51, 200, 9, 255}});
     file.document["images"] =
@@ -151,7 +151,7 @@ TEST(GltfExtras, WarningsNameWhoseTheyAreAndAreSaidOnce)
               "test.glb#/nodes/0/extras/estampe/receives: should be true or false; node \"Flag\" "
               "is drawn without it");
     file.document["nodes"][0]["extras"] =
-        json::parse(R"({"estampe": [1]})"); // is looked at by several readers
+        json::parse(R"({"estampe": [1]})"); // several readers check this object
     EXPECT_EQ(warning(file),
               "test.glb#/nodes/0/extras/estampe: should be an object; node \"Flag\" is drawn without it");
     file.document["nodes"][0].erase("extras");

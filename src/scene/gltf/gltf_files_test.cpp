@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// glTF files on disk, with buffers and images beside them.
+// glTF files on disk with external buffers and images.
 
 #include <filesystem>
 
@@ -26,7 +26,7 @@ protected:
         buffer_["byteLength"] = file_.binary.size();
     }
 
-    /// Writes the .gltf with its buffer as `buffer_` says.
+    /// Writes the .gltf, with its buffer stored as `buffer_` says.
     std::filesystem::path write()
     {
         file_.document["buffers"] = json::array({buffer_});
@@ -128,7 +128,7 @@ TEST_F(GltfFiles, texture_beside_the_file)
 
 TEST_F(GltfFiles, a_buffer_is_read_as_far_as_it_is_declared)
 {
-    constexpr uint64_t tebibyte = uint64_t{1} << 40; // of which the disk holds a page
+    constexpr uint64_t tebibyte = uint64_t{1} << 40; // the sparse file occupies only a page on the disk
     write_file_atomically(folder_ / "big.bin", file_.binary);
     std::filesystem::resize_file(folder_ / "big.bin", tebibyte);
     buffer_["uri"] = "big.bin";
@@ -155,7 +155,7 @@ TEST_F(GltfFiles, buffers_of_one_file_share_it)
     const std::string text = file_.document.dump();
     write_file_atomically(folder_ / "scene.gltf", bytes_of(std::vector<char>(text.begin(), text.end())));
     EXPECT_EQ(load_gltf(folder_ / "scene.gltf").meshes[0].primitives[0].indices.size(), 3U);
-    file_.document["bufferViews"][2]["buffer"] = 0; // which declares the positions alone
+    file_.document["bufferViews"][2]["buffer"] = 0; // a buffer that only holds the positions
     const std::string shorter = file_.document.dump();
     write_file_atomically(folder_ / "scene.gltf",
                           bytes_of(std::vector<char>(shorter.begin(), shorter.end())));
@@ -180,7 +180,7 @@ TEST_F(GltfFiles, large_files_of_something_else_are_refused_by_their_first_bytes
     EXPECT_NE(failure("old.glb").find("old.glb:byte 4: glb version 1"), std::string::npos);
     write_file_atomically(folder_ / "text.gltf", bytes_of<char>({' ', '{'}));
     EXPECT_NE(failure("text.gltf").find("more than the limit"), std::string::npos);
-    // What lies behind a .glb is not read.
+    // Bytes after the end of a .glb are ignored.
     write_file_atomically(folder_ / "padded.glb", file_.glb());
     EXPECT_EQ(failure("padded.glb"), "loads");
 }

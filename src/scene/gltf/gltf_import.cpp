@@ -42,15 +42,15 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 3> unread_pi
     {"MSFT_texture_dds", "DDS"},
 }};
 
-/// What follows the vendor's prefix where an extension changes looks or adds what is not drawn:
+/// Words after the vendor's prefix of extensions that only change the appearance or add what is not drawn:
 /// "KHR_materials_sheen", "ADOBE_materials_thin_transparency", "OMI_physics_body".
 constexpr std::array<std::string_view, 18> harmless_subjects = {
     "animation", "audio",    "environment", "feature", "image", "interactivity", "light",   "lights",  "link",
     "materials", "metadata", "packing",     "physics", "seat",  "spawn",         "texture", "vehicle", "xmp",
 };
 
-/// Whole names that the subjects do not cover. MSFT_lod adds coarser copies, Gaussian splats are drawn as
-/// points.
+/// Full names of harmless extensions that the subjects do not cover. MSFT_lod adds coarser copies; Gaussian
+/// splats are drawn as points.
 constexpr std::array<std::string_view, 23> harmless = {
     "AGI_articulations",
     "AGI_stk_metadata",
@@ -139,7 +139,8 @@ void list_extensions(const tinygltf::Model& model, Scene& scene)
     }
 }
 
-/// Of pictures in a format that is not read, the textures that have no other are warned of one by one.
+/// Warns of required extensions. Unsupported picture formats are left out, because each texture that has no
+/// other picture gets its own warning.
 void warn_of_required(gltf::Data& data)
 {
     const std::vector<std::string>& required = data.model().extensionsRequired;

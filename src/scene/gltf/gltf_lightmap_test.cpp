@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lightmaps that files name themselves.
+// Lightmaps that scene files name.
 #include <gtest/gtest.h>
 
 #include <estampe/error.hpp>
@@ -57,7 +57,7 @@ protected:
 TEST_F(NamedLightmap, AFileThatNamesNoneHasNone)
 {
     EXPECT_FALSE(named());
-    file_.document["nodes"][0]["name"] = "lightmap"; // a word alone is none
+    file_.document["nodes"][0]["name"] = "lightmap"; // a word alone names no lightmap
     EXPECT_FALSE(named());
     EXPECT_FALSE(named_lightmap(folder_ / "other.obj"));
 }
@@ -76,9 +76,9 @@ TEST_F(NamedLightmap, OfMaterialsNodesAndTheScene)
     EXPECT_EQ(map->of_material[1], (WornPicture{.picture = 0, .uv_set = 1}));
     const WornPicture of_node{.picture = 1, .uv_set = 0, .intensity = 0.5F};
     EXPECT_EQ(map->of_node[0], of_node);
-    EXPECT_EQ(map->of_node[1], of_node); // handed down
+    EXPECT_EQ(map->of_node[1], of_node); // inherited from the parent
     EXPECT_EQ(map->of_scene, (WornPicture{.picture = 0, .uv_set = 1, .intensity = 2.0F}));
-    // The rest of the importer lets them be.
+    // The rest of the importer ignores lightmaps.
     EXPECT_EQ(load_scene(folder_ / "scene.glb").nodes.size(), 2U);
 }
 
@@ -110,7 +110,7 @@ TEST_F(NamedLightmap, TheSceneMayNameABakedMap)
     save_lightmap(baked, folder_ / "room.exr");
     file_.document["scenes"][0]["extras"] = ours(R"({"uri": "room.exr"})");
     EXPECT_EQ(named(), baked);
-    // Of a material it is a picture like any other.
+    // For a material, the file is an ordinary picture.
     file_.document["scenes"][0].erase("extras");
     file_.document["materials"][0]["extras"] = ours(R"({"uri": "room.exr"})");
     ASSERT_TRUE(named());
@@ -138,7 +138,7 @@ TEST_F(NamedLightmap, MistakesInItsKeysAreWarningsOfTheScene)
     const std::string place = (folder_ / "scene.glb").string() + "#/materials/0/extras/estampe/lightmap";
     const auto warning = [&](const char* text) {
         material["extras"] = ours(text);
-        static_cast<void>(named()); // which writes the file
+        static_cast<void>(named()); // named() writes the file
         const Scene scene = load_scene(folder_ / "scene.glb");
         EXPECT_EQ(scene.warnings.size(), 1U) << text;
         return scene.warnings.empty() ? "" : scene.warnings[0];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Flips bytes of a valid file at random: the result loads or is an Error, never anything else.
+// Changes random bytes of a valid file: it must load or throw Error, and never anything else.
 
 #include <random>
 

@@ -179,7 +179,8 @@ TEST(GltfScene, instances_in_the_same_place_are_one)
     ASSERT_EQ(scene.warnings.size(), 1U);
     EXPECT_NE(scene.warnings[0].find("EXT_mesh_gpu_instancing: 2 instances stand exactly where another does"),
               std::string::npos);
-    // Zeros that no buffer holds: a file of a kilobyte asks for half a million copies.
+    // The accessor has no buffer, so all values are zero: a file of a kilobyte asks for half a million
+    // copies.
     attributes["TRANSLATION"] =
         file.add_accessor({{"componentType", 5126}, {"count", 500000}, {"type", "VEC3"}});
     EXPECT_EQ(file.load().nodes[0].instances.size(), 1U);

@@ -12,7 +12,7 @@
 namespace estampe::gltf {
 namespace {
 
-/// Two primitives of material 0; the first is of material 1 in "night" and "storm", the second of 2 in
+/// Two primitives with material 0. The first has material 1 in "night" and "storm", the second material 2 in
 /// "storm".
 TestFile variants_file()
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// KHR_node_visibility, and what KHR_animation_pointer animates.
+// KHR_node_visibility, and its animation through KHR_animation_pointer.
 #include <gtest/gtest.h>
 
 #include <estampe/default_light.hpp>
@@ -13,7 +13,8 @@
 namespace estampe::gltf {
 namespace {
 
-/// A triangle at the origin, and one at x = 100 under a node with a sun, which is hidden or not.
+/// A triangle at the origin, and one at x = 100 under a node with a sun; `visible` sets that node's
+/// visibility.
 TestFile two_nodes(bool visible)
 {
     TestFile file = triangle_file();

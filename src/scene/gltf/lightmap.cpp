@@ -22,16 +22,17 @@ namespace {
 constexpr const char* map_key = "lightmap";
 constexpr const char* extension_key = "MOZ_lightmap";
 
-/// What `extras` or MOZ_lightmap say of a lightmap, before its picture is read.
+/// A lightmap as named in `extras` or MOZ_lightmap, before its picture is read.
 struct Entry {
     std::optional<std::string> uri;
-    int texture = -1;  ///< of the file, where there is no uri
-    std::string place; ///< of uri or texture
+    int texture = -1;  ///< texture of the file, if there is no uri
+    std::string place; ///< JSON pointer of uri or texture
     uint32_t uv_set = 1;
     float intensity = 1.0F;
 };
 
-/// Leaves out what it does not understand, with a warning. Nothing where no picture is named.
+/// Reads entries, and ignores with a warning what it does not understand. Returns nothing if no picture is
+/// named.
 class EntryReader {
 public:
     EntryReader(Data& data, const tinygltf::Value& value, const std::string& pointer,
@@ -147,12 +148,12 @@ LightImage linear(const Image& image)
     return light;
 }
 
-/// Gathers the maps that one file names, each of its pictures once.
+/// Collects the lightmaps that a file names; each picture is read once.
 class NamedMaps {
 public:
     explicit NamedMaps(Data& data) : data_(data) {}
 
-    /// No map where the file names none.
+    /// The collected lightmap; nothing if the file names none.
     [[nodiscard]] std::optional<Lightmap> take()
     {
         const tinygltf::Model& model = data_.model();
@@ -177,7 +178,7 @@ public:
     }
 
 private:
-    /// What a node says holds for those below it, unless they say otherwise.
+    /// The settings of a node apply to its children unless they override them.
     void lay_on_nodes(const std::vector<int>& roots)
     {
         std::vector<bool> seen(map_.of_node.size(), false);
@@ -212,7 +213,7 @@ private:
         return WornPicture{.picture = *picture, .uv_set = entry->uv_set, .intensity = entry->intensity};
     }
 
-    /// None when it is a baked map, which the scene alone may name.
+    /// Nothing if the file is a baked lightmap, which only the scene may name.
     [[nodiscard]] std::optional<uint32_t> by_uri(const std::string& uri, const std::string& pointer)
     {
         return read(uri, pointer, [&] { return data_.resource(uri); });
@@ -258,7 +259,7 @@ private:
                 return entry->second;
             }
             baked_ = baked_lightmap(std::move(file), "");
-            numbers_.erase(entry); // it is no picture
+            numbers_.erase(entry); // the file is not a picture
             return std::nullopt;
         } catch (const Error& error) {
             data_.fail(pointer, fmt::format("names a lightmap that cannot be read: {}", error.what()),

@@ -55,7 +55,7 @@ glm::vec<Size, float> vector_of(const std::vector<double>& numbers, const glm::v
     return vector;
 }
 
-/// Reads the JSON of an extension; the document's check has seen the types.
+/// Reads the JSON of an extension, whose types were already checked.
 class Extension {
 public:
     explicit Extension(const tinygltf::Value& value) : value_(value) {}
@@ -108,7 +108,7 @@ std::optional<Extension> extension(const tinygltf::ExtensionMap& extensions, con
     return found == extensions.end() ? std::nullopt : std::optional(Extension(found->second));
 }
 
-/// uv' = translation * rotation * scale * uv, with the rotation as KHR_texture_transform turns it.
+/// uv' = translation * rotation * scale * uv, with the rotation direction of KHR_texture_transform.
 glm::mat3 uv_transform(const Extension& transform)
 {
     const glm::vec2 offset = transform.vector<2>("offset", glm::vec2(0.0F));
@@ -141,7 +141,7 @@ TextureRef texture_ref(Data& data, TextureTable& textures, const Info& info, con
     return ref;
 }
 
-/// A factor that belongs between 0 and 1.
+/// Checks a factor that must lie between 0 and 1.
 float fraction(Data& data, double value, const std::string& pointer)
 {
     const double clamped = std::clamp(value, 0.0, 1.0);
@@ -168,7 +168,7 @@ ToonShade toon_shade(Data& data, TextureTable& textures, const Extension& mtoon,
     return toon;
 }
 
-/// Nothing where nothing is seen through it.
+/// Transmission of a material; nothing if it is not transparent.
 std::optional<Transmission> transmission_of(Data& data, const tinygltf::Material& source,
                                             const std::string& pointer)
 {
@@ -248,8 +248,8 @@ Material import_material(Data& data, TextureTable& textures, const tinygltf::Mat
     return material;
 }
 
-/// White is no normal, and would make everything glow: without these pictures a material is drawn as if the
-/// file had none.
+/// Removes textures whose picture was lost. The white pixel that replaces them would be a wrong normal and
+/// would make everything glow.
 void leave_out_lost(const TextureTable& textures, Material& material)
 {
     if (textures.is_lost(material.normal_texture.texture)) {

@@ -61,8 +61,8 @@ void place_node(Data& data, const tinygltf::Node& source, Node& node, const std:
     }
 }
 
-/// Keeps the first of instances that stand exactly alike. An accessor without data is all zeros, so that a
-/// small file can ask for any number of copies in one place, which draw over each other.
+/// Removes instances with identical transforms. An accessor without data is all zeros, so a small file can
+/// ask for any number of copies at one place.
 void drop_same(Data& data, std::vector<glm::mat4>& instances, const std::string& pointer)
 {
     using Bits = std::array<uint32_t, 16>;
@@ -153,7 +153,7 @@ std::vector<glm::mat4> import_instances(Data& data, const tinygltf::Node& source
     return instances;
 }
 
-/// Fills parents; throws when a node has two, or is its own ancestor.
+/// Sets parents; throws Error when a node has two, or is its own ancestor.
 void link_nodes(const Data& data, Scene& scene)
 {
     for (size_t i = 0; i < scene.nodes.size(); ++i) {
@@ -188,7 +188,7 @@ void link_nodes(const Data& data, Scene& scene)
     }
 }
 
-/// Nodes outside the file's scene stay as places, since joints may hang there, but show nothing.
+/// Nodes outside the file's scene keep their transforms, because joints may depend on them, but show nothing.
 void clear_nodes_outside(const tinygltf::Scene& shown, Scene& scene)
 {
     std::vector<bool> inside(scene.nodes.size(), false);
@@ -234,7 +234,7 @@ void import_lights(Data& data, Scene& scene)
     }
 }
 
-/// What a node says of its links to the lights holds for those below it, unless they say otherwise.
+/// Light links of a node apply to its children unless they override them.
 void import_links(Data& data, Scene& scene)
 {
     std::vector<Index> open(scene.roots);
@@ -315,7 +315,7 @@ void import_skins(Data& data, Scene& scene)
     }
 }
 
-/// The largest joint that a primitive's vertices follow.
+/// The highest joint index of a primitive's vertices.
 uint32_t highest_joint(const Primitive& primitive)
 {
     uint32_t highest = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// For tests: makes glTF files in memory.
+// Builds glTF files in memory for tests.
 
 #include <cstring>
 #include <span>
@@ -55,7 +55,7 @@ struct TestFile {
     json document = {{"asset", {{"version", "2.0"}}}};
     Bytes binary;
 
-    /// Appends a buffer view of these bytes, and gives its index.
+    /// Appends a buffer view of these bytes and returns its index.
     int add_view(const Bytes& bytes, const json& more = json::object())
     {
         binary.resize((binary.size() + 3) / 4 * 4);
@@ -66,7 +66,7 @@ struct TestFile {
         return static_cast<int>(document["bufferViews"].size()) - 1;
     }
 
-    /// Appends an accessor with a view of its own, and gives its index.
+    /// Appends an accessor with its own buffer view and returns its index.
     template <typename Value>
     int add(const std::vector<Value>& values, const std::string& type, const json& more = json::object())
     {
@@ -139,7 +139,7 @@ inline TestFile triangle_file()
     return file;
 }
 
-/// "AAAA": standard base64.
+/// Encodes bytes as standard base64.
 inline std::string base64(std::span<const std::byte> bytes)
 {
     constexpr const char* alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

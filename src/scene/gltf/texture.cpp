@@ -15,7 +15,7 @@ namespace estampe::gltf {
 namespace {
 
 constexpr unsigned max_threads = 4;
-constexpr double textures_from = 0.1; ///< share of a file's reading that is done when they begin
+constexpr double textures_from = 0.1; ///< share of the file's load time before textures begin
 constexpr double textures_to = 0.75;
 constexpr uint64_t max_total_pixels = uint64_t{1} << 29;
 
@@ -36,8 +36,8 @@ Image white_pixel()
     return {.width = 1, .height = 1, .rgba = {255, 255, 255, 255}};
 }
 
-/// Calls `work(i)` for i below `count` on up to four threads, or as many as the machine starts, and here
-/// `tell(done)` from time to time, which may throw to end it.
+/// Calls `work(i)` for i below `count` on up to four threads, or as many as can be started. Meanwhile calls
+/// `tell(done)` on the calling thread; it may throw to stop.
 template <typename Work, typename Tell>
 void for_each_in_parallel(size_t count, const Work& work, const Tell& tell)
 {
@@ -55,7 +55,7 @@ void for_each_in_parallel(size_t count, const Work& work, const Tell& tell)
             helpers.emplace_back(loop);
         }
     } catch (const std::system_error&) {
-        // Those that there are, and this one, do it all.
+        // The threads that could be started, and this one, do all the work.
     }
     for (size_t i = next++; i < count; i = next++) {
         work(i);
@@ -68,7 +68,7 @@ void for_each_in_parallel(size_t count, const Work& work, const Tell& tell)
     }
 }
 
-/// The first image with the same source for each image: exporters write the same file under many materials,
+/// For each image, the first image with the same source: exporters write the same file under many materials,
 /// and a picture of 8192 x 8192 takes 256 MiB.
 std::vector<int> first_of_same(const Data& data)
 {
@@ -93,7 +93,7 @@ std::vector<int> first_of_same(const Data& data)
     return first;
 }
 
-/// The file's image that a texture shows; negative where it has none in a format that is read.
+/// The file's image that a texture shows; negative if none has a supported format.
 int readable_image(const tinygltf::Texture& texture)
 {
     const auto webp = texture.extensions.find("EXT_texture_webp");

@@ -35,7 +35,7 @@ double number_of_word(std::string_view word)
     }
     if (error == std::errc() && stopped == end)
         return value;
-    // Programs that write in the language of their user put a comma before the fraction.
+    // Localised programs write a decimal comma.
     const size_t comma = word.find(',');
     if (comma == std::string_view::npos || comma + 1 == word.size() ||
         word.find('.') != std::string_view::npos)
@@ -48,7 +48,7 @@ double number_of_word(std::string_view word)
 namespace {
 
 constexpr size_t block_bytes = size_t{1} << 18;
-constexpr uint32_t replacement = 0xFFFD; ///< stands for what is no character
+constexpr uint32_t replacement = 0xFFFD; ///< replaces invalid characters
 
 } // namespace
 
@@ -99,7 +99,7 @@ size_t Input::read_raw(char* to, size_t count)
             if (got < 0)
                 throw Error(fmt::format("cannot read: {}", std::generic_category().message(errno)), name_);
             if (got == 0) {
-                size_ = offset_ + done; // it has become shorter meanwhile
+                size_ = offset_ + done; // the file has become shorter while it was read
                 break;
             }
             done += static_cast<size_t>(got);
@@ -126,8 +126,7 @@ void Input::make_room(size_t count)
 
 void Input::fill(size_t count)
 {
-    constexpr uint64_t worth_telling = 1U
-                                       << 20U; // material libraries are small: they would set the share back
+    constexpr uint64_t worth_telling = 1U << 20U; // small files, such as material libraries, show no progress
     constexpr double share_of_load = 0.4;
     if (size_ >= worth_telling)
         report_progress(share_of_load * static_cast<double>(offset_) / static_cast<double>(size_));
@@ -162,7 +161,7 @@ void Input::fill_from_utf16()
 {
     std::vector<char> raw(block_bytes);
     const size_t units = read_raw(raw.data(), raw.size()) / 2;
-    make_room(6 * units + 3); // a unit becomes three bytes at most, and may give back a lone one before it
+    make_room(6 * units + 3); // a unit becomes at most three bytes, plus three for a lone surrogate before it
     for (size_t i = 0; i < units; ++i) {
         const uint32_t a = static_cast<uint8_t>(raw[2 * i]);
         const uint32_t b = static_cast<uint8_t>(raw[2 * i + 1]);
@@ -191,7 +190,7 @@ void Input::detect_encoding()
         skip(3);
         return;
     }
-    // Text that begins with ASCII has a zero in every second byte in UTF-16, and none in any other encoding.
+    // ASCII text has a zero in every second byte in UTF-16, and in no other encoding.
     const auto zeros = [&](size_t from) {
         for (size_t i = from; i < start.size(); i += 2)
             if (start[i] != '\0' || start[i ^ 1U] == '\0')
@@ -219,7 +218,7 @@ std::string_view Input::peek(size_t wanted)
     return {buffer_.data() + first_, buffered()};
 }
 
-/// Where the line at first_ ends: at an LF or CR, or at the end of the file.
+/// Position of the end of the line that starts at first_: an LF or CR, or the end of the file.
 size_t Input::end_of_line()
 {
     const auto search = [this](size_t from, char end) {
@@ -229,14 +228,14 @@ size_t Input::end_of_line()
         return found == nullptr ? last_
                                 : static_cast<size_t>(static_cast<const char*>(found) - buffer_.data());
     };
-    // The places of both are remembered, so that no byte is searched twice.
+    // The positions of the next LF and CR are remembered, so that no byte is searched twice.
     while (true) {
         if (next_lf_ < first_ || next_lf_ >= last_ || buffer_[next_lf_] != '\n')
             next_lf_ = search(next_lf_, '\n');
         if (next_cr_ < first_ || next_cr_ >= last_ || buffer_[next_cr_] != '\r')
             next_cr_ = search(next_cr_, '\r');
         const size_t end = std::min(next_lf_, next_cr_);
-        // A CR may have its LF behind the buffer.
+        // The LF of a CR LF pair may not be in the buffer yet.
         if ((end + 1 < last_ || (end < last_ && buffer_[end] == '\n')) || offset_ >= size_)
             return end;
         fill(block_bytes);
@@ -264,8 +263,8 @@ std::string Input::place() const
 
 namespace {
 
-constexpr double most_m = 1e15;           ///< as the mending of meshes has it
-constexpr double furthest_of_file = 16.0; ///< distance from zero by extent
+constexpr double most_m = 1e15;           ///< the limit of mend_primitive()
+constexpr double furthest_of_file = 16.0; ///< distance from zero divided by extent
 constexpr double furthest_of_object = 1024.0;
 
 double largest(const glm::dvec3& v)
@@ -273,7 +272,7 @@ double largest(const glm::dvec3& v)
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// Zero, or a whole number near the centre when that is further than `furthest` extents from `origin`.
+/// Zero, or a whole number near the centre if the centre is more than `furthest` extents away from `origin`.
 glm::dvec3 origin_of(const Bounds& bounds, const glm::dvec3& origin, double furthest)
 {
     if (bounds.empty())
@@ -281,8 +280,7 @@ glm::dvec3 origin_of(const Bounds& bounds, const glm::dvec3& origin, double furt
     const glm::dvec3 center = bounds.center();
     if (!(largest(center - origin) > furthest * largest(bounds.max - bounds.min)))
         return origin;
-    // What is smaller than a unit keeps its fractions: its centre is rounded to a power of two below its
-    // size.
+    // For extents below one unit, the centre is rounded to a power of two below the extent.
     const double extent = largest(bounds.max - bounds.min);
     const double step = extent > 0.0 && extent < 1.0 ? std::exp2(std::floor(std::log2(extent))) : 1.0;
     return glm::round(center / step) * step;
@@ -302,7 +300,7 @@ glm::dvec3 object_origin(const Bounds& bounds, const glm::dvec3& file)
 
 bool is_usable(const glm::dvec3& position)
 {
-    // Written so that NaN fails.
+    // This form of the comparison is false for NaN.
     return largest(position) < most_m && position.x == position.x && position.y == position.y &&
            position.z == position.z;
 }

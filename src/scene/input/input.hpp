@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the readers of OBJ, PLY and STL read through: a buffer of lines or bytes, words of a line, and the
-// origin of coordinates that lie far off.
+// Input of the OBJ, PLY and STL readers: a buffer of lines or bytes, words of a line, and the origin of
+// coordinates far from zero.
 
 #include <algorithm>
 #include <array>
@@ -20,11 +20,11 @@
 
 namespace estampe {
 
-/// A number in the spellings that 3D files have: those of std::from_chars, with a plus before it, a decimal
-/// comma, or beyond the range of doubles. Whatever else a word is, the number is NaN.
+/// Parses a number in the spellings that 3D files use: those of std::from_chars, also with a leading plus, a
+/// decimal comma, or beyond the range of doubles. Returns NaN for any other word.
 [[nodiscard]] double number_of_word(std::string_view word);
 
-/// Cuts a line at blanks. Inline, as a file has millions of words.
+/// Splits a line at blanks. Inline, because a file has millions of words.
 class Scanner {
 public:
     explicit Scanner(std::string_view line) : at_(line.data()), end_(line.data() + line.size()) {}
@@ -36,7 +36,7 @@ public:
         return at_ == end_;
     }
 
-    /// The next word; empty at the end.
+    /// The next word; empty at the end of the line.
     [[nodiscard]] std::string_view word()
     {
         skip_blanks();
@@ -46,7 +46,8 @@ public:
         return {begin, static_cast<size_t>(at_ - begin)};
     }
 
-    /// Reads the next word as a number, NaN if it is none; false at the end.
+    /// Reads the next word as a number, or as NaN if it is not a number; returns false at the end of the
+    /// line.
     [[nodiscard]] bool number(double& value)
     {
         skip_blanks();
@@ -57,7 +58,7 @@ public:
         return true;
     }
 
-    /// All that is left, without blanks around it.
+    /// The rest of the line, without blanks around it.
     [[nodiscard]] std::string_view rest()
     {
         skip_blanks();
@@ -79,9 +80,9 @@ private:
             ++at_;
     }
 
-    /// Reads digits with a point among them, up to fifteen: both the digits and the power of ten are doubles
-    /// without error, so that their quotient is rounded once, as std::from_chars rounds (Clinger 1990).
-    /// Nothing is consumed when the word is of another kind.
+    /// Reads up to fifteen digits with an optional point. Both the digits and the power of ten are exact
+    /// doubles, so their quotient is rounded once, as std::from_chars rounds (Clinger 1990). Consumes nothing
+    /// if the word has another form.
     bool plain_decimal(double& value)
     {
         static constexpr std::array<double, 16> powers{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
@@ -117,14 +118,15 @@ private:
     const char* end_;
 };
 
-/// A file that is read from front to back, by lines or by bytes, through a buffer of a few hundred kilobytes,
-/// so that a reader never holds the whole file.
+/// Reads a file from front to back, by lines or by bytes, through a buffer of a few hundred kilobytes, so
+/// that the whole file is never in memory.
 ///
-/// Lines end with LF, CR LF or CR, mixed at will. Text may be UTF-8, with or without a byte order mark, or
-/// UTF-16 with one (or plainly of it), which arrives as UTF-8.
+/// Lines end with LF, CR LF or CR, also mixed. Text may be UTF-8 with or without a byte order mark, or
+/// UTF-16, recognised by its byte order mark or its content; next_line() returns UTF-8.
 class Input {
 public:
-    /// Opens a regular file. Throws Error naming it when it is missing, empty, a folder, a pipe or a device.
+    /// Opens a regular file. Throws Error naming the file when it is missing, empty, a folder, a pipe or a
+    /// device.
     explicit Input(const std::filesystem::path& path);
 
     /// Reads from memory, which must outlive the input; `name` is for messages.
@@ -139,29 +141,30 @@ public:
     /// Bytes of the whole file.
     [[nodiscard]] uint64_t size() const { return size_; }
 
-    /// Bytes of the file behind the current place; not valid in UTF-16.
+    /// Bytes of the file after the current position; not valid in UTF-16.
     [[nodiscard]] uint64_t bytes_left() const { return size_ - offset_ + buffered(); }
 
-    /// Looks at the first bytes for a byte order mark or UTF-16. Call it before anything is read.
+    /// Detects a byte order mark or UTF-16 in the first bytes. Call this before reading anything.
     void detect_encoding();
 
-    /// The bytes at the current place: at least `wanted` of them, unless the file ends before. Valid until
-    /// the next call. The buffer grows to what is wanted, and no further than the file.
+    /// The bytes at the current position: at least `wanted` of them, unless the file ends earlier. Valid
+    /// until the next call. The buffer grows to `wanted`, but never beyond the size of the file.
     [[nodiscard]] std::string_view peek(size_t wanted);
 
-    /// Goes on by `count` bytes that peek() has shown.
+    /// Advances by `count` bytes that peek() has returned.
     void skip(size_t count) { first_ += count; }
 
-    /// The next line without its end; false when there is none. Valid until the next call.
+    /// The next line without its line end; returns false if there is none. Valid until the next call.
     [[nodiscard]] bool next_line(std::string_view& line);
 
-    /// Number of the line that next_line() gave last, from 1.
+    /// Number of the line that next_line() returned last, from 1.
     [[nodiscard]] uint64_t line_number() const { return line_number_; }
 
-    /// Whether the line that next_line() gave last had a line end: it may be cut off otherwise.
+    /// Whether the line that next_line() returned last had a line end; without one, the line may be
+    /// truncated.
     [[nodiscard]] bool line_was_ended() const { return line_was_ended_; }
 
-    /// "file:line" of the line that next_line() gave last.
+    /// "file:line" of the line that next_line() returned last.
     [[nodiscard]] std::string place() const;
 
 private:
@@ -178,27 +181,27 @@ private:
 
     std::string name_;
     uint64_t size_ = 0;
-    uint64_t offset_ = 0; ///< of the next byte that comes into the buffer
+    uint64_t offset_ = 0; ///< position in the file of the next byte to read into the buffer
     int descriptor_ = -1;
     std::span<const std::byte> memory_;
     Encoding encoding_ = Encoding::bytes;
     std::vector<char> buffer_;
-    size_t first_ = 0; ///< of what is not consumed yet
+    size_t first_ = 0; ///< first byte in the buffer that is not consumed yet
     size_t last_ = 0;
-    size_t next_lf_ = 0; ///< no LF lies between first_ and here; so for CR
+    size_t next_lf_ = 0; ///< no LF lies between first_ and this position; next_cr_ is the same for CR
     size_t next_cr_ = 0;
     uint32_t high_surrogate_ = 0;
     uint64_t line_number_ = 0;
     bool line_was_ended_ = true;
 };
 
-/// The point that is subtracted from the coordinates of a whole file before they become floats: zero, but a
-/// whole number near the centre when they lie more than sixteen times their extent away from zero. Floats
-/// hold less than a millionth of the extent there.
+/// The point to subtract from the coordinates of a whole file before they become floats. It is zero unless
+/// they lie more than sixteen times their extent away from zero; then it is a whole number near their centre.
+/// Floats up to that distance resolve a millionth of the extent.
 [[nodiscard]] glm::dvec3 file_origin(const Bounds& bounds);
 
-/// The same for one object of a file whose own origin is `file`: an object that is tiny beside its distance
-/// has an origin of its own.
+/// The point to subtract from the coordinates of one object, in a file whose own origin is `file`. An object
+/// that is tiny compared with its distance gets its own origin.
 [[nodiscard]] glm::dvec3 object_origin(const Bounds& bounds, const glm::dvec3& file);
 
 /// Whether a coordinate can be drawn: finite, and its square within the range of floats.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Changes valid OBJ, PLY and STL files at random: the result loads, and is sound, or is an Error, never
+// Changes valid OBJ, PLY and STL files at random: each must load as a valid scene or throw Error, and never
 // anything else.
 
 #include <cmath>
@@ -61,7 +61,7 @@ void mutate(const std::vector<std::string>& good, const Reader& read, const std:
             case 0:
                 file[at] = static_cast<char>(random() & 0xFF);
                 break;
-            case 1: // words, for the most part, stay words
+            case 1: // words mostly remain words
                 file[at] = "0123456789-./ \nefv"[random() % 18];
                 break;
             case 2:

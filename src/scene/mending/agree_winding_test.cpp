@@ -14,7 +14,7 @@
 namespace estampe {
 namespace {
 
-/// The triangles, each from its smallest corner on.
+/// The triangles, each rotated to start at its smallest index.
 std::vector<std::array<uint32_t, 3>> rotated(const Primitive& primitive)
 {
     std::vector<std::array<uint32_t, 3>> triangles;
@@ -29,7 +29,7 @@ std::vector<std::array<uint32_t, 3>> rotated(const Primitive& primitive)
 
 TEST(AgreeWinding, TorusOfMixedOrderIsAsBefore)
 {
-    // With its seams, where places are equal but vertices are not.
+    // The torus has seams, where positions are equal but vertices are not.
     Primitive torus = shapes::torus(1.0F, 0.4F);
     torus.normals.clear();
     torus.uvs[0].clear();
@@ -95,7 +95,7 @@ TEST(AgreeWinding, AStripWithOneSideStays)
 
 TEST(AgreeWinding, EdgesOfManyTrianglesPartPieces)
 {
-    // Three wings on one edge, and a triangle beside its own copy.
+    // Three triangles on one edge, and a triangle with its own copy.
     Primitive wings;
     wings.positions = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {-1, 0, 0}};
     wings.indices = {0, 1, 2, 0, 1, 3, 0, 1, 4, 0, 1, 4};

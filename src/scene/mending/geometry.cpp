@@ -38,14 +38,14 @@ glm::dvec3 face_cross(const Primitive& primitive, size_t corner)
     return glm::cross(b - a, c - a);
 }
 
-/// `vector` at unit length, or `otherwise` when it has no direction.
+/// Normalises `vector`; returns `otherwise` if it has no direction.
 glm::dvec3 unit_or(const glm::dvec3& vector, const glm::dvec3& otherwise)
 {
     const double length = glm::length(vector);
     return std::isfinite(length) && length > 1e-150 ? vector / length : otherwise;
 }
 
-/// Any unit vector at right angles to `normal`.
+/// Any unit vector perpendicular to `normal`.
 glm::dvec3 some_tangent(const glm::dvec3& normal)
 {
     const glm::dvec3 axis = std::abs(normal.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
@@ -258,13 +258,13 @@ size_t normalise_weights(Primitive& primitive)
 namespace estampe {
 namespace {
 
-/// Above, one thread is started besides this one.
+/// Number of items above which a second thread is used.
 constexpr size_t many = 50000;
 
-/// Where more faces meet, one average for all keeps the cost linear.
+/// If more faces meet at a position, all share one average, which keeps the cost linear.
 constexpr size_t crowd = 64;
 
-/// Calls work(begin, end) for both halves of 0 to `count`, at the same time when there are many.
+/// Calls work(begin, end) for both halves of 0 to `count`, in parallel if `count` is large.
 template <typename Work>
 void in_halves(size_t count, const Work& work)
 {
@@ -277,7 +277,7 @@ void in_halves(size_t count, const Work& work)
     second.get();
 }
 
-/// Corners around each place: those of place p are corners[first[p]] to corners[first[p + 1]], in their
+/// Corners at each position: those of position p are corners[first[p]] to corners[first[p + 1]], in ascending
 /// order.
 struct CornersOfPlace {
     std::vector<uint32_t> first;
@@ -292,7 +292,7 @@ CornersOfPlace gather_corners(const Primitive& primitive)
         place_of_vertex.data(), nullptr, vertices, primitive.positions.data(), vertices, sizeof(glm::vec3));
     CornersOfPlace result{.first = std::vector<uint32_t>(places + 2, 0),
                           .corners = std::vector<uint32_t>(primitive.indices.size())};
-    // Counted one place further on, so that filling moves each start to where it belongs.
+    // Counts are stored one entry later, so that filling the list moves each start to its final value.
     for (const uint32_t vertex : primitive.indices)
         ++result.first[place_of_vertex[vertex] + 2];
     std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
@@ -302,11 +302,11 @@ CornersOfPlace gather_corners(const Primitive& primitive)
     return result;
 }
 
-/// What faces add to the normals around them: their unit normals, zero without an area, weighted by the angle
-/// at each corner.
+/// Contributions of faces to the normals around them: their unit normals (zero for faces without an area),
+/// weighted by the angle at each corner.
 struct FaceParts {
     std::vector<glm::vec3> normals;
-    std::vector<float> angles; ///< of corners
+    std::vector<float> angles; ///< one per corner
 };
 
 FaceParts face_parts(const Primitive& primitive)
@@ -335,7 +335,7 @@ FaceParts face_parts(const Primitive& primitive)
     return parts;
 }
 
-/// Which faces at a place count for the normal of one.
+/// Decides which faces at a position contribute to a corner's normal.
 class Neighbours {
 public:
     Neighbours(const FaceParts& parts, std::span<const uint32_t> groups, float crease_rad)
@@ -343,17 +343,18 @@ public:
     {
     }
 
-    /// Mean normal for a corner, of unit length; of all corners, when its face has no area or there is a
-    /// crowd.
+    /// Mean unit normal for a corner; of all corners at the position if the corner's face has no area or many
+    /// faces meet.
     [[nodiscard]] glm::vec3 average(std::span<const uint32_t> corners, uint32_t of) const
     {
         const glm::vec3 face = parts_.normals[of / 3];
         const uint32_t group = group_of(of);
         const bool all = shares_average(corners, of) || face == glm::vec3(0.0F);
         if (group == 0 && !all)
-            return glm::normalize(face) + glm::vec3(0.0F); // no negative zeros, which have other bytes
+            return glm::normalize(face) + glm::vec3(0.0F); // removes negative zeros, whose bytes differ
         glm::vec3 sum{0.0F};
-        // The order of the sum is that of the corners, so that corners with equal neighbours get equal bits.
+        // The sum follows the order of the corners, so that corners with equal neighbours get bitwise equal
+        // normals.
         for (const uint32_t corner : corners) {
             const bool counts =
                 all || (group_of(corner) == group &&
@@ -362,11 +363,11 @@ public:
                 sum += parts_.angles[corner] * parts_.normals[corner / 3];
         }
         const float length = glm::length(sum);
-        // Faces without an area have no direction: theirs is any.
+        // Faces without an area have no direction; any will do.
         return length > 0.0F ? glm::normalize(sum / length) : glm::vec3(0.0F, 1.0F, 0.0F);
     }
 
-    /// Whether the corner takes the one average of a crowd.
+    /// Whether the corner uses the shared average of a position with many faces.
     [[nodiscard]] bool shares_average(std::span<const uint32_t> corners, uint32_t corner) const
     {
         return corners.size() > crowd &&
@@ -390,13 +391,13 @@ bool same_bits(const glm::vec3& a, const glm::vec3& b)
     return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
 }
 
-/// New vertices, each an old one with a normal; which of them each corner uses.
+/// New vertices, each an old vertex with a new normal, and the new vertex of each corner.
 struct NewVertices {
     std::vector<uint32_t> old;
     std::vector<glm::vec3> normals;
 };
 
-/// Makes the new vertices of places `begin` to `end` and numbers them from `result.old.size()`.
+/// Creates the new vertices of positions `begin` to `end` and numbers them from `result.old.size()`.
 void make_vertices(const Primitive& primitive, const CornersOfPlace& around, const Neighbours& neighbours,
                    size_t begin, size_t end, NewVertices& result, std::vector<uint32_t>& vertex_of_corner)
 {
@@ -418,7 +419,8 @@ void make_vertices(const Primitive& primitive, const CornersOfPlace& around, con
             }
             const uint32_t old = primitive.indices[corner];
             size_t found = first;
-            // In a crowd only the last few are compared; what is missed is a vertex too many.
+            // With many corners at a position only the last few vertices are compared; a missed match only
+            // adds a vertex.
             if (is_crowded && result.old.size() - first > crowd)
                 found = result.old.size() - crowd;
             while (found < result.old.size() &&
@@ -449,7 +451,7 @@ void make_crease_normals(Primitive& primitive, float crease_rad, std::span<const
     in_halves(places, [&](size_t begin, size_t end) {
         make_vertices(primitive, around, neighbours, begin, end, made[begin == 0 ? 0 : 1], vertex_of_corner);
     });
-    // Which half a corner's place is in.
+    // Marks the corners whose position lies in the second half.
     std::vector<bool> is_second(primitive.indices.size(), false);
     for (size_t i = around.first[middle]; i < around.corners.size(); ++i)
         is_second[around.corners[i]] = true;

@@ -18,7 +18,7 @@ Primitive bare(Primitive primitive)
     primitive.normals.clear();
     primitive.uvs[0].clear();
     for (glm::vec3& position : primitive.positions)
-        position += glm::vec3(0.0F); // negative zeros have other bytes
+        position += glm::vec3(0.0F); // turns negative zeros, which have other bytes, into positive ones
     share_vertices(primitive);
     return primitive;
 }
@@ -53,7 +53,7 @@ TEST(Mend, AveragesWhereVeryManyFacesMeet)
         }
 }
 
-/// What make_crease_normals() comes to, one corner at a time.
+/// The result that make_crease_normals() must give, computed one corner at a time.
 std::vector<glm::vec3> slow_crease_normals(const Primitive& primitive, float crease_rad)
 {
     const auto face = [&primitive](size_t corner) {
@@ -100,13 +100,13 @@ TEST(Mend, CreaseNormalsAreThoseOfASlowAverage)
 
 TEST(Mend, ALargeMeshIsTheSameInTwoHalves)
 {
-    // Two copies of a small one, one within the other: the second has the same normals wherever a thread
-    // begins with it.
+    // Two copies of a small mesh, one inside the other: the normals of the second must be equal wherever a
+    // thread starts.
     Primitive large = bare(shapes::sphere(1.0F, 400, 200));
     const Primitive one = large;
     const auto count = static_cast<uint32_t>(one.positions.size());
     for (const glm::vec3& position : one.positions)
-        large.positions.push_back(4.0F * position); // without any rounding
+        large.positions.push_back(4.0F * position); // exact, without rounding
     for (const uint32_t index : one.indices)
         large.indices.push_back(index + count);
     Primitive small = one;

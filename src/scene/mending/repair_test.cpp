@@ -37,7 +37,7 @@ size_t turned_inwards(const Primitive& primitive)
     return count;
 }
 
-/// A box of which every third triangle runs the wrong way round, with right normals.
+/// A box with right normals, in which every third triangle has reversed winding.
 Scene patchwork(bool double_sided)
 {
     Scene scene = test::scene_of(shapes::box({1.0F, 1.0F, 1.0F}));
@@ -69,7 +69,7 @@ TEST(TurnByNormals, MarksOfEdgesTurnWithTheirTriangles)
     Scene scene = patchwork(true);
     Primitive& box = primitive_of(scene);
     box.edge_marks.assign(box.indices.size() / 3, 0);
-    box.edge_marks[0] = 1; // from the first corner to the second
+    box.edge_marks[0] = 1; // marks the edge from the first corner to the second
     const uint32_t a = box.indices[0];
     const uint32_t b = box.indices[1];
     turn_by_normals(scene);
@@ -78,7 +78,7 @@ TEST(TurnByNormals, MarksOfEdgesTurnWithTheirTriangles)
     EXPECT_EQ(box.indices[2], b);
 }
 
-/// A ball in one part and a box in another, both one-sided.
+/// A sphere in one part and a box in another, both one-sided.
 Scene figure()
 {
     Scene scene = test::scene_of(shapes::sphere(0.5F, 16, 8));
@@ -137,13 +137,13 @@ TEST(OutlineHulls, OtherThingsStay)
 {
     const Primitive ball = shapes::sphere(0.5F, 16, 8);
     Scene scene = figure();
-    add_one_sided(scene, grown_inside_out(ball, 0.02F), {3.0, 0.0, 0.0}); // around nothing
-    Primitive shell = ball;                                               // a larger copy turned outwards
+    add_one_sided(scene, grown_inside_out(ball, 0.02F), {3.0, 0.0, 0.0}); // encloses nothing
+    Primitive shell = ball;                                               // a larger copy that faces outwards
     for (glm::vec3& position : shell.positions) {
         position *= 1.04F;
     }
     add_one_sided(scene, shell, {});
-    add_one_sided(scene, grown_inside_out(ball, 1.5F), {}); // the sky around
+    add_one_sided(scene, grown_inside_out(ball, 1.5F), {}); // a surrounding sky
     const Index two_sided = test::add_object(scene, grown_inside_out(ball, 0.02F), glm::vec3(0.0F));
     material_of(scene, two_sided).double_sided = true;
     leave_out_outline_hulls(scene);
@@ -151,7 +151,7 @@ TEST(OutlineHulls, OtherThingsStay)
     EXPECT_TRUE(scene.warnings.empty());
 }
 
-/// A card whose texture has an alpha of a function of place.
+/// A card with a texture whose alpha is a function of position.
 template <class Alpha>
 Scene card(const Alpha& alpha)
 {
@@ -207,7 +207,7 @@ TEST(CutOuts, LeavesAreMaskedSolidThingsOpaqueAndSoftOnesStay)
 
 TEST(CutOuts, OnlyWhatTheSurfaceCoversCounts)
 {
-    // The left half of the texture is a leaf's, the right half glass.
+    // The left half of the texture is a leaf, the right half glass.
     const auto atlas = [](const glm::dvec2& place) {
         return place.x > 0.5 ? 0.3 : distance_from_middle({2.0 * place.x, place.y}) < 0.3 ? 1.0 : 0.0;
     };

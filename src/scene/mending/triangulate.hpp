@@ -9,17 +9,17 @@
 
 namespace estampe {
 
-/// Cuts polygons into triangles. One object serves a whole file: it keeps its memory, and counts its work.
+/// Triangulates polygons. One object serves a whole file: it reuses its memory and limits the total work.
 class Triangulation {
 public:
-    /// Appends to `triangles` three numbers for each triangle, each a place in `corners`, wound as the
-    /// polygon. Triangles and convex polygons are cut from their first corner, others by clipping ears in
-    /// their plane of largest area. A corner that repeats the place of the one before it is left out. Cost:
-    /// linear for convex polygons; the square of the number of corners at worst, until a file has used up its
-    /// share of work: later polygons, and those that cross themselves, may come out with wrong triangles.
+    /// Appends three indices into `corners` to `triangles` for each triangle, with the winding of the
+    /// polygon. Triangles and convex polygons become fans from their first corner, others are clipped ear by
+    /// ear in their plane of largest area. A corner at the position of the one before it is left out. Cost:
+    /// linear for convex polygons, else at most quadratic in corners. After a file has used up its share of
+    /// work, later polygons may get wrong triangles, as may those that cross themselves.
     void cut(std::span<const glm::dvec3> corners, std::vector<uint32_t>& triangles);
 
-    /// How many polygons could not be cut cleanly.
+    /// Number of polygons that could not be triangulated cleanly.
     [[nodiscard]] uint64_t unclean() const { return unclean_; }
 
 private:

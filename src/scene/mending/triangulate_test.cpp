@@ -21,7 +21,8 @@ glm::dvec3 area_of(const Polygon& corners)
     return area;
 }
 
-/// The triangles cover the polygon once when all of them face its way and their areas add up to its own.
+/// The triangles cover the polygon exactly once if all have its orientation and their areas add up to its
+/// area.
 void expect_covered(const Polygon& corners, size_t triangles)
 {
     Triangulation triangulation;

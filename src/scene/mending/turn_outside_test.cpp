@@ -50,7 +50,7 @@ const Primitive& first(const Scene& scene)
 TEST(TurnOutside, MarksOfEdgesTurnWithTheirTriangles)
 {
     Primitive ball = inside_out(shapes::sphere(1.0F, 16, 8));
-    ball.edge_marks.assign(ball.indices.size() / 3, 1); // from the first corner to the second
+    ball.edge_marks.assign(ball.indices.size() / 3, 1); // marks the edge from the first corner to the second
     Scene scene = scene_of_meshes({ball});
     turn_outside(scene);
     EXPECT_EQ(first(scene).edge_marks[7], 4) << "from the last corner to the first";

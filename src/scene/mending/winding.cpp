@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The side of triangles: agree_winding() of mend.hpp, turn_outside() of repair.hpp.
+// The winding of triangles: agree_winding() of mend.hpp, turn_outside() of repair.hpp.
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -13,14 +13,14 @@
 namespace estampe {
 namespace {
 
-/// One side of a triangle, under the smaller of its two places.
+/// One side of a triangle, stored at the smaller of its two positions.
 struct Side {
-    uint32_t other; ///< the larger place
+    uint32_t other; ///< the larger position
     uint32_t triangle;
-    bool rising; ///< whether it runs from the smaller place to the larger
+    bool rising; ///< whether the side runs from the smaller position to the larger
 };
 
-/// Sides by their smaller place: those of place p are sides[first[p]] to sides[first[p + 1]].
+/// Sides sorted by their smaller position: those of position p are sides[first[p]] to sides[first[p + 1]].
 struct Sides {
     std::vector<uint32_t> first;
     std::vector<Side> sides;
@@ -35,7 +35,7 @@ std::vector<uint32_t> places_of_corners(const Primitive& primitive, size_t& plac
     return corners;
 }
 
-/// Calls use(from, to, triangle) for each side, but not those of triangles that name a place twice.
+/// Calls use(from, to, triangle) for each side, except for triangles that use a position twice.
 template <typename Use>
 void each_side(const std::vector<uint32_t>& corners, const Use& use)
 {
@@ -70,7 +70,7 @@ Sides gather_sides(const std::vector<uint32_t>& corners, size_t places)
     return result;
 }
 
-/// A triangle beyond an edge, and whether both run along that edge the same way.
+/// The triangle across an edge, and whether both run along the edge in the same direction.
 struct EdgeNeighbour {
     uint32_t triangle = no_index;
     bool against = false;
@@ -88,7 +88,7 @@ bool same_places(const std::vector<uint32_t>& corners, uint32_t one, uint32_t ot
     return std::is_permutation(a, a + 3, b);
 }
 
-/// Pairs the triangles at edges that exactly two share; not a triangle with its own copy.
+/// Pairs triangles at edges that exactly two share; a triangle is not paired with its own copy.
 EdgeNeighbours pair_triangles(const std::vector<uint32_t>& corners, const Sides& sides)
 {
     EdgeNeighbours result;
@@ -121,7 +121,7 @@ EdgeNeighbours pair_triangles(const std::vector<uint32_t>& corners, const Sides&
     return result;
 }
 
-/// Whether any edge is run twice the same way.
+/// Whether two triangles run along any edge in the same direction.
 bool any_edge_run_twice(const std::vector<uint32_t>& corners, size_t places)
 {
     std::vector<uint32_t> first(places + 2, 0);
@@ -186,7 +186,7 @@ size_t agree_winding(Primitive& primitive)
             }
         }
         if (!agrees)
-            continue; // a surface with one side only, as a Moebius strip
+            continue; // a one-sided surface such as a Moebius strip
         const uint8_t minority = areas[1] <= areas[0] ? 1 : 0;
         for (const uint32_t triangle : piece) {
             if (side[triangle] == minority) {
@@ -207,7 +207,7 @@ void agree_winding(Primitive& primitive, const std::string& name, std::vector<st
 
 namespace {
 
-/// Sets of places that triangles connect.
+/// Disjoint sets of positions that triangles connect.
 class Sets {
 public:
     explicit Sets(size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
@@ -227,15 +227,15 @@ private:
     std::vector<uint32_t> parent_;
 };
 
-/// Triangles that are connected by corners.
+/// Triangles that are connected by shared positions.
 struct SurfacePiece {
     Bounds bounds;
     double volume_m3 = 0.0;
-    bool is_inside_out = false;      ///< it is closed and wound one way, with its backs outside
-    std::vector<uint32_t> triangles; ///< only of a piece that is inside out
+    bool is_inside_out = false;      ///< it is closed and consistently wound, and its backs face outwards
+    std::vector<uint32_t> triangles; ///< empty unless the piece is inside out
 };
 
-/// The places of a primitive and the pieces that its triangles make of them.
+/// The positions of a primitive, and the pieces into which its triangles connect them.
 class Pieces {
 public:
     explicit Pieces(const Primitive& primitive)
@@ -266,7 +266,7 @@ public:
             }
             piece.volume_m3 += glm::dot(corners[0], glm::cross(corners[1], corners[2])) / 6.0;
         }
-        // Few pieces are inside out, and lists of their triangles are long.
+        // Lists of triangles are long and few pieces are inside out, so only those get one.
         if (std::ranges::any_of(pieces_, [](const SurfacePiece& piece) { return piece.volume_m3 < 0.0; })) {
             for (uint32_t t = 0; t < triangle_count(); ++t)
                 if (SurfacePiece& piece = pieces_[piece_of_triangle[t]]; piece.volume_m3 < 0.0)
@@ -285,14 +285,14 @@ private:
 
     [[nodiscard]] uint32_t place(size_t t, size_t k) const { return places_[primitive_.indices[3 * t + k]]; }
 
-    /// A triangle with two corners in one place, as at the poles of many a ball, is a side without
-    /// neighbours.
+    /// Whether two corners of a triangle have one position, as at the poles of many spheres; it then is a
+    /// side without neighbours.
     [[nodiscard]] bool has_collapsed(size_t t) const
     {
         return place(t, 0) == place(t, 1) || place(t, 1) == place(t, 2) || place(t, 2) == place(t, 0);
     }
 
-    /// A side of a triangle as a number, and spread over all numbers.
+    /// A side of a triangle as a number, and its hash.
     static uint64_t side(uint32_t from, uint32_t to) { return uint64_t{from} << 32U | to; }
 
     static uint64_t spread(uint64_t number)
@@ -311,11 +311,11 @@ private:
                 take(place(t, k), place(t, (k + 1) % 3));
     }
 
-    /// Whether each side of a triangle has one other beside it, that runs the other way.
+    /// Whether each side of a triangle has exactly one neighbour, which runs in the opposite direction.
     [[nodiscard]] bool is_closed(const SurfacePiece& piece) const
     {
-        // An open piece has sides without another: sums over both ways tell almost all of them without a
-        // sort.
+        // Sides of an open piece lack a neighbour: comparing sums over both directions finds almost all such
+        // pieces without sorting.
         uint64_t difference = 0;
         for_sides(piece, [&](uint32_t from, uint32_t to) {
             difference += spread(side(from, to)) - spread(side(to, from));
@@ -374,7 +374,7 @@ void turn_over(Primitive& primitive, const SurfacePiece& piece)
     }
 }
 
-/// A piece as it stands in the scene.
+/// A piece in its place in the scene.
 struct PlacedPiece {
     Primitive* primitive;
     SurfacePiece piece;
@@ -424,7 +424,7 @@ std::vector<PlacedPiece> placed_pieces(Scene& scene)
 void turn_outside(Scene& scene)
 {
     const std::vector<PlacedPiece> placed = placed_pieces(scene);
-    // What may stand in a room, from left to right, so that few are compared with each.
+    // Pieces that may stand in a room, sorted from left to right, so that each room is compared with few.
     std::vector<Bounds> furniture;
     if (std::ranges::any_of(placed, [](const PlacedPiece& piece) { return piece.piece.is_inside_out; }))
         for (const PlacedPiece& piece : placed)

@@ -11,7 +11,8 @@
 namespace estampe::obj {
 namespace {
 
-/// "1 0.5 0", or one number for all three; nothing for spectral curves and CIE colours, which are rare.
+/// Parses "1 0.5 0", or one number for all three; nothing for spectral curves and CIE colours, which are
+/// rare.
 std::optional<glm::vec3> color_of(Scanner words)
 {
     glm::dvec3 color(0.0);
@@ -29,13 +30,13 @@ std::optional<double> share_of(Scanner words)
 {
     double value = 0.0;
     while (!words.is_done()) {
-        if (words.number(value) && std::isfinite(value)) // d -halo 0.5
+        if (words.number(value) && std::isfinite(value)) // skips words such as -halo in: d -halo 0.5
             return std::clamp(value, 0.0, 1.0);
     }
     return std::nullopt;
 }
 
-/// Reads the up to three numbers behind an option, as long as words are numbers; at least one.
+/// Reads one to three numbers after an option, as long as words are numbers.
 int read_numbers(Scanner& words, glm::dvec3& values)
 {
     int count = 0;
@@ -45,14 +46,14 @@ int read_numbers(Scanner& words, glm::dvec3& values)
         if (!ahead.number(value) || !std::isfinite(value))
             break;
         if (ahead.is_done())
-            break; // the last word is the file's name, even if it is a number
+            break; // the last word is the file's name, even if it looks like a number
         values[count++] = value;
         words = ahead;
     }
     return count;
 }
 
-/// Reads one option; false when the word is none, but a file's name that begins with a minus.
+/// Reads one option; returns false if the word is a file name that begins with a minus.
 bool read_option(std::string_view option, Scanner& words, MtlMap& map)
 {
     glm::dvec3 values(0.0);

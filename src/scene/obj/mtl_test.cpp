@@ -71,7 +71,7 @@ protected:
         std::ofstream(folder_ / name, std::ios::binary) << content;
     }
 
-    /// A picture of one colour.
+    /// Writes a picture of one colour.
     void paint(const std::string& name, uint32_t side, std::array<uint8_t, 4> color) const
     {
         std::filesystem::create_directories((folder_ / name).parent_path());
@@ -261,7 +261,7 @@ TEST_F(MtlImport, PipesAndDevicesAreNotWaitedFor)
     std::filesystem::create_directory(folder_ / "folder");
     for (const std::string name : {"pipe", "endless", "folder", "/dev/zero", "../../../../../dev/zero",
                                    "../../../../../proc/kmsg", "/proc/self/mem", "/etc/passwd"}) {
-        std::filesystem::remove(folder_ / "test.mtl"); // it would be read in place of what is missing
+        std::filesystem::remove(folder_ / "test.mtl"); // it would be read in place of the missing library
         EXPECT_NE(all_warnings(load("mtllib " + name)).find("is not there"), std::string::npos) << name;
         const Scene painted = load_material("map_Kd " + name + "\n");
         EXPECT_EQ(picture(painted, material_of(painted).base_color_texture).width, 1U) << name;

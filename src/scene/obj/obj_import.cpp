@@ -19,7 +19,7 @@ using obj::Piece;
 constexpr float grey = 0.6F;
 constexpr const char* material_without_name = "DefaultMaterial";
 
-/// A file that lists vertices alone is a cloud of points, as scanners write it.
+/// Treats a file that contains only vertices as a point cloud, as scanners write it.
 void add_cloud(obj::Data& data, std::vector<std::string>& warnings)
 {
     Piece& cloud = data.pieces.emplace_back();
@@ -33,7 +33,7 @@ void add_cloud(obj::Data& data, std::vector<std::string>& warnings)
                                    data.positions.size()));
 }
 
-/// What an object's pieces cover.
+/// Bounds of each object's pieces.
 std::vector<Bounds> bounds_of_objects(const obj::Data& data)
 {
     std::vector<Bounds> bounds(data.objects.size());
@@ -54,7 +54,7 @@ Primitive primitive_of(const obj::Data& data, Piece& piece, const glm::dvec3& or
     primitive.positions.resize(count);
     for (size_t i = 0; i < count; ++i)
         primitive.positions[i] = glm::vec3(data.positions[piece.vertices[i].position] - origin) +
-                                 glm::vec3(0.0F); // no negative zeros
+                                 glm::vec3(0.0F); // turns negative zeros into positive ones
     if (piece.has_normals) {
         primitive.normals.resize(count, glm::vec3(0.0F));
         for (size_t i = 0; i < count; ++i)
@@ -79,7 +79,7 @@ Primitive primitive_of(const obj::Data& data, Piece& piece, const glm::dvec3& or
     return primitive;
 }
 
-/// Adds the nodes of the objects that have anything to draw, and of those that these lie in.
+/// Adds the nodes of objects that have something to draw, and of their parents.
 class Nodes {
 public:
     Nodes(const obj::Data& data, Scene& scene, const std::string& root_name)
@@ -98,7 +98,8 @@ public:
         if (node_of_object_[object] != no_index)
             return node_of_object_[object];
         const obj::Object& source = data_.objects[object];
-        // The origin of a mesh is its own node's, and objects have groups beside meshes.
+        // Parents get no translation: the origin belongs to the node of the mesh, and objects also contain
+        // groups.
         const Index parent = source.parent == no_index ? 0 : node_of(source.parent);
         const auto index = static_cast<Index>(scene_.nodes.size());
         Node& node = scene_.nodes.emplace_back();
@@ -109,8 +110,8 @@ public:
         return index;
     }
 
-    /// The node that shows the meshes of an object: its own, or one below it where groups lie in it too,
-    /// which the translation is not meant for.
+    /// The node that shows the meshes of an object: the object's own, or a child if groups lie in the object
+    /// too, because the translation must not apply to them.
     Index node_of_mesh(uint32_t object, const glm::dvec3& origin)
     {
         Index index = node_of(object);
@@ -160,7 +161,7 @@ void add_meshes(obj::Data& data, Scene& scene, const std::string& root_name)
         if (!groups.empty() && primitive.normals.empty()) {
             agree_winding(primitive, data.objects[piece.object].name, scene.warnings);
             make_crease_normals(primitive, usual_crease_rad, groups);
-            (void)gltf::repair_normals(primitive); // those of faces without an area
+            (void)gltf::repair_normals(primitive); // repairs normals of faces without an area
         }
         scene.meshes[mesh].primitives.push_back(std::move(primitive));
     }
@@ -191,7 +192,7 @@ void warn_of_losses(const obj::Losses& losses, size_t vertices, std::vector<std:
         warnings.emplace_back("ends in the middle of a line: the file seems to be cut off");
 }
 
-/// Gives what the file names no material for one that is grey.
+/// Adds a grey material for elements without a material.
 void add_default_material(obj::Data& data, const glm::vec3& color, Scene& scene)
 {
     const auto lacks_material = [](const Piece& piece) { return piece.material == no_index; };

@@ -209,7 +209,7 @@ TEST_F(ObjImport, SmoothingGroupsRuleWhereThereAreNoNormals)
     EXPECT_EQ(vertices("s off\n"), 24U);
     EXPECT_EQ(vertices("s 0\n"), 24U);
     EXPECT_EQ(vertices(""), 24U);
-    // A bent strip whose edge is below the crease angle, so that it would be smooth.
+    // A bent strip whose fold is below the crease angle, so that it would be smooth without groups.
     const std::string strip = "v 0 0 0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nv 2 0 0.2\nv 2 1 0.2\n";
     EXPECT_EQ(first_primitive(load(strip + "f 1 3 4 2\nf 3 5 6 4\n")).positions.size(), 6U);
     EXPECT_EQ(first_primitive(load(strip + "s off\nf 1 3 4 2\nf 3 5 6 4\n")).positions.size(), 8U);

@@ -23,8 +23,8 @@
 namespace estampe::obj {
 namespace {
 
-/// Makes the textures of materials. A picture is decoded once, and one that cannot be found or read is left
-/// out with a warning that names it, once.
+/// Creates the textures of materials. Each picture is decoded once; a picture that cannot be found or read is
+/// left out, with one warning that names it.
 class Textures {
 public:
     explicit Textures(Scene& scene) : scene_(scene) {}
@@ -35,16 +35,17 @@ public:
         return picture(map.file, finder) != nullptr;
     }
 
-    /// The picture as it is; one white pixel when it cannot be read, so that the material's colour shows.
+    /// A texture with the unchanged picture; one white pixel if it cannot be read, so that the material's
+    /// colour shows.
     [[nodiscard]] TextureRef color(const MtlMap& map, FileFinder& finder);
 
-    /// The colours of one picture with the opacity of another in the alpha channel: that is how a Material
-    /// has it. Opacity is the other's alpha where it has any, or else its brightness. `color_map` may name no
-    /// file: white.
+    /// A texture with the colours of one picture and the opacity of another in its alpha channel, as Material
+    /// expects. The opacity is the second picture's alpha if it has any, or else its brightness. If
+    /// `color_map` names no file, the colour is white.
     [[nodiscard]] TextureRef color_with_opacity(const MtlMap& color_map, const MtlMap& opacity_map,
                                                 FileFinder& finder);
 
-    /// A picture of normals; one of heights is turned into normals. Nothing when it cannot be read.
+    /// A normal map; a height map is converted to one. Nothing if the picture cannot be read.
     [[nodiscard]] TextureRef normals(const MtlMap& map, FileFinder& finder);
 
 private:
@@ -52,10 +53,11 @@ private:
 
     using Key = std::tuple<std::string, std::string, Use, bool>;
 
-    /// A file's picture. It moves to the first texture that shows it as it is, for pictures are large.
+    /// The picture of a file. Because pictures are large, it is moved into the first texture that shows it
+    /// unchanged.
     struct Picture {
-        std::optional<Image> image; ///< nothing: cannot be read, or has moved
-        Index texture = no_index;   ///< where it has moved to
+        std::optional<Image> image; ///< nothing if it cannot be read or has been moved
+        Index texture = no_index;   ///< the texture that it has been moved to
     };
 
     [[nodiscard]] Picture& decoded(const std::string& name, FileFinder& finder);
@@ -65,11 +67,11 @@ private:
     [[nodiscard]] TextureRef add(const Key& key, const MtlMap& map, Image image);
 
     Scene& scene_;
-    std::map<std::string, Picture> pictures_; ///< by place, or by name where there is none
+    std::map<std::string, Picture> pictures_; ///< by path, or by name if the file was not found
     std::map<Key, Index> textures_;
 };
 
-/// How far a step of height from black to white between neighbouring texels tilts the surface.
+/// Slope of the surface for a step of height from black to white between neighbouring texels.
 constexpr float slope_of_height = 2.0F;
 
 float brightness(const uint8_t* pixel)
@@ -79,7 +81,7 @@ float brightness(const uint8_t* pixel)
            255.0F;
 }
 
-/// Whether the picture holds normals: these point out of the surface for the most part, which is blue.
+/// Whether the picture is a normal map: most normals point out of the surface, which is blue.
 bool holds_normals(const Image& image)
 {
     const size_t pixels = image.rgba.size() / 4;
@@ -96,8 +98,8 @@ bool holds_normals(const Image& image)
     return blue / count > std::max(red, green) / count + 24.0;
 }
 
-/// Normals of a surface whose height is the picture's brightness; green points up in the picture, as glTF
-/// has it.
+/// Normal map of a surface whose height is the picture's brightness. Green points up in the picture, as in
+/// glTF.
 Image normals_of_heights(const Image& heights, bool repeats)
 {
     Image normals{.width = heights.width, .height = heights.height, .rgba = heights.rgba};
@@ -126,7 +128,7 @@ Image normals_of_heights(const Image& heights, bool repeats)
     return normals;
 }
 
-/// `colors` with the opacity of `opacity`, at the size of the larger one.
+/// `colors` with the opacity of `opacity`, in the resolution of the larger one.
 Image combined(const Image& colors, const Image& opacity, const std::string& name)
 {
     Image image{.width = std::max(colors.width, opacity.width),
@@ -154,7 +156,7 @@ Image combined(const Image& colors, const Image& opacity, const std::string& nam
     return image;
 }
 
-/// uv' = scale * uv + offset in the file's coordinates, whose v runs up where a texture's runs down.
+/// uv' = scale * uv + offset in the file's coordinates, whose v points up while a texture's points down.
 glm::mat3 uv_transform_of(const MtlMap& map)
 {
     glm::mat3 transform(1.0F);
@@ -220,7 +222,7 @@ TextureRef Textures::color(const MtlMap& map, FileFinder& finder)
     if (const std::optional<TextureRef> same = known(key, map))
         return *same;
     Picture& picture = decoded(map.file, finder);
-    if (picture.texture != no_index) // shown already, with other edges
+    if (picture.texture != no_index) // already used by a texture with other wrap modes
         return add(key, map, scene_.textures[picture.texture].image);
     if (!picture.image)
         return add(key, map, white);
@@ -259,9 +261,9 @@ TextureRef Textures::normals(const MtlMap& map, FileFinder& finder)
 
 constexpr uint64_t most_library_bytes = uint64_t{1} << 28;
 constexpr size_t most_libraries = 1000;
-constexpr size_t most_named = 8; ///< names in one warning
+constexpr size_t most_named = 8; ///< names listed in one warning
 
-/// Words of a line, where quotes hold words together.
+/// Splits a line into words; quotes keep words together.
 std::vector<std::string> words_of(std::string_view line)
 {
     std::vector<std::string> words;
@@ -300,7 +302,7 @@ public:
     }
 
 private:
-    /// A line may be one name with blanks in it, or several names, each perhaps with blanks.
+    /// A line may contain one name with blanks, or several names that may also have blanks.
     void find_line(const std::string& line)
     {
         if (line.empty() || found(line))
@@ -348,7 +350,7 @@ private:
 
 void set_opacity(const MtlMaterial& source, Material& material, std::vector<std::string>& warnings)
 {
-    // Programs disagree on whether Tr 1 is clear or opaque; d is clear.
+    // Programs disagree on whether Tr 1 is clear or opaque; d is unambiguous.
     const double opacity = source.dissolve.value_or(1.0 - source.transparency.value_or(0.0));
     if (!(opacity > 0.0)) {
         warnings.push_back(
@@ -378,7 +380,7 @@ Material material_of(const MtlMaterial& source, const glm::vec3& default_color, 
     } else if (!source.diffuse_map.file.empty()) {
         material.base_color_texture = textures.color(source.diffuse_map, finder);
     }
-    // Exporters leave a colour black, or out, where the texture says it all.
+    // Exporters often leave a colour black, or omit it, when a texture gives it.
     const bool is_said_by_texture =
         !source.diffuse_map.file.empty() && source.diffuse.value_or(glm::vec3(0.0F)) == glm::vec3(0.0F);
     if (is_said_by_texture)
@@ -443,7 +445,7 @@ void read_materials(const std::filesystem::path& file, const std::vector<std::st
         FileFinder finder({library.parent_path(), file.parent_path()});
         for (const MtlMaterial& source : parsed(library, scene.warnings)) {
             const auto [place, is_new] = place_of_name.try_emplace(source.name, scene.materials.size());
-            // The first library that has a name counts.
+            // If several libraries define a name, the first one counts.
             if (!is_new && (place->second >= is_known.size() || is_known[place->second]))
                 continue;
             if (is_new)

@@ -14,16 +14,16 @@
 
 namespace estampe::obj {
 
-/// A picture that a material names, with the options before its name.
+/// A picture that a material names, with the options in front of its name.
 struct MtlMap {
-    std::string file; ///< empty: none
+    std::string file; ///< empty if the material names none
     glm::dvec2 scale{1.0};
     glm::dvec2 offset{0.0};
-    bool clamps = false; ///< does not repeat
-    double bump = 1.0;   ///< -bm
+    bool clamps = false; ///< the picture does not repeat
+    double bump = 1.0;   ///< factor of the option -bm
 };
 
-/// A material as its file has it; what the file does not say is not set.
+/// A material as written in the file; members that the file does not give are not set.
 struct MtlMaterial {
     std::string name;
     std::optional<glm::vec3> diffuse;
@@ -35,21 +35,21 @@ struct MtlMaterial {
     MtlMap diffuse_map;
     MtlMap emissive_map;
     MtlMap dissolve_map;
-    MtlMap bump_map;   ///< of heights, or of normals: programs write both under this name
-    MtlMap normal_map; ///< norm: of normals for certain
+    MtlMap bump_map;   ///< heights or normals, because programs write both under this name
+    MtlMap normal_map; ///< from `norm`: always normals
 };
 
-/// Reads a material library. A name that is given twice is one material, as the last statements have it.
-/// Statements that are not known are passed over: they are many, and none of them changes a drawing.
+/// Reads a material library. If a name is given twice, the last statements win. Unknown statements are
+/// ignored: they are many, and none of them changes a drawing.
 [[nodiscard]] std::vector<MtlMaterial> parse_mtl(Input& input);
 
-/// Reads the libraries that an OBJ file names and fills the scene's materials and textures: one material for
-/// each of `used`, in this order, and then those that the libraries have besides. A library that is not found
-/// under its own name is looked for under the name of the OBJ file. What cannot be found is named in
-/// Scene::warnings, and its materials are grey.
+/// Reads the libraries that an OBJ file names and fills the scene's materials and textures: first one
+/// material for each of `used`, in this order, then all others of the libraries. If a library is not found
+/// under its own name, the name of the OBJ file is tried. Names what cannot be found in Scene::warnings; such
+/// materials are grey.
 ///
-/// `libraries` are the ends of `mtllib` lines: one file name with blanks, or several names. `default_color`
-/// is that of materials without a colour.
+/// `libraries` are the arguments of `mtllib` lines: one file name with blanks, or several names.
+/// `default_color` is the colour of materials without one.
 void read_materials(const std::filesystem::path& file, const std::vector<std::string>& libraries,
                     const std::vector<std::string>& used, const glm::vec3& default_color, Scene& scene);
 

@@ -12,8 +12,9 @@
 namespace estampe::obj {
 namespace {
 
-/// How many vertices at one position are compared with a new one. A file may name any number of texture
-/// coordinates with one position; what is not found here is shared when the mesh is mended.
+/// Largest number of vertices at one position that are compared with a new one, because a file may combine
+/// any number of texture coordinates with one position. Duplicates that this misses are merged when the mesh
+/// is repaired.
 constexpr int most_compared = 32;
 
 size_t corners_of(Topology topology)
@@ -58,7 +59,7 @@ uint32_t PieceBuilder::vertex_of(uint32_t piece, Corner corner)
 {
     std::vector<Corner>& vertices = data_.pieces[piece].vertices;
     const auto vertex = static_cast<uint32_t>(vertices.size());
-    if (corner.position >= data_.positions.size()) { // not listed yet
+    if (corner.position >= data_.positions.size()) { // the file has not listed this position yet
         vertices.push_back(corner);
         return vertex;
     }
@@ -175,7 +176,7 @@ void PieceBuilder::drop_missing(Piece& piece)
         piece.vertices.clear();
     for (Corner& corner : piece.vertices)
         if (is_missing(corner))
-            corner = {.position = 0, .uv = no_index, .normal = no_index}; // no element uses it
+            corner = {.position = 0, .uv = no_index, .normal = no_index}; // no element uses this corner
 }
 
 void PieceBuilder::finish()
@@ -200,7 +201,7 @@ namespace {
 
 constexpr std::string_view object_without_name = "defaultobject";
 
-/// Statements that say nothing about surfaces as they are drawn.
+/// Statements that do not affect drawn surfaces.
 constexpr std::array<std::string_view, 24> passed_over{
     "vp",   "cstype",     "deg",       "bmat",  "step",  "parm",   "trim",     "hole",
     "scrv", "sp",         "end",       "con",   "mg",    "bevel",  "c_interp", "d_interp",
@@ -213,7 +214,7 @@ bool ends_in_backslash(std::string_view line)
     return line.ends_with('\\');
 }
 
-/// A number of a face: from 1, or from -1 backwards; 0 when there is none or it is out of range.
+/// Reads an index of a face: from 1, or from -1 backwards; 0 when there is none or it is out of range.
 int64_t read_index(const char*& at, const char* end)
 {
     const bool is_negative = at != end && *at == '-';
@@ -225,8 +226,8 @@ int64_t read_index(const char*& at, const char* end)
     return is_negative ? -value : value;
 }
 
-/// Where an index points that counts from 1, or from -1 backwards in a list of `count`; no_index if nowhere.
-/// What lies behind the list may still come.
+/// Converts an index that counts from 1, or from -1 backwards in a list of `count`; no_index if it is
+/// invalid. An index beyond the list is kept, because the file may list more entries later.
 uint32_t resolved(int64_t index, size_t count)
 {
     const int64_t place = index > 0 ? index - 1 : index + static_cast<int64_t>(count);
@@ -253,7 +254,7 @@ public:
     }
 
 private:
-    /// Joins a line that ends in a backslash with the next ones.
+    /// Joins a line that ends in a backslash with the lines that follow.
     void read_continued(std::string_view line)
     {
         std::string joined;
@@ -292,7 +293,7 @@ private:
             note_unread();
     }
 
-    /// "# Vertices: 8" and "# Faces: 12" are all that tells of a file that is cut off between two lines.
+    /// Reads "# Vertices: 8" and "# Faces: 12". Only they reveal a file that is truncated between two lines.
     void read_comment(Scanner& words)
     {
         const std::string_view subject = words.word();
@@ -339,7 +340,7 @@ private:
         losses.is_cut_off = losses.is_cut_off || !input_.line_was_ended();
     }
 
-    /// Reads up to N numbers of the line and says how many there are.
+    /// Reads up to N numbers of the line and returns how many there are.
     template <size_t N>
     static size_t read_numbers(Scanner& words, std::array<double, N>& values)
     {
@@ -381,7 +382,7 @@ private:
         data_.normals.emplace_back(values[0], values[1], values[2]);
     }
 
-    /// Reads the corners of an element; false when it cannot be drawn.
+    /// Reads the corners of an element; returns false if it cannot be drawn.
     bool read_corners(Scanner& words, size_t least)
     {
         corners_.clear();
@@ -422,7 +423,7 @@ private:
             }
         }
         if (at != end)
-            corner.position = no_index; // something else than an index
+            corner.position = no_index; // the word is not an index
         return corner;
     }
 
@@ -464,7 +465,7 @@ private:
         return found->second;
     }
 
-    /// Colours are sRGB, of 1 or of 255, as programs that scan and sculpt write them.
+    /// Converts colours from sRGB. Programs that scan and sculpt write them from 0 to 1 or from 0 to 255.
     void finish_colors()
     {
         if (data_.colors.empty())
@@ -485,7 +486,7 @@ private:
     Data data_;
     PieceBuilder builder_;
     std::vector<Corner> corners_;
-    uint32_t named_object_ = no_index; ///< by `o`
+    uint32_t named_object_ = no_index; ///< the object named by `o`
     std::unordered_map<std::string, uint32_t> material_of_name_;
     std::unordered_map<std::string, uint32_t> object_of_name_;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What an OBJ file says, before it is a scene, and how it is read.
+// The content of an OBJ file before conversion to a scene, and its parser.
 
 #include <array>
 #include <cstdint>
@@ -18,7 +18,8 @@
 
 namespace estampe::obj {
 
-/// A vertex of a face: which position, texture coordinate and normal of the file; `no_index` for none.
+/// A corner of a face: its position, texture coordinate and normal in the file's lists; `no_index` means
+/// none.
 struct Corner {
     uint32_t position = no_index;
     uint32_t uv = no_index;
@@ -27,61 +28,60 @@ struct Corner {
     bool operator==(const Corner&) const = default;
 };
 
-/// No `s` statement was in force: the shape decides where a surface is smooth.
+/// Value of a face outside any `s` statement: the shape decides where the surface is smooth.
 inline constexpr uint32_t no_smoothing_group = no_index;
 
-/// Elements of one kind, one object and one material: what becomes a primitive.
+/// Elements of one kind, one object and one material; each piece becomes a primitive.
 struct Piece {
     uint32_t object = 0;
-    uint32_t material = no_index; ///< no_index: the file has named none
+    uint32_t material = no_index; ///< no_index if the file has named none
     Topology topology = Topology::triangles;
     bool has_normals = false; ///< all corners name a normal, or none does
     std::vector<Corner> vertices;
     std::vector<uint32_t> indices;
-    std::vector<uint32_t> smoothing_groups; ///< empty, or one for each triangle; 0: flat
+    std::vector<uint32_t> smoothing_groups; ///< empty, or one for each triangle; 0 is flat
 };
 
-/// Something named by `o` or `g`.
+/// An object or group, named by `o` or `g`.
 struct Object {
     std::string name;
-    uint32_t parent = no_index; ///< a group lies in the object that the file has named before it
+    uint32_t parent = no_index; ///< for a group, the object named before it in the file
 };
 
-/// Elements that could not be read as they stand.
+/// Counts of elements that could not be read as written.
 struct Losses {
     uint64_t faces_of_missing_vertices = 0;
-    uint64_t short_faces = 0; ///< with fewer than three corners
+    uint64_t short_faces = 0; ///< faces with fewer than three corners
     uint64_t unclean_polygons = 0;
     uint64_t corners_of_missing_attributes = 0;
     uint64_t curves = 0;
     uint64_t unread_lines = 0;
     uint64_t first_unread_line = 0;
-    bool is_cut_off = false;    ///< the last line has no end and makes no sense
-    uint64_t said_vertices = 0; ///< by a comment, as MeshLab writes it; 0: none says
+    bool is_cut_off = false;    ///< the last line has no line end and cannot be read
+    uint64_t said_vertices = 0; ///< count in a comment of MeshLab's; 0 if there is none
     uint64_t said_faces = 0;
-    uint64_t faces = 0; ///< all that the file has, good and bad
+    uint64_t faces = 0; ///< all faces of the file, good and bad
 };
 
-/// All of a file. Corners of pieces are in range.
+/// The content of a file. Corners of pieces are in range.
 struct Data {
     std::vector<glm::dvec3> positions;
     std::vector<glm::vec4> colors; ///< linear; empty, or one for each position
-    std::vector<glm::vec2> uvs;    ///< v runs up, as in the file
+    std::vector<glm::vec2> uvs;    ///< v points up, as in the file
     std::vector<glm::vec3> normals;
     std::vector<Object> objects;
-    std::vector<std::string> materials; ///< as `usemtl` names them
-    std::vector<std::string> libraries; ///< the rest of each `mtllib` line
+    std::vector<std::string> materials; ///< names given by `usemtl`
+    std::vector<std::string> libraries; ///< the arguments of each `mtllib` line
     std::vector<Piece> pieces;
     Losses losses;
 };
 
-/// Sorts faces, lines and points into pieces, cuts polygons, and lets corners that name the same things share
-/// a vertex.
+/// Sorts faces, lines and points into pieces, triangulates polygons, and lets equal corners share a vertex.
 class PieceBuilder {
 public:
     explicit PieceBuilder(Data& data) : data_(data) {}
 
-    /// What the next elements belong to.
+    /// The object and the material of the elements that follow.
     void set_object(uint32_t object);
     void set_material(uint32_t material);
 
@@ -92,18 +92,19 @@ public:
     void add_line(std::span<const Corner> corners);
     void add_points(std::span<const Corner> corners);
 
-    /// Cuts the polygons that waited for their positions, and drops what names things that never came.
+    /// Triangulates the polygons that waited for their positions, and drops elements whose positions never
+    /// came.
     void finish();
 
 private:
-    /// A vertex of a piece, in a list of those at one position.
+    /// A vertex of a piece, in a linked list of the vertices at one position.
     struct Entry {
         uint32_t next = no_index;
         uint32_t piece = 0;
         uint32_t vertex = 0;
     };
 
-    /// A polygon with corners that the file had not listed yet.
+    /// A polygon with positions that the file had not listed yet.
     struct Waiting {
         uint32_t piece;
         uint32_t smoothing_group;
@@ -123,7 +124,7 @@ private:
     uint32_t smoothing_group_ = no_smoothing_group;
     std::map<std::tuple<uint32_t, uint32_t, Topology, bool>, uint32_t> pieces_;
     std::array<uint32_t, 6> current_pieces_{no_index, no_index, no_index, no_index, no_index, no_index};
-    std::vector<uint32_t> first_entries_; ///< for each position
+    std::vector<uint32_t> first_entries_; ///< one for each position
     std::vector<Entry> entries_;
     Triangulation triangulation_;
     std::vector<glm::dvec3> polygon_;
@@ -132,9 +133,9 @@ private:
     std::vector<Corner> waiting_corners_;
 };
 
-/// Reads all lines of an OBJ file. Whatever they hold, corners of pieces are in range afterwards, and what
-/// was not understood is counted. Memory: the arrays of the file's numbers, and twelve bytes for each corner
-/// of a triangle. Cost: about 0.4 s for a million triangles.
+/// Reads all lines of an OBJ file. Corners of pieces are always in range afterwards; what was not understood
+/// is counted. Memory: the arrays of the file's numbers, and twelve bytes for each corner of a triangle.
+/// Cost: about 0.4 s for a million triangles.
 [[nodiscard]] Data parse(Input& input);
 
 } // namespace estampe::obj

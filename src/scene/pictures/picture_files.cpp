@@ -14,9 +14,9 @@
 namespace estampe {
 namespace {
 
-constexpr size_t longest_name = 4096;  ///< no system opens a longer path
-constexpr size_t most_parts = 16;      ///< deeper paths are searched for their last parts only
-constexpr size_t most_listed = 200000; ///< entries of a folder that are remembered
+constexpr size_t longest_name = 4096;  ///< no operating system opens a longer path
+constexpr size_t most_parts = 16;      ///< of deeper paths only the last parts are searched
+constexpr size_t most_listed = 200000; ///< largest number of entries remembered per folder
 
 std::string_view trimmed(std::string_view text)
 {
@@ -35,7 +35,7 @@ int hex_digit(char letter)
     return small >= 'a' && small <= 'f' ? small - 'a' + 10 : -1;
 }
 
-/// The name with "%20" and the like turned into the bytes they stand for.
+/// Decodes percent-encoded bytes such as "%20".
 std::string percent_decoded(std::string_view name)
 {
     std::string decoded;
@@ -51,7 +51,7 @@ std::string percent_decoded(std::string_view name)
     return decoded;
 }
 
-/// A path cut at its slashes, and whether it starts at the root of a disk, a drive or a server.
+/// A path split at its slashes, and whether it starts at the root of a disk, a drive or a server.
 struct SplitPath {
     std::vector<std::string> parts;
     bool is_absolute = false;
@@ -127,7 +127,7 @@ std::optional<std::filesystem::path> FileFinder::find_spelled(std::string_view n
     if (path.parts.empty() || path.parts.back() == "..")
         return std::nullopt;
     const size_t count = path.parts.size();
-    // The whole path in every folder first: an end of it may name another file.
+    // The full path is tried in every folder before any end of it, because an end may match another file.
     for (size_t first = count > most_parts ? count - most_parts : 0; first < count; ++first) {
         if (path.is_absolute && path.parts[first] == "..")
             continue;
@@ -166,7 +166,7 @@ std::optional<std::string> FileFinder::actual_name(const std::filesystem::path& 
         for (size_t count = 0;
              !failed && entries != std::filesystem::directory_iterator() && count < most_listed; ++count) {
             const std::string entry = entries->path().filename().string();
-            // Of names that differ by case alone the first in the order of bytes, whatever the disk's order.
+            // If names differ only in case, the first in byte order is taken, whatever the disk's order.
             const auto [known, is_first] = listing->second.try_emplace(lower_case(entry), entry);
             if (!is_first)
                 known->second = std::min(known->second, entry);
@@ -182,7 +182,7 @@ std::optional<std::string> FileFinder::actual_name(const std::filesystem::path& 
 
 namespace {
 
-/// Notes in the scene what is not there. Throws Error.
+/// Finds a file, or notes in the scene that it is missing and throws Error.
 std::filesystem::path found_file(const std::string& name, FileFinder& finder, Scene& scene)
 {
     std::optional<std::filesystem::path> file = finder.find(name);

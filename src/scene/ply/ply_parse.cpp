@@ -16,7 +16,7 @@
 namespace estampe::ply {
 namespace {
 
-/// What a number of a row is for.
+/// The meaning of a number in a row.
 enum class Use : uint8_t {
     none,
     x,
@@ -98,7 +98,7 @@ Use use_of(Kind kind, const Property& property)
     return found == uses.end() ? Use::none : found->second;
 }
 
-/// What one of a colour's numbers is at most.
+/// Largest value of a colour channel of this type.
 double full_color(Type type)
 {
     switch (type) {
@@ -116,7 +116,8 @@ double full_color(Type type)
     }
 }
 
-/// Colours are sRGB, as programs that scan show them; floats are of 1, or of 255 where one is above 1.
+/// Converts colours from sRGB, as scanning programs write them. Floats have the range 0 to 1, or 0 to 255 if
+/// any is above 1.
 void make_linear(std::vector<glm::vec4>& colors)
 {
     float most = 0.0F;
@@ -185,7 +186,7 @@ private:
         uint64_t count = 0;
         while (count < element.count && !is_cut_ && rows.next()) {
             const bool is_whole = read_row(rows, element);
-            // The last number of a text may lack digits when more ought to follow.
+            // The last number of a truncated text may lack digits.
             const bool is_suspect = rows.may_be_cut() && (count + 1 < element.count || !is_last);
             if (is_whole && !is_suspect) {
                 take_row(kind);
@@ -223,7 +224,7 @@ private:
         }
     }
 
-    /// Looks once for all rows at what is in them.
+    /// Determines the use of each property, once for all rows of an element.
     void begin(Kind kind, const Element& element)
     {
         uses_.clear();
@@ -232,7 +233,7 @@ private:
         for (const Property& property : element.properties) {
             Use use = use_of(kind, property);
             if (has[static_cast<size_t>(use)])
-                use = Use::none; // the first of a name counts
+                use = Use::none; // if a name occurs twice, the first counts
             has[static_cast<size_t>(use)] = use != Use::none;
             uses_.push_back(use);
             scales_.push_back(use >= Use::red && use <= Use::alpha ? 1.0 / full_color(property.type) : 1.0);
@@ -313,7 +314,7 @@ private:
         }
     }
 
-    /// A line that lacks numbers: indices must go on to count it, if it is a vertex.
+    /// Handles a row that lacks numbers. A vertex must still be added, so that later indices stay valid.
     void take_short_row(Kind kind)
     {
         if (kind != Kind::vertices)
@@ -333,10 +334,10 @@ private:
             data_.colors.push_back(color());
     }
 
-    /// A place in the list of vertices; no_index when it is none.
+    /// Index of a vertex; no_index if it is invalid.
     [[nodiscard]] uint32_t vertex_of(double index) const
     {
-        // Vertices may come after faces.
+        // Vertices may come after faces, when their number is not known yet.
         const double limit = has_vertices_ ? static_cast<double>(data_.positions.size()) : 4294967295.0;
         return index >= 0.0 && index < limit ? static_cast<uint32_t>(index) : no_index;
     }
@@ -363,7 +364,7 @@ private:
             for (const uint32_t vertex : vertices_)
                 polygon_.push_back(data_.positions[vertex]);
             triangulation_.cut(polygon_, cut_);
-        } else { // vertices come after faces: nothing is known of the shape
+        } else { // vertices come after faces, so the shape of the polygon is unknown
             for (uint32_t i = 1; i + 1 < vertices_.size(); ++i)
                 cut_.insert(cut_.end(), {0, i, i + 1});
         }
@@ -373,7 +374,7 @@ private:
 
     void add_triangle(uint32_t a, uint32_t b, uint32_t c, const glm::vec4& face_color)
     {
-        // Elements before this one may have had triangles without its attributes.
+        // Earlier elements may have had triangles without these attributes.
         const size_t before = data_.triangles.size() / 3;
         data_.triangles.insert(data_.triangles.end(), {vertices_[a], vertices_[b], vertices_[c]});
         if (has_corner_uvs_) {
@@ -398,7 +399,7 @@ private:
         }
     }
 
-    /// Strips run on until -1, which starts another.
+    /// Reads triangle strips; -1 ends a strip and starts another.
     void take_strip()
     {
         const std::vector<double> strip = corners_;
@@ -414,7 +415,7 @@ private:
             const bool is_odd = (i - start) % 2 == 1;
             const std::array<double, 3> corners{strip[i - 2], is_odd ? strip[i] : strip[i - 1],
                                                 is_odd ? strip[i - 1] : strip[i]};
-            // Strips turn corners by naming a vertex twice.
+            // Strips use degenerate triangles, which name a vertex twice, to turn corners.
             if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
                 take_face(corners, glm::vec4(1.0F));
         }
@@ -430,7 +431,7 @@ private:
             data_.lines.insert(data_.lines.end(), {start, end});
     }
 
-    /// Leaves out what names vertices that came later and are not there after all.
+    /// Drops elements with vertices that should have come later but are missing.
     void drop_missing()
     {
         const auto limit = static_cast<uint32_t>(data_.positions.size());
@@ -465,7 +466,7 @@ private:
     void finish()
     {
         const size_t triangles = data_.triangles.size() / 3;
-        // Faces and strips in one file may not have the same attributes.
+        // Faces and strips in one file may have different attributes.
         if (data_.corner_uvs.size() != 3 * triangles)
             data_.corner_uvs.resize(data_.corner_uvs.empty() ? 0 : 3 * triangles, glm::vec2(0.0F));
         if (data_.face_colors.size() != triangles)

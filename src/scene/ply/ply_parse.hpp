@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a PLY file says, before it is a scene: its header, its rows, all of it.
+// The content of a PLY file before conversion to a scene: its header, its rows, and the parser.
 
 #include <array>
 #include <bit>
@@ -25,16 +25,16 @@ enum class Type : uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, 
 
 [[nodiscard]] size_t bytes_of(Type type);
 
-/// One number of a row, or a list of them with its length before it.
+/// One number of a row, or a list of numbers preceded by its length.
 struct Property {
-    std::string name; ///< in small letters
+    std::string name; ///< in lower case
     Type type = Type::float32;
-    std::optional<Type> length_type; ///< set: a list
+    std::optional<Type> length_type; ///< type of a list's length; not set for a single number
 };
 
-/// A table: so many rows, each with all properties.
+/// A table of `count` rows, each with all properties.
 struct Element {
-    std::string name; ///< in small letters
+    std::string name; ///< in lower case
     uint64_t count = 0;
     std::vector<Property> properties;
 };
@@ -42,19 +42,20 @@ struct Element {
 struct Header {
     Format format = Format::ascii;
     std::vector<Element> elements;          ///< in the order of their rows
-    std::vector<std::string> texture_files; ///< of comments that programs write for textured scans
+    std::vector<std::string> texture_files; ///< from comments that programs write for textured scans
 };
 
-/// Reads the header and leaves the input at the first byte behind its last line end: data may begin with
-/// bytes that look like another. Throws Error naming file and line when it is not a PLY header.
+/// Reads the header and leaves the input at the first byte after its last line end, because binary data may
+/// begin with bytes that look like another line end. Throws Error naming file and line when the header is not
+/// one of PLY.
 [[nodiscard]] Header read_header(Input& input);
 
-/// Rows of numbers in text: one a line.
+/// Rows of numbers as text, one row per line.
 class TextRows {
 public:
     explicit TextRows(Input& input) : input_(input) {}
 
-    /// Goes to the next row; false at the end of the file.
+    /// Advances to the next row; returns false at the end of the file.
     bool next()
     {
         std::string_view line;
@@ -66,16 +67,16 @@ public:
         return true;
     }
 
-    /// Reads a number; false when the row has no more.
+    /// Reads a number; returns false at the end of the row.
     bool read(Type /*type*/, double& value) { return words_.number(value); }
 
-    /// Whether so many numbers can still come.
+    /// Whether the file is large enough for `count` more numbers.
     [[nodiscard]] bool has_room(uint64_t count, Type /*type*/) const { return count <= input_.size(); }
 
-    /// Whether the row may lack its end, where the file ends.
+    /// Whether this row may be truncated by the end of the file.
     [[nodiscard]] bool may_be_cut() const { return !input_.line_was_ended(); }
 
-    /// A row that is short has an end all the same.
+    /// After a row that is too short, the next line is a new row.
     static constexpr bool goes_on_after_short_row = true;
 
 private:
@@ -83,7 +84,7 @@ private:
     Scanner words_{std::string_view()};
 };
 
-/// Rows of numbers as bytes.
+/// Rows of numbers in binary.
 class BinaryRows {
 public:
     BinaryRows(Input& input, bool is_big_endian)
@@ -176,25 +177,26 @@ private:
     size_t used_ = 0;
 };
 
-/// Attributes of vertices are empty or one for each vertex. Indices are in range.
+/// The content of a PLY file. Attributes of vertices are empty or have one entry per vertex. Indices are in
+/// range.
 struct Data {
     std::vector<glm::dvec3> positions;
     std::vector<glm::vec3> normals;
-    std::vector<glm::vec2> uvs;    ///< v runs up, as in the file
+    std::vector<glm::vec2> uvs;    ///< v points up, as in the file
     std::vector<glm::vec4> colors; ///< linear
     std::vector<uint32_t> triangles;
     std::vector<glm::vec2> corner_uvs;   ///< empty, or one for each entry of `triangles`
     std::vector<glm::vec4> face_colors;  ///< empty, or one for each triangle; linear
-    std::vector<uint32_t> face_textures; ///< empty, or a place in `texture_files` for each triangle
+    std::vector<uint32_t> face_textures; ///< empty, or an index into `texture_files` for each triangle
     std::vector<uint32_t> lines;
     std::vector<std::string> texture_files;
-    bool promises_faces = false; ///< the header has faces, strips or edges, whether they came or not
+    bool promises_faces = false; ///< the header lists faces, strips or edges, even if the file has none
     std::vector<std::string> warnings;
 };
 
-/// Reads a whole file. Throws Error naming file and line when its header is none or has no vertices. What is
-/// cut off, and elements that name vertices which are not there, are counted in the warnings. Memory: about
-/// twice the arrays of the result. Cost: about 0.15 s for a million triangles in binary, 0.4 s as text.
+/// Reads a whole file. Throws Error naming file and line when the header is invalid or has no vertices.
+/// Truncated data and elements that use missing vertices are counted in the warnings. Memory: about twice the
+/// arrays of the result. Cost: about 0.15 s for a million triangles in binary, 0.4 s as text.
 [[nodiscard]] Data parse(Input& input);
 
 } // namespace estampe::ply

@@ -26,7 +26,7 @@
 namespace estampe::stl {
 namespace {
 
-/// Facets with a name; three positions each.
+/// Facets with a name; three positions per facet.
 struct Solid {
     std::string name;
     std::vector<glm::dvec3> positions;
@@ -55,7 +55,7 @@ float read_float(const char* bytes)
     return std::bit_cast<float>(read_u32(bytes));
 }
 
-/// The colour of a whole part, which Materialise Magics writes into the title.
+/// The colour of the whole part, which Materialise Magics writes into the title.
 std::optional<glm::vec4> part_color(std::string_view title)
 {
     constexpr std::string_view key = "COLOR=";
@@ -72,8 +72,8 @@ std::optional<glm::vec4> part_color(std::string_view title)
     return color;
 }
 
-/// Colours of facets in their last two bytes, five bits each. VisCAM sets the highest bit where there is one,
-/// and begins with blue; Magics sets it where the part's colour holds, and begins with red.
+/// Colours of facets in their last two bytes, five bits per channel. VisCAM sets the highest bit if the facet
+/// has a colour, and begins with blue. Magics sets it if the part's colour applies, and begins with red.
 class FacetColors {
 public:
     explicit FacetColors(std::string_view title) : part_(part_color(title))
@@ -103,7 +103,7 @@ private:
     std::array<float, 32> linear_{};
 };
 
-/// Reads a file of 84 bytes and 50 for each facet.
+/// Reads a binary file: 84 bytes, then 50 for each facet.
 Data parse_binary(Input& input)
 {
     const std::string_view head = input.peek(bytes_before_facets);
@@ -139,7 +139,7 @@ Data parse_binary(Input& input)
     return data;
 }
 
-/// Compares with a word in small letters.
+/// Compares with a word in lower case.
 bool is_word(std::string_view text, std::string_view word)
 {
     return text.size() == word.size() &&
@@ -156,7 +156,7 @@ public:
         std::string_view line;
         while (input_.next_line(line)) {
             Scanner words(line);
-            // Whole facets may stand in one line.
+            // A line may contain several facets.
             for (std::string_view word = words.word(); !word.empty(); word = words.word())
                 if (!read_word(word, words))
                     break;
@@ -166,7 +166,7 @@ public:
     }
 
 private:
-    /// False when the rest of the line is nothing to read.
+    /// Returns false if the rest of the line should be skipped.
     bool read_word(std::string_view word, Scanner& words)
     {
         if (is_word(word, "vertex")) {
@@ -218,7 +218,7 @@ private:
         int count = 0;
         while (count < 3 && words.number(position[count]))
             ++count;
-        // The last number of a file that is cut off lacks digits.
+        // The last number of a truncated file may lack digits.
         const bool is_cut = !input_.line_was_ended() && words.is_done();
         if (count == 3 && !is_cut)
             corners_.push_back(position);
@@ -226,7 +226,7 @@ private:
             ++bad_vertices_;
     }
 
-    /// Adds the facet that was read; more than three corners are cut as a fan.
+    /// Adds the facet that was read; a facet with more than three corners becomes a fan.
     void end_facet()
     {
         if (corners_.size() >= 3 && bad_vertices_ == 0) {
@@ -264,7 +264,7 @@ private:
     Input& input_;
     Data data_;
     std::vector<glm::dvec3> corners_;
-    uint64_t bad_vertices_ = 0; ///< of this facet
+    uint64_t bad_vertices_ = 0; ///< count for the current facet
     uint64_t bad_facets_ = 0;
     uint64_t unread_ = 0;
     std::string first_unread_;
@@ -277,8 +277,8 @@ std::string start_of(Input& input)
     return lower_case(input.peek(1024).substr(0, 1024));
 }
 
-/// Whether a file is text: it begins with "solid", as many a binary one does too, and a word of a facet or
-/// the end of the solid follows in the next lines, without a zero byte.
+/// Whether a file is text: it begins with "solid", as many binary files do too, and the next lines contain a
+/// word of a facet or the end of the solid, and no zero byte.
 bool is_text(const std::string& start)
 {
     const size_t first = start.find_first_not_of(" \t\r\n");
@@ -292,7 +292,7 @@ bool is_text(const std::string& start)
                                                 start.find("endsolid", end_of_line) != std::string::npos);
 }
 
-/// Whether all of it could be printed, as a page of the web that was saved in place of a model.
+/// Whether the file is other printable text, such as a web page that was saved instead of a model.
 bool is_other_text(const std::string& start)
 {
     return std::all_of(start.begin(), start.end(), [](unsigned char letter) {
@@ -300,7 +300,7 @@ bool is_other_text(const std::string& start)
     });
 }
 
-/// Whether the count at byte 80 and the size agree exactly.
+/// Whether the count at byte 80 matches the file size exactly.
 bool is_exactly_binary(Input& input)
 {
     const std::string_view start = input.peek(bytes_before_facets);
@@ -315,8 +315,8 @@ Data parse_text(Input& input)
     return TextParser(input).run();
 }
 
-/// Reads a file of either kind. What is cut off or is no facet is counted in the warnings. Throws Error when
-/// it is neither kind. Cost: about 0.1 s for a million triangles in binary, 0.4 s as text.
+/// Reads a text or binary file. Counts truncated and invalid facets in the warnings. Throws Error when the
+/// file is of neither kind. Cost: about 0.1 s for a million triangles in binary, 0.4 s as text.
 Data parse(Input& input)
 {
     if (is_exactly_binary(input))
@@ -361,8 +361,8 @@ Primitive primitive_of(stl::Solid& solid, const glm::dvec3& origin)
     return primitive;
 }
 
-/// Leaves out facets that are points: what a file holds that was not written to its end is zeros. They would
-/// count for the size of the scene.
+/// Drops facets that are points. A file whose writing was interrupted contains zeros, which would enlarge the
+/// scene's bounds.
 void drop_points(stl::Data& data)
 {
     uint64_t dropped = 0;

@@ -33,7 +33,7 @@ std::string error_of(const std::string& content)
     }
 }
 
-/// A facet in the plane z, wound to face up.
+/// A facet in the plane z that faces up.
 std::string facet(const std::string& z = "0", const std::string& normal = "0 0 1")
 {
     return "  facet normal " + normal + "\n    outer loop\n      vertex 0 0 " + z + "\n      vertex 1 0 " +
@@ -97,7 +97,7 @@ TEST(StlImport, NormalsComeFromTheShape)
     for (const char* const normal : {"0 0 0", "0 0 1", "0 1 0", "nan nan nan", "1e99 0 0"})
         EXPECT_EQ(first_primitive(load(solid("x", facet("0", normal)))).normals.at(0), glm::vec3(0, 0, 1))
             << normal;
-    // A strip that bends by less than the crease angle runs together, as a scan does.
+    // A strip that bends by less than the crease angle is shaded smoothly, like a scan.
     const std::string bent =
         "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
         "facet normal 0 0.3 1\nouter loop\nvertex 1 0 0\nvertex 1 1 0.3\nvertex 0 1 0\nendloop\nendfacet\n";
@@ -142,7 +142,7 @@ TEST(StlImport, ACutFileSaysHowMuchIsMissing)
     EXPECT_EQ(first_primitive(load(in_number)).indices.size(), 6U);
     const std::string between = text.substr(0, text.find("endsolid"));
     EXPECT_NE(all_warnings(load(between)).find("ends without endsolid, after 3 facets"), std::string::npos);
-    // A digit may be missing from the last number of all.
+    // The last number of a truncated file may lack digits.
     const std::string in_last = text.substr(0, text.rfind("\n    endloop"));
     EXPECT_EQ(first_primitive(load(in_last)).indices.size(), 6U);
 }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int grid = 8;
 
-/// The cell of the inner part of a side that a point lies in, seen along the side's axis.
+/// The grid cell of a point, seen along the side's axis; nothing near the rim of the side.
 std::optional<size_t> grid_cell(const glm::dvec3& part, int axis)
 {
     constexpr double rim = 0.1;
@@ -28,15 +28,15 @@ std::optional<size_t> grid_cell(const glm::dvec3& part, int axis)
 
 constexpr double nothing = -std::numeric_limits<double>::infinity();
 
-/// What of a cell lies furthest out, from 0 at the opposite side of the box to 1 at the side itself.
+/// The outermost point of a cell, from 0 at the opposite side of the box to 1 at the side itself.
 struct Outermost {
     double height = nothing;
-    double inward_height = nothing;  ///< of what faces the middle
-    double outward_height = nothing; ///< of what faces away from it
+    double inward_height = nothing;  ///< outermost point that faces the middle
+    double outward_height = nothing; ///< outermost point that faces away from the middle
     bool two_sided = false;
 
-    /// A wall of a room stands at the side of the box, and nothing that is seen from outside stands before
-    /// it: neither the outside of a thick wall, nor the second face of a doubled one.
+    /// Whether a wall of a room stands at the side of the box, and nothing visible from outside stands before
+    /// it: neither the outside of a thick wall nor the second face of a doubled one.
     [[nodiscard]] bool is_wall_of_room() const
     {
         return inward_height > at_the_side && inward_height > outward_height + 0.01;
@@ -100,10 +100,10 @@ Walls find_walls(const SurfaceCloud& cloud)
 
 namespace {
 
-/// The lamp hangs this part of the room's height above the floor.
+/// Height of the lamp above the floor, as a share of the room's height.
 constexpr double lamp_height = 0.84;
 
-/// Bounds of all points but the outermost hundredth each way.
+/// Bounds of all points except the outermost hundredth on each side.
 Bounds trimmed_bounds(const std::vector<SurfacePoint>& points, const glm::dvec3& origin)
 {
     Bounds bounds;
@@ -121,7 +121,7 @@ Bounds trimmed_bounds(const std::vector<SurfacePoint>& points, const glm::dvec3&
     return bounds;
 }
 
-/// Below what glows overhead, else below the middle of the ceiling.
+/// Position of the lamp: below what glows overhead, else below the middle of the ceiling.
 glm::dvec3 lamp_place(const Shelter& shelter)
 {
     const Bounds room = trimmed_bounds(shelter.seen, shelter.origin);
@@ -198,7 +198,7 @@ public:
         return 1.0 - static_cast<double>(closed) / static_cast<double>(cells_.size());
     }
 
-    /// How far one sees in the freest eighth of all directions.
+    /// Distance of free sight that an eighth of all directions exceed.
     [[nodiscard]] double free_sight_m() const
     {
         std::vector<float> distances;
@@ -236,7 +236,7 @@ double area_of(const std::vector<SurfacePoint>& points)
     });
 }
 
-/// What views from all around, from above and from below do not show.
+/// Points that no view from all around, from above or from below shows.
 std::vector<SurfacePoint> hidden_points(const SurfaceCloud& cloud)
 {
     constexpr std::array<glm::dvec2, 6> views{
@@ -251,8 +251,8 @@ std::vector<SurfacePoint> hidden_points(const SurfaceCloud& cloud)
     return hidden;
 }
 
-/// Share of the hidden surface that stands free in the space within: behind it, as seen from the middle, lies
-/// more that is hidden, clearly further away.
+/// Share of the hidden surface that stands free inside: behind it, as seen from the middle, lies more hidden
+/// surface, clearly further away.
 double furnished_share(const std::vector<SurfacePoint>& hidden, const glm::vec3& middle)
 {
     constexpr int around = 64;
@@ -284,16 +284,16 @@ double furnished_share(const std::vector<SurfacePoint>& hidden, const glm::vec3&
     return free_m2 / std::max(area_of(hidden), 1e-30);
 }
 
-/// Whether the hidden surface stands around a space where a person could stand.
+/// Whether the hidden surface encloses a space where a person could stand.
 bool could_stand_within(const Bounds& space)
 {
     constexpr double least_m = 1.6;
-    constexpr double most_headroom_m = 25.0; // beyond it the unit is no metre, or the thing no room
+    constexpr double most_headroom_m = 25.0; // beyond it the unit is not metres, or the scene is not a room
     const glm::dvec3 size = space.max - space.min;
     return std::min({size.x, size.y, size.z}) >= least_m && size.y <= most_headroom_m;
 }
 
-/// Whether a space has things in it, or windows or doors.
+/// Whether a space contains objects, windows or doors.
 bool is_worth_seeing(const SurfaceCloud& cloud, const std::vector<SurfacePoint>& hidden, const Bounds& space)
 {
     constexpr double some_furniture = 0.005;
@@ -355,8 +355,8 @@ std::optional<Shelter> shelter_around(const SurfaceCloud& cloud, const glm::dvec
 
 std::optional<CornerView> corner_view(const SurfaceCloud& cloud)
 {
-    constexpr double much = 0.28;        // of the surface; a furnished model hides a fifth
-    constexpr double least_sight = 0.25; // of the room's diagonal
+    constexpr double much = 0.28;        // share of the surface; a furnished model hides a fifth
+    constexpr double least_sight = 0.25; // share of the room's diagonal
     const std::vector<SurfacePoint> hidden = hidden_points(cloud);
     if (hidden.empty() || area_of(hidden) < much * area_of(cloud.points))
         return std::nullopt;
@@ -373,7 +373,7 @@ std::optional<CornerView> corner_view(const SurfaceCloud& cloud)
         const double sight_m = surroundings.free_sight_m();
         if (surroundings.closed_above() < 0.9 || sight_m < best_sight_m)
             continue;
-        best_sight_m = 1.1 * sight_m; // a later corner must be clearly freer
+        best_sight_m = 1.1 * sight_m; // a later corner must be clearly freer to win
         best =
             CornerView{.eye = room.center() + offset,
                        .azimuth_rad = std::atan2(offset.x, offset.z),

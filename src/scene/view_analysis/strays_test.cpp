@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a picture of a scene is about: not far strays; and who is looked in the eye.
+// The subject of a picture excludes far strays; only characters are viewed at eye level.
 #include "scene/view_analysis/subject.hpp"
 
 #include <cmath>
@@ -39,7 +39,7 @@ Scene ball()
     return test::scene_of(shapes::sphere(1.0F));
 }
 
-/// `primitive` with vertices that no triangle uses.
+/// `primitive` with additional vertices that no triangle uses.
 Primitive with_loose_vertices(Primitive primitive, std::initializer_list<glm::vec3> places)
 {
     for (const glm::vec3& place : places) {
@@ -130,7 +130,7 @@ TEST(HugeFloor, IsLeftOutWhereItIsOneMeshWithWhatStandsOnIt)
     }
 }
 
-/// A person of boxes and balls, 1.8 m high, that faces +z.
+/// A person made of boxes and spheres, 1.8 m high, who faces +z.
 Scene person()
 {
     Scene scene = test::scene_of(shapes::box({0.45F, 0.6F, 0.22F}));

@@ -24,7 +24,7 @@ struct StrayCell {
     double area_m2 = 0.0;
 };
 
-/// A part of the scene that no triangle and no neighbourhood joins to the others.
+/// A part of the scene that no triangle connects to the others, and that is not close to them.
 struct Part {
     Bounds bounds;
     double vertices = 0.0;
@@ -39,7 +39,7 @@ struct Part {
     }
 };
 
-/// The scene as a grid of cubes about its bounds: which cubes hold vertices, and which belong together.
+/// The scene in a grid of cubes: which cubes contain vertices, and which are connected.
 class Grid {
 public:
     explicit Grid(const Bounds& whole) : whole_(whole), cells_(cell_count), parents_(cell_count)
@@ -70,7 +70,7 @@ public:
         }
     }
 
-    /// What hangs together, by triangles or as neighbours; parts whose boxes meet are one.
+    /// Connected parts, by triangles or as neighbours; parts whose boxes intersect count as one.
     [[nodiscard]] std::vector<Part> parts()
     {
         join_neighbours();
@@ -112,8 +112,8 @@ private:
             parents_[root(a)] = root(b);
     }
 
-    /// A long way from one of a mesh's thousands of vertices to one far off is a broken vertex, and no
-    /// surface.
+    /// Whether a side of a triangle is a spike: much longer than usual, in a mesh with thousands of vertices.
+    /// It comes from a broken vertex and is no surface.
     [[nodiscard]] bool is_spike(uint32_t a, uint32_t b) const
     {
         if (a == outside || b == outside)
@@ -162,7 +162,7 @@ private:
         }
     }
 
-    /// Adds a part, with all those whose boxes come within a cube's side of it.
+    /// Adds a part, and merges it with all parts whose boxes come within a cube's side of it.
     void merge_into(std::vector<Part>& parts, Part part) const
     {
         const auto meets = [&](const Part& other) {
@@ -182,7 +182,7 @@ private:
     double side_m_ = 0.0;
     std::vector<StrayCell> cells_;
     std::vector<uint32_t> parents_;
-    std::vector<uint32_t> cell_of_; ///< of the vertices of the primitive in hand
+    std::vector<uint32_t> cell_of_; ///< cell of each vertex of the current primitive
 };
 
 double length_of(const Bounds& bounds)
@@ -190,14 +190,14 @@ double length_of(const Bounds& bounds)
     return glm::length(bounds.max - bounds.min);
 }
 
-/// The part that outweighs all others together, if these are strays.
+/// Bounds of the part that outweighs all others together, if the others are strays.
 std::optional<Bounds> main_part(const std::vector<Part>& parts, const Bounds& whole)
 {
-    constexpr double home = 0.15; // bonus of the part nearest to the origin, from where strays have gone
-    constexpr double least_weight = 0.5;  // of all
-    constexpr double far_lengths = 20.0;  // of the subject, from end to end
-    constexpr double speck_lengths = 8.0; // the same of specks
-    constexpr double speck_share = 0.005; // of all vertices and of all area
+    constexpr double home = 0.15;         // bonus of the part nearest to the origin; strays lie far from it
+    constexpr double least_weight = 0.5;  // share of the whole weight
+    constexpr double far_lengths = 20.0;  // in lengths of the subject
+    constexpr double speck_lengths = 8.0; // far_lengths for specks
+    constexpr double speck_share = 0.005; // share of all vertices and of all area
     Part all;
     for (const Part& part : parts)
         all.add(part.bounds, part.vertices, part.area_m2);
@@ -220,7 +220,7 @@ std::optional<Bounds> main_part(const std::vector<Part>& parts, const Bounds& wh
 
 Bounds bounds_without_strays(const Scene& scene, const ScenePose& pose, const Bounds& whole)
 {
-    constexpr int most_rounds = 6; // some strays are much farther away than others
+    constexpr int most_rounds = 6; // some strays are much farther away than others, so the search is repeated
     Bounds bounds = whole;
     for (int round = 0; round < most_rounds && length_of(bounds) > 0.0; ++round) {
         if (!std::isfinite(length_of(bounds)))
@@ -240,7 +240,7 @@ namespace {
 
 constexpr int level_count = 64;
 
-/// The level that most of what faces upwards lies on.
+/// The height at which most upward-facing surface lies.
 double floor_level(const SurfaceCloud& cloud)
 {
     std::array<int, level_count> upward{};
@@ -256,13 +256,13 @@ double floor_level(const SurfaceCloud& cloud)
     return low + step * (static_cast<double>(most - upward.begin()) + 1.0);
 }
 
-/// Whether what lies at the floor's level is ground to stand on: a thin sheet that fills its rectangle. The
-/// brim of a hat, a saucer, arms along the ground or a plinth are parts of the thing itself.
+/// Whether the surface at the floor's level is ground to stand on: a thin sheet that fills its rectangle. The
+/// brim of a hat, a saucer, arms along the ground or a plinth are parts of the subject.
 bool is_sheet(const SurfaceCloud& cloud, double level)
 {
     constexpr int cells_across = 16;
-    constexpr double most_thickness = 0.02; // of its width
-    constexpr double most_of_it = 0.9;      // a disc fills 0.79
+    constexpr double most_thickness = 0.02; // share of its width
+    constexpr double most_of_it = 0.9;      // share of its rectangle; a disc fills 0.79
     Bounds floor;
     for (const SurfacePoint& point : cloud.points) {
         const glm::dvec3 position = glm::dvec3(point.position) + cloud.origin;
@@ -287,15 +287,15 @@ bool is_sheet(const SurfaceCloud& cloud, double level)
            most_of_it * cells_across * cells_across;
 }
 
-/// What stands on the floor at `level`, if the floor is the lowest thing and much wider; else all.
+/// Bounds of what stands on the floor at `level`, if the floor is the lowest object and much wider; else all.
 Bounds without_floor(const SurfaceCloud& cloud, Bounds standing, double level)
 {
     const Bounds& all = cloud.bounds;
     const glm::dvec3 whole = all.max - all.min;
     const glm::dvec3 part = standing.max - standing.min;
     const bool floor_is_lowest = level - all.min.y < 0.25 * whole.y;
-    // Each way: two and a half times the ground that is stood on; a thousand times where it is no plain
-    // sheet.
+    // Factor in each direction: about two and a half times the area stood on; a thousand times if the floor
+    // is not a plain sheet.
     const double much_wider = is_sheet(cloud, level) ? 1.6 : 30.0;
     if (!floor_is_lowest || whole.x < much_wider * part.x || whole.z < much_wider * part.z)
         return all;
@@ -337,7 +337,7 @@ Bounds subject_by_vertices(const Scene& scene, const ScenePose& pose, const Surf
     };
     const auto above = std::ranges::count_if(cloud.points, is_above);
     if (static_cast<size_t>(above) > cloud.points.size() / 16)
-        return found; // what stands there is in the cloud
+        return found; // what stands there is already in the cloud
     Bounds standing;
     visit_posed(scene, pose, [&](const PosedPrimitive& posed) {
         for (const glm::dvec3& position : posed.positions) {
@@ -365,7 +365,7 @@ namespace {
 
 constexpr size_t slice_count = 40;
 
-/// What lies at one height of a subject, in its height.
+/// Extent of a subject at one height, relative to its own height.
 struct Slice {
     double left = 0.0, right = 0.0, back = 0.0, front = 0.0;
     bool is_empty = true;
@@ -429,8 +429,8 @@ double deepest(const Slices& slices, size_t from, size_t to)
     return depth;
 }
 
-/// The height of the neck in the subject's: the narrowest place, with a head above it that is neither flat
-/// nor far aside.
+/// Relative height of the neck: the narrowest place below a head that is neither flat nor far off to the
+/// side.
 std::optional<double> neck(const Slices& slices)
 {
     constexpr size_t lowest = slice_count * 2 / 5;
@@ -451,7 +451,7 @@ std::optional<double> neck(const Slices& slices)
     return found ? std::optional((static_cast<double>(*found) + 0.5) / slice_count) : std::nullopt;
 }
 
-/// Whether skeletons move more than half of all vertices.
+/// Whether skins move more than half of all vertices.
 bool is_skinned(const Scene& scene)
 {
     size_t skinned = 0;
@@ -478,8 +478,8 @@ std::optional<double> eye_level(const Scene& scene, const SurfaceCloud& inside)
     const Slices slices = slices_of(inside);
     const std::optional<double> found =
         size.y > 1.25 * size.x && !is_round(slices) ? neck(slices) : std::nullopt;
-    constexpr double human_neck = 0.87; // of the height
-    // With arms held out a person is as wide as high.
+    constexpr double human_neck = 0.87; // share of the height
+    // With arms held out a person is as wide as tall.
     if (!found && !(is_skinned(scene) && size.y > 0.85 * size.x && size.y > 1.5 * size.z))
         return std::nullopt;
     return glm::mix(inside.bounds.min.y, inside.bounds.max.y, 0.5 * (1.0 + found.value_or(human_neck)));

@@ -10,7 +10,7 @@
 namespace estampe {
 namespace {
 
-/// Walks over the triangles and drops a point after every `step` of area.
+/// Walks over the triangles and places a point after every `step` of area.
 class Sower {
 public:
     explicit Sower(SurfaceCloud& cloud) : cloud_(cloud) {}
@@ -34,7 +34,7 @@ public:
         const auto detail = static_cast<float>(1.0 / std::sqrt(area_m2));
         const bool glows = std::max({material.emissive.x, material.emissive.y, material.emissive.z}) > 0.5F;
         for (; due_m2_ <= area_m2; due_m2_ += step_m2_) {
-            // Roberts' sequence, folded from the square into the triangle.
+            // Roberts' low-discrepancy sequence, folded from the square into the triangle.
             const auto n = static_cast<double>(cloud_.points.size() + 1);
             double u = std::fmod(0.7548776662466927 * n, 1.0);
             double v = std::fmod(0.5698402909980532 * n, 1.0);
@@ -54,7 +54,7 @@ public:
 
 private:
     SurfaceCloud& cloud_;
-    double due_ = 0.5; ///< steps until the next point, carried from primitive to primitive
+    double due_ = 0.5; ///< steps until the next point; carries over between primitives
     double step_m2_ = 1.0;
     double due_m2_ = 1.0;
 };
@@ -77,7 +77,7 @@ double area_of(const PosedPrimitive& posed)
 SurfaceCloud surface_cloud(const Scene& scene, const ScenePose& pose, uint32_t count)
 {
     SurfaceCloud cloud;
-    std::vector<double> areas_m2; // of the primitives, in the order of the visit
+    std::vector<double> areas_m2; // one per primitive, in the order of the visit
     double total_m2 = 0.0;
     double surfaces = 0.0;
     visit_posed(scene, pose, [&](const PosedPrimitive& posed) {
@@ -136,7 +136,7 @@ struct Cell {
     }
 };
 
-/// A parallel view of a frame, in single precision, for many points.
+/// A parallel view of a frame in single precision, for projecting many points.
 class ParallelView {
 public:
     ParallelView(const ViewAxes& axes, const glm::dvec3& centre, double radius_m)
@@ -163,11 +163,11 @@ private:
     float cells_per_m_;
 };
 
-/// Sums over the neighbours of cells.
+/// Sums over neighbouring cells.
 struct Lines {
-    double edges = 0.0; ///< between something and nothing
-    double steps = 0.0; ///< one thing before another
-    double bends = 0.0; ///< the surface turns
+    double edges = 0.0; ///< between a filled and an empty cell
+    double steps = 0.0; ///< discontinuities in depth
+    double bends = 0.0; ///< changes of the surface's direction
 
     void add(const SurfaceCloud& cloud, const SeenGrid& seen, size_t a, size_t b)
     {
@@ -185,8 +185,8 @@ struct Lines {
     }
 };
 
-/// Closes holes of one cell, where no point happened to fall on what is nearest: three of its four neighbours
-/// are clearly nearer.
+/// Closes holes of one cell that no sample of the nearest surface hit: three of the four neighbours are
+/// clearly nearer.
 void close_holes(SeenGrid& seen)
 {
     const SeenGrid open = seen;

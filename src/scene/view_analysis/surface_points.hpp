@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A scene as a cloud of points on its surfaces, and what a view of 64 x 64 cells shows of it: enough to judge
-// a view, a room or a shadow in a millisecond, however many triangles there are.
+// Samples a scene as a cloud of points on its surfaces, and renders the cloud into views of 64 x 64 cells.
+// That is enough to judge a view, a room or a shadow in a millisecond, whatever the number of triangles.
 
 #include <cmath>
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace estampe {
 
-/// The directions of a view. A point as the camera sees it from the origin: to the right, upwards, away.
+/// The axes of a camera at the origin. of() gives a point in camera space: right, up, forward.
 struct ViewAxes {
     glm::dvec3 right;
     glm::dvec3 up;
@@ -32,14 +32,15 @@ struct ViewAxes {
     }
 };
 
-/// Where a bearing and a height above the horizon lie: 0 is +z, a quarter turn +x.
+/// Unit vector towards a bearing and an elevation above the horizon: azimuth 0 is +z, a quarter turn is +x.
 inline glm::dvec3 bearing(double azimuth_rad, double elevation_rad)
 {
     return {std::sin(azimuth_rad) * std::cos(elevation_rad), std::sin(elevation_rad),
             std::cos(azimuth_rad) * std::cos(elevation_rad)};
 }
 
-/// The view of an eye that stands at a bearing and looks at the origin; not straight from above or below.
+/// The view of an eye that stands at a bearing and looks at the origin; not valid straight from above or
+/// below.
 inline ViewAxes look_from(double azimuth_rad, double elevation_rad)
 {
     const glm::dvec3 forward = -bearing(azimuth_rad, elevation_rad);
@@ -47,12 +48,12 @@ inline ViewAxes look_from(double azimuth_rad, double elevation_rad)
     return {right, glm::cross(right, forward), forward};
 }
 
-/// One of many points on a surface.
+/// A sample point on a surface.
 struct SurfacePoint {
     glm::vec3 position{0.0F}; ///< relative to the cloud's origin
-    glm::vec3 normal{0.0F};   ///< by the winding, towards the side that is seen
-    float detail = 0.0F;      ///< how finely the surface is meshed: 1 / length of a triangle's side
-    float area_m2 = 0.0F;     ///< that it stands for
+    glm::vec3 normal{0.0F};   ///< computed from the winding, towards the visible side
+    float detail = 0.0F;      ///< fineness of the mesh: 1 / length of a triangle's side
+    float area_m2 = 0.0F;     ///< area of the surface that the point represents
     bool two_sided = false;
     bool glows = false; ///< its material emits light
 };
@@ -63,9 +64,9 @@ struct SurfaceCloud {
     std::vector<SurfacePoint> points;
 };
 
-/// Puts about `count` points on the triangles of `scene`, the same ones every time: half of them evenly by
-/// area, half in equal parts to every primitive, so that a vast floor does not take them all. Cost: two
-/// visits of all vertices and triangles.
+/// Samples about `count` points on the triangles of `scene`, deterministically: half of them in proportion to
+/// area, half in equal numbers per primitive, so that a vast floor does not take them all. Cost: two visits
+/// of all vertices and triangles.
 [[nodiscard]] SurfaceCloud surface_cloud(const Scene& scene, const ScenePose& pose, uint32_t count = 32768);
 
 struct SeenGrid {
@@ -77,24 +78,24 @@ struct SeenGrid {
     float cell_m = 1.0F;
 };
 
-/// What a parallel view shows of the points within `frame` (world space). Single-sided surfaces are seen from
-/// their front alone, unless `all_sides`. Cost: linear in points.
+/// The points within `frame` (world space) that a parallel view shows. Single-sided surfaces are visible from
+/// their front only, unless `all_sides` is set. Cost: linear in points.
 [[nodiscard]] SeenGrid see_from_afar(const SurfaceCloud& cloud, const ViewAxes& axes, const Bounds& frame,
                                      bool all_sides = false);
 
-/// The points that a grid shows, one a cell.
+/// The points that a grid shows, one per cell.
 [[nodiscard]] std::vector<uint32_t> seen_points(const SeenGrid& seen);
 
-/// Marks the points that a parallel view of the whole cloud shows from their front. Cost: two visits of
-/// all points.
+/// Marks the points that a parallel view of the whole cloud shows from their front. Cost: two visits of all
+/// points.
 void mark_shown(const SurfaceCloud& cloud, const ViewAxes& axes, std::vector<bool>& shown);
 
-/// How much there is to draw in a view, about 0 to 1: edges against the paper, steps in depth and bends of
-/// the surface, finely meshed parts, and area.
+/// Amount of drawable detail in a view, about 0 to 1: silhouettes, depth discontinuities, bends of the
+/// surface, finely meshed parts, and area.
 [[nodiscard]] double interest(const SurfaceCloud& cloud, const SeenGrid& seen);
 
-/// Which of the `points` (into the cloud's) a parallel light from `towards_light` reaches and faces, as a
-/// share of them. Cost: linear in the cloud's points.
+/// Share of `points` (indices into the cloud's points) that face and receive a parallel light from
+/// `towards_light`. Cost: linear in the cloud's points.
 [[nodiscard]] double lit_share(const SurfaceCloud& cloud, std::span<const uint32_t> points,
                                const ViewAxes& from_eye, const glm::dvec3& towards_light);
 

@@ -19,8 +19,8 @@ namespace {
 constexpr double house_azimuth_rad = 0.61;   // 35 degrees from the front towards the right
 constexpr double house_elevation_rad = 0.31; // 18 degrees
 
-/// Three-quarter views, the house's own first; the others must show more to be taken, and those from behind,
-/// as glTF has it that models face +z, much more.
+/// Three-quarter views, the default first. The others must show more to be chosen; those from behind much
+/// more, because glTF models face +z.
 struct Candidate {
     double azimuth_rad;
     double handicap;
@@ -31,9 +31,9 @@ constexpr std::array<Candidate, 4> candidates{{{house_azimuth_rad, 1.0},
                                                {std::numbers::pi - house_azimuth_rad, 0.8},
                                                {std::numbers::pi + house_azimuth_rad, 0.8}}};
 
-/// How far the upper third of a scene lies before the whole, towards +z, in its radius: a beast's head is
-/// high and in front. Zero when that third lies aslant, as no beast's does, or is as thin as the back of a
-/// chair.
+/// How far the upper third of a scene lies in front of the whole, towards +z, relative to its radius: an
+/// animal's head is high and in front. Zero if that third is off to the side, unlike an animal's head, or as
+/// thin as the back of a chair.
 double head_lead(const SurfaceCloud& cloud, const Bounds& subject)
 {
     const double neck = glm::mix(subject.min.y, subject.max.y, 2.0 / 3.0) - cloud.origin.y;
@@ -83,8 +83,8 @@ double best_azimuth(const SurfaceCloud& cloud, const Bounds& subject)
     return azimuth_rad;
 }
 
-/// Takes the house's sun where it is if that leaves a fair part in light and a fair part in shade, else moves
-/// it towards the eye, else to the other side.
+/// Keeps the default sun if it leaves a fair part in light and a fair part in shade; else moves it towards
+/// the eye, or to the other side.
 void set_sun(ViewAnalysis& analysis, const SurfaceCloud& cloud)
 {
     struct Place {
@@ -111,7 +111,7 @@ void set_sun(ViewAnalysis& analysis, const SurfaceCloud& cloud)
     }
 }
 
-/// Bearing of an upright side of a box, as Walls counts them.
+/// Bearing of an upright side of a box, numbered as in Walls.
 double side_azimuth(size_t side)
 {
     constexpr std::array<double, 6> azimuths{
@@ -131,7 +131,7 @@ SunPlace sun_over_ground(const SunPlace& asked, double wind_deg)
 {
     constexpr double low_deg = 16.0;
     constexpr double aside_deg = 35.0;
-    const double upwind_deg = -90.0 - wind_deg; // as bearings are counted
+    const double upwind_deg = -90.0 - wind_deg; // as bearings are measured
     return {.azimuth_deg = asked.azimuth_deg == static_cast<double>(house_sun_azimuth_deg)
                                ? upwind_deg + aside_deg
                                : asked.azimuth_deg,

@@ -27,7 +27,7 @@ glm::mat4 at(float x, float y, float z)
     return glm::translate(glm::mat4(1.0F), {x, y, z});
 }
 
-/// A body on four legs with a head high at its front, +z, which has eyes and a muzzle.
+/// An animal with four legs and a high head at its front, +z, with eyes and a muzzle.
 Primitive beast()
 {
     Primitive body;
@@ -54,7 +54,7 @@ Primitive chair()
     return whole;
 }
 
-/// A slab, blank on its +z face; shelves, rods and knobs on the other.
+/// A slab that is blank on its +z face, and has shelves, rods and knobs on the other.
 Primitive cabinet()
 {
     Primitive whole;
@@ -80,7 +80,7 @@ bool from_front(const Scene& scene)
     return std::cos(analyze_view(scene).azimuth_rad) > 0.0;
 }
 
-/// A room of walls that have a thickness: six slabs round 6 x 3 x 5 metres, with a table in it.
+/// A room with thick walls: six slabs around 6 x 3 x 5 metres, with a table inside.
 Scene thick_room()
 {
     Primitive slabs;
@@ -265,7 +265,7 @@ TEST(Shelter, ASolidThingIsNoRoomAndAnEyeOutsideNeedsNoLamp)
     EXPECT_TRUE(shelter_around(cloud, {1.0, 1.5, -1.0}));
 }
 
-/// A box of a floor, a ceiling and four walls, each a slab of a twentieth of its length.
+/// A hollow box of six slabs, each a twentieth of its length thick.
 Primitive hollow_box(const glm::vec3& size)
 {
     Primitive slabs;
@@ -282,7 +282,7 @@ Primitive hollow_box(const glm::vec3& size)
     return slabs;
 }
 
-/// The faces of a box, and the same again the other way round.
+/// The faces of a box, and copies of them with reversed winding.
 Primitive doubled_box(float side)
 {
     Primitive box = shapes::box(glm::vec3(side));

@@ -71,12 +71,12 @@ void add_width_keys(ContourTable& table)
             "lines. Only used when contour.lines is page, and for shapes cut out by a texture's alpha.");
 }
 
-/// One of each for every kind of line that has keys of its own.
+/// Calls `add` for every kind of line that has its own keys.
 template <typename Add>
 void for_each_line_name(const Add& add)
 {
     for (uint32_t kind = 0; kind < shared::line_kind_count; ++kind) {
-        if (kind != shared::line_border) { // which has those of outlines
+        if (kind != shared::line_border) { // borders use the keys of outlines
             add(line_kind_keys.at(kind));
         }
     }
@@ -204,9 +204,9 @@ const style::Table<ContourStyle>& contour_table()
 
 namespace {
 
-constexpr float most_swelling = 2.2F; // pressure, shade and nearness together widen a line by no more
+constexpr float most_swelling = 2.2F; // most that pressure, shade and nearness widen a line
 
-constexpr uint32_t listing_groups = 128; // workgroups that share a list of unknown length
+constexpr uint32_t listing_groups = 128; // workgroups that share a list whose length is unknown
 
 struct Seeds {
     gpu::ImageId seed;
@@ -266,14 +266,14 @@ gpu::ImageId add_flood(gpu::Graph& graph, gpu::ImageId nearest, glm::uvec2 size_
     return flooded;
 }
 
-/// Half of the widest line, and a pixel.
+/// Half of the widest line's width, plus a pixel.
 float half_widest_px(const ContourStyle& style, float pixels_per_mm)
 {
     const float widest_mm = std::max({style.outline_mm, style.boundary_mm, style.crease_mm});
     return 0.5F * widest_mm * pixels_per_mm * most_swelling + 1.0F;
 }
 
-/// Of the flood. Steps s, s/2, ..., 1 carry a seed 2s - 1 pixels far.
+/// First step of the jump flooding. Steps s, s/2, ..., 1 carry a seed 2s - 1 pixels far.
 uint32_t first_step_px(float reach)
 {
     return std::bit_ceil((static_cast<uint32_t>(std::ceil(reach)) + 2) / 2);

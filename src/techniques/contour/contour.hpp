@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Lines drawn in screen space, and what a style says of lines of either sort.
+// Lines drawn in screen space, and the style of all lines.
 
 #include <array>
 #include <optional>
@@ -33,7 +33,7 @@ struct ContourStyle {
     Lines lines = Lines::chains;
     Silhouettes silhouettes = Silhouettes::smooth;
     glm::vec3 ink = style::srgb(0x141318);
-    float outline_mm = 0.58F; ///< on the page; see line_kind_keys for what a kind of line has
+    float outline_mm = 0.58F; ///< width on the page; line_kind_keys lists the settings of each kind of line
     float boundary_mm = 0.24F;
     float crease_mm = 0.2F;
     float crease_deg = 60.0F;
@@ -50,7 +50,7 @@ struct ContourStyle {
     float shadow_mm = 0.0F;
     float depth_step = 1.0F;
     std::string brush = "pen";
-    std::string outline_brush; ///< empty for `brush`, as those below
+    std::string outline_brush; ///< empty uses `brush`; so do those below
     std::string boundary_brush;
     std::string crease_brush;
     std::string marked_brush;
@@ -62,7 +62,7 @@ struct ContourStyle {
     std::string shadow_brush;
     BrushFit brush_fit = BrushFit::repeat;
     float brush_mm = 0.0F;
-    float outline_m = 0.0F; ///< in the scene, in place of that on the page where it is not 0
+    float outline_m = 0.0F; ///< width in the scene; unless 0, replaces the width on the page
     float boundary_m = 0.0F;
     float crease_m = 0.0F;
     float marked_m = 0.0F;
@@ -91,16 +91,16 @@ struct ContourStyle {
     int seed = 1;
 };
 
-/// What each kind of line has of its own.
+/// Settings that each kind of line has.
 struct LineKindKeys {
-    const char* name;  ///< that its keys begin with
-    const char* place; ///< in words, for help: "lines around objects"
+    const char* name;  ///< prefix of the style keys
+    const char* place; ///< where such lines run, for help: "lines around objects"
     float ContourStyle::*width_mm;
     float ContourStyle::*width_m;
     std::string ContourStyle::*brush;
 };
 
-/// By shared::line_silhouette and so on.
+/// Indexed by kind of line: shared::line_silhouette and so on.
 inline constexpr std::array<LineKindKeys, shared::line_kind_count> line_kind_keys{{
     {"outline", "around objects", &ContourStyle::outline_mm, &ContourStyle::outline_m,
      &ContourStyle::outline_brush},
@@ -125,15 +125,15 @@ inline constexpr std::array<LineKindKeys, shared::line_kind_count> line_kind_key
      &ContourStyle::shadow_brush},
 }};
 
-/// Whether a style has lines of a kind: they have a width, on the page or in the scene.
+/// Whether a style draws a kind of line, because it has a width on the page or in the scene.
 [[nodiscard]] inline bool has_lines(const ContourStyle& style, uint32_t kind)
 {
     const LineKindKeys& keys = line_kind_keys.at(kind);
     return style.*keys.width_mm > 0.0F || style.*keys.width_m > 0.0F;
 }
 
-/// Width of a kind of line on the page, for what widths of the scene do not go into: hidden lines, and how
-/// long a brush is. That of a usual line if the style has only one in the scene; 0 if it has none.
+/// Width of a kind of line on the page. Hidden lines and the length of a brush need it, because they ignore
+/// widths in the scene. If the style has only a width in the scene, a usual width; 0 if it has none.
 [[nodiscard]] inline float width_on_page_mm(const ContourStyle& style, uint32_t kind)
 {
     constexpr float usual_mm = 0.3F;
@@ -141,7 +141,7 @@ inline constexpr std::array<LineKindKeys, shared::line_kind_count> line_kind_key
     return width_mm > 0.0F || !has_lines(style, kind) ? width_mm : usual_mm;
 }
 
-/// Brushes that are known by name; any other is the path of a picture.
+/// Names of the built-in brushes; any other name is the path of a picture.
 inline const std::vector<std::string>& brush_names()
 {
     static const std::vector<std::string> names{"pen", "pencil", "charcoal", "brush"};
@@ -152,11 +152,11 @@ inline const std::vector<std::string>& brush_names()
 
 struct BrushImages;
 
-/// The mesh whose crests have lines: a ground that the wind has shaped.
+/// The mesh whose crests have lines: a wind-shaped terrain.
 struct CrestMesh {
     uint32_t first_vertex = 0;
-    uint32_t vertex_count = 0;   ///< of all meshes; it is the last
-    glm::vec2 along{1.0F, 0.0F}; ///< where the wind blows to, over x and z; unit
+    uint32_t vertex_count = 0;   ///< of all meshes; this mesh is the last
+    glm::vec2 along{1.0F, 0.0F}; ///< direction that the wind blows to, along x and z; unit
 };
 
 struct ContourInputs {
@@ -166,36 +166,38 @@ struct ContourInputs {
     gpu::BufferId posed_vertices;
     gpu::BufferId draws;
     gpu::BufferId materials;
-    std::optional<CrestMesh> crests; ///< where lines of chains are wanted along them
-    bool own_outlines = false;       ///< some material brings an outline of its own
+    std::optional<CrestMesh> crests; ///< set if chains run along crests
+    bool own_outlines = false;       ///< some material has its own outline
     gpu::ImageId draw;
     gpu::ImageId depth;
     gpu::ImageId normal;
     gpu::ImageId coordinate;
     gpu::ImageId light;
-    std::optional<gpu::ImageId> sun; ///< as light::LitPixels; only where edges of shadows are wanted
-    gpu::ImageId screen_draw;        ///< of what is looked through; one texel for none
+    std::optional<gpu::ImageId> sun; ///< as light::LitPixels; only if edges of shadows are drawn
+    gpu::ImageId screen_draw;        ///< of see-through surfaces; one texel if there are none
     bool has_screen = false;
-    bool only_cut = false; ///< only what a texture's alpha cuts has lines
+    bool only_cut = false; ///< lines only where the alpha of a texture cuts the surface
     gpu::ExecutionProfile execution;
-    bool is_moving = false;         ///< it, or the camera, since the frame before
-    BrushImages* brushes = nullptr; ///< of chains; none for the pen alone
+    bool is_moving = false;         ///< the scene or the camera has moved since the previous frame
+    BrushImages* brushes = nullptr; ///< brushes for chains; null if only the pen is used
     float pixels_per_mm = 1.0F;
-    float line_step_px = 3.0F;     ///< between samples of chains, about
-    float pixel_m_at_one = 0.001F; ///< what a pixel spans at a distance of one; in parallel projection at any
+    float line_step_px = 3.0F;     ///< approximate spacing of samples on chains
+    float pixel_m_at_one = 0.001F; ///< size of a pixel at a distance of one; parallel: at any distance
     glm::uvec2 size_px{0};
-    std::optional<gpu::BufferId> look_of_draw; ///< where surfaces differ: r32ui texels
-    std::optional<gpu::BufferId> line_looks;   ///< then, LineLook of each look; chains alone heed them
-    /// Visibility of what hides lines of chains, where that is not all that is solid: clear glass does not.
+    std::optional<gpu::BufferId> look_of_draw; ///< set if surfaces have style variants: r32ui texels
+    std::optional<gpu::BufferId> line_looks;   ///< set with it: LineLook of each variant; only for chains
+    /// Visibility of the surfaces that hide chains, if it differs from all solid surfaces: clear glass hides
+    /// none.
     std::optional<gpu::BufferId> line_hiders;
 };
 
-/// How far off the seeds lie that the lines at a pixel hang on, where lines are found between pixels.
+/// Largest distance in pixels from a pixel to the seeds of the lines that cover it, for lines in screen
+/// space.
 [[nodiscard]] uint32_t reach_px(const ContourStyle& style, float pixels_per_mm);
 
-/// Draws lines in screen space: breaks of identity, depth and normal become seeds, placed where the front
-/// triangle ends; jump flooding gives every pixel its nearest seed, and with it an antialiased line of any
-/// width.
+/// Draws lines in screen space: discontinuities of identity, depth and normal become seeds, placed where the
+/// front triangle ends. Jump flooding gives every pixel its nearest seed, and from it an antialiased line of
+/// any width.
 ///
 /// Writes  rgba8: square root of the ink's linear colour; coverage in alpha, 0 paper to 1 ink
 /// Cost    two full-screen dispatches, and one for each doubling of the width

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines: where they must be, how wide they are, and where there must be none.
+// Lines: where they must be, their width, and where there must be none.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr uint32_t side_px = 180;
 
-/// Even lines of the same width everywhere, found on the page.
+/// Lines of constant, equal width, found on the page.
 ContourStyle even_lines(float width_px)
 {
     ContourStyle style;
@@ -34,7 +34,7 @@ public:
     {
     }
 
-    /// Bilinear, at a place of the page in pixels.
+    /// Bilinear interpolation at a position of the page in pixels.
     [[nodiscard]] double at(glm::dvec2 position_px) const
     {
         const glm::dvec2 p = glm::clamp(position_px - 0.5, glm::dvec2(0.0), glm::dvec2(size_) - 1.001);
@@ -53,7 +53,7 @@ public:
         return sum;
     }
 
-    /// Sum over the pixels that have no empty pixel, and no border of the page, within `margin_px`.
+    /// Sum over the pixels that have no empty pixel and no border of the page within `margin_px`.
     [[nodiscard]] double inside(int margin_px) const
     {
         double sum = 0.0;
@@ -185,7 +185,7 @@ TEST(Contour, AnOutlineInMetresKeepsItsWidthInParallelProjection)
 
 TEST(Contour, InParallelProjectionAStepIsAsDeepInAnyScene)
 {
-    // Two sheets of one object, one before the other, and far away a third that makes the scene larger.
+    // Two sheets of one object, one behind the other, and a third far away that enlarges the scene.
     constexpr double half_height_m = 1.5;
     constexpr auto break_m = static_cast<float>(12.0 * 2.0 * half_height_m / side_px); // at a depth_step of 1
     const auto inside = [&](float gap_m, float aside_m) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread looks from its pixel to the right and down, and lists the pixel where the surface breaks.
+// One thread compares its pixel with those to the right and below, and lists the pixel if the surface breaks
+// there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -72,16 +73,16 @@ Seen seen_at(ivec2 pixel)
     return Seen(texelFetch(draw_image, on_page(pixel), 0).x, depth_at(pixel), normal_at(pixel));
 }
 
-// The least step in reversed depth that is a break. In perspective depth falls by its own share where the
-// distance grows by that share; in parallel projection it falls as much over every metre.
+// The smallest step in reversed depth that counts as a break. In perspective, depth falls by the same share
+// by which the distance grows; in parallel projection, it falls equally over every metre.
 float least_step(float depth)
 {
     vec3 fall = vec3(frame.clip_from_anchor[0].z, frame.clip_from_anchor[1].z, frame.clip_from_anchor[2].z);
     return constants.depth_step * (frame.is_orthographic != 0u ? size_of(fall) : depth);
 }
 
-// Whole width in pixels of the line between two neighbours that both show something; 0 for none. Reversed
-// depth is linear over the page on a plane, so a break is a step that neither side's own slope foretells.
+// Full width in pixels of the line between two neighbours that both show something; 0 for none. On a plane,
+// reversed depth is linear in page coordinates, so a break is a step that neither side's slope predicts.
 float line_within_scene(Seen a, Seen b, ivec2 before, ivec2 after)
 {
     bool same_draw = ((a.word ^ b.word) & DRAW_NUMBER_MASK) == 0u;
@@ -90,7 +91,7 @@ float line_within_scene(Seen a, Seen b, ivec2 before, ivec2 after)
     float step = b.depth - a.depth;
     float surprise = min(abs(step - (a.depth - depth_at(before))), abs(step - (depth_at(after) - b.depth)));
     float bend = dot(a.normal, b.normal);
-    // A fold is sharp when the surface bends here more than on both sides together.
+    // A fold is sharp if the surface bends more here than on both sides together.
     float around = 2.0 - dot(normal_at(before), a.normal) - dot(b.normal, normal_at(after));
     bool is_crease = bend < constants.crease_cosine && around < 0.5 * (1.0 - bend);
     if (!same_draw && draw_a.object != draw_b.object) {

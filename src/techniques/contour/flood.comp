@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One round of jump flooding: each pixel takes over the nearest seed known a step away in eight directions.
+// A round of jump flooding: each pixel takes the nearest seed known at one step's distance in eight
+// directions.
 // Rong and Tan, "Jump Flooding in GPU with Applications to Voronoi Diagram and Distance Transform", I3D 2006.
 #version 460
 #extension GL_GOOGLE_include_directive : require

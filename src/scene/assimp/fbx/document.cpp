@@ -42,7 +42,7 @@ std::string text_at(const Element& element, size_t index)
     return text == nullptr ? std::string() : *text;
 }
 
-/// Of "Model::Box" and, in binary files, "Box\0\1Model".
+/// The name in "Model::Box", or in "Box\0\1Model" in binary files.
 std::string object_name(const std::string& text)
 {
     if (const size_t split = text.find(std::string_view("\0\1", 2)); split != std::string::npos)
@@ -82,7 +82,7 @@ Properties with_template(const Element& object, const Templates& templates, std:
             .defaults = found == templates.end() ? nullptr : found->second};
 }
 
-/// Seconds of a time in FBX's own unit.
+/// Converts a time from FBX's own unit to seconds.
 double seconds_of(double fbx_time)
 {
     constexpr double units_per_s = 46186158000.0;
@@ -229,7 +229,7 @@ namespace {
 
 constexpr int order_xyz = 0;
 
-/// `order` counts as FBX does: XYZ turns about x first.
+/// Rotation from Euler angles; `order` is FBX's number, where XYZ rotates about x first.
 glm::dquat turn(const glm::dvec3& degrees, int order)
 {
     constexpr std::array<std::array<int, 3>, 6> orders{
@@ -248,7 +248,7 @@ glm::dmat4 moved(const glm::dvec3& by)
     return glm::translate(glm::dmat4(1.0), by);
 }
 
-/// An axis of the file: 0 to 2 with a sign.
+/// Reads an axis of the file: 0 to 2, with a sign.
 glm::dvec3 axis_of(const Properties& settings, const std::string& name, double fallback)
 {
     const double axis = settings.number(name).value_or(fallback);
@@ -258,7 +258,7 @@ glm::dvec3 axis_of(const Properties& settings, const std::string& name, double f
     return direction;
 }
 
-/// Rows are the file's axes to the right, up and to the front.
+/// Matrix whose rows are the file's right, up and front axes.
 glm::dmat3 axes_of(const Properties& settings)
 {
     const glm::dmat3 axes(axis_of(settings, "CoordAxis", 0.0), axis_of(settings, "UpAxis", 1.0),
@@ -328,7 +328,7 @@ namespace {
 
 constexpr double inch_mm = 25.4;
 
-// Values of the enumerations in FBX files.
+// Values of enumerations in FBX files.
 enum class ApertureMode { both, horizontal, vertical, focal_length };
 enum class GateFit { none, vertical, horizontal, fill, overscan, stretch };
 enum class AspectMode { window, fixed_ratio, fixed_resolution, fixed_width, fixed_height };
@@ -347,7 +347,7 @@ double positive(const Properties& camera, const char* name, double fallback)
     return value > 0.0 ? value : fallback;
 }
 
-/// Width by height of the picture. 320 by 200 is what FBX takes where a file says nothing.
+/// Aspect ratio of the picture (width / height). FBX uses 320 by 200 if the file does not say.
 double picture_aspect(const Properties& camera)
 {
     const double width = positive(camera, "AspectWidth", positive(camera, "AspectW", 320.0));
@@ -363,7 +363,7 @@ double picture_aspect(const Properties& camera)
     }
 }
 
-/// How the film's gate is fitted to the picture where the two have different proportions.
+/// How the film gate is fitted to a picture of another aspect ratio.
 GateFit fit_of(const Properties& camera, double aspect, double film_aspect)
 {
     const GateFit fit = enum_of(camera, "GateFit", GateFit::none, GateFit::stretch);
@@ -379,10 +379,10 @@ double vertical_of(double horizontal_deg, double aspect)
     return 2.0 * std::atan(std::tan(0.5 * glm::radians(horizontal_deg)) / aspect);
 }
 
-/// Radians from top to bottom, or nothing sensible where the file says nothing sensible.
+/// Vertical field of view in radians; not plausible if the file's values are not.
 double vertical_fov(const Properties& camera, double aspect)
 {
-    // 0.816 by 0.612 inches is the film of 35 mm television, FBX's default.
+    // 0.816 by 0.612 inches, the film size of 35 mm television, is FBX's default.
     const double film_width = positive(camera, "FilmWidth", 0.816);
     const double film_height =
         positive(camera, "FilmHeight", 0.612) * positive(camera, "FilmSqueezeRatio", 1.0);
@@ -411,7 +411,7 @@ double vertical_fov(const Properties& camera, double aspect)
     return 2.0 * std::atan2(0.5 * height_mm, focal_mm);
 }
 
-/// A zoom of 1 spans 30 units of the file; Blender writes metres.
+/// An orthographic zoom of 1 spans 30 units of the file; Blender writes metres.
 double orthographic_half_height_m(const Properties& camera, const Document& document, double aspect)
 {
     constexpr double units_at_zoom_1 = 30.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// FBX files for tests, written as text.
+// Builds FBX files for tests, as text.
 
 #include <string>
 
@@ -9,7 +9,7 @@
 
 namespace estampe::fbx::test {
 
-/// The parts of a file; each is a list of lines.
+/// The sections of an FBX file; each is a list of lines.
 struct File {
     std::string creator = "FBX SDK/FBX Plugins version 2020.1";
     std::string settings;
@@ -53,7 +53,8 @@ struct File {
         link(id, model);
     }
 
-    /// A tetrahedron with edges of 1, 2 and 3 along x, y and z, from the origin, plus `offset`.
+    /// Adds a tetrahedron with edges of 1, 2 and 3 along x, y and z; its corner lies at (offset, offset,
+    /// offset).
     void add_tetrahedron(int id, int model, double offset = 0.0)
     {
         const double o = offset;
@@ -65,7 +66,7 @@ struct File {
         link(id, model);
     }
 
-    /// Animates one axis of a vector of a model between two keys.
+    /// Animates one axis of a model's vector property between two keys.
     void animate(int first_id, int model, const std::string& property, const std::string& axis,
                  double start_s, double stop_s, double from, double to)
     {
@@ -91,7 +92,7 @@ struct File {
     }
 };
 
-/// A property of one number.
+/// A property that holds one number.
 [[nodiscard]] inline std::string number(const std::string& name, double value)
 {
     return fmt::format("P: \"{}\", \"double\", \"Number\", \"\",{}\n", name, value);
@@ -107,7 +108,8 @@ struct File {
     return fmt::format("P: \"{}\", \"Vector3D\", \"Vector\", \"\",{},{},{}\n", name, x, y, z);
 }
 
-/// Settings of axes: up, front and right, each 1 to 3 for x to z, negative for the other way.
+/// Settings for the up, front and right axes: 1 to 3 stand for x to z, negative numbers for the opposite
+/// direction.
 [[nodiscard]] inline std::string axes(int up, int front, int right)
 {
     const auto axis = [](const char* name, int value) {

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::string_view binary_magic("Kaydara FBX Binary  \0\x1a\0", 23);
 constexpr size_t binary_head_bytes = 27;
-constexpr uint32_t version_of_wide_offsets = 7500; ///< from here on offsets have 64 bits
+constexpr uint32_t version_of_wide_offsets = 7500; ///< offsets have 64 bits from this version on
 constexpr int deepest = 24;
 
 [[noreturn]] void damaged(size_t at, const char* what)
@@ -28,7 +28,7 @@ constexpr int deepest = 24;
     throw Error(fmt::format("is damaged at byte {}: {}", at, what));
 }
 
-/// Which elements are of use, by their depth and the element that they are in.
+/// Whether an element is used, by its depth and its parent.
 bool is_kept(int depth, std::string_view parent, std::string_view name)
 {
     constexpr std::array<std::string_view, 5> sections{"FBXHeaderExtension", "GlobalSettings", "Definitions",
@@ -96,7 +96,7 @@ private:
         return head;
     }
 
-    /// Elements from `at` on until an empty one closes the list; second: where the list ends.
+    /// Reads elements from `at` on until an empty one closes the list; also returns where the list ends.
     std::pair<std::vector<Element>, size_t> elements(size_t at, size_t end, int depth,
                                                      const std::string& parent) const
     {
@@ -313,7 +313,7 @@ private:
         const size_t first = at_;
         at_ = std::min(text_.find_first_of(" \t\r\n,;{}\"", at_), text_.size());
         const std::string_view found = text_.substr(first, at_ - first);
-        if (keep && !found.starts_with('*')) // which announces the length of an array
+        if (keep && !found.starts_with('*')) // a star announces the length of an array
             element.values.push_back(value_of_word(found));
     }
 
@@ -335,7 +335,7 @@ uint32_t file_version(std::span<const char> head)
         if (std::from_chars(text.data() + digits, text.data() + text.size(), version).ec == std::errc{})
             return version;
     }
-    // "; FBX 6.1.0 project file"
+    // A text file may begin with: "; FBX 6.1.0 project file".
     constexpr std::string_view comment = "; FBX ";
     if (const size_t found = text.find(comment);
         found != std::string_view::npos && text.size() >= found + 9) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The tree of named elements that an FBX file is, binary or text. Assimp reads meshes, materials and
-// animations from it, but drops what cameras, pivots and axes need; this reader collects that.
+// The tree of named elements in a binary or text FBX file. Assimp reads meshes, materials and animations from
+// it, but drops what cameras, pivots and axes need; this reader collects that.
 
 #include <cstddef>
 #include <cstdint>
@@ -19,24 +19,24 @@ using Value = std::variant<int64_t, double, std::string>;
 struct Element {
     std::string name;
     std::vector<Value> values;     ///< numbers and texts; arrays are left out
-    size_t first_text_at = 0;      ///< byte of the file at which the first text among `values` begins
+    size_t first_text_at = 0;      ///< byte offset in the file of the first text among `values`
     std::vector<Element> children; ///< in the file's order
 };
 
 struct Tree {
-    uint32_t version = 0; ///< 7400 is FBX 7.4; 0: the file does not say
+    uint32_t version = 0; ///< 7400 is FBX 7.4; 0 means that the file does not say
     std::vector<Element> elements;
 };
 
-/// Version of the FBX file that begins with `head` (its first kilobytes suffice); 0 if it does not say.
+/// Version of the FBX file that begins with `head` (its first kilobytes suffice); 0 if the file does not say.
 [[nodiscard]] uint32_t file_version(std::span<const char> head);
 
-/// Reads the settings, and the objects of kind Model, NodeAttribute and AnimationStack with how they are
-/// connected; everything else is skipped. Throws Error without a place when the file is damaged. Memory stays
-/// within a multiple of the file's size, and the depth of nesting is limited.
+/// Reads the settings, the objects of kind Model, NodeAttribute and AnimationStack, and their connections;
+/// skips everything else. Throws Error without a place when the file is damaged. Memory stays within a
+/// multiple of the file's size, and the depth of nesting is limited.
 [[nodiscard]] Tree read_tree(std::span<const char> file);
 
-/// Throws Error naming the file when it says that it is of a version before 7.1, which has another structure.
+/// Throws Error naming the file if its version is below 7.1, because such files have another structure.
 void check_version(const std::filesystem::path& path);
 
 } // namespace estampe::fbx

@@ -25,7 +25,7 @@ std::string text_value(const std::string& text)
     return "S" + bytes_of(static_cast<uint32_t>(text.size())) + text;
 }
 
-/// Builds a binary file of either width of offsets.
+/// Builds a binary FBX file with offsets of 32 or 64 bits.
 class Binary {
 public:
     explicit Binary(uint32_t version) : wide_(version >= 7500)

@@ -22,7 +22,7 @@
 namespace estampe::contour {
 namespace {
 
-/// Every edge between two triangles that no feature has taken.
+/// Every edge between two triangles that has no feature line.
 std::vector<glm::uvec2> all_loose_edges(const EdgeMesh& mesh, const FeatureChains& features)
 {
     std::vector<uint32_t> lined;
@@ -146,8 +146,8 @@ uint32_t grid_cell_count(glm::uvec2 size_px)
 
 uint32_t sample_capacity(glm::uvec2 size_px)
 {
-    // Lines that are hidden take room as well: with a temple before the eye 0.8 samples a pixel of 400 x 300,
-    // and half as many a pixel where the page is twice as wide.
+    // Hidden lines take room too: in front of a temple there are 0.8 samples per pixel on a page of 400 x
+    // 300, and half as many per pixel on a page twice as wide.
     constexpr uint32_t crowded_scene = 262144;
     const uint32_t pixels = size_px.x * size_px.y;
     return std::max(pixels / 4, std::min(2 * pixels, crowded_scene));
@@ -155,7 +155,7 @@ uint32_t sample_capacity(glm::uvec2 size_px)
 
 namespace {
 
-/// An outline of n triangles crosses about 0.7 n^0.8 of them (McGuire 2004); six times as many have room.
+/// An outline of n triangles crosses about 0.7 n^0.8 of them (McGuire 2004); this reserves six times as many.
 uint32_t segment_capacity(const LineMesh& mesh, uint32_t suggestive, bool along_edges, uint32_t cells)
 {
     const auto items = static_cast<double>((along_edges ? 0 : mesh.triangle_count) + mesh.loose_edge_count +
@@ -166,21 +166,21 @@ uint32_t segment_capacity(const LineMesh& mesh, uint32_t suggestive, bool along_
 
 struct Marks {
     gpu::BufferId facing;
-    gpu::BufferId edge_parts; ///< of no use where there are no loose edges
+    gpu::BufferId edge_parts; ///< unused without loose edges
     gpu::BufferId words;
     gpu::BufferId before;
     gpu::BufferId sizes;
     InlineVector<PageLines, 2> page_lines;
 };
 
-/// Words of marks before those of the page.
+/// Number of words of marks before those of the page.
 uint32_t mesh_words(const shared::ChainConstants& constants)
 {
     return (constants.triangle_count + 31) / 32 + (constants.loose_edge_count + 31) / 32 +
            (constants.suggestive_count + 31) / 32;
 }
 
-/// What says where suggestive contours and crests run, if there are to be any.
+/// Computes where suggestive contours and crests run; nothing if neither is drawn.
 std::optional<gpu::BufferId> add_bends(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh)
 {
     std::optional<gpu::BufferId> bends;
@@ -206,8 +206,8 @@ std::optional<gpu::BufferId> add_bends(gpu::Graph& graph, const ChainInputs& in,
     return bends;
 }
 
-/// Groups of 64 threads for `count` items, a word of 32 a subgroup: a processor has eight subgroups a group,
-/// and takes as long for one that finds no word left as for others.
+/// Number of workgroups of 64 threads for `count` items, one word of 32 items per subgroup. A CPU has eight
+/// subgroups per group, and an empty group takes as long as others there.
 uint32_t mark_groups(uint32_t count, const gpu::ExecutionProfile& execution)
 {
     const uint32_t items = execution.items_per_group();

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_CHAINS_GLSL_H
 #define ESTAMPE_CHAINS_GLSL_H
-// Lines strung along the surface: kinds of line, neighbours of triangles, variants of the shaders, and all
-// lists. An item is what may hold a piece of a line that is found from view to view: of the outline a
-// triangle, or after all triangles a loose edge; after those, of a suggestive contour, a triangle again;
-// then, of lines that are found on the page, a cell of that. A slot is a chain: first those of features, then
+// Lines linked into chains along surfaces: kinds of lines, neighbours of triangles, shader variants, and all
+// lists. An item is a unit that may contain a piece of a line found in each view: first all triangles and
+// then all loose edges, for the outline; then all triangles again, for suggestive contours; then cells of the
+// page, for lines found on the page. A slot holds a chain: first those of features, then one per segment
+// found; only the slot of the segment that represents its chain is not empty.
 // one for each segment found, of which only the one that stands for its whole chain is not empty.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
@@ -13,7 +14,7 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-// What lines stand for. Four bits hold a kind.
+// Kinds of lines; a kind fits in four bits.
 
 SHARED_CONSTANT uint line_silhouette = 0U;
 SHARED_CONSTANT uint line_border = 1U;
@@ -27,58 +28,58 @@ SHARED_CONSTANT uint line_crest = 8U;
 SHARED_CONSTANT uint line_intersection = 9U;
 SHARED_CONSTANT uint line_shadow = 10U;
 SHARED_CONSTANT uint line_kind_count = 11U;
-SHARED_CONSTANT uint line_first_of_page = line_intersection; // this and those after it are found on the page
+SHARED_CONSTANT uint line_first_of_page = line_intersection; // first of the kinds found on the page
 
-// What an edge mesh says of a triangle: the three sides that face its own, or no_side; then flags.
+// Neighbours of a triangle in an edge mesh: the three adjacent sides, or no_side; then flags.
 
 SHARED_CONSTANT uint no_side = 0xffffffffU;
 
-// The triangle runs against the sense of its shell, which is that of most normals; which of its sides are
-// smooth, where shading goes on; the normals of the smooth piece it is of point to the back, in the sense of
-// the shell; and from this bit on the number of its shell, from 1, or 0 where it has no lines.
+// Flags: is_turned: the winding is opposite to its shell's, which follows most normals. smooth_shift: three
+// bits, one for each side across which shading is smooth. is_inside_out: the normals of its smooth piece
+// point to the back of the shell. shell_shift: number of its shell, from 1; 0 if the triangle has no lines.
 SHARED_CONSTANT uint neighbor_is_turned = 1U;
 SHARED_CONSTANT uint neighbor_smooth_shift = 1U;
 SHARED_CONSTANT uint neighbor_is_inside_out = 16U;
 SHARED_CONSTANT uint neighbor_shell_shift = 5U;
 
-// What is asked of the shaders of chains, shader by shader.
+// Variant bits of the chain shaders, by shader.
 
-// Outlines run along the edges of the mesh, not through its triangles.
+// outlines run along the edges of the mesh, not through its triangles
 SHARED_CONSTANT uint mark_along_edges = 1U << 0U;
 
 SHARED_CONSTANT uint emit_has_loose_edges = 1U << 0U;
-SHARED_CONSTANT uint emit_along_edges = 1U << 1U; // outlines run along those alone
+SHARED_CONSTANT uint emit_along_edges = 1U << 1U; // outlines run only along edges
 
-// Some points lie between vertices, and some pieces within triangles.
+// some points lie between vertices, and some pieces within triangles
 SHARED_CONSTANT uint order_features_leave_edges = 1U << 0U;
 
-SHARED_CONSTANT uint split_wants_hidden = 1U << 0U; // lines that are not seen
+SHARED_CONSTANT uint split_wants_hidden = 1U << 0U; // hidden lines are drawn
 
-SHARED_CONSTANT uint shape_has_own_outlines = 1U << 0U; // that some material brings
-SHARED_CONSTANT uint shape_recalls_frame = 1U << 1U;    // there was one before this
-SHARED_CONSTANT uint shape_is_remembered = 1U << 2U;    // there will be one after it
+SHARED_CONSTANT uint shape_has_own_outlines = 1U << 0U; // some material has its own outline
+SHARED_CONSTANT uint shape_recalls_frame = 1U << 1U;    // a previous frame exists
+SHARED_CONSTANT uint shape_is_remembered = 1U << 2U;    // the next frame needs this one
 SHARED_CONSTANT uint shape_has_brushes = 1U << 3U;
 SHARED_CONSTANT uint shape_has_sway = 1U << 4U;
-SHARED_CONSTANT uint shape_has_jitter = 1U << 5U;   // the hand strays, or draws a line again
-SHARED_CONSTANT uint shape_has_widths_m = 1U << 6U; // some widths are those of the scene
+SHARED_CONSTANT uint shape_has_jitter = 1U << 5U;   // the hand wobbles, or retraces lines
+SHARED_CONSTANT uint shape_has_widths_m = 1U << 6U; // some widths are in metres
 SHARED_CONSTANT uint shape_swells_in_turns = 1U << 7U;
-SHARED_CONSTANT uint shape_is_even_in_shade = 1U << 8U; // strokes do not swell where it is dark
+SHARED_CONSTANT uint shape_is_even_in_shade = 1U << 8U; // strokes do not get wider in the dark
 SHARED_CONSTANT uint shape_is_hidden = 1U << 9U;        // these are hidden lines
-SHARED_CONSTANT uint shape_stretches = 1U << 10U;       // brushes go from end to end of a stroke
-SHARED_CONSTANT uint shape_has_looks = 1U << 11U;       // surfaces differ
+SHARED_CONSTANT uint shape_stretches = 1U << 10U;       // brushes stretch over the whole stroke
+SHARED_CONSTANT uint shape_has_looks = 1U << 11U;       // surfaces have different style variants
 
-SHARED_CONSTANT uint joints_has_brushes = 1U << 0U; // whose corners stay as they are
+SHARED_CONSTANT uint joints_has_brushes = 1U << 0U; // their corners are not mitred
 
-SHARED_CONSTANT uint ink_layer_has_own_outlines = 1U << 0U; // that some material brings
-SHARED_CONSTANT uint ink_layer_has_looks = 1U << 1U;        // surfaces differ
+SHARED_CONSTANT uint ink_layer_has_own_outlines = 1U << 0U; // some material has its own outline
+SHARED_CONSTANT uint ink_layer_has_looks = 1U << 1U;        // surfaces have different style variants
 
-// Chains, and all lists on the way to them and from them.
+// Chains, and all lists from which they are made or that are made from them.
 
-SHARED_CONSTANT uint cell_px = 2U;              // from point to point of the page's lattice
-SHARED_CONSTANT uint grid_cell_px = 4U;         // of the grid in which samples find each other
-SHARED_CONSTANT float length_unit_px = 1024.0F; // lengths are whole numbers of these a pixel
+SHARED_CONSTANT uint cell_px = 2U;              // spacing of the points of the page's lattice
+SHARED_CONSTANT uint grid_cell_px = 4U;         // cell size of the grid that finds samples by position
+SHARED_CONSTANT float length_unit_px = 1024.0F; // lengths are whole numbers of 1/1024 pixel
 
-// Lists, as ListSize counts them.
+// Indices of the lists into the buffer of ListSize.
 SHARED_CONSTANT uint list_segments = 0U;
 SHARED_CONSTANT uint list_points = 1U;
 SHARED_CONSTANT uint list_samples = 2U;
@@ -90,29 +91,29 @@ SHARED_CONSTANT uint no_list = 0xffffffffU;
 // Flags of a slot.
 SHARED_CONSTANT uint chain_is_closed = 1U;
 
-// Which part of an edge at which shading breaks is outline. Low is towards the start of its first side.
+// Bits that say which part of a hard edge is outline. Low is towards the start of its first side.
 SHARED_CONSTANT uint part_is_there = 1U;
-SHARED_CONSTANT uint part_first_is_front = 2U; // of both sides the first is the front
-SHARED_CONSTANT uint part_low_shift = 2U;      // what bounds the part there, two bits: see below
+SHARED_CONSTANT uint part_first_is_front = 2U; // the first of the two sides belongs to the front
+SHARED_CONSTANT uint part_low_shift = 2U;      // two bits: what bounds the part there, see below
 SHARED_CONSTANT uint part_high_shift = 4U;
-SHARED_CONSTANT uint bound_is_corner = 0U; // the edge's end
-SHARED_CONSTANT uint bound_in_first = 1U;  // where the outline crosses into the first side's triangle
+SHARED_CONSTANT uint bound_is_corner = 0U; // the end of the edge
+SHARED_CONSTANT uint bound_in_first = 1U;  // the point where the outline enters the first side's triangle
 SHARED_CONSTANT uint bound_in_second = 2U;
 
-// Where a line crosses a side of the page's cells, see page_cells.glsl.
+// Bits for the crossing of a line with a side of the page's cells, see page_cells.glsl.
 SHARED_CONSTANT uint crossing_is_there = 0x80000000U;
 SHARED_CONSTANT uint crossing_rises = 0x40000000U;
 SHARED_CONSTANT uint crossing_seen_between = 0x20000000U;
 
-// Where along a closed chain its first stroke begins.
+// Position on a closed chain where its first stroke begins.
 SHARED_CONSTANT uint no_rotation = 0xffffffffU;
-SHARED_CONSTANT uint rotation_to_corner = 0x40000000U; // better none than at a corner: lower is better
+SHARED_CONSTANT uint rotation_to_corner = 0x40000000U; // the start is at a corner; lower values are preferred
 
-// A point of a feature's line; its kind and side are those of the edge to the next point, or of the triangle
-// that leads there, with corner 3.
+// A point of a feature line. `kind` and `side` are those of the edge to the next point; with corner 3, of the
+// triangle through which the line goes there.
 struct FeaturePoint {
     uint vertex;
-    uint other_vertex; // the point lies a share of the way to this one
+    uint other_vertex; // the point lies at `share` of the way to this vertex
     float share;
     uint chain;
     uint kind;
@@ -127,20 +128,20 @@ struct FeatureChain {
 
 SHARED_CONSTANT uint no_segment = 0xffffffffU;
 
-// A piece of outline within one item; the next goes on where it ends.
+// A piece of outline within one item; the next piece starts at its end.
 struct Segment {
     vec3 from;
     uint from_normal;
     vec3 to;
     uint to_normal;
     uint source; // kind << 28 | side; corner 3 for the whole triangle
-    uint next;   // segment, or no_segment
+    uint next;   // index of a segment, or no_segment
     uint has_previous;
-    float bulge_m; // how far the true surface may stand out; negative where it is hidden by itself
+    float bulge_m; // how far the true surface may bulge out; negative where its own surface hides it
 };
 
-// What pointer jumping knows of a segment: where it has got to, in how many steps, and the highest segment
-// on the way, with the steps to it.
+// State of pointer jumping for a segment: the segment it has reached, the number of steps to it, and the
+// highest segment on the way with the number of steps to that.
 struct Rank {
     uint at;
     uint steps;
@@ -148,7 +149,7 @@ struct Rank {
     uint steps_to_highest;
 };
 
-// A point of a chain; bulge and source are those of the piece to the next.
+// A point of a chain; bulge and source belong to the piece to the next point.
 struct ChainPoint {
     vec3 anchor;
     uint normal;
@@ -159,85 +160,85 @@ struct ChainPoint {
 
 SHARED_CONSTANT uint no_sample = 0xffffffffU;
 
-// States of a sample.
+// State bits of a sample.
 SHARED_CONSTANT uint sample_is_visible = 1U;
 SHARED_CONSTANT uint sample_is_off_page = 2U;
 SHARED_CONSTANT uint sample_is_corner = 4U;
-SHARED_CONSTANT uint sample_in_ring = 8U;  // of a closed line without a break
-SHARED_CONSTANT uint piece_is_there = 16U; // a line goes on to the next sample
+SHARED_CONSTANT uint sample_in_ring = 8U;  // belongs to a closed line without a gap
+SHARED_CONSTANT uint piece_is_there = 16U; // the line continues to the next sample
 
-// One step along a chain, all steps of a chain alike.
+// A sample of a chain; all samples of a chain are equally spaced.
 struct LineSample {
     vec3 anchor;
     uint normal;
     vec2 page_px;
     uint source;
-    uint state; // see the bits above; the distance to the next sample in pixels, as a half, above them
+    uint state; // the bits above; the higher bits hold the distance to the next sample in pixels, as a half
 };
 
-// Ends of a stroke.
+// Bits for the ends of a stroke.
 SHARED_CONSTANT uint stroke_starts_at_line = 1U;
 SHARED_CONSTANT uint stroke_ends_at_line = 2U;
 SHARED_CONSTANT uint stroke_is_dropped = 4U;
 
-// Consecutive samples that are drawn in one go.
+// Consecutive samples that are drawn as one stroke.
 struct Stroke {
-    uint first; // samples
+    uint first; // index of its first sample; `last` is that of the last
     uint last;
-    uint ends;      // whether they meet other lines, and whether it is drawn at all: see the bits above
-    uint recalled;  // the sample nearest its middle with a past, see stroke_places.glsl, or no_sample
-    int offset_sum; // of the place on its brush there less the arc length here, in sixteenths of a pixel
+    uint ends;      // whether they meet other lines, and whether the stroke is drawn: see the bits above
+    uint recalled;  // sample nearest the middle that has a past, or no_sample
+    int offset_sum; // sum of positions along the brush minus arc lengths, in 1/16 pixel
     uint offset_count;
 };
 
-// What is remembered of a sample for the frame after.
+// State of a sample that is kept for the next frame.
 struct DrawnSample {
     vec2 page_px;
     uint direction; // two signed halves
     float half_width_px;
-    float arc_px; // along the brush, held to the surface from frame to frame
+    float arc_px; // position along the brush, which follows the surface from frame to frame
     uint seed;
-    float whole_px; // length of the stroke, which a stretched brush has too
+    float whole_px; // length of the stroke; a stretched brush has the same length
 };
 
 SHARED_CONSTANT uint no_stroke_seed = 0xffffffffU;
 
-// What a sample was in the frame before.
+// State of a sample in the previous frame.
 struct Recall {
-    float half_width_px; // negative: it was not there
+    float half_width_px; // negative if the sample did not exist
     float offset_px;
-    uint seed; // or no_stroke_seed
+    uint seed; // seed of the stroke, or no_stroke_seed
 };
 
 struct RecallConstants {
     mat4 clip_from_anchor_before;
     uint width;
     uint height;
-    uint stretches; // brushes, from end to end of a stroke
+    uint stretches; // brushes stretch over the whole stroke
 };
 
-// A sample as it is inked.
+// A sample of a stroke with its final position, width and ink.
 struct LinePoint {
     vec2 page_px;
     float half_width_px;
     uint ink; // see ink_of_look
 };
 
-// Uses of a touch.
+// Bits of LineTouch::uses.
 SHARED_CONSTANT uint touch_use = 15U;
 SHARED_CONSTANT uint touch_is_start = 16U;
 SHARED_CONSTANT uint touch_is_end = 32U;
 
-// Where on its brush a stroke is at a sample. Sides are those of LinePoint.
+// Position along the brush at a sample. Left and right sides are as in LinePoint.
 struct LineTouch {
-    float phase_px; // along the brush, held to the surface from frame to frame
+    float phase_px; // position along the brush, which follows the surface from frame to frame
     float along_px; // from the end where the stroke starts
     float whole_px;
-    uint way;  // along the line, two signed halves
-    uint uses; // of which brush, and whether the stroke starts or ends here: see the bits above
+    uint way;  // direction of the line, two signed halves
+    uint uses; // the kind of brush, and whether the stroke starts or ends here: see the bits above
 };
 
-// How many there are of something, and the arguments of a dispatch with a thread for each.
+// Length of a list, and the arguments of an indirect dispatch with one thread per entry.
 struct ListSize {
     uint count;
     uint groups_x;
@@ -245,45 +246,46 @@ struct ListSize {
     uint groups_z;
 };
 
-// Stretches that a list is summed up in where workgroups run side by side; as many as one has threads.
+// Number of parts into which a list is divided to sum it with parallel workgroups; as many as a workgroup has
+// threads.
 SHARED_CONSTANT uint scan_parts = 256U;
 
 struct ScanConstants {
-    uint fixed_count; // how many values there are
-    uint count_of;    // and the list that brings more, or no_list
-    uint total_to;    // the list whose size is the total
+    uint fixed_count; // fixed number of values
+    uint count_of;    // list whose size is added to that number, or no_list
+    uint total_to;    // list whose size becomes the total
     uint capacity;
-    uint slots_before; // of the slots that the total's come after
-    uint counts_bits;  // of the values, not the values themselves
+    uint slots_before; // slots that come before those of the total's list
+    uint counts_bits;  // sums the set bits of the values, not the values
 };
 
 struct ChainConstants {
     uint triangle_count;
     uint loose_edge_count;
     uint suggestive_count; // triangles that may have suggestive contours or crests: all or none
-    uint page_words;       // of marks, 32 cells of the page each
+    uint page_words;       // words of marks; one word covers 32 cells of the page
     uint feature_chain_count;
     uint feature_point_count;
     uint segment_capacity;
     uint point_capacity;
     uint sample_capacity;
-    float step_px;           // between samples, about
-    uint first_crest_vertex; // from it on vertices are of the mesh that has crests
-    float least_turn;        // of its slope, across a crest
+    float step_px;           // approximate spacing of samples
+    uint first_crest_vertex; // vertices from here on belong to the mesh with crests
+    float least_turn;        // smallest change of slope across a crest
 };
 
-// Of the page as a lattice, see page_cells.glsl.
+// Lattice of the page, see page_cells.glsl.
 struct CellConstants {
-    uint columns; // points of the lattice
+    uint columns; // points per row of the lattice
     uint rows;
-    uint first_word; // of the marks of its cells
-    uint word_count; // of all marks
+    uint first_word; // first word of this kind's marks
+    uint word_count; // total number of words of marks
     uint kind;
-    float point_px; // where in its pixel a point lies, both ways
+    float point_px; // position of a lattice point in its pixel, in x and y
 };
 
-// How a surface bends at a vertex, as contour::Bending, in sizes of its object. The tangent leads to the
-// neighbour.
+// Curvature of a surface at a vertex, as contour::Bending, in units of the object's size. The tangent points
+// to the neighbour.
 struct VertexBending {
     uint neighbor;
     vec3 form;
@@ -293,29 +295,29 @@ struct VertexBending {
 struct ViewBendConstants {
     uint vertex_count;
     float least_growth;
-    float least_sine; // of the angle between normal and view
+    float least_sine; // sine of the angle between normal and view
 };
 
 struct CrestConstants {
-    uint first_vertex; // of the mesh that has crests
-    uint vertex_count; // of all meshes; it is the last
-    uint keeps_others; // the other vertices have been written
-    vec2 along;        // where the wind blows to, over x and z
+    uint first_vertex; // first vertex of the mesh with crests
+    uint vertex_count; // of all meshes; that mesh is the last
+    uint keeps_others; // the other vertices have been written by another pass
+    vec2 along;        // direction that the wind blows to, along x and z
 };
 
 struct ShapeConstants {
-    float width_of_kind[line_kind_count]; // whole ones, in pixels or metres
-    uint metre_kinds;                     // a bit a kind
+    float width_of_kind[line_kind_count]; // full widths in pixels or metres
+    uint metre_kinds;                     // bit mask of the kinds whose width is in metres
     float taper_px;
     float overshoot_px;
     float wobble_px;
     float pressure;
     float distance_thinning;
     uint seed;
-    float wave_px;  // of the hand's sway
-    float settling; // share of what a brush is off its even place that it loses in a frame
-    float turn_px;  // radius of a bend that is pressed fully
-    uint hand;      // how often the line was drawn before
+    float wave_px;  // wavelength of the hand's wobble
+    float settling; // share of a brush's offset from its even position that is removed per frame
+    float turn_px;  // radius of a bend at which pressure is greatest
+    uint hand;      // how often the line has been drawn before
     float retrace_px;
     float jitter_ends_px;
     float jitter_offset_px;
@@ -323,20 +325,21 @@ struct ShapeConstants {
 };
 
 struct PartConstants {
-    vec2 from_px; // where the part begins, in its own pixels
-    float scale;  // of those to pixels of the page that lines were strung on
+    vec2 from_px; // position of the part, in pixels of the part
+    float scale;  // pixels of the part per pixel of the page on which lines were linked
     uint has_touches;
 };
 
-// How wide the lines of a look are, and of what ink: four texels of 16 bytes.
+// Line widths and ink of a style variant (look), in four texels of 16 bytes.
 struct LineLook {
-    float width_of_kind[line_kind_count]; // whole ones, in pixels or metres
-    uint metre_kinds;                     // a bit a kind
+    float width_of_kind[line_kind_count]; // full widths in pixels or metres
+    uint metre_kinds;                     // bit mask of the kinds whose width is in metres
     vec3 ink;
     uint unused;
 };
 
-// Inks of LinePoint: 0 that of the style, a material + 1, or a look with this bit.
+// Ink of a LinePoint: 0 is the style's, a material's index + 1 that of the material; with this bit set, that
+// of a style variant.
 SHARED_CONSTANT uint ink_of_look = 0x8000U;
 
 struct InkConstants {
@@ -345,7 +348,7 @@ struct InkConstants {
     vec3 ink_color;
 };
 
-SHARED_CONSTANT uint brush_hidden = line_kind_count; // uses of brushes: each kind of line, and this
+SHARED_CONSTANT uint brush_hidden = line_kind_count; // uses of brushes: one per kind of line, then this
 SHARED_CONSTANT uint brush_use_count = line_kind_count + 1U;
 SHARED_CONSTANT uint brush_columns = 1024U;
 SHARED_CONSTANT uint brush_rows = 32U;
@@ -354,9 +357,9 @@ SHARED_CONSTANT uint no_brush = 0xffffffffU;
 struct BrushConstants {
     uint width;
     uint height;
-    uvec2 grid_page_px;                 // of the page whose grid knows the samples
-    float period_px[brush_use_count];   // of each use, along the stroke; 0 from end to end
-    uint layer_of_use[brush_use_count]; // in the image of brushes; no_brush for the pen
+    uvec2 grid_page_px;                 // size of the page whose grid holds the samples
+    float period_px[brush_use_count];   // repeat length along the stroke; 0 stretches the brush over it
+    uint layer_of_use[brush_use_count]; // layer in the image of brushes; no_brush draws with the pen
 };
 
 #ifdef __cplusplus
@@ -372,7 +375,8 @@ static_assert(sizeof(BrushConstants) <= 128);
 } // namespace estampe::shared
 #else
 
-// By the source of a segment, a point or a sample: its line was found on the page, so it is seen.
+// Whether a line was found on the page and is therefore visible. `source` is that of a segment, point or
+// sample.
 bool is_of_page(uint source)
 {
     return source >> 28 >= line_first_of_page;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Lines strung along the surface: from the line mesh of a scene to strokes, and what is kept of them from
-// frame to frame.
+// Lines linked into chains along surfaces: from the line mesh of a scene to strokes, and the state of strokes
+// that is kept from frame to frame.
 
 #include <array>
 #include <cstdint>
@@ -23,12 +23,12 @@
 
 namespace estampe::contour {
 
-/// What lines are strung along, on the device.
+/// GPU buffers of the mesh along which lines run.
 struct LineMesh {
     gpu::Buffer triangles; ///< EdgeMesh::triangles
     gpu::Buffer neighbors;
-    gpu::Buffer loose_edges;        ///< both sides of each
-    gpu::Buffer loose_edge_of_side; ///< three a triangle; of no use where there are no loose edges
+    gpu::Buffer loose_edges;        ///< both sides of each loose edge
+    gpu::Buffer loose_edge_of_side; ///< three per triangle; unused without loose edges
     gpu::Buffer feature_points;
     gpu::Buffer feature_chains;
     gpu::Buffer bendings; ///< VertexBending, for suggestive contours; empty without them
@@ -36,43 +36,43 @@ struct LineMesh {
     uint32_t loose_edge_count = 0;
     uint32_t feature_point_count = 0;
     uint32_t feature_chain_count = 0;
-    uint32_t bending_count = 0;        ///< vertices, or none
+    uint32_t bending_count = 0;        ///< number of vertices, or 0
     uint32_t shell_count = 0;          ///< EdgeMesh::shell_count
     bool features_leave_edges = false; ///< FeatureChains::leave_edges
 };
 
-/// Uploads `mesh` with the lines of its features, and `bendings` if there are to be suggestive contours. With
-/// `along_edges` every edge without a line of its own is loose, so that outlines run along the edges of the
-/// mesh. Throws Error when memory runs out.
+/// Uploads `mesh` with the lines of its features, and `bendings` if suggestive contours are drawn. With
+/// `along_edges` every edge that has no feature line is a loose edge, so that outlines run along the edges of
+/// the mesh. Throws Error when memory runs out.
 [[nodiscard]] LineMesh upload_line_mesh(gpu::Device& device, const EdgeMesh& mesh, FeatureChains features,
                                         const std::vector<shared::VertexBending>& bendings, bool along_edges);
 
-/// Lines that are drawn apart.
+/// Seen and hidden lines are drawn separately.
 enum class LineClass : uint8_t { seen, hidden };
 
-/// What the frame before drew, by which strokes keep their width, their hand and their place along the line
-/// when chains split or join.
+/// What the previous frame drew. Strokes use it to keep their width, their wobble and their position along
+/// the line when chains split or join.
 class LineHistory {
 public:
-    /// What one frame leaves to the next.
+    /// Buffers that one frame leaves for the next.
     struct Drawn {
-        gpu::Buffer grid;    ///< where on the page samples are
+        gpu::Buffer grid;    ///< grid that finds samples by their position on the page
         gpu::Buffer samples; ///< DrawnSample
     };
 
-    /// Makes room for frames of `size_px`. Frames before count only if they had that size, and unless
-    /// `continues`, not at all. `has_hidden` lines are remembered too. Throws Error when memory runs out.
+    /// Allocates buffers for frames of `size_px`. The previous frame is used only if it had the same size and
+    /// `continues` is set. With `has_hidden`, hidden lines are kept too. Throws Error when memory runs out.
     void begin_frame(gpu::Device& device, glm::uvec2 size_px, bool continues, bool has_hidden = false);
 
-    /// To be called when what was begun has been drawn as seen by `clip_from_anchor`.
+    /// Call this when the frame has been drawn, as seen by `clip_from_anchor`.
     void end_frame(const glm::mat4& clip_from_anchor);
 
-    /// Makes the next frame follow on `drawn`, of seen and of hidden lines, of pages of `size_px`. Throws
-    /// Error when memory runs out.
+    /// Sets the previous frame to `drawn`, of seen and of hidden lines, on pages of `size_px`. Throws Error
+    /// when memory runs out.
     void recall(gpu::Device& device, glm::uvec2 size_px, std::array<std::optional<Drawn>, 2> drawn,
                 const glm::mat4& clip_from_anchor);
 
-    /// Forgets all frames: the scene is another.
+    /// Forgets all frames, because the scene has changed.
     void forget();
 
     [[nodiscard]] bool holds_frame(LineClass lines = LineClass::seen) const
@@ -80,7 +80,7 @@ public:
         return memory_of(lines).holds_frame;
     }
 
-    /// Of the pages of the frames that are remembered.
+    /// Page size of the stored frames.
     [[nodiscard]] glm::uvec2 size_px() const { return memories_.front().size_px; }
 
     [[nodiscard]] Drawn& before(LineClass lines = LineClass::seen)
@@ -96,11 +96,11 @@ public:
     [[nodiscard]] const glm::mat4& clip_from_anchor_before() const { return clip_from_anchor_; }
 
 private:
-    /// Of one class of lines.
+    /// State of one class of lines.
     struct Memory {
         std::array<Drawn, 2> drawn;
         glm::uvec2 size_px{0};
-        bool is_kept = false; ///< this frame leaves something
+        bool is_kept = false; ///< this frame is stored for the next
         bool holds_frame = false;
     };
 
@@ -114,121 +114,121 @@ private:
     glm::mat4 clip_from_anchor_{1.0F};
 };
 
-/// Cells of the grid in which samples find each other.
+/// Number of cells in the grid that finds samples by position.
 [[nodiscard]] uint32_t grid_cell_count(glm::uvec2 size_px);
 
-/// Samples that a page has room for.
+/// Largest number of samples on a page.
 [[nodiscard]] uint32_t sample_capacity(glm::uvec2 size_px);
 
-/// Outlines and features strung into whole lines.
+/// Outlines and features linked into chains.
 struct Chains {
     shared::ChainConstants constants;
-    gpu::BufferId facing; ///< a bit a triangle: faces the eye
-    gpu::BufferId marks;  ///< a bit an item: the outline runs through it
+    gpu::BufferId facing; ///< one bit per triangle: it faces the eye
+    gpu::BufferId marks;  ///< one bit per item: the outline runs through it
     std::optional<gpu::BufferId>
-        view_bends;      ///< two floats a vertex, as view_bends.comp and crests.comp have it
+        view_bends;      ///< two floats per vertex, written by view_bends.comp and crests.comp
     gpu::BufferId sizes; ///< ListSize of each list
     gpu::BufferId points_of_slot;
     gpu::BufferId flags_of_slot;
-    gpu::BufferId points_before; ///< each slot
+    gpu::BufferId points_before; ///< one per slot
     gpu::BufferId points;        ///< ChainPoint
-    gpu::BufferId lengths;       ///< of the piece to the next point
+    gpu::BufferId lengths;       ///< length of the piece to the next point
 };
 
-/// The same in even steps, of which it is known whether they are seen.
+/// Chains divided into evenly spaced samples, with the visibility of each.
 struct ChainSamples {
     gpu::BufferId sizes;
-    gpu::BufferId lengths_before; ///< each point of the chains
-    gpu::BufferId samples_before; ///< each slot
+    gpu::BufferId lengths_before; ///< one per point of the chains
+    gpu::BufferId samples_before; ///< one per slot
     gpu::BufferId flags_of_slot;
     gpu::BufferId samples;  ///< LineSample
-    gpu::BufferId states;   ///< each sample
-    gpu::BufferId rotation; ///< each slot: where a closed chain is cut open
+    gpu::BufferId states;   ///< one per sample
+    gpu::BufferId rotation; ///< one per slot: where a closed chain is cut open
     gpu::ExecutionProfile execution;
 };
 
-/// What of them is drawn together: where each stroke starts and ends.
+/// Strokes: where each starts and ends.
 struct ChainStrokes {
     gpu::BufferId sizes;
-    gpu::BufferId samples;        ///< LineSample; closed chains cut open
-    gpu::BufferId samples_before; ///< each slot
-    gpu::BufferId strokes_before; ///< each sample
+    gpu::BufferId samples;        ///< LineSample; closed chains are cut open
+    gpu::BufferId samples_before; ///< one per slot
+    gpu::BufferId strokes_before; ///< one per sample
     gpu::BufferId strokes;        ///< Stroke
-    gpu::BufferId grid;           ///< where on the page samples are
+    gpu::BufferId grid;           ///< grid that finds samples by position
 };
 
-/// The way and the width of the pen, once along all strokes.
-constexpr size_t most_hands = 3; ///< that go over a line, see `contour.strokes`
+/// Path and width of the pen, once along all strokes.
+constexpr size_t most_hands = 3; ///< how often lines can be retraced, see `contour.strokes`
 
 struct HandDrawn {
-    gpu::BufferId line_points; ///< LinePoint, two a sample: as its piece starts, as the piece before it ends
-    gpu::BufferId touches;     ///< LineTouch, two a sample as well; of no use where there are no brushes
+    gpu::BufferId line_points; ///< LinePoint, two per sample: start of its piece, end of the previous one
+    gpu::BufferId touches;     ///< LineTouch, two per sample; unused without brushes
 };
 
 struct ShapedStrokes {
     ChainStrokes strokes;
     gpu::BufferId facing;                                     ///< as in Chains
-    InlineVector<HandDrawn, most_hands> hands;                ///< one for each time that lines are gone over
-    std::optional<std::pair<ChainStrokes, HandDrawn>> hidden; ///< where they are wanted
+    InlineVector<HandDrawn, most_hands> hands;                ///< one for each time that lines are drawn over
+    std::optional<std::pair<ChainStrokes, HandDrawn>> hidden; ///< if hidden lines are drawn
 };
 
-/// What edges of the sun's shadow are found by.
+/// Inputs for finding the edges of the sun's shadow.
 struct SunPixels {
-    gpu::ImageId share;       ///< of the sun that is seen; negative where none can be
-    gpu::BufferId visibility; ///< of all that is solid: shadows fall on clear glass too
+    gpu::ImageId share;       ///< visible share of the sun; negative where no sun can shine
+    gpu::BufferId visibility; ///< of all solid surfaces, including clear glass, because shadows fall on it
     gpu::ImageId draw;
     gpu::ImageId depth;
     gpu::ImageId normal;
 };
 
-/// What strings lines together reads of the frame.
+/// Inputs for linking lines into chains.
 struct ChainInputs {
     gpu::BufferId frame;
     gpu::BufferId posed_vertices;
-    gpu::BufferId visibility; ///< of what hides lines
-    gpu::BufferId neighbors;  ///< of the line mesh, as its triangles
+    gpu::BufferId visibility; ///< of surfaces that hide lines
+    gpu::BufferId neighbors;  ///< neighbours of the line mesh's triangles
     gpu::BufferId line_triangles;
-    SuggestiveCut suggestive_cut;    ///< of no use where the line mesh has no bendings
-    std::optional<CrestMesh> crests; ///< lines are wanted along them
+    SuggestiveCut suggestive_cut;    ///< unused if the line mesh has no bendings
+    std::optional<CrestMesh> crests; ///< the mesh whose crests have lines
     float crest_deg = 3.0F;          ///< see ContourStyle
-    bool meetings = false;           ///< lines are wanted where shells run into each other
-    std::optional<SunPixels> sun;    ///< edges of its shadow are wanted
-    float step_px = 3.0F;            ///< between samples, about
+    bool meetings = false;           ///< draws lines where shells intersect
+    std::optional<SunPixels> sun;    ///< set if edges of the sun's shadow are drawn
+    float step_px = 3.0F;            ///< approximate spacing of samples
     glm::uvec2 size_px{0};
     gpu::ExecutionProfile execution;
 };
 
-/// What of a frame's inputs lines are strung together from.
+/// Collects the inputs of add_chains() from those of a frame.
 [[nodiscard]] ChainInputs chain_inputs(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
                                        const ContourStyle& style);
 
-/// Finds the outline, one segment a triangle or edge, suggestive contours where the line mesh has bendings,
-/// and what is found on the page, and strings these and the features together.
+/// Finds outlines (one segment per triangle or edge), suggestive contours if the line mesh has bendings, and
+/// lines on the page, and links these and the features into chains.
 ///
-/// Cost    one thread a triangle, or two; all else grows with the lines
+/// Cost    one or two threads per triangle; the rest grows with the lines
 /// Source  segments: Hertzmann and Zorin, "Illustrating Smooth Surfaces", 2000; ranking: Wyllie, "The
 /// Complexity of Parallel Computations", 1979
 [[nodiscard]] Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool along_edges);
 
-/// Divides chains into even steps and asks what hides each.
+/// Divides chains into evenly spaced samples and finds what hides each sample.
 ///
 /// Source  Cole and Finkelstein, "Fast High-Quality Line Visibility", 2009
 [[nodiscard]] ChainSamples add_samples(gpu::Graph& graph, const ChainInputs& in, const Chains& chains);
 
-/// Makes strokes of what is seen, or of what is hidden and on the page. `grid` is where samples enter the
-/// cells they lie in. Strokes of what was asked for before no longer count in the sizes.
+/// Makes strokes of the seen lines, or of the hidden lines on the page. Enters samples into `grid` by
+/// position. Afterwards the sizes no longer count strokes of an earlier call.
 [[nodiscard]] ChainStrokes add_strokes(gpu::Graph& graph, const ChainSamples& in, gpu::BufferId grid,
                                        glm::uvec2 size_px, LineClass wanted = LineClass::seen);
 
-/// What the lines of a look are, for ContourInputs::line_looks.
+/// Widths and ink of a style variant, for ContourInputs::line_looks.
 [[nodiscard]] shared::LineLook line_look(const ContourStyle& style, float pixels_per_mm);
 
-/// Strings lines together and shapes their strokes: all that comes before the ink. With a `history`, strokes
-/// go on from the frame it holds and are remembered for the next; it must outlive the graph's run.
+/// Links lines and shapes their strokes: all steps before the ink. With a `history`, strokes continue from
+/// the frame it holds and are stored for the next; it must outlive the graph's run.
 [[nodiscard]] ShapedStrokes add_shaped_strokes(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
                                                LineHistory* history, const ContourStyle& style);
 
-/// Draws chains as strokes into an ink layer: the choice beside add_contours(). For `history` see
+/// Draws chains as strokes into an ink layer; the alternative to add_contours(). For `history` see
 /// add_shaped_strokes(); `under` is an ink layer to draw over.
 [[nodiscard]] gpu::ImageId add_chain_contours(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
                                               LineHistory* history, const ContourStyle& style,

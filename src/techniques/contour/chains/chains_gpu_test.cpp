@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lines as chains: against a search through all triangles and edges, and against what is known of spheres.
+// Lines as chains, compared with a search through all triangles and edges, and with known results for
+// spheres.
 #include "techniques/contour/chains/chains.hpp"
 
 #include <bit>
@@ -32,7 +33,7 @@ bool bit(const std::vector<uint32_t>& words, size_t i)
     return (words[i / 32] >> (i % 32) & 1U) != 0;
 }
 
-/// What faces an eye, computed one by one as the shaders do, with the same rounding.
+/// Which triangles face an eye, computed on the CPU with the same rounding as in the shaders.
 class Facing {
 public:
     Facing(test::Drawing& drawing, const EdgeMesh& mesh)
@@ -71,7 +72,7 @@ private:
     glm::vec3 eye_;
 };
 
-/// Outlines along edges are those edges, and no others, that lie between a front and a back.
+/// Expects outlines exactly at the edges between a front and a back.
 void expect_edges_as_searched(const Scene& scene, const Camera& camera, const std::string& name)
 {
     test::Drawing drawing(scene, camera, page_px);
@@ -111,7 +112,7 @@ void expect_edges_as_searched(const Scene& scene, const Camera& camera, const st
     EXPECT_GT(expected, 0U) << name;
 }
 
-/// Smooth outlines run through those triangles, and no others, whose corners do not all face alike.
+/// Expects smooth outlines exactly in the triangles whose corners do not all face the same way.
 void expect_triangles_as_searched(const Scene& scene, const Camera& camera, const std::string& name)
 {
     test::Drawing drawing(scene, camera, page_px);
@@ -129,7 +130,7 @@ void expect_triangles_as_searched(const Scene& scene, const Camera& camera, cons
     EXPECT_EQ(wrong, 0U) << name;
 }
 
-/// Turned on a lathe, with corners from 5 to 90 degrees that are all hard.
+/// A lathe shape with hard corners from 5 to 90 degrees.
 Primitive faceted_vase()
 {
     const std::vector<glm::vec2> profile{{0.0F, 0.0F}, {0.7F, 0.0F}, {0.8F, 0.3F},  {0.85F, 0.6F},
@@ -138,8 +139,8 @@ Primitive faceted_vase()
     return shapes::lathe(profile, 20, 0.0F);
 }
 
-/// Where shading breaks, the outline runs along those edges, and no others, whose four normals do not all
-/// face alike, but for those of which only the middle has one front.
+/// Expects outlines, where the shading breaks, exactly at the edges whose four normals do not all face the
+/// same way, except for edges with a front only in the middle.
 void expect_hard_edges_as_searched(const Primitive& thing)
 {
     test::Drawing drawing(test::scene_of(thing), view_from_above(), page_px);
@@ -181,7 +182,7 @@ TEST(ContourChains, OutlinesAreThoseOfASearch)
     expect_triangles_as_searched(shapes_scene(), view_from_above(), "shapes");
 }
 
-/// Real models, where there are any.
+/// Calls `look` for real models, if any are available.
 void for_each_model(const std::function<void(const Scene&, const Camera&, const char*)>& look)
 {
     const char* folder = std::getenv("ESTAMPE_MODELS");
@@ -204,7 +205,7 @@ TEST(ContourChains, OutlinesOfModelsAreThoseOfASearch)
     });
 }
 
-/// A chain as the points of its slot.
+/// The points of a chain.
 struct Chain {
     std::vector<ChainPoint> points;
     bool is_closed = false;
@@ -236,7 +237,7 @@ double length_of(const Chain& chain)
 TEST(ContourChains, ASphereHasOneClosedLoopOfTheRightRadiusAndLength)
 {
     constexpr double distance_m = 3.0;
-    // 10,000 triangles, none of whose corners lies on the outline by chance.
+    // 10,000 triangles, of which none has a corner on the outline by chance.
     const Scene scene = test::scene_of(subdivided(shapes::sphere(1.0F, 100, 51), 0));
     test::Drawing drawing(scene, test::front_camera(distance_m, 0.8), page_px);
     const std::vector<Chain> chains = chains_of(drawing.chains({}));
@@ -265,7 +266,7 @@ double longest_edge_m(const EdgeMesh& mesh, const std::vector<shared::PosedVerte
     return static_cast<double>(longest);
 }
 
-/// Each chain goes on from piece to piece, none of which is longer than a triangle, and none is missing.
+/// Expects complete chains: consecutive pieces meet, and none is longer than a triangle.
 void expect_whole_chains(const Scene& scene, const Camera& camera, const ContourStyle& style)
 {
     test::Drawing drawing(scene, camera, page_px);
@@ -377,7 +378,7 @@ TEST(ContourChains, ArcLengthsAreThoseOfASerialSum)
     EXPECT_LT(worst, 1e-3);
 }
 
-/// Chains of an outline at each of several levels of subdivision.
+/// Compares the number of an outline's chains at several levels of subdivision.
 void expect_stable_count(const Scene& cage, const std::vector<Camera>& views, uint32_t coarsest,
                          uint32_t finest)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What tests of chains look at.
+// Scenes for tests of chains.
 
 #include <cmath>
 #include <utility>
@@ -14,7 +14,7 @@
 
 namespace estampe::contour {
 
-/// The shapes that the project has, each where it hides some of the others.
+/// The project's basic shapes, placed so that they partly hide each other.
 inline Scene shapes_scene()
 {
     Scene scene = test::scene_of(shapes::sphere(1.0F, 48, 24));
@@ -25,7 +25,7 @@ inline Scene shapes_scene()
     return scene;
 }
 
-/// A ring, smooth around its axis and in flat bands around its tube.
+/// A torus that is smooth around its axis and faceted around its tube.
 inline Primitive banded_ring()
 {
     std::vector<glm::vec2> profile;
@@ -36,7 +36,7 @@ inline Primitive banded_ring()
     return shapes::lathe(profile, 48, 0.0F);
 }
 
-/// The same with its corners the other way round, and its normals as they were.
+/// Reverses the winding of all triangles, but keeps the normals.
 inline Primitive wound_backwards(Primitive thing)
 {
     for (size_t i = 0; i + 2 < thing.indices.size(); i += 3) {
@@ -50,7 +50,7 @@ inline Camera view_from_above()
     return {.eye = {3.1, 2.6, 6.3}, .target = {0.1, 0.0, 0.2}};
 }
 
-/// Lines of one width, in pixels.
+/// A style whose lines all have the same constant width in pixels.
 inline ContourStyle even_lines(float width_px)
 {
     ContourStyle style;

@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_CHAIN_LISTS
 #define ESTAMPE_CHAIN_LISTS
 
-// Lists read as texels, which processors gather several at once. A list is there if its binding is defined
-// before.
+// Lists as texel buffers, because CPU drivers can gather several texels at once. A list is available if its
+// binding was defined before inclusion.
 
 #include "techniques/contour/chains/chains.glsl.h"
 
@@ -67,7 +67,7 @@ uint samples_before(uint slot)
     return texelFetch(samples_before_texels, int(slot)).x;
 }
 
-// The chain that a sample belongs to, of so many.
+// The chain that contains a sample; there are `slot_count` slots.
 uint slot_of_sample(uint index, uint slot_count)
 {
     uint low = 0u;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread asks of one vertex of the ground how much steeper than half a slip face it falls along the wind,
-// and how far along the wind it lies. Where the first passes zero along the wind, there is a brink.
+// One thread per vertex of the terrain computes how much steeper than half a slip face the ground falls along
+// the wind, and the vertex's position along the wind. A brink lies where the first value passes zero along
+// the wind.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -25,7 +26,7 @@ layout(push_constant, scalar) uniform Constants
 };
 
 const float half_slip_face =
-    0.3; // slope; sand slides from 0.62 on, and dunes rise to windward by less than this
+    0.3; // slope; sand slides from 0.62 on, and the windward side of dunes is less steep than this
 
 void main()
 {

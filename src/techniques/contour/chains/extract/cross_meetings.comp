@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One thread asks of one side of the page's lattice whether the surfaces seen at its ends run into each other
-// in between: on the page, nearness is even along a plane, and either surface, as a plane, is the nearer at
-// its own end. Where one only ends before the other it mostly stays the nearer; what is found there all the
-// same runs beside its outline, and is dropped for that.
+// One thread per side of the page's lattice finds whether the surfaces seen at its ends intersect in between.
+// Nearness is linear in page coordinates on a plane; the surfaces intersect if each, as a plane, is the
+// nearer one at its own end. A surface that merely ends in front of the other mostly stays nearer; false
+// results there run beside its outline and are dropped for that reason.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -32,7 +32,7 @@ layout(binding = 4) uniform usamplerBuffer neighbor_texels;
 
 layout(scalar, binding = 6) buffer Crossings
 {
-    uint crossings[]; // two a point: of the sides to the right and down
+    uint crossings[]; // two per point: of the sides to the right and down
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -42,15 +42,15 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/contour/chains/extract/page_cells.glsl"
 
-const float slack = 0.5;        // of a pixel, for surfaces that bend between two
-const float least_angle = 0.09; // between planes that cross, rad
+const float slack = 0.5;        // in pixels, for surfaces that bend between two
+const float least_angle = 0.09; // angle between intersecting planes, rad
 
 uint shell_of(uint triangle)
 {
     return texelFetch(neighbor_texels, int(triangle)).w >> neighbor_shell_shift;
 }
 
-// Of a side with a pixel between its ends, which takes the place of that end whose shell it sees.
+// If a pixel lies between the ends of a side, it replaces the end that shows the same shell.
 uint crossing_on(ivec2 pixel, ivec2 way)
 {
     uint from = seen_triangle(visibility_at(pixel));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One thread asks of two sides of the page's lattice whether the sun's shadow ends in between: where as much
-// of it is seen about one end as is not about the other. The mean of 16 pixels about a point, which is the
-// upper left corner of its own, makes the edge run evenly where each pixel only says yes or no.
+// One thread per lattice point finds whether the edge of the sun's shadow crosses the sides to the right and
+// down: where one end sees more than half of the sun and the other less. The visible share is the mean of 16
+// pixels around a point, which is the upper left corner of its pixel, so that the edge is smooth although
+// each pixel is only lit or not.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -19,7 +20,7 @@ layout(scalar, binding = 0) uniform Frame
     FrameGlobals frame;
 };
 
-layout(binding = 1) uniform sampler2D share_image; // what is seen of the sun; negative where none can be
+layout(binding = 1) uniform sampler2D share_image; // visible share of the sun; negative where it cannot shine
 layout(binding = 2) uniform usampler2D draw_image;
 layout(binding = 3) uniform sampler2D depth_image;
 layout(binding = 4) uniform usampler2D normal_image;
@@ -36,7 +37,7 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/contour/chains/extract/page_cells.glsl"
 
-const float least_cosine = 0.8; // between normals at both ends, and of a bend between places
+const float least_cosine = 0.8; // between normals at both ends, and for a bend in between
 
 // A point of the lattice.
 struct Place {
@@ -68,7 +69,7 @@ Place place_at(uvec2 point)
                  unpack_normal(texelFetch(normal_image, pixel, 0).y), counts);
 }
 
-// Both ends lie on one surface that goes on evenly in between.
+// Whether both ends lie on one surface that continues smoothly in between.
 bool is_one_surface(Place a, Place b)
 {
     vec3 way = b.point - a.point;

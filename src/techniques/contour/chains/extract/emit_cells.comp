@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread makes one segment of a line that was found on the page, from one side of its cell to another;
-// the one that goes on is that of the cell beyond. It lies on the surface seen where either side starts.
+// One thread makes one segment of a line found on the page, from one side of its cell to another. The next
+// segment is that of the adjacent cell. Each end lies on the surface seen where its side starts.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -71,7 +71,7 @@ End end_at(CellSide side)
     return End(seen_point(plane, ray), pack_normal(dot(normal, ray.way) > 0.0 ? -normal : normal), triangle);
 }
 
-// The segment of the cell beyond a side.
+// The segment of the cell on the other side of a side.
 uint segment_beyond(uvec2 cell, uint side, uint segment_count)
 {
     ivec2 beyond = ivec2(cell) + ivec2(side == 1u   ? 1

@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_FACING
 #define ESTAMPE_FACING
 
-// Which triangles face the eye, in the sense of their piece of the surface.
-// Wanted before: FACING_BINDING, of a bit a triangle, and `neighbor_texels`.
+// Which triangles face the eye, in the orientation of their piece of the surface. Requires before inclusion:
+// FACING_BINDING (one bit per triangle) and `neighbor_texels`.
 
 #include "techniques/contour/chains/chains.glsl.h"
 

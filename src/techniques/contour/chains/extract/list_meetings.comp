@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread looks from one point of the page's lattice to the right and down: where another shell is seen
-// there, the two may meet in between.
+// One thread compares one point of the page's lattice with its neighbours to the right and down: if another
+// shell is seen there, the two may intersect in between.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -37,7 +37,7 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/contour/chains/extract/page_cells.glsl"
 
-// The shell seen at a point of the lattice; 0 where there is none, or no page.
+// The shell seen at a point of the lattice; 0 for none, or outside of the page.
 uint shell_at(uvec2 point)
 {
     ivec2 pixel = min(pixel_of_point(point), ivec2(frame.size_px) - 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A subgroup looks at 32 cells of the page and writes one word: through which a line runs.
+// A subgroup tests 32 cells of the page and writes one word: the cells that a line runs through.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A subgroup looks at 32 triangles and writes one word: through which a suggestive contour or a crest runs.
+// A subgroup tests 32 triangles and writes one word: those with a suggestive contour or a crest.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

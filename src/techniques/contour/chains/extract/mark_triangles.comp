@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A subgroup looks at 32 triangles and writes one word of each: which face the eye, and through which the
-// outline of the smooth surface runs.
+// A subgroup tests 32 triangles and writes two words: those that face the eye, and those that the outline of
+// the smooth surface runs through.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

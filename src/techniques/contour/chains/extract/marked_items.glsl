@@ -2,8 +2,9 @@
 #ifndef ESTAMPE_MARKED_ITEMS
 #define ESTAMPE_MARKED_ITEMS
 
-// Items that hold a segment, as bits; and how many lie before each word of them. The segment of an item needs
-// no table. Wanted before: MARKS_BINDING, of the words; that of their prefix sums comes next.
+// Bits of the items that contain a segment, and prefix sums of these bits by word, so that segments need no
+// table of items. Requires before inclusion: MARKS_BINDING, for the words; the next binding is that of the
+// prefix sums.
 
 layout(binding = MARKS_BINDING) uniform usamplerBuffer mark_texels;
 layout(binding = MARKS_BINDING + 1) uniform usamplerBuffer marks_before_texels;
@@ -29,7 +30,7 @@ uint segment_of(uint item)
     return marks_before(word) + uint(bitCount(marks(word) & ((1u << (item & 31u)) - 1u)));
 }
 
-// The item that holds a segment: `word_count` words are marked.
+// The item that contains a segment; there are `word_count` words of marks.
 uint item_of(uint segment, uint word_count)
 {
     uint low = 0u;

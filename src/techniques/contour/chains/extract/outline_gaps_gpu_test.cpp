@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Outlines have no gaps: wherever a thing ends before the background there is a line.
+// Outlines have no gaps: there is a line wherever an object borders on the background.
 #include <algorithm>
 #include <cmath>
 
@@ -33,7 +33,7 @@ bool is_inked(const std::vector<float>& ink, const glm::ivec2& place)
     return false;
 }
 
-/// Share of the pixels where `thing` ends before nothing with no line about them.
+/// Share of the pixels on the border of `thing` and the background that have no line nearby.
 double share_of_gaps(const Primitive& thing)
 {
     test::Drawing drawing(test::scene_of(thing), {.eye = {2.1, 2.4, 4.6}, .target = {0.0, 0.2, 0.0}},
@@ -58,7 +58,7 @@ double share_of_gaps(const Primitive& thing)
     return gaps / edge;
 }
 
-/// A cog whose teeth are 8 to 12 pixels wide.
+/// A gear whose teeth are 8 to 12 pixels wide.
 Primitive cog()
 {
     std::vector<glm::vec2> outline;
@@ -90,7 +90,7 @@ TEST(Outlines, ThatPassFromSmoothPartsToHardEdgesHaveFewGaps)
     EXPECT_LT(share_of_gaps(wound_backwards(banded_ring())), 0.002);
 }
 
-/// A screen that fills the page, a ball before it and, if asked for, a thousand boxes behind it.
+/// A wall that fills the page, a sphere in front of it and, if `is_crowded`, a thousand boxes behind it.
 std::vector<float> lines_before_a_screen(bool is_crowded)
 {
     constexpr glm::uvec2 small_px{200, 150};

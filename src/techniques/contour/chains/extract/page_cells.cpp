@@ -13,7 +13,7 @@
 namespace estampe::contour {
 namespace {
 
-/// Points of the page's lattice.
+/// Size of the page's lattice in points.
 glm::uvec2 lattice(glm::uvec2 size_px)
 {
     return (size_px + (shared::cell_px - 1)) / shared::cell_px;

@@ -2,16 +2,17 @@
 #ifndef ESTAMPE_PAGE_CELLS
 #define ESTAMPE_PAGE_CELLS
 
-// The page as a lattice, a point every cell_px pixels. Between neighbouring points a line is crossed or not:
-// two words a point, of the side to the right and of the side down. Each point has the cell to the right of
-// it and below, those at the right and lower rim have none. Wanted before: `constants`, a CellConstants.
+// The page as a lattice with a point every cell_px pixels. A line may cross the side between two neighbouring
+// points: two words per point, for the sides to the right and down. The cell of a point lies to its right and
+// below; points at the right and lower rim have none. Requires before inclusion: `constants`, a
+// CellConstants.
 
-// Where on its side a crossing lies, or a little beyond, and whether what the line divides rises there, to
-// the right or down.
+// Position of a crossing on its side, or slightly beyond, and whether the quantity that the line divides
+// rises there, to the right or down.
 struct Crossing {
     bool is_there;
     bool rises;
-    bool is_seen_between; // it lies on what is seen half way, not where its side starts
+    bool is_seen_between; // it lies on the surface seen half way, not on that at the start of its side
     float share;
 };
 
@@ -34,8 +35,7 @@ ivec2 pixel_of_point(uvec2 point)
     return ivec2(cell_px * point);
 }
 
-// Processors divide whole numbers one by one: the row is taken from a quotient of floats, which is off by one
-// at most.
+// Integer division is slow on CPUs: the row comes from a quotient of floats, which is off by one at most.
 uvec2 point_of_cell(uint cell)
 {
     uint row = uint(float(cell) / float(constants.columns));

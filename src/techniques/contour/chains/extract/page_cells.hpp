@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Lines that no mesh has edges for, found between the pixels of the page: where surfaces run into each other,
-// and where shadows end.
+// Lines that follow no edge of a mesh, found between the pixels of the page: where surfaces intersect, and
+// where shadows end.
 
 #include <vector>
 
@@ -14,20 +14,21 @@ namespace estampe::contour {
 
 struct ChainInputs;
 
-/// Where lines of one kind cross the sides of the page's lattice, as page_cells.glsl has it.
+/// Crossings of lines of one kind with the sides of the page's lattice, see page_cells.glsl.
 struct PageLines {
     gpu::BufferId crossings;
     uint32_t kind;
-    uint32_t first_word; ///< of the marks of its cells
+    uint32_t first_word; ///< first word of the marks of its cells
 };
 
-/// Words of marks of one kind of line.
+/// Number of words of marks for one kind of line.
 [[nodiscard]] uint32_t page_words(glm::uvec2 size_px);
 
-/// Finds lines of the kinds that `in` asks for. Their marks come one kind after the other from `first_word`
-/// on.
+/// Finds lines of the kinds that `in` asks for. Their marks follow each other, kind by kind, from
+/// `first_word` on.
 ///
-/// Cost    one thread for each four pixels and kind; of meetings, one more where shells adjoin on the page
+/// Cost    one thread for each four pixels and kind; for intersections, one more where shells adjoin on the
+/// page
 /// Source  cells: Lorensen and Cline, "Marching Cubes", 1987, in the plane
 [[nodiscard]] InlineVector<PageLines, 2> add_page_lines(gpu::Graph& graph, const ChainInputs& in,
                                                         uint32_t first_word);
@@ -36,7 +37,7 @@ struct PageLines {
 [[nodiscard]] gpu::BufferId add_cell_marks(gpu::Graph& graph, const PageLines& lines, glm::uvec2 size_px,
                                            gpu::BufferId marks);
 
-/// What segments of marked cells are made from, and where to.
+/// Buffers for turning marked cells into segments.
 struct CellSegments {
     gpu::BufferId marks;
     gpu::BufferId marks_before;
@@ -46,7 +47,7 @@ struct CellSegments {
     uint32_t word_count; ///< of all marks
 };
 
-/// Enters the segments of `lines` and their ranks among all others.
+/// Appends the segments of `lines` and their ranks to the lists.
 void add_cell_segments(gpu::Graph& graph, const ChainInputs& in, const PageLines& lines, CellSegments& list);
 
 } // namespace estampe::contour

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines found on the page, against what is known of spheres, boxes and shadows.
+// Lines found on the page, compared with known results for spheres, boxes and shadows.
 #include "techniques/contour/chains/extract/page_cells.hpp"
 
 #include <cmath>
@@ -23,7 +23,7 @@ ContourStyle with_intersections()
     return {.intersection_mm = 0.3F};
 }
 
-/// Lines of one kind, in the space of the scene and on the page.
+/// Lines of one kind, in the scene and on the page.
 struct Found {
     Found(test::Drawing& drawing, const ContourStyle& style, uint32_t kind)
     {
@@ -45,7 +45,7 @@ struct Found {
         }
     }
 
-    /// Whether a place of the page lies near some sample.
+    /// Whether a place of the page lies near any sample.
     [[nodiscard]] bool is_near(const glm::dvec2& place_px, double most_px) const
     {
         return std::ranges::any_of(samples_px,
@@ -54,7 +54,7 @@ struct Found {
 
     std::vector<glm::dvec3> points;
     std::vector<glm::dvec2> samples_px;
-    size_t strokes = 0; ///< that are drawn
+    size_t strokes = 0; ///< number of drawn strokes
     size_t rings = 0;
 };
 
@@ -65,7 +65,7 @@ glm::dvec2 on_page(const test::Drawing& drawing, const glm::dvec3& place)
     return (0.5 * glm::dvec2(clip) / clip.w + 0.5) * glm::dvec2(page_px);
 }
 
-/// Size of a pixel at a place.
+/// Size of a pixel at a position.
 double pixel_m(const Camera& camera, const glm::dvec3& place)
 {
     if (camera.orthographic_half_height_m) {
@@ -75,7 +75,7 @@ double pixel_m(const Camera& camera, const glm::dvec3& place)
     return 2.0 * away * std::tan(0.5 * camera.vertical_fov_rad) / page_px.y;
 }
 
-/// Two balls of radius 1 whose middles are 2 `apart` along x.
+/// Two spheres of radius 1 whose centres are 2 * `apart` apart along x.
 Scene two_balls(double apart)
 {
     Scene scene;
@@ -84,7 +84,7 @@ Scene two_balls(double apart)
     return scene;
 }
 
-/// Two balls meet in a circle about x.
+/// Expects the line where two spheres intersect: a circle around the x axis.
 void expect_circle(const Camera& camera)
 {
     constexpr double apart = 0.6;
@@ -150,12 +150,12 @@ TEST(ContourIntersections, ShellsOfOneMeshMeet)
     const Found found(drawing, with_intersections(), shared::line_intersection);
     for (const glm::dvec3& p : found.points) {
         EXPECT_LT(std::abs(p.y - 1.0), 1e-3);
-        // At a corner what is seen a pixel away is another face.
+        // At a corner, a pixel further shows another face.
         const bool is_corner = std::min(std::abs(p.x), std::abs(p.z)) > 0.17;
         EXPECT_LT(std::abs(std::max(std::abs(p.x), std::abs(p.z)) - 0.2),
                   (is_corner ? 1.5 : 0.1) * pixel_m(camera, p));
     }
-    for (double x = -0.18; x < 0.19; x += 0.01) { // the two sides of the post that are seen
+    for (double x = -0.18; x < 0.19; x += 0.01) { // the two visible sides of the post
         EXPECT_TRUE(found.is_near(on_page(drawing, {x, 1.0, 0.2}), 3.5)) << x;
         EXPECT_TRUE(found.is_near(on_page(drawing, {0.2, 1.0, x}), 3.5)) << x;
     }
@@ -188,7 +188,7 @@ TEST(ContourIntersections, AreNoneUnlessAskedFor)
     EXPECT_EQ(found.points.size(), 0U);
 }
 
-/// A plate hangs over the ground in the sun; its shadow is a rectangle.
+/// A plate above the ground in the sun; its shadow is a rectangle.
 class ShadowEdges : public testing::Test {
 protected:
     ShadowEdges() : drawing_(scene(), camera_, page_px)
@@ -209,7 +209,7 @@ protected:
         return scene;
     }
 
-    /// The shadow's corner at the plate's (`x`, `z`).
+    /// Position of the shadow of the plate's corner (`x`, `z`).
     [[nodiscard]] glm::dvec3 shadow_of(double x, double z) const
     {
         return glm::dvec3(x, height, z) - towards_sun_ * (height / towards_sun_.y);

@@ -2,11 +2,12 @@
 #ifndef ESTAMPE_PAGE_LINES
 #define ESTAMPE_PAGE_LINES
 
-// Cells through which one line runs. Wanted before: CROSSINGS_BINDING and page_cells.glsl.
+// Finds cells that exactly one line runs through. Requires before inclusion: CROSSINGS_BINDING and
+// page_cells.glsl.
 
 layout(binding = CROSSINGS_BINDING) uniform usamplerBuffer crossing_texels;
 
-// A side of a cell, gone along clockwise on the page.
+// A side of a cell, in clockwise order on the page.
 struct CellSide {
     uvec2 point;
     bool is_down;
@@ -29,22 +30,21 @@ Crossing crossing_at(CellSide side)
     return unpack_crossing(side.is_down ? words.y : words.x);
 }
 
-// The sides where the line comes in, as what it divides rises there, and where it goes out.
+// The side where the line enters, because the quantity rises there, and the side where it leaves.
 struct CellLine {
     bool is_there;
     uint from;
     uint to;
 };
 
-// A cell through which one line runs has one side of either sort; all others are left out.
+// The line through a cell that has one entering and one leaving side; other cells are skipped.
 CellLine line_through(uvec2 cell)
 {
     uvec2 here = crossing_words(cell);
     uvec4 sides =
         uvec4(here.x, crossing_words(cell + uvec2(1u, 0u)).y, crossing_words(cell + uvec2(0u, 1u)).x, here.y);
     uvec4 is_there = min(sides & crossing_is_there, uvec4(1u));
-    uvec4 is_rise =
-        min(sides & crossing_rises, uvec4(1u)) ^ uvec4(0u, 0u, 1u, 1u); // two are gone along backwards
+    uvec4 is_rise = min(sides & crossing_rises, uvec4(1u)) ^ uvec4(0u, 0u, 1u, 1u); // two sides are reversed
     uvec4 rise = is_there & is_rise;
     uvec4 fall = is_there & ~is_rise;
     bool is_one = rise.x + rise.y + rise.z + rise.w == 1u && fall.x + fall.y + fall.z + fall.w == 1u;

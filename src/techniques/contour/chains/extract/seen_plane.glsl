@@ -2,16 +2,16 @@
 #ifndef ESTAMPE_SEEN_PLANE
 #define ESTAMPE_SEEN_PLANE
 
-// Triangles as planes that are looked at. Wanted before: `frame`, a FrameGlobals, and mesh_texels.glsl.
+// Planes of visible triangles. Requires before inclusion: `frame`, a FrameGlobals, and mesh_texels.glsl.
 
 #include "shaders/camera.glsl"
 
 struct Ray {
     vec3 from;
-    vec3 way; // of no particular length; even along the page
+    vec3 way; // not normalised; linear in page coordinates
 };
 
-// To what is infinitely far, or from the plane before the eye on, so that nothing large cancels out.
+// A ray to infinity, or from the near plane on, so that no large numbers cancel.
 Ray ray_at(vec2 place_px)
 {
     vec3 way = (frame.anchor_from_clip * vec4(ndc_at(place_px, frame.size_px), 0.0, 1.0)).xyz;
@@ -21,7 +21,7 @@ Ray ray_at(vec2 place_px)
 
 struct SeenPlane {
     vec3 place;
-    vec3 normal; // of no particular length
+    vec3 normal; // not normalised
 };
 
 SeenPlane seen_plane(uint triangle)
@@ -33,7 +33,7 @@ SeenPlane seen_plane(uint triangle)
     return SeenPlane(a, cross(b - a, c - a));
 }
 
-// More is nearer, evenly so from place to place of the page.
+// Larger means nearer; linear in page coordinates.
 float nearness(SeenPlane plane, Ray ray)
 {
     float away = dot(plane.normal, plane.place - ray.from);

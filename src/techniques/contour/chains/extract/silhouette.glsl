@@ -2,12 +2,12 @@
 #ifndef ESTAMPE_SILHOUETTE
 #define ESTAMPE_SILHOUETTE
 
-// Which way surfaces face. What two shaders must agree on is computed without contraction.
-// Wanted before: `frame`, a FrameGlobals.
+// Orientation of surfaces. Results on which two shaders must agree are computed without contraction. Requires
+// before inclusion: `frame`, a FrameGlobals.
 
 #include "shaders/scene.glsl.h"
 
-// From a point towards the eye, of no particular length.
+// Direction from a point to the eye, not normalised.
 vec3 way_to_eye(vec3 point)
 {
     return frame.is_orthographic != 0u ? -frame.view_forward : frame.eye_anchor - point;
@@ -19,7 +19,7 @@ float exact_dot(vec3 a, vec3 b)
     return sum;
 }
 
-// Positive where the triangle's corners run counter-clockwise to the eye.
+// Positive if the triangle's winding is counter-clockwise as seen from the eye.
 float facing_of(vec3 a, vec3 b, vec3 c)
 {
     precise vec3 u = b - a;
@@ -29,7 +29,7 @@ float facing_of(vec3 a, vec3 b, vec3 c)
     return exact_dot(n, way);
 }
 
-// Direction of a packed normal, of no particular length.
+// Direction of a packed normal, not normalised.
 vec3 normal_direction(uint packed)
 {
     ivec2 words = ivec2(int(packed) << 16, int(packed)) >> 16;
@@ -40,7 +40,7 @@ vec3 normal_direction(uint packed)
     return vec3(z < 0.0 ? folded * signs : e, z);
 }
 
-// Positive where the surface about a vertex faces the eye.
+// Positive if the surface around a vertex faces the eye.
 float facing_at(PosedVertex vertex)
 {
     precise vec3 way = way_to_eye(vertex.position);

@@ -2,14 +2,15 @@
 #ifndef ESTAMPE_SUGGESTIVE
 #define ESTAMPE_SUGGESTIVE
 
-// Where the radial curvature of a surface changes its sign, or the ground begins to fall steeply along the
-// wind. What two shaders must agree on is computed without contraction. Wanted before: VIEW_BENDS_BINDING, of
-// two words a vertex as view_bends.comp and crests.comp write them, and `constants`, of ChainConstants.
+// Where the radial curvature of a surface changes its sign, or the terrain starts to fall steeply along the
+// wind. Results on which two shaders must agree are computed without contraction. Requires before inclusion:
+// VIEW_BENDS_BINDING (two words per vertex, written by view_bends.comp and crests.comp) and `constants`, of
+// ChainConstants.
 
 layout(binding = VIEW_BENDS_BINDING) uniform usamplerBuffer view_bend_texels;
 
-// Radial curvature; and what must be positive where it is a line. Of the ground, how much steeper than half a
-// slip face it falls along the wind; and how far along the wind it lies.
+// Radial curvature, and a strength that must be positive for a line. For terrain: how much steeper than half
+// a slip face it falls along the wind, and its position along the wind.
 vec2 view_bend_at(uint vertex)
 {
     return uintBitsToFloat(texelFetch(view_bend_texels, int(vertex)).xy);
@@ -23,11 +24,11 @@ bool is_of_ground(uint vertex)
 struct BendCrossing {
     uint low; // vertices
     uint high;
-    float share; // of the way from low to high
+    float share; // position from low to high
     float strength;
 };
 
-// Where it is zero between two vertices of unlike sign; the same from both triangles.
+// The zero between two vertices of opposite sign; equal for both triangles.
 BendCrossing bend_crossing(uint i, uint j)
 {
     uint low = min(i, j);
@@ -37,13 +38,13 @@ BendCrossing bend_crossing(uint i, uint j)
     precise float share = clamp(a.x / (a.x - b.x), 0.0, 1.0);
     precise float strength = a.y + share * (b.y - a.y);
     if (is_of_ground(low)) {
-        precise float turn = b.x - a.x; // rises along the wind over a crest, and falls where a slip face ends
+        precise float turn = b.x - a.x; // positive across a crest, negative at the end of a slip face
         strength = (b.y < a.y ? -turn : turn) - constants.least_turn;
     }
     return BendCrossing(low, high, share, strength);
 }
 
-// Corners whose sides lead from hollow to full as seen from the eye and back, where signs differ.
+// Corners at the start of the sides on which the sign changes.
 struct BendSides {
     uint down; // from positive curvature to negative
     uint up;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Suggestive contours: against a search through all triangles, and on a torus against what is known of it.
+// Suggestive contours, compared with a search through all triangles and with known results for a torus.
 #include "techniques/contour/chains/mesh/bending.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ bool bit(const std::vector<uint32_t>& words, size_t i)
     return (words[i / 32] >> (i % 32) & 1U) != 0;
 }
 
-/// Of the place between two vertices where radial curvature is zero, as the shaders have it.
+/// Strength at the zero of radial curvature between two vertices, computed as in the shaders.
 float strength_between(const std::vector<glm::vec2>& bends, uint32_t i, uint32_t j)
 {
     const glm::vec2 a = bends[std::min(i, j)];
@@ -67,7 +67,7 @@ void expect_triangles_as_searched(const Scene& scene, const Camera& camera, cons
     EXPECT_GT(found, 0U) << name;
 }
 
-/// A torus about y, and how it bends as seen from an eye.
+/// A torus around y, and its curvature as seen from an eye.
 class Torus {
 public:
     explicit Torus(const glm::dvec3& eye) : eye_(eye) {}
@@ -75,10 +75,10 @@ public:
     struct Place {
         glm::dvec3 point{0.0};
         glm::dvec3 normal{0.0};
-        glm::dvec3 up{0.0};    ///< along the tube's circle, by its angle
-        glm::dvec3 along{0.0}; ///< along the big circle, by its angle
+        glm::dvec3 up{0.0};    ///< along the tube's circle, per angle
+        glm::dvec3 along{0.0}; ///< along the big circle, per angle
         double around = 0.0;   ///< distance from the axis
-        double cosine = 0.0;   ///< of the angle on the tube
+        double cosine = 0.0;   ///< of the angle around the tube
     };
 
     [[nodiscard]] static Place place(double u, double v)
@@ -107,7 +107,7 @@ public:
         return w.x * w.x / small + w.y * w.y * p.cosine / p.around;
     }
 
-    /// Of radial curvature towards the eye.
+    /// Growth of radial curvature towards the eye.
     [[nodiscard]] double growth(double u, double v) const
     {
         constexpr double step = 1e-4;
@@ -118,7 +118,7 @@ public:
         return (radial(u + du, v + dv) - radial(u - du, v - dv)) / (2.0 * step);
     }
 
-    /// The two angles of a place.
+    /// The two angles of a position.
     [[nodiscard]] static glm::dvec2 angles_at(const glm::dvec3& p)
     {
         return {std::atan2(p.z, p.x), std::atan2(p.y, std::hypot(p.x, p.z) - big)};
@@ -206,7 +206,7 @@ TEST_F(SuggestiveTorus, BendsToTheEyeAsItShould)
     }
     std::ranges::sort(errors);
     ASSERT_GT(errors.size(), 5000U);
-    EXPECT_LT(errors[errors.size() * 95 / 100], 0.05); // curvatures are 2.2 and -1.8 to 0.7
+    EXPECT_LT(errors[errors.size() * 95 / 100], 0.05); // the curvatures are 2.2, and from -1.8 to 0.7
 }
 
 TEST_F(SuggestiveTorus, HasItsLinesWhereRadialCurvatureIsZeroAndGrows)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread asks of one vertex how its surface bends away from the eye: the radial curvature, of the curve
-// in which a plane through the eye and the normal cuts the surface; and whether it grows towards the eye,
-// enough for a line.
+// One thread per vertex computes the radial curvature, that is, of the curve in which the plane through eye
+// and normal cuts the surface, and whether it grows towards the eye enough for a line.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -20,7 +19,7 @@ layout(scalar, binding = 0) uniform Frame
 };
 
 layout(binding = 1) uniform usamplerBuffer posed_vertex_texels;
-layout(binding = 2) uniform usamplerBuffer bending_texels; // two a vertex
+layout(binding = 2) uniform usamplerBuffer bending_texels; // two per vertex
 
 layout(scalar, binding = 3) writeonly buffer ViewBends
 {
@@ -49,7 +48,7 @@ void main()
     vec4 change = uintBitsToFloat(texelFetch(bending_texels, int(2u * index + 1u)));
     PosedVertex vertex = posed_vertex_at(index);
     vec3 normal = unpack_normal(vertex.normal);
-    // The frame hangs on a neighbour, so that it goes with whatever moves the surface.
+    // The frame depends on a neighbour, so that it follows every motion of the surface.
     vec3 x = posed_vertex_at(first.x).position - vertex.position;
     x -= normal * dot(normal, x);
     x /= max(length(x), 1e-30);

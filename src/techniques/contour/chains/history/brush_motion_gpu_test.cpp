@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Brushes of lines from frame to frame: that their pictures stay where they were.
+// Brushes of lines from frame to frame: their pictures must not slide along the lines.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,10 +23,10 @@ using shared::LineSample;
 using shared::Stroke;
 
 constexpr glm::uvec2 page_px{480, 360};
-constexpr double most_slip_px = 8.0;    // what moved farther did not slip
-constexpr float least_whole_px = 24.0F; // of strokes whose picture is looked at
+constexpr double most_slip_px = 8.0;    // a larger offset is a jump, not a slip
+constexpr float least_whole_px = 24.0F; // shorter strokes are not tested
 
-/// What a film leaves of one frame.
+/// The samples and strokes of one frame of a film.
 struct FilmFrame {
     std::vector<LineSample> samples;
     std::vector<DrawnSample> drawn;
@@ -34,7 +34,7 @@ struct FilmFrame {
     std::vector<Stroke> strokes;
 };
 
-/// Adds a frame to a film.
+/// Renders a frame and adds it to a film.
 void shoot(std::vector<FilmFrame>& frames, const Scene& scene, const Camera& camera,
            const ContourStyle& style, LineHistory& history, LineClass lines = LineClass::seen)
 {
@@ -53,7 +53,7 @@ void shoot(std::vector<FilmFrame>& frames, const Scene& scene, const Camera& cam
     frame.drawn.resize(frame.samples.size());
 }
 
-/// What a camera sees that goes around `scene`, 0.25 degrees a frame.
+/// A film whose camera moves around `scene` by 0.25 degrees per frame.
 std::vector<FilmFrame> orbit(const Scene& scene, const ContourStyle& style, int frame_count,
                              LineClass lines = LineClass::seen)
 {
@@ -74,11 +74,11 @@ bool is_drawn(const FilmFrame& frame, size_t i)
     return (frame.samples[i].state & shared::piece_is_there) != 0 && frame.drawn[i].half_width_px > 0.0F;
 }
 
-/// What was drawn in the frame before where a sample of now lies on its surface.
+/// The sample of the previous frame at the same place of the surface.
 struct Match {
     const DrawnSample* before;
     const DrawnSample* now;
-    double along_px; ///< from the one to the other, on the page
+    double along_px; ///< distance between the two along the line on the page
 };
 
 std::vector<Match> matches(const FilmFrame& before, const FilmFrame& now)
@@ -109,8 +109,8 @@ std::vector<Match> matches(const FilmFrame& before, const FilmFrame& now)
     return found;
 }
 
-/// How far along its brush each sample has slid since the frame before, at the place of the surface that it
-/// lies on.
+/// How far each sample has slid along its brush since the previous frame, compared at the same place of the
+/// surface.
 std::vector<double> slips_px(const FilmFrame& before, const FilmFrame& now)
 {
     std::vector<double> slips;
@@ -124,10 +124,10 @@ std::vector<double> slips_px(const FilmFrame& before, const FilmFrame& now)
 }
 
 struct Steadiness {
-    double slip_px = 0.0; ///< root of the mean square
+    double slip_px = 0.0; ///< root mean square
     size_t compared = 0;
-    size_t begun_anew = 0;    ///< samples whose brush jumped to another place of itself
-    double most_change = 0.0; ///< of the number of strokes from frame to frame, as a share
+    size_t begun_anew = 0;    ///< samples whose brush jumped to another position
+    double most_change = 0.0; ///< of the number of strokes between frames, as a share
 };
 
 Steadiness steadiness_of(const std::vector<FilmFrame>& frames)
@@ -174,7 +174,7 @@ TEST(LineBrush, DashesOfHiddenLinesHoldToo)
               0.01 * static_cast<double>(film_of_dashes.compared));
 }
 
-/// A stretched charcoal.
+/// A style with a stretched charcoal brush.
 ContourStyle stretched_style()
 {
     ContourStyle style = even_lines(4.0F);
@@ -188,11 +188,11 @@ double share_of_brush(const DrawnSample& drawn, double along_px = 0.0)
     return (static_cast<double>(drawn.arc_px) + along_px) / static_cast<double>(drawn.whole_px);
 }
 
-/// Of samples that were drawn in the frame before too.
+/// Statistics of samples that the previous frame drew too.
 struct Slides {
     size_t compared = 0;
     size_t jumped = 0;     ///< by more than 0.035 of their brush
-    double most_off = 0.0; ///< from the even place, in shares of the brush, in the last frame
+    double most_off = 0.0; ///< from the even position in the last frame, in shares of the brush
 };
 
 Slides slides_of(const std::vector<FilmFrame>& frames)
@@ -221,7 +221,7 @@ Slides slides_of(const std::vector<FilmFrame>& frames)
 
 TEST(LineBrush, AStretchedOneSlidesToItsNewEndsWhereAStrokeIsSplitOrJoined)
 {
-    // A post beside the plane, and before it. Both scenes have one size, and so one anchor.
+    // A post beside the plane, then in front of it. Both scenes have the same size, and so the same anchor.
     const auto with_post_at = [](double x_m) {
         Scene scene = test::scene_of(shapes::plane(4.0F, 3.0F, 1));
         test::add_object(scene, shapes::box({0.3F, 2.0F, 0.3F}), glm::vec3(0.5F), {x_m, 0.5, 2.5});
@@ -238,7 +238,7 @@ TEST(LineBrush, AStretchedOneSlidesToItsNewEndsWhereAStrokeIsSplitOrJoined)
         for (int i = 0; i < 40; ++i) {
             shoot(shots, *scene, camera, stretched_style(), history);
         }
-        // The edges before and behind are there on both sides of the change.
+        // The edges at the front and back exist before and after the change.
         EXPECT_GT(matches(shots[0], shots[1]).size(), 60U);
         const Slides slides = slides_of(shots);
         EXPECT_GT(slides.compared, 2500U);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread lets one sample say where along the stroke of the frame before its own begins, if that is the
-// one that the stroke goes on from.
+// One thread per sample adds its offset along the previous frame's stroke to its own stroke, if it belongs to
+// the stroke that its own continues.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -34,7 +34,7 @@ layout(push_constant, scalar) uniform Constants
     RecallConstants constants;
 };
 
-const float offset_unit = 16.0; // a pixel
+const float offset_unit = 16.0; // units per pixel
 const float most_offset_px = 4096.0;
 
 void main()
@@ -46,7 +46,7 @@ void main()
     uint stroke = strokes_before(index + 1u) - 1u;
     Recall recall = recalls[index];
     if (constants.stretches != 0u && (sample_at(index).state & sample_in_ring) != 0u) {
-        // A ring has no end: all of it turns by as much as where it is cut.
+        // A ring has no end: all of it shifts by as much as the sample where it is cut.
         float whole = whole_length(index, strokes[stroke]);
         float turn = recalls[strokes[stroke].first].offset_px;
         recall.offset_px -= whole * round((recall.offset_px - turn) / max(whole, 1.0));

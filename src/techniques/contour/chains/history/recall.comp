@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread looks up where one sample was in the frame before, and what was drawn there along the same way.
+// One thread finds the position of one sample in the previous frame, and what was drawn there in the same
+// direction.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -26,7 +27,7 @@ layout(scalar, binding = 3) buffer Strokes
 
 #define GRID_BINDING 4
 #define GRID_ACCESS readonly
-#include "techniques/contour/chains/stroke/sample_grid.glsl" // of the frame before
+#include "techniques/contour/chains/stroke/sample_grid.glsl" // grid of the previous frame
 
 layout(scalar, binding = 5) readonly buffer DrawnSamples
 {
@@ -63,7 +64,7 @@ void main()
                            : sample_at(index).page_px - sample_at(index - 1u).page_px;
         way *= inversesqrt(max(dot(way, way), 1e-20));
         uint stroke = strokes_before(goes_on ? index + 1u : index) - 1u;
-        // What was dropped fades by its own past; what is drawn goes on from what was.
+        // A dropped stroke fades by its own past; a drawn stroke continues what was drawn.
         bool is_dropped = (strokes[stroke].ends & stroke_is_dropped) != 0u;
         float arc = arc_from_start(index, strokes[stroke]);
         float whole = whole_length(index, strokes[stroke]);

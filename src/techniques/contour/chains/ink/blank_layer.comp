@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread blanks one pixel of the layer.
+// One thread clears one pixel of the layer.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

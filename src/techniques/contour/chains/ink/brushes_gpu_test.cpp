@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Brushes of lines: that their pictures lie where they should.
+// Brushes of lines: their pictures must be placed correctly.
 #include "techniques/contour/chains/ink/ink.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ using shared::Stroke;
 
 constexpr glm::uvec2 page_px{480, 360};
 
-/// A stroke that is inked from a quarter to a half of its length, on its left.
+/// A picture of a stroke with ink only on its left, from a quarter to a half of its length.
 Image marked_picture()
 {
     Image image{.width = 256, .height = 32};
@@ -41,7 +41,7 @@ float at(const std::vector<float>& ink, const glm::vec2& place_px)
     return ink[static_cast<size_t>(pixel.y) * page_px.x + static_cast<size_t>(pixel.x)];
 }
 
-/// Of places along a straight stroke those where ink or paper is not as marked_picture() has it.
+/// Number of places along a straight stroke whose ink differs from marked_picture().
 size_t places_off(const test::ChainLists& lists, const Stroke& stroke, const std::vector<float>& ink)
 {
     const uint32_t steps = stroke.last - stroke.first;
@@ -61,7 +61,7 @@ size_t places_off(const test::ChainLists& lists, const Stroke& stroke, const std
     return off;
 }
 
-/// Strokes of some length, and those of them that are drawn with marked_picture().
+/// Number of strokes of some length, and of those drawn with marked_picture().
 struct StrokeCount {
     size_t all = 0;
     size_t of_picture = 0;
@@ -110,7 +110,7 @@ TEST(LineBrush, AMarkedEdgeHasItsOwnAndNotThatOfCreases)
     save_png(marked_picture(), folder / "stroke.png");
     Primitive marked_box = large_box();
     marked_box.edge_marks.assign(marked_box.indices.size() / 3, 0);
-    marked_box.edge_marks[0] = 2; // the upright edge between two seen sides
+    marked_box.edge_marks[0] = 2; // the vertical edge between two visible sides
     test::Drawing marked(test::scene_of(marked_box), view_of_box(), page_px);
     test::Drawing creased(test::scene_of(large_box()), view_of_box(), page_px);
     ContourStyle style = even_lines(12.0F);

@@ -21,7 +21,7 @@
 namespace estampe::contour {
 namespace {
 
-/// Half as many columns and rows, none fewer than one.
+/// The next mip level: half as many columns and rows, but at least one.
 std::vector<float> halved(const std::vector<float>& fine, size_t columns, size_t rows)
 {
     const size_t step_x = columns > 1 ? 2 : 1;
@@ -87,13 +87,13 @@ BrushImages upload_brushes(gpu::Device& device, const BrushSet& brushes)
 
 namespace {
 
-/// What lines have inked.
+/// Buffers of inked pixels.
 struct Inked {
-    gpu::BufferId pixels; ///< a word each
+    gpu::BufferId pixels; ///< one word per pixel
     gpu::BufferId tiles;  ///< see ink_tiles.glsl
 };
 
-/// How long each brush is along the line before it repeats; nothing where it goes from end to end.
+/// Length after which each brush repeats along the line; 0 if it stretches over the whole stroke.
 float period_mm(const BrushImages& brushes, uint32_t use, const ContourStyle& style)
 {
     if (use == shared::brush_hidden) {
@@ -106,7 +106,7 @@ float period_mm(const BrushImages& brushes, uint32_t use, const ContourStyle& st
     return style.brush_mm > 0.0F ? style.brush_mm : std::max(own_mm, 0.1F);
 }
 
-/// Of samples that lie in a grid of `grid_page_px`.
+/// `grid_page_px` is the size of the page whose grid holds the samples.
 shared::BrushConstants brush_constants(const ContourInputs& in, const ContourStyle& style,
                                        glm::uvec2 grid_page_px)
 {
@@ -121,7 +121,7 @@ shared::BrushConstants brush_constants(const ContourInputs& in, const ContourSty
     return constants;
 }
 
-/// Inks pieces of line into what is inked already.
+/// Adds a pass that inks pieces of lines.
 void add_pieces(gpu::Graph& graph, const ContourInputs& in, const ChainStrokes& strokes,
                 const HandDrawn& hand, const ContourStyle& style, Inked& inked)
 {
@@ -144,7 +144,7 @@ void add_pieces(gpu::Graph& graph, const ContourInputs& in, const ChainStrokes& 
     ink.dispatch_indirect(strokes.sizes, indirect_offset(shared::list_samples));
 }
 
-/// Fills the outer sides of corners.
+/// Adds a pass that fills the outer sides of corners.
 void add_joints(gpu::Graph& graph, const ContourInputs& in, const ChainStrokes& strokes,
                 const HandDrawn& hand, const ContourStyle& style, glm::uvec2 grid_page_px, Inked& inked)
 {
@@ -179,7 +179,7 @@ Inked add_ink(gpu::Graph& graph, const ContourInputs& in, const ShapedStrokes& s
     return inked;
 }
 
-/// A processor fills an image quicker by itself than by threads; a GPU is the other way round.
+/// Clears the layer: on a CPU with a fill command, on a GPU with threads, whichever is faster.
 gpu::ImageId add_blank_layer(gpu::Graph& graph, const shared::InkConstants& constants,
                              const gpu::ExecutionProfile& execution)
 {
@@ -195,7 +195,7 @@ gpu::ImageId add_blank_layer(gpu::Graph& graph, const shared::InkConstants& cons
                                  glm::vec4(glm::sqrt(constants.ink_color), 0.0F));
 }
 
-/// Inks strokes whose samples lie in a grid of `grid_page_px`.
+/// Inks strokes; `grid_page_px` is the size of the page whose grid holds their samples.
 gpu::ImageId add_ink_layer(gpu::Graph& graph, const ContourInputs& in, const ShapedStrokes& shaped,
                            const ContourStyle& style, glm::uvec2 grid_page_px,
                            const std::optional<gpu::ImageId>& under)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Brushes of lines on the device: pictures of strokes, one a layer.
+// Brushes of lines on the GPU: pictures of strokes, one per layer.
 
 #include <algorithm>
 #include <array>
@@ -14,25 +14,25 @@
 
 namespace estampe::contour {
 
-/// A stroke from left to right, its left side at the top.
+/// A stroke from left to right; its left side is at the top.
 struct BrushStrip {
-    std::vector<float> ink; ///< shared::brush_rows rows of shared::brush_columns, 0 paper to 1
-    float widths = 1.0F;    ///< how many times it is as long as it is wide
+    std::vector<float> ink; ///< brush_rows rows of brush_columns values, 0 for paper, 1 for ink
+    float widths = 1.0F;    ///< length of the stroke divided by its width
 };
 
-/// Which brush each kind of line has.
+/// The brush of each kind of line.
 struct BrushSet {
     std::vector<BrushStrip> strips;
-    /// By kind of line and shared::brush_hidden, into `strips`; none for the pen.
+    /// Index into `strips` by kind of line, or shared::brush_hidden; none draws with the pen.
     std::array<std::optional<uint32_t>, shared::brush_use_count> strip_of_use;
 };
 
 struct BrushImages {
-    gpu::Image strips; ///< r8, a layer a strip
+    gpu::Image strips; ///< r8, one layer per strip
     std::array<std::optional<uint32_t>, shared::brush_use_count> layer_of_use;
     std::array<float, shared::brush_use_count> widths_of_use{};
 
-    /// Whether what is seen has others than the pen.
+    /// Whether any kind of seen line has a brush other than the pen.
     [[nodiscard]] bool draw_seen_lines() const
     {
         return std::any_of(layer_of_use.begin(), layer_of_use.begin() + shared::brush_hidden,
@@ -40,13 +40,13 @@ struct BrushImages {
     }
 };
 
-/// For what is seen: none where the pen alone draws that.
+/// `brushes`, or null if the pen draws all seen lines.
 [[nodiscard]] inline BrushImages* brushes_of_seen_lines(BrushImages* brushes)
 {
     return brushes != nullptr && brushes->draw_seen_lines() ? brushes : nullptr;
 }
 
-/// Uploads all strips with their levels, each the mean of four texels of the one before. There is at least
+/// Uploads all strips with mip levels; each texel is the mean of four of the level before. Requires at least
 /// one strip. Throws Error when memory runs out.
 [[nodiscard]] BrushImages upload_brushes(gpu::Device& device, const BrushSet& brushes);
 

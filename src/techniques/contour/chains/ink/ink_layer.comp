@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One workgroup turns one tile of inked words into pixels of the layer, which is blank elsewhere.
+// One workgroup converts one tile of inked words to pixels of the layer, which is blank elsewhere.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -51,7 +51,7 @@ void main()
     } else if (has_own_outlines && ink != 0u) {
         color = outline_color_of(ink - 1u);
     }
-    // Where other lines are, the darker ink stands.
+    // Where other lines have been inked, the darker ink wins.
     vec4 ink_before = imageLoad(ink_image, ivec2(pixel));
     float coverage = float(word >> 16) / 65535.0;
     imageStore(ink_image, ivec2(pixel), coverage >= ink_before.a ? vec4(sqrt(color), coverage) : ink_before);

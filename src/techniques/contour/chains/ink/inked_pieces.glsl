@@ -2,18 +2,18 @@
 #ifndef ESTAMPE_INKED_PIECES
 #define ESTAMPE_INKED_PIECES
 
-// What all shaders that draw pieces of lines share. Wanted before: ink_tiles.glsl, and `constants` with the
-// page's width.
+// Code of all shaders that ink pieces of lines. Requires before inclusion: ink_tiles.glsl, and `constants`
+// with the page's width.
 
 const float widest_px = 96.0; // half width
 
-// A line thinner than a pixel keeps its width and loses darkness.
+// A line thinner than a pixel keeps a pixel's width and becomes lighter.
 float coverage(float half_width, float distance)
 {
     return clamp(max(half_width, 0.5) + 0.5 - distance, 0.0, 1.0) * min(half_width / 0.5, 1.0);
 }
 
-// Lists the tiles of a rectangle of pixels.
+// Lists the tiles that a rectangle of pixels covers.
 void list_tiles(ivec2 low, ivec2 high)
 {
     uint columns = (constants.width + 7u) / 8u;

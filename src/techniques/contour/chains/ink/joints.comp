@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread fills the outer side of the corner that two pieces of line make at its sample, up to where their
-// edges cross: of one stroke, of two that meet in a corner, or of strokes whose ends meet there.
+// One thread fills the outer side of the corner at its sample, up to where the edges of the two pieces of
+// line cross: within one stroke, between two strokes that meet in a corner, or between strokes whose ends
+// meet there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -39,7 +40,7 @@ layout(scalar, binding = 5) readonly buffer LineTouches
 
 layout(scalar, binding = 7) buffer Inked
 {
-    uint inked[]; // coverage above, ink below
+    uint inked[]; // coverage in the upper bits, ink in the lower
 };
 
 #define INK_TILES_BINDING 8
@@ -58,9 +59,9 @@ const bool has_brushes = (variant & joints_has_brushes) != 0u;
 
 const float one_place_px = 1.5;
 const float least_half_angle_sine = 0.25; // sharper corners are round
-const float straight_cosine = -0.985;     // ten degrees
+const float straight_cosine = -0.985;     // corners of less than ten degrees are straight
 
-// The end of a line: where, and which way it leads out.
+// The end of a line: its position, and the direction out of the line.
 struct End {
     LinePoint point;
     vec2 out_way;
@@ -88,8 +89,7 @@ End end_of_stroke(Stroke stroke)
     return end_of_piece(2u * stroke.last + 1u, 2u * stroke.last - 2u);
 }
 
-// What leads from a place to either side of a line that starts there, the farthest around; angles from that
-// line, against the clock's hand.
+// The outermost neighbours of a line's end on its left and right; angles are counter-clockwise from the line.
 struct Around {
     End left;
     End right;
@@ -113,8 +113,8 @@ void look_at(End other, End own, inout Around around)
     }
 }
 
-// Of the ends of other strokes at a place that with which this one encloses all others; none where lines lie
-// all around.
+// Among the ends of other strokes at this place, the one that together with `end` encloses all others; none
+// if lines lie all around.
 End partner_of(End end, vec2 sample_px, uint own)
 {
     uvec2 size_px = constants.grid_page_px;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread puts one point of a feature where it comes in its chain.
+// One thread stores one point of a feature at its place in the chain.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -43,7 +43,7 @@ layout(scalar, binding = 7) buffer Points
 
 layout(scalar, binding = 8) buffer Lengths
 {
-    uint lengths[]; // of the piece from each point to the next
+    uint lengths[]; // length of the piece from each point to the next
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -54,7 +54,7 @@ layout(push_constant, scalar) uniform Constants
 layout(constant_id = 0) const uint variant = 0u;
 const bool leave_edges = (variant & order_features_leave_edges) != 0u;
 
-// Of a triangle, in its own winding, of no particular length.
+// Normal of a triangle in its own winding, not normalised.
 vec3 triangle_normal(uint triangle)
 {
     uvec4 corners = triangle_at(triangle);
@@ -68,8 +68,8 @@ bool is_turned(uint triangle)
     return (texelFetch(neighbor_texels, int(triangle)).w & neighbor_is_turned) != 0u;
 }
 
-// Out of the surface at an edge: of what of its two sides faces the eye, or of both where nothing does. So a
-// box on the ground is not looked for beneath that.
+// Outward normal at an edge: of the sides that face the eye, or of both if neither does. So visibility of the
+// edges of a box on the ground is not tested below the ground.
 vec3 edge_normal(uint side, vec3 place)
 {
     uint beyond = texelFetch(neighbor_texels, int(side >> 2))[side & 3u];
@@ -94,7 +94,7 @@ vec3 place_of(FeaturePoint point)
     return leave_edges ? mix(place, posed_vertex_at(point.other_vertex).position, point.share) : place;
 }
 
-// Out of the surface at a point: that of an edge, or of the smooth surface within a triangle.
+// Outward normal at a point: that of an edge, or of the smooth surface within a triangle.
 vec3 normal_at(FeaturePoint point, vec3 place)
 {
     if (leave_edges && (point.side & 3u) == 3u) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread lets one segment look four times as far along its chain as before: pointer jumping. What ends
-// stays at its end; what is closed finds its highest segment, which then counts as the first.
+// One thread advances one segment by a round of pointer jumping: it looks four times as far along its chain
+// as before. In an open chain it stops at the end; in a closed one it finds the highest segment, which then
+// counts as the first.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread says of one slot how many points its chain has, if it stands for the whole chain: the first
-// segment of an open one, the highest of a closed one.
+// One thread per slot stores the number of points of its chain, if the slot represents the chain: the first
+// segment of an open chain, the highest of a closed one.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -35,7 +35,7 @@ layout(scalar, binding = 5) writeonly buffer FlagsOfSlot
 
 layout(scalar, binding = 6) writeonly buffer FirstOfEnd
 {
-    uint first_of_end[]; // by the last segment of an open chain
+    uint first_of_end[]; // indexed by the last segment of an open chain
 };
 
 layout(push_constant, scalar) uniform Constants

@@ -16,9 +16,9 @@
 namespace estampe::contour {
 namespace {
 
-constexpr float reach_share = 0.0075F; // of an object's size, over which forms are smoothed
+constexpr float reach_share = 0.0075F; // radius of the smoothing, as a share of the object's size
 constexpr uint32_t most_rounds = 16;
-constexpr float mean_step = 0.85F; // of a vertex towards what is around it
+constexpr float mean_step = 0.85F; // share by which a vertex moves towards the mean of its neighbours
 constexpr uint32_t change_rounds = 2;
 
 struct Frame {
@@ -27,14 +27,14 @@ struct Frame {
     glm::vec3 y{0.0F};
 };
 
-/// What a triangle's own plane says.
+/// Values computed from a triangle's own plane.
 struct Face {
     Frame frame;
     float area = 0.0F;
 };
 
-/// The way that leads from one tangent plane into another: x of the first, as the second has it when it is
-/// bent over the shortest way. Nothing where they lie back to back.
+/// The rotation between two tangent planes: the x axis of the first in the second, after the shortest
+/// rotation of the normals. Nothing if the planes are back to back.
 std::optional<glm::vec2> turn_between(const Frame& from, const Frame& to)
 {
     const float cosine = glm::dot(from.normal, to.normal);
@@ -54,7 +54,7 @@ glm::vec3 turned(const glm::vec3& form, const glm::vec2& turn)
             s * s * form.x + 2.0F * c * s * form.y + c * c * form.z};
 }
 
-/// What is left of a derivative along `way`: a form.
+/// Contracts a derivative with `way`; the result is a form.
 glm::vec3 along(const glm::vec4& change, const glm::vec2& way)
 {
     return glm::vec3(change.x, change.y, change.z) * way.x + glm::vec3(change.y, change.z, change.w) * way.y;
@@ -115,7 +115,7 @@ private:
         return surface_.positions[vertex(triangle, corner)];
     }
 
-    /// The corners of triangles that meet at each vertex.
+    /// Lists the corners of triangles that meet at each vertex.
     void list_corners()
     {
         first_corner_.assign(surface_.positions.size() + 1, 0);
@@ -155,7 +155,7 @@ private:
     {
         glm::dvec3 sum(0.0);
         for (const uint32_t corner : corners_at(v)) {
-            // By the angle between its sides and their lengths: exact on a ball (Max 1999).
+            // Weights by the angle between the sides and their lengths: exact on a sphere (Max 1999).
             const glm::dvec3 a(place(corner >> 2U, (corner & 3U) + 1) - place(corner >> 2U, corner & 3U));
             const glm::dvec3 b(place(corner >> 2U, (corner & 3U) + 2) - place(corner >> 2U, corner & 3U));
             const double lengths = glm::dot(a, a) * glm::dot(b, b);
@@ -189,7 +189,7 @@ private:
                has_frame(vertex(t, 2));
     }
 
-    /// The form of a triangle, from what its sides' ends differ by.
+    /// The form of a triangle, from the differences between the ends of its sides.
     [[nodiscard]] glm::vec3 form_of_face(size_t t) const
     {
         if (!is_usable(t)) {
@@ -206,7 +206,7 @@ private:
         return glm::vec3(second_form(sides, 1e-9));
     }
 
-    /// The mean of what the triangles about a vertex say, by area and in the vertex's frame.
+    /// Mean of the values of the triangles around a vertex, weighted by area, in the vertex's frame.
     template <class Value>
     [[nodiscard]] Value mean_of_faces(size_t v, const std::vector<Value>& of_face) const
     {
@@ -234,7 +234,7 @@ private:
         });
     }
 
-    /// How many times a vertex should take the mean of those around it: a round carries over half a side.
+    /// Number of smoothing rounds for a vertex; each round reaches half a side further.
     [[nodiscard]] float rounds_wanted(size_t v) const
     {
         float squares = 0.0F;
@@ -248,7 +248,7 @@ private:
         return squares > 0.0F ? std::min(2.0F * reach * reach * count / squares, float{most_rounds}) : 0.0F;
     }
 
-    /// The mean of what the vertices around one say, in its frame.
+    /// Mean of the values of neighbouring vertices, in the vertex's frame.
     template <class Value>
     [[nodiscard]] Value mean_around(size_t v, Value Bending::*value) const
     {
@@ -293,7 +293,8 @@ private:
         }
     }
 
-    /// The derivative on a triangle by least squares, from what the forms at its sides' ends differ by.
+    /// The derivative on a triangle by least squares, from the differences of forms between the ends of its
+    /// sides.
     [[nodiscard]] glm::vec4 change_of_face(size_t t) const
     {
         if (!is_usable(t)) {
@@ -315,7 +316,7 @@ private:
                                                  glm::dvec4(0.0, e.x, e.y, 0.0),
                                                  glm::dvec4(0.0, 0.0, e.x, e.y)};
             for (int i = 0; i < 3; ++i) {
-                const double weight = i == 1 ? 2.0 : 1.0; // xy stands for yx too
+                const double weight = i == 1 ? 2.0 : 1.0; // xy also stands for yx
                 squares += weight * glm::outerProduct(rows.at(static_cast<size_t>(i)),
                                                       rows.at(static_cast<size_t>(i)));
                 right += weight * change[i] * rows.at(static_cast<size_t>(i));
@@ -345,11 +346,11 @@ private:
     std::span<const glm::uvec4> triangles_;
     std::vector<Bending> bendings_;
     std::vector<Face> faces_;
-    std::vector<uint32_t> first_corner_; ///< one a vertex, into corners_
+    std::vector<uint32_t> first_corner_; ///< one per vertex, into corners_
     std::vector<uint32_t> corners_;      ///< triangle << 2 | corner
 };
 
-/// The same in a frame with another tangent.
+/// The same curvature in a frame with another tangent.
 Bending with_tangent(const Bending& bending, const glm::vec3& tangent)
 {
     const glm::vec3 third = glm::cross(bending.normal, tangent);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Edge meshes: first which vertices lie at one place, then which triangles are neighbours and what their
-// edges are.
+// Builds edge meshes: first welds vertices, then finds adjacent triangles and classifies their edges.
 #include "techniques/contour/chains/mesh/edge_mesh.hpp"
 
 #include <algorithm>
@@ -17,19 +16,19 @@
 namespace estampe::contour {
 namespace {
 
-/// The vertices to weld, as TriangleSoup has them.
+/// Input of the welding, see TriangleSoup.
 struct WeldInput {
     std::span<const glm::uvec4> triangles;
     std::span<const glm::vec3> positions;
     std::span<const glm::vec3> mesh_positions;
     std::span<const uint32_t> bodies;         ///< one per triangle
-    std::span<const uint32_t> body_of_vertex; ///< no_side: the vertex has no lines
+    std::span<const uint32_t> body_of_vertex; ///< no_side if the vertex has no lines
 };
 
-// Cells are so much wider than the tolerance that few vertices lie near a border and ask in a second cell,
-// and so much smaller than most triangles that few vertices share one.
+// Cells are so much larger than the tolerance that few vertices must be searched in a second cell, and so
+// much smaller than most triangles that few vertices share one.
 constexpr float cell_tolerances = 64.0F;
-// Vertices of one place that joints take apart stay apart: further than this share of the body as it stands.
+// Vertices at one position that joints move further apart than this share of the body's size are not welded.
 constexpr float most_apart = 1e-3F;
 constexpr float share_of_edge = 0.1F;
 
@@ -49,7 +48,7 @@ struct Box {
 struct Body {
     Box mesh, placed;
     float tolerance = 0.0F; ///< in the mesh's space
-    float apart = 0.0F;     ///< as placed
+    float apart = 0.0F;     ///< in the rest pose
 };
 
 class Welder {
@@ -91,7 +90,7 @@ private:
         }
     }
 
-    /// The shortest edge at each vertex that has a length, squared.
+    /// Finds the shortest edge of non-zero length at each vertex, squared.
     void measure_edges()
     {
         shortest_squared_.assign(in_.mesh_positions.size(), std::numeric_limits<float>::infinity());
@@ -135,7 +134,7 @@ private:
         return h & (slots_.size() - 1);
     }
 
-    /// A vertex of the cell at the place of `v`, else no_side; `slot` is then the first free one.
+    /// A vertex of the cell at the position of `v`, or no_side; `slot` then becomes the first free slot.
     [[nodiscard]] uint32_t look_in(const glm::ivec3& cell, uint32_t v, const Body& body, size_t& slot) const
     {
         for (slot = slot_of(in_.body_of_vertex[v], cell); slots_[slot] != no_side;
@@ -155,7 +154,7 @@ private:
         const glm::ivec3 cell(place);
         size_t free_slot = 0;
         uint32_t found = look_in(cell, v, body, free_slot);
-        // Which side's neighbour may have one too: -1, 0 or 1 along each axis.
+        // The neighbouring cell that may contain a match too: -1, 0 or 1 along each axis.
         glm::ivec3 beside(0);
         const glm::vec3 within = place - glm::vec3(cell);
         constexpr float margin = 1.0F / cell_tolerances;
@@ -182,15 +181,15 @@ private:
     std::vector<uint32_t> slots_;
 };
 
-/// The first vertex at the place of each vertex, or no_side for those without lines. Within one body only,
-/// by `weld_tolerance`. Cost: linear; about 0.2 us per vertex.
+/// The first vertex at the position of each vertex, or no_side for vertices without lines. Welds only within
+/// one body, by `weld_tolerance`. Cost: linear; about 0.2 us per vertex.
 std::vector<uint32_t> weld_vertices(const WeldInput& input)
 {
     return Welder(input).run();
 }
 
 constexpr float same_normal_cosine = 0.99996F; // half a degree
-constexpr float flat_cosine = 0.9852F;         // of 9.87 degrees, less than least_fold_deg
+constexpr float flat_cosine = 0.9852F;         // of 9.87 degrees, which is less than least_fold_deg
 
 uint32_t next(uint32_t corner)
 {
@@ -214,15 +213,15 @@ public:
     }
 
 private:
-    /// One side of a triangle, as seen from the lower of its two points.
+    /// A side of a triangle, stored at the lower of its two points.
     struct Side {
         uint32_t to = 0; ///< the higher point
         uint32_t side = 0;
         uint32_t opposite = 0; ///< the triangle's third point
-        bool goes_up = true;   ///< runs from the lower to the higher
+        bool goes_up = true;   ///< runs from the lower to the higher point
     };
 
-    /// Gives each vertex its point, and the vertex that stands for all with its point and normal.
+    /// Gives each vertex its point, and the vertex that represents all with its point and normal.
     void weld()
     {
         const auto count = static_cast<uint32_t>(soup_.positions.size());
@@ -320,7 +319,7 @@ private:
         }
     }
 
-    /// `around` is all the sides of one edge.
+    /// Adds an edge; `around` are all sides that form it.
     void add_edge(std::span<const Side> around)
     {
         const EdgeMark mark = mark_of(around);
@@ -347,7 +346,7 @@ private:
         }
     }
 
-    /// Marked if one triangle says so, plain if all say no.
+    /// Marked if any triangle marks it; plain if all triangles say that it is not marked.
     [[nodiscard]] EdgeMark mark_of(std::span<const Side> around) const
     {
         if (soup_.edge_marks.empty()) {
@@ -372,7 +371,7 @@ private:
         const glm::vec3 normal_b = normal(b.side >> 2U) * (a.goes_up == b.goes_up ? -1.0F : 1.0F);
         const float cosine = glm::dot(normal(a.side >> 2U), normal_b);
         const bool is_boundary = soup_.materials[a.side >> 2U] != soup_.materials[b.side >> 2U];
-        // Most edges of a fine mesh are flat: their angle is not worth an arc cosine.
+        // Most edges of a fine mesh are flat, so this avoids the arc cosine for them.
         const bool is_flat = cosine > flat_cosine && !is_boundary && mark != EdgeMark::marked;
         const float fold_deg = is_flat ? 0.0F : glm::degrees(std::acos(std::clamp(cosine, -1.0F, 1.0F)));
         if (is_boundary || fold_deg > least_fold_deg || mark == EdgeMark::marked) {
@@ -388,7 +387,7 @@ private:
         }
     }
 
-    /// Whether both triangles have the same normals at both ends of their edge.
+    /// Whether both triangles have equal normals at both ends of their edge.
     [[nodiscard]] bool shades_on(const Side& a, const Side& b) const
     {
         const auto vertex = [this](uint32_t side, uint32_t step) {
@@ -400,7 +399,7 @@ private:
                vertex(a.side, 1) == vertex(b.side, is_alike ? 1 : 0);
     }
 
-    /// As long as twice the triangle's area, in the space of `positions`.
+    /// Normal of a triangle, whose length is twice the area in the space of `positions`.
     [[nodiscard]] glm::vec3 area_normal(uint32_t t, std::span<const glm::vec3> positions) const
     {
         const glm::uvec4& corners = mesh_.triangles[t];
@@ -415,7 +414,7 @@ private:
         return length > 0.0F ? n / length : glm::vec3(0.0F);
     }
 
-    /// How much a triangle's normals agree with the sense of its corners, by area.
+    /// How well a triangle's normals agree with its winding, weighted by area.
     [[nodiscard]] float agreement(uint32_t t) const
     {
         const glm::uvec4& corners = mesh_.triangles[t];
@@ -425,9 +424,9 @@ private:
         return sense * glm::dot(area_normal(t, soup_.mesh_positions), mean);
     }
 
-    /// Takes triangles that have lines piece by piece. A piece goes on over side k of triangle t to one that
-    /// was not reached before, if `crosses(t, k)`; `ends(piece, agrees)` is told how its normals agree with
-    /// its sense.
+    /// Visits triangles that have lines, piece by piece. From triangle t a piece continues across side k to
+    /// an unvisited triangle if `crosses(t, k)`. After each piece calls `ends(piece, agrees)`, where `agrees`
+    /// says how well its normals agree with its winding.
     template <class Crosses, class Ends>
     void flood(const Crosses& crosses, const Ends& ends)
     {
@@ -455,8 +454,8 @@ private:
         }
     }
 
-    /// Numbers shells, and flags triangles so that, those turned around, all of a shell have one sense: that
-    /// of its normals.
+    /// Numbers shells, and flags triangles whose winding must be reversed so that a shell has one consistent
+    /// winding, which agrees with its normals.
     void find_shells()
     {
         const auto turn_alike = [this](uint32_t t, uint32_t k) {
@@ -504,10 +503,10 @@ private:
     const TriangleSoup& soup_;
     EdgeMesh mesh_;
     std::vector<uint32_t> body_of_vertex_;
-    std::vector<uint32_t> stands_for_; ///< one a vertex
-    std::vector<uint32_t> first_side_; ///< one a vertex, into sides_
+    std::vector<uint32_t> stands_for_; ///< one per vertex
+    std::vector<uint32_t> first_side_; ///< one per vertex, into sides_
     std::vector<Side> sides_;
-    std::vector<Side> distinct_; ///< of one edge
+    std::vector<Side> distinct_; ///< the distinct sides of one edge
 };
 
 } // namespace

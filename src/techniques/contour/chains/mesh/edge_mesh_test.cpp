@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What lies on the other side of each edge: against a search through all edges, on surfaces good and bad.
+// Adjacency across edges, compared with a search through all edges, on regular and irregular surfaces.
 #include "techniques/contour/chains/mesh/edge_mesh.hpp"
 
 #include <algorithm>
@@ -16,14 +16,14 @@
 namespace estampe::contour {
 namespace {
 
-/// A soup that owns what it is made of.
+/// A TriangleSoup that owns its data.
 struct Soup {
     std::vector<glm::uvec4> triangles;
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
     std::vector<uint32_t> bodies;
     std::vector<uint32_t> materials;
-    std::vector<uint8_t> edge_marks; ///< as the soup's, where there are any
+    std::vector<uint8_t> edge_marks; ///< empty, or as in TriangleSoup
 
     void add(const Primitive& primitive, uint32_t body = 0, uint32_t material = 0)
     {
@@ -53,7 +53,7 @@ Primitive triangles_of(std::vector<glm::vec3> positions, std::vector<uint32_t> i
     return primitive;
 }
 
-/// Sides by the two places they join, found the slow way.
+/// The two positions that a side joins, for a slow search.
 using Places = std::pair<std::array<float, 3>, std::array<float, 3>>;
 
 Places places_of(const EdgeMesh& mesh, const Soup& soup, uint32_t side)
@@ -67,7 +67,7 @@ Places places_of(const EdgeMesh& mesh, const Soup& soup, uint32_t side)
     return {std::min(a, b), std::max(a, b)};
 }
 
-/// Every edge of two triangles joins them, any other joins none.
+/// Expects every edge of two triangles to join them, and every other edge to join none.
 void expect_adjacency(const Soup& soup)
 {
     const EdgeMesh mesh = soup.build();
@@ -93,11 +93,11 @@ void expect_adjacency(const Soup& soup)
 TEST(EdgeMesh, JoinsTrianglesAsASearchDoes)
 {
     Soup closed;
-    closed.add(shapes::sphere(1.0F, 24, 12), 0); // its seam has every vertex twice
+    closed.add(shapes::sphere(1.0F, 24, 12), 0); // the sphere's seam has every vertex twice
     closed.add(shapes::torus(2.0F, 0.5F, 24, 12), 1);
     closed.add(shapes::box({1.0F, 2.0F, 3.0F}), 2);
     closed.add(shapes::plane(4.0F, 4.0F, 6), 3);
-    // Poles of the sphere have triangles without area, which join nothing.
+    // The poles of the sphere have triangles without area, which join nothing.
     Soup sound;
     for (size_t t = 0; t < closed.triangles.size(); ++t) {
         const glm::uvec4& c = closed.triangles[t];
@@ -165,7 +165,7 @@ TEST(EdgeMesh, TurnsAllPiecesToTheSenseOfTheirNormals)
     Soup soup;
     Primitive plane = shapes::plane(4.0F, 4.0F, 6);
     for (size_t t = 0; t < plane.indices.size() / 3; t += 2) {
-        std::swap(plane.indices[3 * t], plane.indices[3 * t + 1]); // every other triangle lies on its face
+        std::swap(plane.indices[3 * t], plane.indices[3 * t + 1]); // reverses every other triangle
     }
     soup.add(plane);
     const EdgeMesh mesh = soup.build();
@@ -252,7 +252,7 @@ TEST(FeatureChains, TheBorderOfASheetBreaksAtItsCorners)
     EXPECT_EQ(chains.points.size(), 24U);
 }
 
-/// A box whose first side of its first triangle is marked, flat diagonals and folds alike.
+/// A box in which only the first side of the first triangle is marked; flat diagonals and folds are not.
 TEST(FeatureChains, WhereEdgesAreMarkedNoOthersHaveLines)
 {
     Soup soup;
@@ -302,11 +302,11 @@ TEST(FeatureChains, OfAnEdgeBetweenWhatMarksAndWhatDoesNotNothingIsSaid)
 TEST(FeatureChains, SmoothShadingHidesGentleFolds)
 {
     Soup soup;
-    soup.add(shapes::sphere(1.0F, 12, 6)); // folds of 30 degrees, shaded smooth
+    soup.add(shapes::sphere(1.0F, 12, 6)); // folds of 30 degrees with smooth shading
     EXPECT_TRUE(strung(soup, {.crease_deg = 20.0F}).chains.empty());
 }
 
-/// A ball whose vertices along one meridian are there twice, the second time off by a share of its size.
+/// A sphere with duplicate vertices along one meridian, offset by `gap` as a share of its size.
 Soup ball_with_seam(float gap, float radius)
 {
     Primitive ball = shapes::sphere(radius, 24, 12);

@@ -81,7 +81,7 @@ private:
     struct Edge {
         uint32_t side = no_side;
         uint32_t kind = shared::line_crease;
-        uint32_t from = 0; ///< vertices
+        uint32_t from = 0; ///< vertex; so is `to`
         uint32_t to = 0;
     };
 
@@ -96,7 +96,7 @@ private:
         return (end & 1U) == 0 ? edges_[end / 2].from : edges_[end / 2].to;
     }
 
-    /// From the end into its edge.
+    /// Direction from an end into its edge.
     [[nodiscard]] glm::vec3 inwards(uint32_t end) const
     {
         const glm::vec3 along = positions_[vertex_at(end ^ 1U)] - positions_[vertex_at(end)];
@@ -104,7 +104,7 @@ private:
         return length > 0.0F ? along / length : glm::vec3(0.0F);
     }
 
-    /// Finds for each end the one it goes on at.
+    /// Pairs each end with the one where its line continues.
     void join_ends()
     {
         partner_.assign(2 * edges_.size(), no_end);
@@ -139,7 +139,7 @@ private:
         }
     }
 
-    /// Follows edges from `end` to where they go no further, or come back.
+    /// Follows edges from `end` until the line ends or returns to its start.
     void string_from(uint32_t end, bool is_closed)
     {
         const auto chain = static_cast<uint32_t>(result_.chains.size());
@@ -183,8 +183,8 @@ private:
     const EdgeMesh& mesh_;
     std::span<const glm::vec3> positions_;
     std::vector<Edge> edges_;
-    std::vector<uint32_t> partner_; ///< one an end
-    std::vector<bool> is_linked_;   ///< one an edge
+    std::vector<uint32_t> partner_; ///< one per end
+    std::vector<bool> is_linked_;   ///< one per edge
     FeatureChains result_;
 };
 
@@ -199,26 +199,26 @@ FeatureChains string_features(const EdgeMesh& mesh, std::span<const glm::vec3> p
 namespace {
 
 constexpr uint32_t nowhere = ~0U;
-constexpr float least_share = 2.0F / 3.0F; // of the sharpness that a line must have somewhere
+constexpr float least_share = 2.0F / 3.0F; // of the sharpness needed at a line's sharpest point
 constexpr float shortest_share = 1.0F / 30.0F;
 constexpr float least_lead =
-    1.1F; // of the greatest curvature over the other: what bends all ways alike has no lines
-constexpr float sharpness_reach = 0.01F; // of an object's size
+    1.1F; // least ratio of the greatest curvature to the other; nearly spherical surfaces have no lines
+constexpr float sharpness_reach = 0.01F; // share of an object's size
 
-/// A vertex as lines of one kind see it.
+/// Curvature at a vertex, for lines of one kind.
 struct Bend {
-    float sharpness_deg = 0.0F; ///< 0: no line of this kind can be here
-    float growth = 0.0F;        ///< of curvature along `way`
-    glm::vec3 way{0.0F};        ///< across a line
+    float sharpness_deg = 0.0F; ///< 0 means that no line of this kind can be here
+    float growth = 0.0F;        ///< growth of curvature along `way`
+    glm::vec3 way{0.0F};        ///< direction across a line
 };
 
-/// Where a line crosses an edge.
+/// A crossing of a line with an edge.
 struct Crossing {
-    uint32_t low = 0; ///< vertices
+    uint32_t low = 0; ///< vertex; so is `high`
     uint32_t high = 0;
-    float share = 0.0F; ///< of the way from low to high
+    float share = 0.0F; ///< position of the crossing from low to high
     float sharpness_deg = 0.0F;
-    std::array<uint32_t, 2> next{nowhere, nowhere}; ///< crossings, on either side of the edge
+    std::array<uint32_t, 2> next{nowhere, nowhere}; ///< crossings on either side of the edge
     std::array<uint32_t, 2> triangle{nowhere, nowhere};
     bool is_linked = false;
 };
@@ -264,7 +264,7 @@ private:
                 const glm::vec3 across = glm::cross(bending.normal, bending.tangent);
                 const float growth = change_along(sign * bending.change, curvatures.direction);
                 bends_[v] = {glm::degrees(curvatures.greatest * sharpness_reach * surface_.sizes[v]),
-                             growth != 0.0F ? growth : std::numeric_limits<float>::min(), // has a sign
+                             growth != 0.0F ? growth : std::numeric_limits<float>::min(), // not zero
                              curvatures.direction.x * bending.tangent + curvatures.direction.y * across};
             }
         }
@@ -292,8 +292,8 @@ private:
         }
     }
 
-    /// Whether curvature has a maximum or a minimum between two vertices, along its own way; it is noted
-    /// then.
+    /// Whether curvature has an extremum between two vertices along its own direction; if so, records the
+    /// crossing.
     bool is_crossed(uint32_t low, uint32_t high)
     {
         const Bend& a = bends_[low];
@@ -312,7 +312,7 @@ private:
         return true;
     }
 
-    /// Whether curvature falls to either side of a line through a triangle.
+    /// Whether curvature falls on both sides of a line through a triangle.
     [[nodiscard]] bool has_maximum(uint32_t t) const
     {
         const glm::uvec4& corners = surface_.mesh.triangles[t];
@@ -320,7 +320,7 @@ private:
         for (int k = 0; k < 3; ++k) {
             places.at(static_cast<size_t>(k)) = surface_.positions[corners[k]];
         }
-        glm::vec3 turned(0.0F); // the gradient of growth, turned by a right angle and scaled
+        glm::vec3 turned(0.0F); // the gradient of growth, rotated by a right angle and scaled
         glm::vec3 way(0.0F);
         for (size_t k = 0; k < 3; ++k) {
             const Bend& bend = bends_[corners[static_cast<int>(k)]];
@@ -332,8 +332,8 @@ private:
         return glm::dot(glm::cross(normal, turned), way) < 0.0F;
     }
 
-    /// Joins the two crossings of a triangle; of three, which meet where directions have no order, the
-    /// sharpest two.
+    /// Joins the two crossings of a triangle. Of three, which occur where directions have no consistent
+    /// order, joins the sharpest two.
     void link_through(uint32_t t)
     {
         std::array<uint32_t, 3> found{};
@@ -367,11 +367,11 @@ private:
         return glm::mix(surface_.positions[crossing.low], surface_.positions[crossing.high], crossing.share);
     }
 
-    /// Follows a line from an end, or all around, and keeps it if it is sharp and long enough.
+    /// Follows a line from an end, or all around a closed line, and keeps it if it is sharp and long enough.
     void string_from(uint32_t start, FeatureChains& features)
     {
         std::vector<uint32_t> line;
-        std::vector<uint32_t> triangles; // that lead to the next
+        std::vector<uint32_t> triangles; // triangles that lead to the next crossing
         uint32_t before = nowhere;
         uint32_t at = start;
         while (at != nowhere && !crossings_[at].is_linked) {
@@ -426,12 +426,12 @@ private:
     std::span<const Bending> bendings_;
     float ridge_deg_;
     uint32_t kind_;
-    std::vector<Bend> bends_; ///< one a vertex
+    std::vector<Bend> bends_; ///< one per vertex
     std::vector<Crossing> crossings_;
-    std::vector<uint32_t> of_side_; ///< three a triangle
+    std::vector<uint32_t> of_side_; ///< three per triangle
 };
 
-/// Triangles that lines of another kind, a border or a break of shading touch.
+/// Triangles that touch lines of another kind, a border or a break of shading.
 std::vector<bool> taken_triangles(const EdgeMesh& mesh, size_t vertex_count, const FeatureChains& features)
 {
     std::vector<bool> is_taken_point(vertex_count, false);

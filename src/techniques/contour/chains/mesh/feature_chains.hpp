@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Borders, boundaries, creases, ridges and valleys as whole lines: they hold to the surface, so they are
-// strung once.
+// Borders, boundaries, creases, ridges and valleys as whole lines. They do not move on the surface, so they
+// are linked only once.
 
 #include <span>
 #include <vector>
@@ -13,43 +13,43 @@
 
 namespace estampe::contour {
 
-/// Which edges have lines of their own.
+/// The edges that have feature lines.
 struct FeatureChoice {
-    float crease_deg = 34.0F; ///< where shading breaks; where it goes on, 60 degrees at the least
+    float crease_deg = 34.0F; ///< where the shading breaks; where it is smooth, at least 60 degrees
     bool borders = true;
     bool boundaries = true;
     bool creases = true;
     bool marked =
-        true; ///< what the file marks; where it does, folds and borders that it leaves out have none
+        true; ///< edges that the file marks; if it marks any, its unmarked folds and borders have no lines
     bool operator==(const FeatureChoice&) const = default;
 };
 
-/// Lines over the vertices of an edge mesh, and what is left for outlines to find from view to view.
+/// Lines along the vertices of an edge mesh, and the edges that remain for outlines to find in each view.
 struct FeatureChains {
     std::vector<shared::FeaturePoint>
-        points; ///< chain after chain; the first again at the end of a closed one
+        points; ///< chain by chain; a closed chain repeats its first point at the end
     std::vector<shared::FeatureChain> chains;
-    std::vector<glm::uvec2> loose_edges; ///< hard edges that have no line of their own
-    bool leave_edges = false;            ///< some points lie between vertices, some pieces within triangles
+    std::vector<glm::uvec2> loose_edges; ///< hard edges that have no feature line
+    bool leave_edges = false; ///< some points lie between vertices, and some pieces within triangles
 };
 
-/// Strings the edges of one kind together where they meet and bend by no more than 60 degrees, the
-/// straightest first. Cost: linear in features and hard edges.
+/// Links edges of one kind where they meet and bend by no more than 60 degrees, the straightest pairs first.
+/// Cost: linear in features and hard edges.
 [[nodiscard]] FeatureChains string_features(const EdgeMesh& mesh, std::span<const glm::vec3> positions,
                                             const FeatureChoice& choice);
 
 struct RidgeChoice {
     bool ridges = false;
     bool valleys = false;
-    float ridge_deg = 15.0F; ///< turn of the surface over a hundredth of the object's size: its sharpest
-                             ///< place must have this, all of a line two thirds of it
+    float ridge_deg = 15.0F; ///< turn of the surface over a hundredth of the object's size; the sharpest
+                             ///< point of a line must reach this, all others two thirds of it
     bool operator==(const RidgeChoice&) const = default;
 };
 
-/// Appends to `features` the lines along which a surface bends most, outwards or inwards, as one goes across
-/// them: where the greatest curvature has a maximum along its own direction. Points lie on edges, between two
-/// vertices, and so keep to whatever becomes of these. What is shorter than 1/30 of the object is left out,
-/// and what touches a border, a hard edge or a line that `features` has already.
+/// Appends to `features` the ridges and valleys of a surface: lines along which the greatest curvature has a
+/// maximum in its own direction. Points lie on edges between two vertices, so they follow the deformation of
+/// the mesh. Leaves out lines shorter than 1/30 of the object, and lines that touch a border, a hard edge or
+/// a line already in `features`.
 ///
 /// Cost    linear
 /// Source  Ohtake, Belyaev and Seidel, "Ridge-Valley Lines on Meshes via Implicit Surface Fitting", 2004

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curvature, ridges and valleys against surfaces of which all is known.
+// Curvature, ridges and valleys, compared with surfaces of known curvature.
 #include "techniques/contour/chains/mesh/feature_chains.hpp"
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-/// A surface that owns what it is made of.
+/// A RestSurface that owns its data.
 class Surface {
 public:
     Surface(const Primitive& primitive, float size) : positions_(primitive.positions)
@@ -59,7 +59,7 @@ private:
     std::vector<uint8_t> clockwise_;
 };
 
-/// Squares of `side` vertices each way over [-1, 1], diagonals either way by chance.
+/// A grid of `side` x `side` vertices over [-1, 1], with random diagonals.
 Primitive sheet(uint32_t side, const std::function<float(float, float)>& height, float noise = 0.0F)
 {
     Primitive primitive;
@@ -93,7 +93,7 @@ TEST(Bending, IsThatOfATorus)
     constexpr float big = 1.0F;
     constexpr float small = 0.4F;
     const Surface torus(subdivided(shapes::torus(big, small, 128, 64), 0),
-                        0.1F); // of no size that would smooth much
+                        0.1F); // so small that hardly anything is smoothed
     const std::vector<Bending> bendings = find_bending(torus.rest());
     size_t compared = 0;
     for (size_t v = 0; v < bendings.size(); ++v) {
@@ -102,7 +102,7 @@ TEST(Bending, IsThatOfATorus)
         const float around = std::hypot(p.x, p.z);
         const float cosine = (around - big) / small;
         if (bending.normal == glm::vec3(0.0F)) {
-            continue; // another vertex stands for it
+            continue; // another vertex represents it
         }
         const float sine = p.y / small;
         const glm::vec3 outwards = cosine * glm::vec3(p.x, 0.0F, p.z) / around + glm::vec3(0.0F, sine, 0.0F);
@@ -114,7 +114,7 @@ TEST(Bending, IsThatOfATorus)
         const glm::vec3 meridian = curvatures.direction.x * bending.tangent + curvatures.direction.y * third;
         const glm::vec3 upwards = -sine * glm::vec3(p.x, 0.0F, p.z) / around + glm::vec3(0.0F, cosine, 0.0F);
         ASSERT_GT(std::abs(glm::dot(meridian, upwards)), 0.995F);
-        // By 45 degrees the derivative holds, three times over, that of the lesser curvature up the tube.
+        // At 45 degrees the derivative contains three times that of the lesser curvature along the tube.
         const glm::vec3 across = glm::cross(bending.normal, upwards);
         const auto in_plane = [&](const glm::vec3& way) {
             return glm::vec2(glm::dot(way, bending.tangent), glm::dot(way, third));
@@ -146,7 +146,8 @@ TEST(Bending, TurnsItsSignWithTheSide)
     }
 }
 
-/// Waves along x: ridges where the cosine is 1, valleys where it is -1, all straight.
+/// Expects the lines of waves along x: straight ridges where the cosine is 1, straight valleys where it is
+/// -1.
 void expect_wave_lines(float noise, float tolerance)
 {
     constexpr float waves = 1.5F;
@@ -156,7 +157,7 @@ void expect_wave_lines(float noise, float tolerance)
     for (const bool is_ridge : {true, false}) {
         const FeatureChains lines =
             wave.ridges({.ridges = is_ridge, .valleys = !is_ridge, .ridge_deg = 10.0F});
-        // Ridges at -2/3, 0 and 2/3; valleys at -1/3 and 1/3, as those at the borders do not count.
+        // Ridges at -2/3, 0 and 2/3; valleys only at -1/3 and 1/3, because those at the borders do not count.
         ASSERT_EQ(lines.chains.size(), is_ridge ? 3U : 2U);
         EXPECT_TRUE(lines.leave_edges);
         double worst = 0.0;
@@ -180,13 +181,13 @@ void expect_wave_lines(float noise, float tolerance)
             EXPECT_GT(length, 1.85);
         }
         EXPECT_LT(sum / static_cast<double>(lines.points.size()), static_cast<double>(tolerance)) << noise;
-        EXPECT_LT(worst, 0.025); // a square
+        EXPECT_LT(worst, 0.025); // in units of a grid square
     }
 }
 
 TEST(RidgeChains, OfAWaveAreItsCrestsAndTroughs)
 {
-    expect_wave_lines(0.0F, 0.00375F); // 3/20 of a square
+    expect_wave_lines(0.0F, 0.00375F); // 3/20 of a grid square
     expect_wave_lines(0.6F, 0.005F);
 }
 
@@ -214,7 +215,7 @@ TEST(RidgeChains, OfALentilAreOneClosedRim)
 
 TEST(RidgeChains, AreWhereItBendsEnoughAndNotInCrumbs)
 {
-    // The wave grows with y: its crests are lines from where they are sharp enough on.
+    // The wave grows with y; its crests become lines where they are sharp enough.
     const Surface wave(
         sheet(81, [](float x, float y) { return 0.05F * (y + 1.0F) * std::cos(2.0F * pi * 1.5F * x); }),
         2.8F);
@@ -226,10 +227,11 @@ TEST(RidgeChains, AreWhereItBendsEnoughAndNotInCrumbs)
         }
         return y;
     };
-    // A crest of height a bends by a (2 pi 1.5)^2, or 1.6 degrees a hundredth of the size for 0.01.
+    // A crest of height a has the curvature a (2 pi 1.5)^2, or 1.6 degrees per hundredth of the size for
+    // 0.01.
     EXPECT_NEAR(lowest(9.0F), 2.0F * (9.0F * 2.0F / 3.0F) / (14.3F * 1.0F) - 1.0F, 0.08F);
     EXPECT_TRUE(wave.ridges({.ridges = true, .ridge_deg = 16.0F}).chains.empty());
-    // A ball has none, however low the threshold; nor has what is shaded flat.
+    // A sphere has none at any threshold, nor has a flat-shaded surface.
     EXPECT_TRUE(Surface(shapes::sphere(1.0F, 48, 24), 3.4F)
                     .ridges({.ridges = true, .valleys = true, .ridge_deg = 0.5F})
                     .chains.empty());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The outline of a turned mesh is that of the mesh, turned: a mesh placed by a node, a joint or an instance
-// has the same lines as one whose vertices were turned beforehand.
+// A transformed mesh has the transformed outline: a mesh placed by a node, a joint or an instance has the
+// same lines as one whose vertices were transformed beforehand.
 #include <functional>
 #include <random>
 
@@ -19,7 +19,7 @@ namespace {
 
 constexpr glm::uvec2 page_px{160, 120};
 
-/// Each triangle with corners and a normal of its own.
+/// A copy in which each triangle has its own vertices and one normal.
 Primitive flat_shaded(const Primitive& smooth)
 {
     Primitive flat;
@@ -40,7 +40,7 @@ Primitive flat_shaded(const Primitive& smooth)
     return flat;
 }
 
-/// The vertices where `turn` puts them; a mirroring turns the triangles around as well.
+/// The primitive with vertices transformed by `turn`; mirroring also reverses the winding.
 Primitive placed_beforehand(Primitive primitive, const glm::dmat4& turn)
 {
     const bool is_mirroring = glm::determinant(glm::dmat3(turn)) < 0.0;
@@ -85,7 +85,7 @@ Scene by_joint(const Primitive& primitive, const glm::dmat4& turn)
     return scene;
 }
 
-/// How many segments the outlines and creases of a scene have.
+/// Number of segments in the outlines and creases of a scene.
 uint32_t segments_of(const Scene& scene)
 {
     test::Drawing drawing(scene, view_from_above(), page_px);
@@ -111,7 +111,7 @@ void expect_same_lines(const Primitive& primitive, const std::vector<Placing>& p
             static_cast<double>(segments_of(test::scene_of(placed_beforehand(primitive, turn))));
         EXPECT_GT(expected, 8.0);
         for (size_t placing = 0; placing < placings.size(); ++placing) {
-            // Rounding may decide otherwise where a triangle is seen just from its edge.
+            // Rounding may differ for a triangle that is seen edge-on.
             EXPECT_NEAR(static_cast<double>(segments_of(placings[placing](primitive, turn))), expected, 2.0)
                 << "placing " << placing << ", turn " << i;
         }

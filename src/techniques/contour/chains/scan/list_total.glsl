@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_LIST_TOTAL
 #define ESTAMPE_LIST_TOTAL
 
-// What a scan's total is the size of.
+// Writes the total of a scan as the size of its list.
 void write_total(uint total)
 {
     uint kept = min(total, constants.capacity);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One workgroup turns a list of numbers into the sums of all before each, with the total at the end: each
-// thread adds up a stretch, the sums of stretches are added up among the threads of a subgroup and then among
-// subgroups, and each thread walks its stretch once more.
+// One workgroup computes exclusive prefix sums of a list, with the total at the end. Each thread sums one
+// part of the list; these sums are scanned within subgroups and then across subgroups; finally each thread
+// walks over its part again.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

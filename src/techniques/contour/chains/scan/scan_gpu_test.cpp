@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sums of lists, by one workgroup and by many, against the processor.
+// Prefix sums of lists by one workgroup and by many, compared with the CPU.
 #include "techniques/contour/chains/scan/scan.hpp"
 
 #include <bit>
@@ -18,7 +18,7 @@ struct Summed {
     std::vector<shared::ListSize> sizes;
 };
 
-/// The list's length is half fixed and half another list's; its total becomes a third one's.
+/// Scans a list whose length is half fixed and half another list's; its total becomes the size of a third.
 Summed summed(const std::vector<uint32_t>& values, bool is_spread, bool counts_bits, uint32_t capacity)
 {
     const auto count = static_cast<uint32_t>(values.size());
@@ -61,7 +61,7 @@ TEST(ContourScan, SumsAsTheProcessorDoes)
             for (const bool is_spread : {false, true}) {
                 const uint32_t capacity = count == 257 ? 100U : 0xFFFFFFFFU;
                 Summed result = summed(values, is_spread, counts_bits, capacity);
-                result.before.resize(expected.size()); // buffers have 16 bytes at least
+                result.before.resize(expected.size()); // buffers have at least 16 bytes
                 const uint32_t total = std::min(expected.back(), capacity);
                 EXPECT_EQ(result.before, expected) << count << (is_spread ? ", spread" : "");
                 EXPECT_EQ(result.sizes[shared::list_samples].count, total);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Each workgroup turns one stretch of a list of numbers into the sums of all before each, a round of as many
-// as there are threads after another; the last one writes the total. The same as scan.comp for a device whose
-// workgroups run side by side.
+// Each workgroup computes the exclusive prefix sums of one part of a list, in rounds of as many values as it
+// has threads; the last one writes the total. Same result as scan.comp, for GPUs whose workgroups run in
+// parallel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -43,12 +43,12 @@ layout(push_constant, scalar) uniform Constants
 
 shared uint sum_of_subgroup[THREADS];
 
-// Of what the threads of the workgroup have: all before this one, and all.
+// Exclusive prefix sum over the threads of the workgroup, and the total.
 uvec2 sums_of_threads(uint value)
 {
     uint running = subgroupExclusiveAdd(value);
     uint sum = subgroupAdd(value);
-    barrier(); // the round before has been read
+    barrier(); // all threads have read the previous round
     if (subgroupElect()) {
         sum_of_subgroup[gl_SubgroupID] = sum;
     }

@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_SCAN_STRETCH
 #define ESTAMPE_SCAN_STRETCH
 
-// The stretch of a list that a workgroup takes: its first value, and the one after its last.
+// The part of a list that a workgroup processes: index of its first value, and of the one after its last.
 uvec2 stretch_of(uint part, uint count)
 {
     uint share = (count + scan_parts - 1u) / scan_parts;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each workgroup adds up one of scan_parts stretches of a list, for scan_spread.comp to go on from.
+// Each workgroup sums one of scan_parts parts of a list; scan_spread.comp continues from these sums.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -23,7 +23,7 @@ layout(scalar, binding = 1) readonly buffer Values
 
 layout(scalar, binding = 2) writeonly buffer Sums
 {
-    uint sums[]; // of each stretch; then the length of the list
+    uint sums[]; // of each part; then the length of the list
 };
 
 layout(push_constant, scalar) uniform Constants

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Four threads ask of one short stroke whether it runs beside a longer one, as the far side of a cusp does:
-// it is not drawn then. Nor is a stroke that was found on the page, of any length, if it runs beside one of
-// the mesh: where a box stands on the ground its edge is there already. No stroke has a past yet.
+// Four threads test whether one short stroke runs beside a longer one, like the far side of a cusp; such a
+// stroke is dropped. A stroke of any length that was found on the page is dropped if it runs beside one of
+// the mesh: where a box stands on the ground, its edge already has a line. Resets the past of all strokes.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -9,8 +9,8 @@
 #include "shaders/unit.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
-const uint threads = 4u;       // a stroke
-layout(local_size_x = 256) in; // of 64 strokes
+const uint threads = 4u;       // per stroke
+layout(local_size_x = 256) in; // 64 strokes
 
 layout(scalar, binding = 0) readonly buffer Sizes
 {
@@ -36,13 +36,13 @@ layout(push_constant, scalar) uniform Constants
 };
 
 const float beside_px = 4.0;
-const float foot_px = 2.0;         // along a line, from the sample nearest to a place beside it
-const float least_inside_px = 0.5; // from its ends
+const float foot_px = 2.0; // largest distance along a line between a place beside it and the nearest sample
+const float least_inside_px = 0.5; // least distance from the ends of the other stroke
 const uint most_steps = 10u;
-const uint least_page_steps = 3u; // of what is found on the page; less is a speck
-const float most_share = 0.5;     // of its samples may lie beside another
+const uint least_page_steps = 3u; // for strokes found on the page; shorter ones are specks
+const float most_share = 0.5;     // share of a stroke's samples that may lie beside another stroke
 
-// Whether a place lies to one side of a sample's stroke, not before its start or past its end.
+// Whether a place lies beside a sample's stroke, not before its start or after its end.
 bool is_beside(vec2 here, uint other, Stroke stroke)
 {
     uint previous = max(other, stroke.first + 1u) - 1u;
@@ -77,7 +77,7 @@ bool is_beside_longer(uint index, uint own, uint own_steps, bool is_own_of_page)
     return is_there;
 }
 
-shared uint beside[64]; // by stroke: how many of its samples lie beside another
+shared uint beside[64]; // for each stroke, how many of its samples lie beside another
 
 void main()
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two threads ask of one stroke whether its ends meet other lines: those are drawn right up to them, and only
-// free ends run out.
+// Two threads test whether the ends of one stroke meet other lines. Such ends are drawn up to the other line;
+// only free ends taper.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -8,7 +8,7 @@
 #include "shaders/unit.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
-layout(local_size_x = 128) in; // of 64 strokes
+layout(local_size_x = 128) in; // 64 strokes
 
 layout(scalar, binding = 0) readonly buffer Sizes
 {
@@ -34,7 +34,7 @@ layout(push_constant, scalar) uniform Constants
 };
 
 const float meeting_px = 5.0;
-const uint far_along = 8u; // samples; nearer ones are the stroke itself
+const uint far_along = 8u; // in samples; nearer ones belong to the stroke itself
 
 bool is_dropped(uint other)
 {

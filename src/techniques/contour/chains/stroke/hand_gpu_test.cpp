@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a hand does to lines: widths, corners, strokes drawn again, and what lies behind.
+// Effects of the hand on lines: widths, corners, retraced strokes, and hidden lines.
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -29,7 +29,7 @@ double sum_of(const std::vector<float>& ink)
     return std::accumulate(ink.begin(), ink.end(), 0.0);
 }
 
-/// Width of the outline of a unit sphere, right of its middle.
+/// Width of the outline of a unit sphere, to the right of its centre.
 double outline_px(double distance_m, const ContourStyle& style)
 {
     test::Drawing drawing(test::scene_of(shapes::sphere(1.0F, 96, 48)),
@@ -43,11 +43,11 @@ TEST(LineHand, WidthsOfTheSceneHalveWhenTheDistanceDoubles)
 {
     ContourStyle style = even_lines(1.0F);
     style.outline_m = 0.12F;
-    style.distance_thinning = 0.7F; // has no say in them
+    style.distance_thinning = 0.7F; // must not affect widths in metres
     std::vector<double> widths_px;
     for (const double distance_m : {4.0, 8.0}) {
         widths_px.push_back(outline_px(distance_m, style));
-        const double away_m = distance_m - 1.0 / distance_m; // of the circle that is the outline
+        const double away_m = distance_m - 1.0 / distance_m; // distance of the circle that is the outline
         const double pixel_m = 2.0 * away_m * std::tan(0.5 * fov_rad) / page_px.y;
         EXPECT_NEAR(widths_px.back(), 0.12 / pixel_m, 0.3) << distance_m;
     }
@@ -57,8 +57,8 @@ TEST(LineHand, WidthsOfTheSceneHalveWhenTheDistanceDoubles)
     EXPECT_NEAR(outline_px(4.0, style), outline_px(8.0, style), 0.2);
 }
 
-/// A sheet 2 m wide and high whose upright middle, at the anchor, is nearest to +z: a fold of two flat
-/// halves, or the crest of a wave.
+/// A sheet 2 m wide and high whose vertical middle line, at the anchor, is nearest to +z: a fold between two
+/// flat halves, or the crest of a wave.
 Primitive folded_sheet(bool is_round)
 {
     constexpr float pi = std::numbers::pi_v<float>;
@@ -89,7 +89,7 @@ Primitive folded_sheet(bool is_round)
     return sheet;
 }
 
-/// Width of the line up the middle of a sheet.
+/// Width of the line along the middle of a sheet.
 double middle_px(const Primitive& sheet, double distance_m, const ContourStyle& style)
 {
     test::Drawing drawing(test::scene_of(sheet), test::front_camera(distance_m, fov_rad), page_px);
@@ -119,14 +119,14 @@ TEST(LineHand, WidthsOfTheSceneAreThoseOfEachKind)
     expect_width(fold, &ContourStyle::crease_m, "crease");
     expect_width(marked_fold, &ContourStyle::marked_m, "marked");
     expect_width(wave, &ContourStyle::ridge_m, "ridge");
-    // Those of other kinds do nothing.
+    // Widths of other kinds have no effect.
     style.crease_m = style.valley_m = style.suggestive_m = 0.12F;
     style.marked_mm = 1.0F;
     EXPECT_NEAR(middle_px(marked_fold, 4.0, style), 1.0, 0.3);
     EXPECT_NEAR(middle_px(wave, 4.0, style), 0.0, 0.01);
 }
 
-/// A flat triangle with corners of 90, 20 and 70 degrees, as seen from its front.
+/// A corner of a flat triangle with angles of 90, 20 and 70 degrees, seen from its front.
 struct Corner {
     glm::dvec2 page_px;
     glm::dvec2 out; ///< away from the middle of the corner
@@ -181,7 +181,7 @@ TEST(LineHand, CornersAreMitredUpToALimitAndElseRound)
             EXPECT_GT(at(mitred, beyond(tip_px - 3.0)), 0.9F) << corner.half_angle_rad;
         }
     }
-    // Nothing is taken away, and there is no gap.
+    // Mitring only adds ink, and leaves no gap.
     for (size_t i = 0; i < round.size(); ++i) {
         EXPECT_GE(mitred[i], round[i]);
     }
@@ -237,7 +237,8 @@ TEST(LineHand, PressureFromTurnsSwellsWhereALineBends)
 {
     ContourStyle style = even_lines(2.0F);
     style.pressure = 1.0F;
-    // In full light only turns swell; pixels are millimetres. By 5 over the radius, of which 0.75 counts.
+    // In full light only turns increase the width, by 5 over the radius, of which 0.75 counts. A pixel is a
+    // millimetre.
     for (const double distance_m : {30.0, 12.0, 2.6}) {
         style.pressure_from = PressureFrom::light;
         const double even_px = outline_px(distance_m, style);
@@ -269,7 +270,7 @@ TEST(LineHand, HiddenLinesAreDashedAndNowhereElse)
         for (uint32_t i = stroke.first + 3; i + 3 <= stroke.last; ++i) {
             const float here = at(all, hidden.samples[i].page_px);
             if (at(seen, hidden.samples[i].page_px) > 0.0F) {
-                continue; // where a line in front crosses
+                continue; // a line in front crosses here
             }
             ink += static_cast<double>(here);
             ++count;
@@ -277,7 +278,7 @@ TEST(LineHand, HiddenLinesAreDashedAndNowhereElse)
             was_ink = here > 0.5F;
         }
     }
-    EXPECT_EQ(hidden.strokes.size(), 3U); // of the corner behind
+    EXPECT_EQ(hidden.strokes.size(), 3U); // strokes of the corner behind
     EXPECT_GT(count, 60U);
     EXPECT_NEAR(ink / static_cast<double>(count), 0.6, 0.12);
     EXPECT_GT(changes, 12U);

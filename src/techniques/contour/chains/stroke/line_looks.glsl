@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_LINE_LOOKS
 #define ESTAMPE_LINE_LOOKS
 
-// The lines of each look, see LineLook. Wanted before: LINE_LOOKS_BINDING.
+// Lines of each style variant, see LineLook. Requires before inclusion: LINE_LOOKS_BINDING.
 layout(binding = LINE_LOOKS_BINDING) uniform usamplerBuffer line_look_texels;
 
 uint line_look_word(uint look, uint word)
@@ -10,7 +10,7 @@ uint line_look_word(uint look, uint word)
     return texelFetch(line_look_texels, int(16u * look + word)).x;
 }
 
-/// In pixels, or metres where that is said of the kind.
+/// In pixels, or in metres if the kind's bit in metre_kinds is set.
 float look_width_of(uint look, uint kind)
 {
     return uintBitsToFloat(line_look_word(look, kind));

@@ -19,7 +19,7 @@ bool has(const shared::LineSample& sample, uint32_t bit)
     return (sample.state & bit) != 0;
 }
 
-/// Counts what the pieces of a path are, to name the path by what most of it is.
+/// Counts the kinds of a path's pieces, to find the most frequent one.
 class KindCount {
 public:
     void add(uint32_t kind) { ++counts_.at(kind); }
@@ -37,7 +37,7 @@ class Reader {
 public:
     Reader(const LineLists& lists, const EdgeMesh& mesh) : lists_(lists), mesh_(mesh) {}
 
-    /// The strokes among samples [first, last].
+    /// Adds the strokes among samples [first, last].
     void add_strokes(uint32_t first, uint32_t last, std::vector<LinePath>& paths) const
     {
         for (uint32_t start = first; start < last;) {
@@ -89,7 +89,7 @@ private:
         return ((lists_.facing[triangle / 32] >> (triangle & 31U) & 1U) != 0) != is_turned;
     }
 
-    /// As in shape.comp: a fold or a boundary behind which the surface turns away is an outline there.
+    /// As in shape.comp: a fold or boundary behind which the surface turns away counts as an outline.
     [[nodiscard]] uint32_t kind_at(uint32_t sample) const
     {
         const uint32_t kind = lists_.samples[sample].source >> 28U;
@@ -162,7 +162,7 @@ namespace {
 constexpr float one_place_px = 1.5F; // as in joints.comp
 constexpr float cell_px = 4.0F;
 
-/// Number 2 i is the start of path i, 2 i + 1 its end.
+/// The end 2 i is the start of path i, 2 i + 1 its end.
 using EndNumber = size_t;
 
 class Joiner {
@@ -194,12 +194,12 @@ public:
     {
         std::vector<LinePath> joined;
         is_taken_.assign(paths_.size(), false);
-        for (size_t i = 0; i < paths_.size(); ++i) { // from what has a free end
+        for (size_t i = 0; i < paths_.size(); ++i) { // starts at free ends
             if (!is_taken_[i] && (!partners_[2 * i] || !partners_[2 * i + 1])) {
                 joined.push_back(walk(partners_[2 * i] ? 2 * i + 1 : 2 * i));
             }
         }
-        for (size_t i = 0; i < paths_.size(); ++i) { // rings
+        for (size_t i = 0; i < paths_.size(); ++i) { // the remaining paths are rings
             if (!is_taken_[i]) {
                 joined.push_back(around(i));
             }
@@ -229,8 +229,8 @@ private:
                             : points[points.size() - 2].page_px - points.back().page_px;
     }
 
-    /// Of the ends at the place of one that with which it encloses all others; none where lines lie all
-    /// around.
+    /// Among the ends at the same place, the one that together with `own` encloses all others; none if lines
+    /// lie all around.
     [[nodiscard]] std::optional<EndNumber> partner_of(EndNumber own) const
     {
         std::optional<EndNumber> left;
@@ -270,7 +270,7 @@ private:
                std::abs(point(a).width_px - point(b).width_px) <= 0.1F * wider_px;
     }
 
-    /// Everything from a free end on.
+    /// The path from a free end on.
     [[nodiscard]] LinePath walk(EndNumber start)
     {
         LinePath path = paths_[start / 2];
@@ -289,12 +289,12 @@ private:
         return path;
     }
 
-    /// A ring that path `i` is part of, from the middle of that path on.
+    /// The ring that contains path `i`, from the middle of that path on.
     [[nodiscard]] LinePath around(size_t i)
     {
         const auto half = static_cast<std::ptrdiff_t>(paths_[i].points.size() / 2);
         LinePath path = walk(2 * i);
-        path.points.pop_back(); // the first again, up to a pixel
+        path.points.pop_back(); // repeats the first point, apart from rounding
         std::rotate(path.points.begin(), path.points.begin() + half, path.points.end());
         path.points.push_back(path.points.front());
         path.is_closed = true;

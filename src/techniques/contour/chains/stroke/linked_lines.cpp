@@ -12,14 +12,14 @@
 namespace estampe::contour {
 namespace {
 
-/// A buffer as large as `from`, to copy it into.
+/// An empty buffer of the size of `from`, as target of a copy.
 gpu::Buffer room_for(gpu::Graph& graph, gpu::Device& device, gpu::BufferId from,
                      gpu::MemoryUse use = gpu::MemoryUse::device)
 {
     return {device, "strung lines", graph.describe(from).size_bytes, use};
 }
 
-/// What is copied where.
+/// Pairs of source and target of copies.
 using Copies = std::vector<std::pair<gpu::BufferId, gpu::Buffer*>>;
 
 void list_copies(const ChainStrokes& from, std::span<const HandDrawn> hands, LinkedLines::Strokes& to,
@@ -36,7 +36,7 @@ void list_copies(const ChainStrokes& from, std::span<const HandDrawn> hands, Lin
     }
 }
 
-/// Leaves of a list no more than its start.
+/// Shrinks a list to its first `size_bytes`.
 void shrink(gpu::Graph& graph, gpu::Device& device, gpu::Buffer& list, uint64_t size_bytes,
             std::vector<gpu::Buffer>& outgrown)
 {
@@ -53,7 +53,7 @@ ChainStrokes import_strokes(gpu::Graph& graph, gpu::BufferId sizes, LinkedLines:
     const auto before = gpu::import_whole(graph, "strung strokes before", strokes.strokes_before);
     return {.sizes = sizes,
             .samples = gpu::import_whole(graph, "strung samples", strokes.samples),
-            .samples_before = before, // of no use here
+            .samples_before = before, // unused here
             .strokes_before = before,
             .strokes = gpu::import_whole(graph, "strung strokes", strokes.strokes),
             .grid = gpu::import_whole(graph, "strung grid", strokes.grid)};

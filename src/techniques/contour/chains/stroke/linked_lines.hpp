@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The lines of a whole page, strung and shaped once, for a page that is inked part by part: where a stroke
-// begins and ends, how long it is and how it sways must not hang on the part.
+// The lines of a whole page, linked and shaped once, for a page that is inked in parts: start, end, length
+// and wobble of a stroke must not depend on the part.
 
 #include <optional>
 #include <vector>
@@ -16,7 +16,7 @@ class Executor;
 
 namespace estampe::contour {
 
-/// What ShapedStrokes are, kept from graph to graph.
+/// Copies of ShapedStrokes that outlive a graph.
 struct LinkedLines {
     struct Hand {
         gpu::Buffer line_points;
@@ -31,31 +31,31 @@ struct LinkedLines {
         std::vector<Hand> hands;
     };
 
-    glm::uvec2 page_px{0}; ///< of the page that they were strung on
+    glm::uvec2 page_px{0}; ///< size of the page on which the lines were linked
     gpu::Buffer sizes;
     Strokes seen;
     std::optional<Strokes> hidden;
 };
 
-/// Declares what copies `shaped`, of a page of `page_px`, into `lines`, which must outlive the graph.
+/// Adds passes that copy `shaped`, of a page of `page_px`, into `lines`, which must outlive the graph.
 void add_keeping(gpu::Graph& graph, gpu::Device& device, const ShapedStrokes& shaped, glm::uvec2 page_px,
                  LinkedLines& lines);
 
-/// Gives back the room that lines do not take, once the graph has run. Throws Error when there are more than
-/// had room.
+/// Shrinks the buffers to the size of the lines, after the graph has run. Throws Error when there were more
+/// lines than the buffers could hold.
 [[nodiscard]] LinkedLines shrunk(gpu::Device& device, gpu::Executor& executor, LinkedLines lines);
 
-/// Which part of the page is inked: pixels of the part are `scale` to one of the page that lines were strung
-/// on, and it begins `from_px` of its own pixels from the page's corner.
+/// The part of the page to ink. A pixel of the page on which lines were linked is `scale` pixels of the part.
+/// The part begins at `from_px` from the page's corner, in pixels of the part.
 struct PartOfPage {
     glm::vec2 from_px{0.0F};
     float scale = 1.0F;
 };
 
-/// The strokes in pixels of a part of the page.
+/// The strokes in pixel coordinates of a part of the page.
 [[nodiscard]] ShapedStrokes take_part(gpu::Graph& graph, LinkedLines& lines, const PartOfPage& part);
 
-/// As add_chain_contours(), of lines that were strung before.
+/// Draws lines that were linked before; otherwise as add_chain_contours().
 [[nodiscard]] gpu::ImageId add_linked_contours(gpu::Graph& graph, const ContourInputs& in, LinkedLines& lines,
                                                const PartOfPage& part, const ContourStyle& style,
                                                std::optional<gpu::ImageId> under = std::nullopt);

@@ -4,12 +4,12 @@
 
 #include "shaders/loops.glsl"
 
-// The page in cells of a few pixels: each knows the first and the last of the samples in it. Of more than two
-// lines in one cell, two are found. Wanted before: GRID_BINDING, GRID_ACCESS.
+// The page as a grid of cells of a few pixels. Each cell stores the first and last of its samples, so at most
+// two lines per cell are found. Requires before inclusion: GRID_BINDING, GRID_ACCESS.
 
 layout(scalar, binding = GRID_BINDING) GRID_ACCESS buffer Grid
 {
-    uvec2 grid[]; // lowest sample; one more than the highest
+    uvec2 grid[]; // the lowest sample, and one more than the highest
 };
 
 uvec2 grid_size(uvec2 size_px)
@@ -27,7 +27,7 @@ uint cell_index(ivec2 cell, uvec2 size_px)
     return uint(cell.y) * grid_size(size_px).x + uint(cell.x);
 }
 
-// The cell at a place of the page and those around it.
+// The cell at a place of the page and its neighbours.
 Cells cells_around(vec2 page_px, uvec2 size_px)
 {
     ivec2 cell = cell_of(page_px, size_px);

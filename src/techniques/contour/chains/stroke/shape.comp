@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two threads shape one sample of a stroke: where the pen goes, and how wide it draws there, as a piece
-// starts and as the piece before it ends. A place where one stroke ends and the next starts has two shapes.
+// Two threads compute path and width of the pen at one sample of a stroke: at the start of its piece, and at
+// the end of the piece before. The two differ where one stroke ends and the next starts.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -12,7 +12,7 @@
 #include "shaders/unit.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
-layout(local_size_x = 128) in; // of 64 samples
+layout(local_size_x = 128) in; // 64 samples
 
 layout(scalar, binding = 0) uniform Frame
 {
@@ -51,7 +51,7 @@ layout(binding = 8) uniform sampler2D light_image;
 
 layout(scalar, binding = 11) writeonly buffer LinePoints
 {
-    LinePoint line_points[]; // two a sample: as its piece starts, as the piece before it ends
+    LinePoint line_points[]; // two per sample: at the start of its piece, and at the end of the piece before
 };
 
 layout(scalar, binding = 12) readonly buffer Recalls
@@ -69,7 +69,7 @@ layout(scalar, binding = 14) writeonly buffer LineTouches
     LineTouch touches[];
 };
 
-layout(binding = 15) uniform usamplerBuffer look_texels; // one a draw
+layout(binding = 15) uniform usamplerBuffer look_texels; // one per draw
 
 #define LINE_LOOKS_BINDING 16
 #include "techniques/contour/chains/stroke/line_looks.glsl"
@@ -95,9 +95,9 @@ const bool has_looks = (variant & shape_has_looks) != 0u;
 
 #include "techniques/contour/chains/stroke/stroke_places.glsl"
 
-// How wide lines are in the middle of a stroke.
+// Width of lines in the middle of a stroke.
 
-// A fold or a boundary behind which the surface turns away is an outline there.
+// A fold or boundary behind which the surface turns away counts as an outline.
 uint kind_now(uint source)
 {
     uint kind = source >> 28;
@@ -115,7 +115,7 @@ float thinning_at(vec3 anchor)
     return mix(1.0, thinned_at(frame, away), constants.distance_thinning);
 }
 
-// The draw that a line belongs to, by the source of a sample.
+// The draw of the surface that a line belongs to; `source` is that of a sample.
 uint drawn_by(uint source)
 {
     return texelFetch(triangle_texels, int((source & 0x0fffffffu) >> 2)).w & triangle_draw_mask;
@@ -139,13 +139,14 @@ float width_at(uint index)
         in_metres = !is_hidden && is_in_metres(look, kind);
     }
     if (has_widths_m && in_metres) {
-        // Thinned with the rest by and by, of which distance has done its part here.
+        // Distance has already thinned this width; dividing by the later thinning avoids applying it twice.
         width /= pixel_size_m(frame, point.anchor) * thinning_at(point.anchor);
     }
     return width;
 }
 
-// Kinds change from edge to edge, widths do not: the mean over a few samples of the stroke.
+// The kind may change from edge to edge, but the width should not: takes the mean over a few samples of the
+// stroke.
 float even_width(uint index, Stroke stroke)
 {
     uint from = max(index, stroke.first + 3u) - 3u;
@@ -157,7 +158,7 @@ float even_width(uint index, Stroke stroke)
     return sum / float(to - from + 1u);
 }
 
-// How much a stroke bends about a sample, 1 where its radius is `turn_px` or less.
+// Curvature of a stroke around a sample; 1 if its radius is `turn_px` or less.
 float turn_at(uint index, Stroke stroke)
 {
     const uint reach = 5u;
@@ -186,7 +187,7 @@ float pressure_at(uint index, Stroke stroke, vec2 inwards_px)
     return thinning_at(point.anchor) * mix(1.0, 0.62 + 0.75 * shade + 0.7 * slow, constants.pressure);
 }
 
-// Whole width that a sample would have in the middle of a stroke, and the material that brings it, + 1.
+// Full width that a sample would have in the middle of a stroke. `ink` becomes that of a LinePoint.
 float full_width(uint index, Stroke stroke, out uint ink)
 {
     LineSample point = sample_at(index);
@@ -213,25 +214,25 @@ float full_width(uint index, Stroke stroke, out uint ink)
 const float new_half_width_px = 0.15;
 const float least_change_px = 0.25;
 const float change_share = 0.08; // of the full width
-const float most_past = 0.12;    // share of itself that a stroke runs beyond its ends
+const float most_past = 0.12;    // share of its length that a stroke runs past its ends
 
-// Where along its brush a stroke is, held to the surface from frame to frame.
+// Position of a stroke on its brush, which follows the surface from frame to frame.
 
-const int phase_reach = 6;      // samples to either side that are heard
-const float one_phase_px = 3.0; // what is no farther off belongs to the same brush
-const float most_stretch = 0.2; // share of a stroke by which its brush may be off its even place
+const int phase_reach = 6;      // samples on either side that are averaged
+const float one_phase_px = 3.0; // offsets that differ by less belong to the same brush
+const float most_stretch = 0.2; // offset up to which a brush settles, as a share of the stroke
 const float most_settling_px = 0.15;
-const float most_start_px = 2048.0; // strokes begin anywhere on their brush
-const float most_slide = 0.02;      // share of a stretched brush that it slides in a frame
-const float least_pace = 0.2;       // of a stretched brush from either end, as a share of the even one
+const float most_start_px = 2048.0; // each stroke begins at a random position of its brush
+const float most_slide = 0.02;      // share of a stretched brush that it may slide per frame
+const float least_pace = 0.2; // least speed of a stretched brush from either end, relative to the even speed
 
 bool has_past(uint index)
 {
     return recalls[index].half_width_px >= 0.0;
 }
 
-// Place on the brush in the frame before less the arc length of now: that of the nearest sample with a past,
-// of the same stroke if there is one, evened with those around it that agree.
+// Position on the brush in the previous frame minus the current arc length. Taken from the nearest sample
+// with a past, preferably of the same stroke, and averaged with similar neighbours.
 float recalled_offset(uint index, Stroke stroke, uint seed, float otherwise)
 {
     int nearest = 4 * phase_reach;
@@ -256,14 +257,14 @@ float recalled_offset(uint index, Stroke stroke, uint seed, float otherwise)
     return count > 0.0 ? sum / count : offset;
 }
 
-// Mean of the whole stroke.
+// Mean offset of the whole stroke.
 float offset_of(Stroke stroke)
 {
     return float(stroke.offset_sum) / (16.0 * float(max(stroke.offset_count, 1u)));
 }
 
-// Where on a brush that repeats. It settles slowly to where the whole stroke has the brush's own length,
-// where the two are not of different turns or strokes.
+// Position on a repeating brush. It settles slowly to where the whole stroke has the brush's even scale,
+// unless the two differ so much that they belong to different turns or strokes.
 float repeated_phase(uint index, Stroke stroke, uint seed)
 {
     float arc = arc_from_start(index, stroke);
@@ -279,9 +280,9 @@ float repeated_phase(uint index, Stroke stroke, uint seed)
     return arc + offset + (settles ? step : 0.0);
 }
 
-// Where on a brush that goes from end to end once. Where the stroke was another in the frame before, it
-// slides to there; but neither end of the brush is ever far from that of the stroke, which may grow faster. A
-// ring has no ends: its brush begins where it did.
+// Position on a brush that stretches over the whole stroke. If the stroke was different in the previous
+// frame, the brush slides to its new position, but its ends never lag far behind those of the stroke, which
+// may grow faster. A ring has no ends: its brush starts where it did before.
 float stretched_phase(uint index, Stroke stroke, uint seed)
 {
     float arc = arc_from_start(index, stroke);
@@ -308,8 +309,8 @@ LineTouch touch_of(uint index, Stroke stroke, float phase_px, vec2 way)
                      uses);
 }
 
-// How a hand strays. What it does at a place of the scene it does there in every frame: lines that meet stray
-// together, and closed ones close.
+// Wobble of the hand. It depends on the place in the scene and is equal in every frame, so lines that meet
+// wobble together, and closed lines close.
 
 float lattice_value(ivec3 cell, uint seed)
 {
@@ -317,7 +318,7 @@ float lattice_value(ivec3 cell, uint seed)
                            uint(cell.z) * 0x27d4eb2fu ^ seed * 0xc2b2ae3du));
 }
 
-// Value noise in [0, 1], one feature a unit.
+// Value noise in [0, 1], with one feature per unit.
 float value_noise(vec3 p, uint seed)
 {
     ivec3 cell = ivec3(floor(p));
@@ -331,8 +332,8 @@ float value_noise(vec3 p, uint seed)
     return mix(mix(near.x, near.y, f.x), mix(near.z, near.w, f.x), f.y);
 }
 
-// In [-1, 1], a feature about every `wave_px` of the page: of features that are powers of two in the scene,
-// the two nearest.
+// Noise in [-1, 1] with a feature about every `wave_px` on the page. Blends the two nearest feature sizes,
+// which are powers of two in the scene.
 float stray_at(vec3 anchor, float wave_px, uint seed)
 {
     float octave = log2(max(wave_px * pixel_size_m(frame, anchor), 1e-20));
@@ -340,7 +341,7 @@ float stray_at(vec3 anchor, float wave_px, uint seed)
     float fine = value_noise(anchor * exp2(-low), seed);
     float coarse = value_noise(anchor * exp2(-low - 1.0), seed + 1u);
     float part = octave - low;
-    // The mean of two has less range than one.
+    // The mean of two noises has a smaller range, which this restores.
     return 2.0 * (mix(fine, coarse, part) - 0.5) * inversesqrt(1.0 - 2.0 * part + 2.0 * part * part);
 }
 
@@ -350,24 +351,24 @@ float sway_at(vec3 anchor, uint seed)
            0.25 * stray_at(anchor, 0.35 * constants.wave_px, seed + 2u);
 }
 
-// How one stroke differs from the next, and from itself when it is drawn again.
+// Differences between strokes, and between repeated drawings of one stroke.
 
 const float again_width = 0.85;
-const float again_wave = 7.0; // stretches that are drawn again and those that are not, in waves of the sway
+const float again_wave = 7.0; // length over which a line is retraced or not, in wavelengths of the wobble
 
 uint hand_seed(uint what)
 {
     return hash(constants.seed, 16u * constants.hand + what);
 }
 
-// How far beyond its start and its end a stroke runs; where it is negative it stops short.
+// How far a stroke extends past its start and its end; negative values shorten it.
 vec2 ends_px(uint seed)
 {
     uint start = hash(seed, hand_seed(1u));
     return constants.jitter_ends_px * (2.0 * vec2(unit_float(start), unit_float(hash(start))) - 1.0);
 }
 
-// How far beside the line the hand is.
+// Distance of the hand from the line.
 float offset_at(vec3 anchor)
 {
     float aside = constants.jitter_offset_px * stray_at(anchor, 4.0 * constants.wave_px, hand_seed(2u));
@@ -375,7 +376,7 @@ float offset_at(vec3 anchor)
     return aside + (constants.hand > 0u ? again : 0.0);
 }
 
-// Share of its width that a stroke has at a sample.
+// Factor of a stroke's width at a sample, from the jitter of the hand.
 float stray_width(uint index, Stroke stroke, uint seed)
 {
     vec3 anchor = sample_at(index).anchor;
@@ -395,8 +396,7 @@ float stray_width(uint index, Stroke stroke, uint seed)
     return constants.hand > 0u ? share * again_width * smoothstep(-0.35, 0.1, again) : share;
 }
 
-// Share of its width that a stroke has at a sample: it runs out where an end is free, over at most a third of
-// itself.
+// Factor of a stroke's width at a sample: it tapers towards free ends, over at most a third of the stroke.
 float taper_at(uint index, Stroke stroke)
 {
     float whole = whole_length(index, stroke);
@@ -409,7 +409,7 @@ float taper_at(uint index, Stroke stroke)
     return is_ring || reach <= 0.0 ? 1.0 : smoothstep(0.0, 1.0, (from_end + 0.25 * reach) / (1.25 * reach));
 }
 
-// Where the pen goes at a sample: past the ends, and to and fro.
+// Position of the pen at a sample, including overshoot and wobble.
 vec2 pen_at(uint index, Stroke stroke, vec2 way, uint seed)
 {
     vec2 page = sample_at(index).page_px;
@@ -433,7 +433,7 @@ vec2 pen_at(uint index, Stroke stroke, vec2 way, uint seed)
     return page + aside * vec2(-way.y, way.x);
 }
 
-// Along the line at a sample; where a closed one ends it starts again.
+// Direction of the line at a sample; a closed line continues from its end to its start.
 vec2 way_at(uint index, Stroke stroke)
 {
     bool is_ring = (sample_at(index).state & sample_in_ring) != 0u;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread notes where strokes start and end at its sample.
+// One thread stores the starts and ends of strokes at its sample.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

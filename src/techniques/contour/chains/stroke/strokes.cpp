@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From chains to strokes: samples along each chain, which of them are seen, strokes between them, and their
-// shape.
+// Makes strokes from chains: samples along each chain, their visibility, the strokes between them, and the
+// strokes' shape.
 #include <algorithm>
 
 #include "gpu/resources.hpp"
@@ -83,8 +83,8 @@ ChainSamples add_samples(gpu::Graph& graph, const ChainInputs& in, const Chains&
 
 namespace {
 
-/// Enters samples into the grid, drops what runs beside a longer stroke, and asks of the ends of each stroke
-/// whether they meet other lines.
+/// Enters samples into the grid, drops strokes that run beside a longer one, and finds for the ends of each
+/// stroke whether they meet other lines.
 ChainStrokes find_ends(gpu::Graph& graph, ChainStrokes strokes, glm::uvec2 size_px)
 {
     const uint32_t cells = grid_cell_count(size_px);
@@ -150,17 +150,17 @@ ChainStrokes add_strokes(gpu::Graph& graph, const ChainSamples& in, gpu::BufferI
 
 namespace {
 
-constexpr float sway_wave_mm = 9.0F; // from one side to the other and back, about
-constexpr float turn_mm = 5.0F;      // radius of a bend that is pressed fully
+constexpr float sway_wave_mm = 9.0F; // approximate wavelength
+constexpr float turn_mm = 5.0F;      // radius of a bend at which pressure is greatest
 constexpr float settling = 0.02F;
 
-/// Whether brushes go from end to end of a stroke.
+/// Whether brushes stretch over the whole stroke.
 bool stretches(const ContourStyle& style, LineClass lines)
 {
     return style.brush_fit == BrushFit::stretch && lines == LineClass::seen;
 }
 
-/// Lets strokes find what they were in the frame before.
+/// Adds passes that match strokes with those of the previous frame.
 gpu::BufferId add_recall(gpu::Graph& graph, ChainStrokes& strokes, LineHistory& history,
                          const ContourInputs& page, const ContourStyle& style, LineClass lines)
 {
@@ -186,19 +186,19 @@ gpu::BufferId add_recall(gpu::Graph& graph, ChainStrokes& strokes, LineHistory& 
     return recalls;
 }
 
-/// What is shaped, and how.
+/// Inputs of the shaping.
 struct ShapeInputs {
     const ContourInputs& page;
     const ChainInputs& mesh;
     gpu::BufferId facing;
     const ChainStrokes& strokes;
-    gpu::BufferId recalls; ///< of no use where there is no frame before
+    gpu::BufferId recalls; ///< unused without a previous frame
     LineHistory* history;
     LineClass lines;
-    uint32_t hand; ///< how often the strokes were drawn before
+    uint32_t hand; ///< how often the strokes have been drawn before
 };
 
-/// What a style asks of the shader.
+/// Variant bits of shape.comp for a style.
 uint32_t shape_variant(const ShapeInputs& in, const ContourStyle& style)
 {
     const bool is_hidden = in.lines == LineClass::hidden;
@@ -223,7 +223,7 @@ uint32_t shape_variant(const ShapeInputs& in, const ContourStyle& style)
            (style.pressure_from == PressureFrom::turn ? shared::shape_is_even_in_shade : 0U);
 }
 
-/// `To` has widths as shared::ShapeConstants.
+/// Sets the width of a kind. `To` has the width members of shared::ShapeConstants.
 template <class To>
 void set_width(const ContourStyle& style, uint32_t kind, float pixels_per_mm, To& to)
 {
@@ -269,7 +269,7 @@ shared::ShapeConstants shape_constants(const ShapeInputs& in, const ContourStyle
     return constants;
 }
 
-/// Where the pen goes and how wide it draws. Only the first hand is remembered.
+/// Computes path and width of the pen. Only the first hand is stored for the next frame.
 HandDrawn add_shape(gpu::Graph& graph, const ShapeInputs& in, const ContourStyle& style)
 {
     const ContourInputs& page = in.page;
@@ -297,7 +297,7 @@ HandDrawn add_shape(gpu::Graph& graph, const ShapeInputs& in, const ContourStyle
     return {line_points, touches};
 }
 
-/// Makes strokes of one class of lines, each drawn by as many hands as are wanted.
+/// Makes strokes of one class of lines, each drawn by as many hands as the style asks for.
 std::pair<ChainStrokes, InlineVector<HandDrawn, most_hands>>
 add_class(gpu::Graph& graph, const ContourInputs& page, const ChainInputs& mesh, gpu::BufferId facing,
           const ChainSamples& samples, LineHistory* history, const ContourStyle& style, LineClass lines)
@@ -344,7 +344,7 @@ ShapedStrokes add_shaped_strokes(gpu::Graph& graph, const ContourInputs& in, Lin
     const ChainInputs lines = chain_inputs(graph, in, mesh, style);
     const Chains chains = add_chains(graph, lines, mesh, style.silhouettes == Silhouettes::edges);
     ChainSamples samples = add_samples(graph, lines, chains);
-    // The pen alone needs no brushes.
+    // If the pen draws all lines, no brushes are needed.
     ContourInputs page = in;
     page.brushes = brushes_of_seen_lines(in.brushes);
     auto [seen, hands] =

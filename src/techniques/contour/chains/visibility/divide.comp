@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread says into how many even steps one chain is divided. A closed one comes back to its first sample.
+// One thread computes the number of even steps into which one chain is divided. The last sample of a closed
+// chain is its first.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

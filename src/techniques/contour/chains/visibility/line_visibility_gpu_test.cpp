@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What of lines is seen, against rays; and how it lasts from frame to frame.
+// Visibility of lines, compared with rays, and its stability from frame to frame.
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -19,7 +19,7 @@ namespace {
 
 using shared::LineSample;
 
-/// How many samples there are, and how many are hidden and shown against what rays say.
+/// Number of samples, and of those wrongly hidden and wrongly shown according to rays.
 struct Agreement {
     size_t asked = 0;
     size_t falsely_hidden = 0;
@@ -34,10 +34,10 @@ struct Agreement {
     }
 };
 
-/// One for each kind of line.
+/// One entry for each kind of line.
 using Agreements = std::array<Agreement, shared::line_kind_count>;
 
-/// How far the smooth surface may stand out beyond the triangle that an outline runs through.
+/// How far the smooth surface may bulge out of the triangle that an outline runs through.
 float bulge_m(const EdgeMesh& mesh, const std::vector<shared::PosedVertex>& posed, uint32_t side)
 {
     if ((side & 3U) != 3U) {
@@ -55,8 +55,8 @@ float bulge_m(const EdgeMesh& mesh, const std::vector<shared::PosedVertex>& pose
     return bulge;
 }
 
-/// Asks rays what samples are asked: a little outside of their own surface, so that what hides them is not
-/// it.
+/// Compares the visibility of samples with rays to the same test points, slightly outside of the samples' own
+/// surface.
 Agreements compare_with_rays(const Scene& scene, const Camera& camera, glm::uvec2 size_px,
                              const ContourStyle& style = {})
 {
@@ -80,7 +80,7 @@ Agreements compare_with_rays(const Scene& scene, const Camera& camera, glm::uvec
         const double pixel_m = 2.0 * w * std::tan(0.5 * camera.vertical_fov_rad) / size_px.y;
         const double outside_m =
             0.75 * pixel_m + static_cast<double>(bulge_m(mesh, posed, sample.source & 0x0fffffffU));
-        // Where two surfaces run into each other, what is outside of one may be within the other.
+        // Where two surfaces intersect, a point outside of one may be inside the other.
         const glm::dvec3 place = glm::dvec3(sample.anchor) + drawing.layout.anchor;
         const bool is_of_page = sample.source >> 28U >= shared::line_first_of_page;
         const glm::dvec3 outside = is_of_page
@@ -97,7 +97,7 @@ Agreements compare_with_rays(const Scene& scene, const Camera& camera, glm::uvec
     return results;
 }
 
-/// Of kinds [first, end).
+/// Expects agreement for the kinds [first, end).
 void expect_agreement(const Agreements& of_kinds, const std::string& name, uint32_t first = 0,
                       uint32_t end = shared::line_kind_count)
 {
@@ -117,7 +117,7 @@ TEST(ContourChains, VisibilityAgreesWithRays)
     expect_agreement(compare_with_rays(shapes_scene(), view_from_above(), {640, 480}), "shapes");
 }
 
-/// With all lines that lie within smooth surfaces.
+/// A style with all kinds of lines inside smooth surfaces.
 ContourStyle inner_lines()
 {
     ContourStyle style;
@@ -127,7 +127,7 @@ ContourStyle inner_lines()
     return style;
 }
 
-/// Each kind of those by itself, as outlines are many more.
+/// Tests each of these kinds separately, because outlines would outnumber them.
 void expect_inner_agreement(const Scene& scene, const std::vector<Camera>& cameras, glm::uvec2 size_px,
                             const std::string& name)
 {
@@ -144,7 +144,7 @@ void expect_inner_agreement(const Scene& scene, const std::vector<Camera>& camer
                      shared::line_suggestive + 1);
 }
 
-/// Ripples around the middle of a square, seen over their crests.
+/// Ripples around the middle of a square, seen across their crests.
 Primitive ripples()
 {
     Primitive sheet = shapes::plane(4.0F, 4.0F, 96);
@@ -186,7 +186,7 @@ TEST(ContourChains, VisibilityOnModelsAgreesWithRays)
     }
 }
 
-/// Even lines of one width, as LineHistory carries them from frame to frame.
+/// Lines of one width that taper, as LineHistory keeps them from frame to frame.
 ContourStyle tapered(float width_px)
 {
     ContourStyle style = even_lines(width_px);

@@ -2,15 +2,15 @@
 #ifndef ESTAMPE_SAMPLE_LIST
 #define ESTAMPE_SAMPLE_LIST
 
-// Samples of a chain by their place in it. Wanted before: `samples`, and the slots of slots.glsl.
+// Samples of a chain by their index in it. Requires before inclusion: `samples`, and the slots of slots.glsl.
 
 struct ChainOfSamples {
     uint first;
-    uint steps; // one less than its samples
+    uint steps; // number of samples minus one
     bool is_closed;
 };
 
-// Place of a sample that lies beyond the end: that of the end, or around a closed chain.
+// Index of a sample that may lie beyond the end: clamped, or wrapped around in a closed chain.
 uint place_in(ChainOfSamples chain, int place)
 {
     int steps = int(chain.steps);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread settles whether one sample is seen, by what most around it say, and looks for a place where a
-// closed chain can be cut: where it is hidden, or else at a corner.
+// One thread decides the visibility of one sample by the majority of its neighbours, and looks for a place to
+// cut a closed chain: where it is hidden, or else at a corner.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
