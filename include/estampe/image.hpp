@@ -36,8 +36,8 @@ void save_jpeg(const Image& image, const std::filesystem::path& path, int qualit
 void save_webp(const Image& image, const std::filesystem::path& path, std::optional<int> quality = {});
 
 /// Reads a PNG, JPEG, WebP, TIFF, TGA, BMP, GIF or PSD file; the content decides the format, not the name.
-/// docs/reference/formats.md lists what is supported. Throws Error that names the file if it is missing, truncated or
-/// too large.
+/// docs/reference/formats.md lists what is supported. Throws Error that names the file if it is missing,
+/// truncated or too large.
 [[nodiscard]] Image load_image(const std::filesystem::path& path);
 
 } // namespace estampe

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A world: a scene that code makes, and the animation of it. docs/how-to/own-world.md explains how to add one.
+// A world: a scene that code makes, and the animation of it. docs/how-to/own-world.md explains how to add
+// one.
 
 #include <cstdint>
 #include <memory>
