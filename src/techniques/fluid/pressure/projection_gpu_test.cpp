@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "gpu/resources.hpp"
-#include "techniques/fluid/alternatives/jacobi.hpp"
 #include "techniques/fluid/fluid_test_support.hpp"
 #include "techniques/fluid/pressure/solvers.hpp"
 
@@ -196,56 +195,6 @@ TEST(FluidProjection, WhatIsLargeTakesMoreThanJacobi)
     EXPECT_LT(left({.solver = Solver::multigrid, .projections = 1}), 0.2);
     EXPECT_LT(left({}), 1e-3) << "automatic";
     EXPECT_LT(left({.solver = Solver::multigrid}), 5e-3) << "as often as multigrid does by default";
-}
-
-/// Rounds of Jacobi's iteration from zero, in plain loops, between walls along y and ends that meet along x.
-std::vector<double> plain_jacobi(const Grid& grid, const std::vector<float>& divergence, uint32_t rounds)
-{
-    const auto nx = static_cast<int>(grid.cells.x);
-    const auto ny = static_cast<int>(grid.cells.y);
-    std::vector<double> pressure(divergence.size());
-    for (uint32_t round = 0; round < rounds; ++round) {
-        const std::vector<double> last = pressure;
-        for (int i = 0; i < nx * ny; ++i) {
-            const int x = i % nx;
-            const int y = i / nx;
-            double sum = last[static_cast<size_t>(y * nx + (x + 1) % nx)] +
-                         last[static_cast<size_t>(y * nx + (x + nx - 1) % nx)];
-            double faces = 2.0;
-            for (const int next : {y - 1, y + 1}) {
-                if (next >= 0 && next < ny) {
-                    sum += last[static_cast<size_t>(next * nx + x)];
-                    faces += 1.0;
-                }
-            }
-            const auto n = static_cast<size_t>(i);
-            pressure[n] = (sum - static_cast<double>(divergence[n])) / faces;
-        }
-    }
-    return pressure;
-}
-
-TEST(FluidProjection, JacobiIsThatOfPlainLoops)
-{
-    const Grid grid = grid_of(70, 37, periodic, wall);
-    const std::vector<double> outflow = outflow_of(grid, random_velocity(grid));
-    const std::vector<float> divergence(outflow.begin(), outflow.end());
-    gpu::Device& device = test::shared_device();
-    gpu::Buffer cells = gpu::upload_buffer(device, "solids", std::vector<uint32_t>(grid.cell_count()));
-    gpu::Buffer start = gpu::upload_buffer(device, "divergence", divergence);
-    for (const uint32_t rounds : {1U, 4U, 7U, 30U}) {
-        gpu::Graph graph;
-        const Solids solids{gpu::import_whole(graph, "solids", cells)};
-        const gpu::BufferId pressure = add_jacobi(
-            graph, grid,
-            {gpu::import_whole(graph, "divergence", start), solids, add_weights(graph, grid, solids)},
-            rounds);
-        const auto solved = test::run_and_read_as<float>(graph, pressure);
-        const std::vector<double> plain = plain_jacobi(grid, divergence, rounds);
-        for (size_t i = 0; i < plain.size(); ++i) {
-            ASSERT_NEAR(static_cast<double>(solved[i]), plain[i], 1e-5) << rounds << " rounds, cell " << i;
-        }
-    }
 }
 
 TEST(FluidProjection, SpectralSaysWhereItCannot)
