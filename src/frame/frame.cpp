@@ -17,7 +17,7 @@ void declare_frame(const FrameContext& context)
     const SeenThrough screen = add_transparency(context, scene, visibility);
 
     // What light falls on it.
-    const ShadowMaps maps = add_shadow_maps(context, scene);
+    const light::ShadowMaps maps = add_shadow_maps(context, scene);
     const std::optional<gpu::ImageId> lightmap = add_lightmap_light(context, scene, visibility);
     const auto occlusion = add_occlusion(context, scene, visibility, surface);
     const std::optional<smoke::Volume> volume = add_smoke_volume(context, scene, maps);
@@ -29,16 +29,19 @@ void declare_frame(const FrameContext& context)
     const hatch::HatchInputs hatching = hatch_inputs(context, scene, surface, lit, screen);
     const contour::ContourInputs outlining = contour_inputs(context, scene, visibility, surface, lit, screen);
     if (context.job.lists != nullptr) {
-        declare_stroke_lists(context.graph, {hatching, hatch_looks(context)},
+        declare_stroke_lists(context.graph,
+                             {hatching, context.features.hatching.looks(context.graph, plan.looks.styles)},
                              {outlining, context.features.lines.mesh()}, plan.looks,
                              stroke_haze(context, scene, surface), *context.job.lists);
         return;
     }
     if (context.job.linked_out != nullptr) {
-        add_linked_lines(context, outlining);
+        context.features.lines.record_linked(context.graph, context.device, outlining, plan.looks.lines,
+                                             *context.job.linked_out);
         return;
     }
-    const gpu::ImageId strokes = hatch::add_hatch(context.graph, hatching, hatch_looks(context));
+    const gpu::ImageId strokes = hatch::add_hatch(
+        context.graph, hatching, context.features.hatching.looks(context.graph, plan.looks.styles));
     const gpu::ImageId lines = add_lines(context, outlining);
     const gpu::ImageId ink = bleed::add_bleed(context.graph,
                                               {.hatch = strokes,
@@ -68,10 +71,17 @@ void declare_frame(const FrameContext& context)
     const auto smoke = add_smoke(context, scene, surface, volume, colors.sky_wash, faded.lines);
     const paper::ComposeInputs layers =
         page_layers(context, scene, faded, colors, {.ink = flowing, .smoke = smoke}, cover, lit.light);
-    add_picture(context, layers);
-    add_linear_picture(context, layers, surface, lit,
-                       {.occlusion = occlusion ? std::optional(occlusion->visibility) : std::nullopt,
-                        .cloud_cover = colors.cloud_cover});
+    declare_page(context.graph, layers, context.style.paper, context.sample.accumulation,
+                 context.buffers.page, context.job.target);
+    if (context.job.linear != nullptr) {
+        declare_linear_page(context.graph,
+                            {.layers = layers,
+                             .draw = surface.draw,
+                             .sun = lit.sun,
+                             .occlusion = occlusion ? std::optional(occlusion->visibility) : std::nullopt,
+                             .cloud_cover = colors.cloud_cover},
+                            context.style.paper, context.sample.accumulation, *context.job.linear);
+    }
 }
 
 } // namespace estampe::frame

@@ -7,27 +7,8 @@
 #include "frame/plan.hpp"
 #include "frame/vectors.hpp"
 #include "gpu/graph/graph.hpp"
-#include "techniques/contour/chains/stroke/linked_lines.hpp"
 
 namespace estampe::frame {
-
-/// Lines that were linked for the whole page, and the part of it that is inked.
-struct LinkedPart {
-    LinkedPart(contour::LinkedLines& linked_lines, const contour::PartOfPage& part_of_page)
-        : lines(linked_lines), part(part_of_page)
-    {
-    }
-
-    contour::LinkedLines& lines;
-    contour::PartOfPage part;
-};
-
-/// Lists that each frame fills anew, in the room that the one before took.
-struct FrameLists {
-    std::vector<raster::Batch> casters; ///< that the sun's shadow map is drawn from
-    std::vector<hatch::LookHatch> hatch_looks;
-    std::vector<wash::LookWash> wash_looks;
-};
 
 /// What is uploaded for each frame, or read back from it, beside the features' own.
 struct FrameBuffers {
@@ -43,14 +24,14 @@ struct FrameBuffers {
 /// One frame of a picture: which sample, of which part of the page, and what is wanted of it.
 struct FrameJob {
     paper::Accumulation accumulation;
-    bool is_first = true;                       ///< of the picture's frames
-    std::optional<features::PixelRect> tile;    ///< part of the page to draw; otherwise all of it
-    std::optional<features::Survey> survey;     ///< the page in fewer pixels
-    StrokeLists* lists = nullptr;               ///< strokes as paths in place of pixels
-    LinearPage* linear = nullptr;               ///< floats beside bytes
-    std::optional<LinkedPart> linked = {};      ///< lines that were found for the whole page
-    contour::LinkedLines* linked_out = nullptr; ///< what tiles share, in place of a picture
-    const VulkanPicture* target = nullptr;      ///< the host's, in place of bytes
+    bool is_first = true;                            ///< of the picture's frames
+    std::optional<features::PixelRect> tile;         ///< part of the page to draw; otherwise all of it
+    std::optional<features::Survey> survey;          ///< the page in fewer pixels
+    StrokeLists* lists = nullptr;                    ///< strokes as paths in place of pixels
+    LinearPage* linear = nullptr;                    ///< floats beside bytes
+    std::optional<features::LinkedPart> linked = {}; ///< lines that were found for the whole page
+    contour::LinkedLines* linked_out = nullptr;      ///< what tiles share, in place of a picture
+    const VulkanPicture* target = nullptr;           ///< the host's, in place of bytes
 };
 
 /// What the steps of a frame are declared from.
@@ -64,7 +45,7 @@ struct FrameContext {
     const FramePlan& plan;
     const SamplePlan& sample;
     const features::StyleTables& style;
-    FrameLists& lists;
+    std::vector<wash::LookWash>& wash_looks; ///< filled anew, in the room that the frame before took
 };
 
 /// Declares one sample of a picture, top to bottom; or, where the job has lists, what fills those instead.

@@ -183,6 +183,29 @@ LinearPage make_linear_page(gpu::Device& device, const RenderSettings& settings,
     return page;
 }
 
+void declare_page(gpu::Graph& graph, const paper::ComposeInputs& layers, const paper::PaperStyle& style,
+                  const paper::Accumulation& accumulation, Page& page, const VulkanPicture* target)
+{
+    const glm::uvec2 size_px = layers.size_px;
+    const bool is_last = accumulation.is_last();
+    // Samples before the last end in their sums, and nobody sees pixels yet.
+    gpu::BufferId pixels = target == nullptr && is_last
+                               ? gpu::import_whole(graph, "pixels", page.pixels)
+                               : graph.buffer("pixels", {.size_bytes = 4ULL * size_px.x * size_px.y});
+    pixels =
+        accumulation.sample_count == 1
+            ? paper::add_pixels(graph, layers, style, pixels)
+            : paper::add_develop(graph, paper::add_compose(graph, layers, style),
+                                 paper::import_sums(graph, page.sums, accumulation), pixels, size_px,
+                                 accumulation, paper::PixelForm::srgb_bytes, paper::transparent_color(style))
+                  .pixels;
+    if (is_last && target != nullptr) {
+        gpu::add_hand_over(graph, pixels, *target, size_px);
+    } else if (is_last) {
+        gpu::add_host_read(graph, "read back", pixels);
+    }
+}
+
 void declare_linear_page(gpu::Graph& graph, const LinearPageInputs& in, const paper::PaperStyle& style,
                          const paper::Accumulation& accumulation, LinearPage& page)
 {

@@ -110,6 +110,11 @@ struct LinearPageKind {
 [[nodiscard]] LinearPage make_linear_page(gpu::Device& device, const RenderSettings& settings,
                                           LinearPageKind kind);
 
+/// Declares what lays the layers of a sample on paper and adds that to the samples before. Those of the last
+/// one end in the `target`, or where that is null in the page's pixels.
+void declare_page(gpu::Graph& graph, const paper::ComposeInputs& layers, const paper::PaperStyle& style,
+                  const paper::Accumulation& accumulation, Page& page, const VulkanPicture* target);
+
 /// What a linear page is made from.
 struct LinearPageInputs {
     paper::ComposeInputs layers;

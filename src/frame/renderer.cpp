@@ -126,18 +126,6 @@ void Renderer::Impl::update_pose(const ScenePose& scene_pose)
     loaded->pose_moved = true;
 }
 
-features::SunCasters Renderer::Impl::sun_casters(const frame::FramePlan& plan) const
-{
-    // The device's own rasteriser gives depths other bits in another picture: a film that is taken up again
-    // would not be the same to the byte.
-    const features::CasterKinds kinds = features::caster_kinds(loaded->layout);
-    const bool by_compute = plan.raster.paths.maps == RasterPath::compute;
-    return {.layout = loaded->layout_number,
-            .groups = plan.sun.casters,
-            .by_compute = by_compute,
-            .are_parted = by_compute && kinds.moving && kinds.still};
-}
-
 void Renderer::Impl::posed()
 {
     if (loaded->pose_moved) {
@@ -190,8 +178,10 @@ void Renderer::Impl::draw_frame(const Camera& camera, const features::StyleTable
                                    .clip_from_anchor = features::drawn_clip(globals),
                                    .pose_moved = loaded->pose_moved,
                                    .terrain_moved = loaded->terrain_moved,
-                                   .sun_map =
-                                       features.shadows.sun().ensure(device, plan.sun.map, sun_casters(plan)),
+                                   .sun_map = features.shadows.sun().ensure(
+                                       device, plan.sun.map,
+                                       features::sun_casters(loaded->layout, loaded->layout_number,
+                                                             plan.sun.casters, plan.raster.paths.maps)),
                                    .line_step_px = frame::line_step_px(job.survey ? job.survey->shrink : 1)};
     if (plan.sun.ground.is_thrown) {
         features.shadows.ground().ensure(device, plan.sun.ground);
@@ -206,7 +196,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const features::StyleTable
                                 .plan = plan,
                                 .sample = sample,
                                 .style = style,
-                                .lists = frame_lists};
+                                .wash_looks = wash_looks};
     declared.clear();
     frame::declare_frame(context);
     std::unique_ptr<gpu::CompileAhead> compiling = std::move(ahead); // ends before the graph does

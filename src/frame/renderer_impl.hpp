@@ -49,7 +49,6 @@ struct Renderer::Impl {
 
     /// Poses what does not stand as it does now; pose::keep_posed() is to be called when the graph has run.
     [[nodiscard]] gpu::BufferId add_moved(gpu::Graph& graph);
-    [[nodiscard]] features::SunCasters sun_casters(const frame::FramePlan& plan) const;
     /// The device has posed the vertices.
     void posed();
     /// Poses the scene, unless that is how it stands; valid until another moment is asked for.
@@ -140,10 +139,10 @@ struct Renderer::Impl {
     frame::Features features;
     frame::FrameBuffers buffers;
     Motion motion;
-    frame::PlanLists plan_lists; ///< of the picture before
-    frame::FrameLists frame_lists;
-    gpu::Graph declared; ///< room for the next frame's
-    gpu::Graph drawn;    ///< the last frame, to look at; its resources may be gone
+    frame::PlanLists plan_lists;            ///< of the picture before
+    std::vector<wash::LookWash> wash_looks; ///< room for the next frame's
+    gpu::Graph declared;                    ///< room for the next frame's
+    gpu::Graph drawn;                       ///< the last frame, to look at; its resources may be gone
     std::vector<std::string> notes;
 };
 

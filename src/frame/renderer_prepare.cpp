@@ -176,7 +176,8 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const features::S
          .pose_at = [&](double time_s) { return frame::pose_at(*loaded, time_s, settings.animation); },
          .camera = camera,
          .settings = settings,
-         .style = tables});
+         .style = tables,
+         .has_haze = plan.page.has_haze});
     if (settings.motion_since) {
         plan.motion = plan_motion(camera, settings);
     }

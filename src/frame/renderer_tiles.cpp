@@ -148,9 +148,9 @@ void Renderer::Impl::draw_tiles(const Camera& camera, const Style& style, const 
                          .is_first = is_first,
                          .tile = tile.drawn};
             if (!lines.empty()) {
-                const contour::PartOfPage part{.from_px = glm::vec2(tile.drawn.from_px),
-                                               .scale = static_cast<float>(survey.shrink)};
-                job.linked.emplace(lines.at(sample), part);
+                job.linked = {.lines = &lines.at(sample),
+                              .part = {.from_px = glm::vec2(tile.drawn.from_px),
+                                       .scale = static_cast<float>(survey.shrink)}};
             }
             draw_frame(seen_by, tables, plan, job);
             is_first = false;

@@ -39,11 +39,6 @@ struct SeenThrough {
     std::optional<gpu::BufferId> line_hiders = {}; ///< the same but for those that show lines behind them
 };
 
-struct ShadowMaps {
-    gpu::BufferId sun;
-    gpu::BufferId local;
-};
-
 /// What lies under the ink.
 struct Colors {
     gpu::ImageId wash;
@@ -51,12 +46,6 @@ struct Colors {
     gpu::ImageId sky_wash;
     bool has_sky_ink = false;                     ///< else that ink is among the strokes, or there is none
     std::optional<gpu::ImageId> cloud_cover = {}; ///< of pictures in layers that have clouds
-};
-
-/// What masks of a picture in layers are made of besides.
-struct MaskInputs {
-    std::optional<gpu::ImageId> occlusion;
-    std::optional<gpu::ImageId> cloud_cover;
 };
 
 /// What goes on from picture to picture, where there is any.
@@ -82,6 +71,13 @@ struct MovingLayers {
 [[nodiscard]] surface::Surface add_surface(const FrameContext& context, const PosedScene& scene,
                                            gpu::BufferId visibility);
 
+/// Where the scene's vertices were when it `moved` from there.
+[[nodiscard]] gpu::BufferId vertices_before(const FrameContext& context, const PosedScene& scene,
+                                            const features::MotionPlan& moved);
+
+[[nodiscard]] motion::MotionInputs motion_inputs(const FrameContext& context, const PosedScene& scene,
+                                                 gpu::BufferId visibility, const features::MotionPlan& moved);
+
 /// Where that stood at another moment, for the processor, in the first sample of a picture that asks for it.
 void add_motion(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility);
 
@@ -96,7 +92,7 @@ void add_motion(const FrameContext& context, const PosedScene& scene, gpu::Buffe
                                            gpu::BufferId visibility);
 
 /// How far sun, lamps and spots see. Maps are kept, and drawn only where they are out of date.
-[[nodiscard]] ShadowMaps add_shadow_maps(const FrameContext& context, const PosedScene& scene);
+[[nodiscard]] light::ShadowMaps add_shadow_maps(const FrameContext& context, const PosedScene& scene);
 
 /// Light that is known ahead; none in a scene without lightmaps.
 [[nodiscard]] std::optional<gpu::ImageId>
@@ -109,12 +105,12 @@ add_lightmap_light(const FrameContext& context, const PosedScene& scene, gpu::Bu
                                                                        const surface::Surface& surface);
 
 /// Smoke, shaped and lit in the first sample, where there is any.
-[[nodiscard]] std::optional<smoke::Volume> add_smoke_volume(const FrameContext& context,
-                                                            const PosedScene& scene, const ShadowMaps& maps);
+[[nodiscard]] std::optional<smoke::Volume>
+add_smoke_volume(const FrameContext& context, const PosedScene& scene, const light::ShadowMaps& maps);
 
 /// What keeps light from what is seen, or is known of it.
 struct LightBefore {
-    ShadowMaps maps;
+    light::ShadowMaps maps;
     std::optional<smoke::Volume> smoke;
     std::optional<gpu::ImageId> lightmap;                 ///< by add_lightmap_light()
     std::optional<occlusion::AmbientOcclusion> occlusion; ///< by add_occlusion()
@@ -127,7 +123,7 @@ struct LightBefore {
 
 /// What light needs wherever it falls in the scene, set up for what is seen.
 [[nodiscard]] light::LightInputs light_inputs(const FrameContext& context, const PosedScene& scene,
-                                              const surface::Surface& surface, const ShadowMaps& maps);
+                                              const surface::Surface& surface, const light::ShadowMaps& maps);
 
 /// What is known of things that light goes into.
 [[nodiscard]] subsurface::SubsurfaceInputs
@@ -137,8 +133,6 @@ subsurface_inputs(const FrameContext& context, const PosedScene& scene, const su
 [[nodiscard]] std::optional<gpu::BufferId> look_of_draw(const FrameContext& context);
 
 /// What strokes are drawn from.
-[[nodiscard]] const std::vector<hatch::LookHatch>& hatch_looks(const FrameContext& context);
-
 [[nodiscard]] hatch::HatchInputs hatch_inputs(const FrameContext& context, const PosedScene& scene,
                                               const surface::Surface& surface, const light::LitPixels& lit,
                                               const SeenThrough& screen);
@@ -151,9 +145,6 @@ subsurface_inputs(const FrameContext& context, const PosedScene& scene, const su
 /// Lines where surfaces end, meet or fold: linked to chains, or found between pixels, which is also how what
 /// a texture cuts gets its own.
 [[nodiscard]] gpu::ImageId add_lines(const FrameContext& context, const contour::ContourInputs& in);
-
-/// Strings the lines of the whole page, for its tiles.
-void add_linked_lines(const FrameContext& context, const contour::ContourInputs& in);
 
 /// Sand in the air over the lines of the scene.
 [[nodiscard]] gpu::ImageId add_drift(const FrameContext& context, const PosedScene& scene,
@@ -203,7 +194,8 @@ add_motion_blur(const FrameContext& context, const PosedScene& scene, gpu::Buffe
 /// what lies behind them, where the style wants either.
 [[nodiscard]] Colors add_seen_through(const FrameContext& context, const PosedScene& scene,
                                       gpu::BufferId visibility, const surface::Surface& surface,
-                                      const ShadowMaps& maps, const SeenThrough& screen, Colors colors);
+                                      const light::ShadowMaps& maps, const SeenThrough& screen,
+                                      Colors colors);
 
 /// What haze is worked out from.
 [[nodiscard]] haze::HazeInputs haze_inputs(const FrameContext& context, const PosedScene& scene,
@@ -236,13 +228,5 @@ add_motion_blur(const FrameContext& context, const PosedScene& scene, gpu::Buffe
                                                const haze::HazeLayers& layers, const Colors& colors,
                                                const MovingLayers& moving,
                                                const std::optional<gpu::ImageId>& cover, gpu::ImageId light);
-
-/// The layers on paper, added to those of the samples before, and read back.
-void add_picture(const FrameContext& context, const paper::ComposeInputs& layers);
-
-/// The same in floats, whole or layer by layer, where it is asked for.
-void add_linear_picture(const FrameContext& context, const paper::ComposeInputs& layers,
-                        const surface::Surface& surface, const light::LitPixels& lit,
-                        const MaskInputs& masks);
 
 } // namespace estampe::frame

@@ -2,10 +2,8 @@
 // From light to ink, colour and paper.
 #include <algorithm>
 
-#include "frame/page.hpp"
 #include "frame/steps.hpp"
 #include "gpu/resources.hpp"
-#include "gpu/transfers.hpp"
 #include "techniques/contour/chains/chains.hpp"
 
 namespace estampe::frame {
@@ -13,7 +11,7 @@ namespace {
 
 const std::vector<wash::LookWash>& wash_looks(const FrameContext& context)
 {
-    std::vector<wash::LookWash>& looks = context.lists.wash_looks;
+    std::vector<wash::LookWash>& looks = context.wash_looks;
     looks.clear();
     for (const features::StyleTables& style : context.plan.looks.styles) {
         looks.push_back({.style = style.wash, .tone = light::tone_constants(style.tone)});
@@ -31,32 +29,14 @@ gpu::ImageId stroke_footprint(const FrameContext& context, const surface::Surfac
                      : surface.footprint;
 }
 
-gpu::ImageId motion_of(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
-                       const features::MotionPlan& moved)
-{
-    // A scene that stands as it stood has one set of vertices.
-    const bool has_moved = moved.pose_moved || context.loaded.terrain != nullptr;
-    return motion::add_motion(
-        context.graph,
-        {.frame = scene.frame,
-         .visibility = visibility,
-         .triangles = scene.meshes.triangles,
-         .posed_vertices = scene.meshes.posed_vertices,
-         .posed_vertices_before = has_moved ? scene.vertices_before : scene.meshes.posed_vertices,
-         .clip_from_anchor = moved.clip_from_anchor,
-         .clip_from_anchor_before = moved.clip_from_anchor_before,
-         .size_px = context.sample.size_px});
-}
-
 /// What blurs: the motion of the scene, or of the shape that the style's mode draws for its velocities alone.
 gpu::ImageId blurring_motion_of(const FrameContext& context, const PosedScene& scene,
                                 const MotionBlurPlan& plan, gpu::ImageId own_motion)
 {
-    const bool has_moved = plan.motion.pose_moved || context.loaded.terrain != nullptr;
     const std::optional<motion_blur::VelocityShape> shape = motion_blur::add_velocity_shape(
         context.graph, context.features.motion_blur.memory(),
         {.posed_vertices = scene.meshes.posed_vertices,
-         .posed_vertices_before = has_moved ? scene.vertices_before : scene.meshes.posed_vertices,
+         .posed_vertices_before = vertices_before(context, scene, plan.motion),
          .now_from_before = glm::inverse(plan.motion.clip_from_anchor) * plan.motion.clip_from_anchor_before,
          .share = plan.constants.scale},
         context.style.motion_blur);
@@ -68,7 +48,8 @@ gpu::ImageId blurring_motion_of(const FrameContext& context, const PosedScene& s
     drawn_out.vertices_before = shape->before;
     features::MotionPlan moved = plan.motion;
     moved.pose_moved = true;
-    return motion_of(context, drawn_out, add_visibility(context, drawn_out, "motion blur/visibility"), moved);
+    const gpu::BufferId visibility = add_visibility(context, drawn_out, "motion blur/visibility");
+    return motion::add_motion(context.graph, motion_inputs(context, drawn_out, visibility, moved));
 }
 
 /// Whether the pixels of 8 x 8 share what they find, as suits a GPU; where a tile of the page is drawn, only
@@ -87,20 +68,6 @@ std::optional<gpu::BufferId> look_of_draw(const FrameContext& context)
         return std::nullopt;
     }
     return gpu::import_whole(context.graph, "looks", context.buffers.look_of_draw);
-}
-
-const std::vector<hatch::LookHatch>& hatch_looks(const FrameContext& context)
-{
-    std::vector<hatch::LookHatch>& looks = context.lists.hatch_looks;
-    looks.clear();
-    for (const features::StyleTables& style : context.plan.looks.styles) {
-        hatch::MapImages* const map = context.features.hatching.maps().of_look(looks.size());
-        looks.push_back(
-            {.style = style.hatch,
-             .tone = light::tone_constants(style.tone),
-             .map = map != nullptr ? std::optional(hatch::import_map(context.graph, *map)) : std::nullopt});
-    }
-    return looks;
 }
 
 hatch::HatchInputs hatch_inputs(const FrameContext& context, const PosedScene& scene,
@@ -182,31 +149,12 @@ contour::ContourInputs contour_inputs(const FrameContext& context, const PosedSc
 
 gpu::ImageId add_lines(const FrameContext& context, const contour::ContourInputs& in)
 {
-    if (context.features.lines.mesh() == nullptr) {
-        return contour::add_contours(context.graph, in, context.plan.looks.lines);
-    }
-    const std::optional<gpu::ImageId> of_cuts =
-        context.loaded.layout.masked.count > 0
-            ? std::optional(contour::add_contours(context.graph, in, context.plan.looks.lines))
-            : std::nullopt;
-    if (context.job.linked) {
-        return contour::add_linked_contours(context.graph, in, context.job.linked->lines,
-                                            context.job.linked->part, context.plan.looks.lines, of_cuts);
-    }
-    const bool remembers = context.plan.lines.are_remembered && context.sample.is_first;
-    return contour::add_chain_contours(context.graph, in, *context.features.lines.mesh(),
-                                       remembers ? &context.features.lines.history() : nullptr,
-                                       context.plan.looks.lines, of_cuts);
-}
-
-void add_linked_lines(const FrameContext& context, const contour::ContourInputs& in)
-{
-    if (context.features.lines.mesh() != nullptr) {
-        const contour::ShapedStrokes shaped = contour::add_shaped_strokes(
-            context.graph, in, *context.features.lines.mesh(), nullptr, context.plan.looks.lines);
-        contour::add_keeping(context.graph, context.device, shaped, context.sample.size_px,
-                             *context.job.linked_out);
-    }
+    const FramePlan& plan = context.plan;
+    return context.features.lines.record(context.graph, in,
+                                         {.style = plan.looks.lines,
+                                          .has_cuts = context.loaded.layout.masked.count > 0,
+                                          .remembers = plan.lines.are_remembered && context.sample.is_first,
+                                          .linked = context.job.linked});
 }
 
 gpu::ImageId add_drift(const FrameContext& context, const PosedScene& scene, const surface::Surface& surface,
@@ -228,30 +176,14 @@ haze::HazeLayers add_particles(const FrameContext& context, const PosedScene& sc
                                const surface::Surface& surface, gpu::ImageId sky_wash,
                                const haze::HazeLayers& layers)
 {
-    particles::ParticleLayers drawn{.wash = layers.wash, .hatch = layers.hatch, .lines = layers.lines};
-    const auto import = [&](const char* name, gpu::Buffer& buffer) {
-        return gpu::import_whole(context.graph, name, buffer);
-    };
-    for (size_t i = 0; i < context.plan.particles.size(); ++i) {
-        features::ParticleBuffers& buffers = context.features.particles.buffers()[i];
-        shared::ParticleConstants constants = context.plan.particles[i].constants;
-        if (context.plan.page.has_haze) {
-            constants.haze_start_m = context.style.haze.start_m;
-            constants.haze_halves_per_m = 1.0F / context.style.haze.reach_m;
-            constants.haze_ink = context.style.haze.ink;
-        }
-        drawn = particles::add_particles(context.graph,
-                                         {.frame = scene.frame,
-                                          .sprites = import("sprites", buffers.sprites),
-                                          .starts = import("sprite tiles", buffers.starts),
-                                          .listed = import("listed sprites", buffers.listed),
-                                          .sheet = import("particle sheet", buffers.sheet.texels()),
-                                          .depth = surface.depth,
-                                          .sky = sky_wash,
-                                          .size_px = context.sample.size_px,
-                                          .by_groups = works_by_groups(context)},
-                                         constants, drawn);
-    }
+    const particles::ParticleLayers drawn = context.features.particles.record(
+        context.graph, context.plan.particles,
+        {.frame = scene.frame,
+         .depth = surface.depth,
+         .sky = sky_wash,
+         .size_px = context.sample.size_px,
+         .by_groups = works_by_groups(context)},
+        {.wash = layers.wash, .hatch = layers.hatch, .lines = layers.lines});
     return {.wash = drawn.wash, .hatch = drawn.hatch, .lines = drawn.lines};
 }
 
@@ -281,8 +213,8 @@ motion_blur::MotionBlurLayers add_motion_blur(const FrameContext& context, const
     if (!plan) {
         return {.wash = layers.wash, .hatch = layers.hatch, .lines = layers.lines, .holds_sky = false};
     }
-    const gpu::ImageId own_motion = motion_of(context, scene, visibility, plan->motion);
-    const bool has_moved = plan->motion.pose_moved || context.loaded.terrain != nullptr;
+    const gpu::ImageId own_motion =
+        motion::add_motion(context.graph, motion_inputs(context, scene, visibility, plan->motion));
     // Shifted within a pixel as the sample is, so that a way is that of the body alone.
     const glm::mat4 shifted_before(glm::dmat4(context.sample.clip_from_anchor) *
                                    glm::inverse(glm::dmat4(plan->motion.clip_from_anchor)) *
@@ -291,7 +223,7 @@ motion_blur::MotionBlurLayers add_motion_blur(const FrameContext& context, const
                                         .triangles = scene.meshes.triangles,
                                         .posed_vertices = scene.meshes.posed_vertices,
                                         .posed_vertices_before =
-                                            has_moved ? scene.vertices_before : scene.meshes.posed_vertices,
+                                            vertices_before(context, scene, plan->motion),
                                         .clip_from_anchor_before = shifted_before,
                                         .seeds = &context.features.motion_blur.smear_seeds()};
     const SeenWindow window = seen_window(context.style.paper, context.plan.page_px,
@@ -376,24 +308,18 @@ Colors add_colors(const FrameContext& context, const PosedScene& scene, const su
                                 context.style.sky);
     std::optional<gpu::ImageId> cover;
     if (plan.clouds) {
-        features::Clouds& clouds = context.features.clouds;
-        const auto import = [&](const char* name, gpu::Buffer& buffer) {
-            return gpu::import_whole(context.graph, name, buffer);
-        };
-        const sky::CloudedSky clouded = sky::add_clouds(context.graph,
-                                                        {.frame = scene.frame,
-                                                         .globals = import("clouds", clouds.globals()),
-                                                         .starts = import("cloud cells", clouds.starts()),
-                                                         .puffs = import("puffs", clouds.puffs()),
-                                                         .streaks = import("streaks", clouds.streaks()),
-                                                         .depth = surface.depth,
-                                                         .variant = plan.clouds->variant,
-                                                         .keeps_cover = has_layers,
-                                                         .size_px = context.sample.size_px,
-                                                         .tiles = tiles,
-                                                         .far_m = far_m,
-                                                         .by_groups = works_by_groups(context)},
-                                                        sky);
+        const sky::CloudedSky clouded =
+            sky::add_clouds(context.graph,
+                            {.frame = scene.frame,
+                             .clouds = context.features.clouds.import(context.graph),
+                             .depth = surface.depth,
+                             .variant = plan.clouds->variant,
+                             .keeps_cover = has_layers,
+                             .size_px = context.sample.size_px,
+                             .tiles = tiles,
+                             .far_m = far_m,
+                             .by_groups = works_by_groups(context)},
+                            sky);
         sky = clouded.sky;
         cover = has_layers ? std::optional(clouded.cover) : std::nullopt;
     }
@@ -468,25 +394,22 @@ std::optional<gpu::ImageId> add_flowing_ink(const FrameContext& context, const P
         return std::nullopt;
     }
     const features::InkPlan& plan = *context.plan.ink;
-    gpu::Graph& graph = context.graph;
-    ink::Memory& memory = context.features.ink.memory();
-    const auto add_flow = [&] {
-        return ink::add_steps(
-            graph, memory, plan.ink,
-            {.frame = scene.frame,
-             .hatch = layers.hatch,
-             .lines = layers.lines,
-             .light = light,
-             .draw = surface.draw,
-             .depth = surface.depth,
-             .coordinate = surface.coordinate,
-             .footprint = surface.footprint,
-             .motion = plan.motion ? std::optional(motion_of(context, scene, visibility, *plan.motion))
-                                   : std::nullopt});
-    };
-    const ink::Flowing flowing =
-        context.sample.is_first ? add_flow() : ink::add_standing(graph, memory, plan.ink);
-    return ink::add_layer(graph, flowing, scene.frame, context.sample.size_px);
+    const bool is_first = context.sample.is_first;
+    return context.features.ink.record(
+        context.graph, plan,
+        {.frame = scene.frame,
+         .hatch = layers.hatch,
+         .lines = layers.lines,
+         .light = light,
+         .draw = surface.draw,
+         .depth = surface.depth,
+         .coordinate = surface.coordinate,
+         .footprint = surface.footprint,
+         .motion = plan.motion && is_first
+                       ? std::optional(motion::add_motion(
+                             context.graph, motion_inputs(context, scene, visibility, *plan.motion)))
+                       : std::nullopt},
+        is_first, context.sample.size_px);
 }
 
 std::optional<smoke::Layer> add_smoke(const FrameContext& context, const PosedScene& scene,
@@ -498,11 +421,8 @@ std::optional<smoke::Layer> add_smoke(const FrameContext& context, const PosedSc
         return std::nullopt;
     }
     gpu::Graph& graph = context.graph;
-    const smoke::ViewInputs view{.frame = scene.frame,
-                                 .globals =
-                                     gpu::import_whole(graph, "smoke", context.features.smoke.globals()),
-                                 .depth = surface.depth,
-                                 .size_px = context.sample.size_px};
+    const smoke::ViewInputs view =
+        context.features.smoke.view(graph, scene.frame, surface.depth, context.sample.size_px);
     const smoke::SmokeStyle& style = context.style.smoke;
     const haze::HazeStyle& haze = context.style.haze;
     return smoke::add_ink(
@@ -538,58 +458,6 @@ paper::ComposeInputs page_layers(const FrameContext& context, const PosedScene& 
             .light = light,
             .page_px = context.plan.page_px,
             .size_px = context.sample.size_px};
-}
-
-namespace {
-
-/// The pixels of the last sample; those before it end in their sums, and nobody sees pixels yet.
-gpu::BufferId add_sample(const FrameContext& context, const paper::ComposeInputs& layers,
-                         gpu::BufferId pixels)
-{
-    gpu::Graph& graph = context.graph;
-    const paper::Accumulation& accumulation = context.sample.accumulation;
-    if (accumulation.sample_count == 1) {
-        return paper::add_pixels(graph, layers, context.style.paper, pixels);
-    }
-    const gpu::ImageId composed = paper::add_compose(graph, layers, context.style.paper);
-    return paper::add_develop(graph, composed,
-                              paper::import_sums(graph, context.buffers.page.sums, accumulation), pixels,
-                              context.sample.size_px, accumulation, paper::PixelForm::srgb_bytes,
-                              paper::transparent_color(context.style.paper))
-        .pixels;
-}
-
-} // namespace
-
-void add_picture(const FrameContext& context, const paper::ComposeInputs& layers)
-{
-    gpu::Graph& graph = context.graph;
-    const glm::uvec2 size_px = context.sample.size_px;
-    const VulkanPicture* target = context.job.target;
-    const bool is_last = context.sample.accumulation.is_last();
-    const gpu::BufferId pixels = add_sample(
-        context, layers,
-        target == nullptr && is_last ? gpu::import_whole(graph, "pixels", context.buffers.page.pixels)
-                                     : graph.buffer("pixels", {.size_bytes = 4ULL * size_px.x * size_px.y}));
-    if (is_last && target != nullptr) {
-        gpu::add_hand_over(graph, pixels, *target, size_px);
-    } else if (is_last) {
-        gpu::add_host_read(graph, "read back", pixels);
-    }
-}
-
-void add_linear_picture(const FrameContext& context, const paper::ComposeInputs& layers,
-                        const surface::Surface& surface, const light::LitPixels& lit, const MaskInputs& masks)
-{
-    if (context.job.linear != nullptr) {
-        declare_linear_page(context.graph,
-                            {.layers = layers,
-                             .draw = surface.draw,
-                             .sun = lit.sun,
-                             .occlusion = masks.occlusion,
-                             .cloud_cover = masks.cloud_cover},
-                            context.style.paper, context.sample.accumulation, *context.job.linear);
-    }
 }
 
 } // namespace estampe::frame

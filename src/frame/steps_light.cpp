@@ -11,54 +11,6 @@
 namespace estampe::frame {
 namespace {
 
-gpu::BufferId sun_map_of(const FrameContext& context, const PosedScene& scene)
-{
-    const FramePlan& plan = context.plan;
-    // The ground receives but does not throw.
-    std::vector<raster::Batch>& casters = context.lists.casters;
-    features::list_casters(context.loaded.layout, plan.sun.casters,
-                           plan.sun.map.clipmap ? features::Casters::moving : features::Casters::all,
-                           casters);
-    const features::SunMapWork& work = context.sample.sun_map;
-    const auto import = [&](bool is_there, const char* name, gpu::Buffer& buffer) {
-        return is_there ? std::optional(gpu::import_whole(context.graph, name, buffer)) : std::nullopt;
-    };
-    const features::SunMaps maps{
-        .map = gpu::import_whole(context.graph, "shadow", context.features.shadows.sun().buffer()),
-        .still = import(work.has_still, "shadow of what stands", context.features.shadows.sun().still()),
-        .views = import(!work.views.empty(), "sun views", context.features.shadows.sun().views()),
-        .pictures = import(work.has_still, "shadow of what moves", context.features.shadows.sun().pictures()),
-        .tiles = import(work.has_still, "tiles that change", context.features.shadows.sun().tiles())};
-    return features::add_sun_map(
-        context.graph,
-        {.raster = scene.meshes,
-         .casters = casters,
-         .still = context.loaded.still_casters,
-         .groups = plan.sun.casters,
-         .anchor = context.loaded.layout.anchor,
-         .plan = plan.sun.map,
-         .work = work,
-         .path = plan.raster.paths.maps,
-         .tuning = plan.raster.tuning,
-         .vertex_count = context.loaded.meshes.vertex_count,
-         .triangle_count = static_cast<uint32_t>(context.loaded.layout.triangles.size())},
-        maps);
-}
-
-gpu::BufferId local_maps_of(const FrameContext& context, const PosedScene& scene)
-{
-    const FramePlan& plan = context.plan;
-    const features::LocalMapViews none;
-    return features::add_local_maps(context.graph,
-                                    {.raster = scene.meshes,
-                                     .layout = context.loaded.layout,
-                                     .views = context.sample.is_first ? plan.local_shadows.views : none,
-                                     .cluster_bounds = scene.cluster_bounds,
-                                     .path = plan.raster.paths.maps,
-                                     .tuning = plan.raster.tuning},
-                                    context.features.shadows.local());
-}
-
 std::optional<gpu::ImageId> add_ground_shadow(const FrameContext& context, const PosedScene& scene,
                                               const surface::Surface& surface)
 {
@@ -68,7 +20,7 @@ std::optional<gpu::ImageId> add_ground_shadow(const FrameContext& context, const
     // Of a picture of several samples or tiles what one has found serves the others.
     const SamplePlan& sample = context.sample;
     const bool is_picture = sample.accumulation.sample_count == 1 && sample.size_px == context.plan.page_px;
-    return context.features.shadows.ground().add_share(
+    return context.features.shadows.ground().record(
         context.graph, *context.loaded.terrain,
         {.plan = context.plan.sun.ground,
          .texels = *scene.terrain_texels,
@@ -91,12 +43,9 @@ std::optional<gpu::ImageId> add_sun_share(const FrameContext& context, const Pos
     }
     const float of_clouds = context.style.clouds.shadow;
     if (plan.clouds && plan.clouds->globals.puff_layer_count > 0 && of_clouds > 0.0F) {
-        features::Clouds& clouds = context.features.clouds;
         share = sky::add_cloud_shadow(graph,
                                       {.frame = scene.frame,
-                                       .globals = gpu::import_whole(graph, "clouds", clouds.globals()),
-                                       .starts = gpu::import_whole(graph, "cloud cells", clouds.starts()),
-                                       .puffs = gpu::import_whole(graph, "puffs", clouds.puffs()),
+                                       .clouds = context.features.clouds.import(graph),
                                        .depth = surface.depth,
                                        .share = share,
                                        .size_px = context.sample.size_px},
@@ -105,10 +54,7 @@ std::optional<gpu::ImageId> add_sun_share(const FrameContext& context, const Pos
     if (volume && context.style.smoke.shadow > 0.0F) {
         share = smoke::add_thrown(
             graph, *volume, context.style.smoke,
-            {.view = {.frame = scene.frame,
-                      .globals = gpu::import_whole(graph, "smoke", context.features.smoke.globals()),
-                      .depth = surface.depth,
-                      .size_px = context.sample.size_px},
+            {.view = context.features.smoke.view(graph, scene.frame, surface.depth, context.sample.size_px),
              .share = share,
              .towards_sun = plan.sun.towards});
     }
@@ -132,10 +78,10 @@ gpu::ImageId add_exposed(const FrameContext& context, gpu::ImageId light, gpu::I
 } // namespace
 
 light::LightInputs light_inputs(const FrameContext& context, const PosedScene& scene,
-                                const surface::Surface& surface, const ShadowMaps& maps)
+                                const surface::Surface& surface, const light::ShadowMaps& maps)
 {
     gpu::Graph& graph = context.graph;
-    const FramePlan& plan = context.plan;
+    const LightPlan& plan = context.plan.light;
     return {.frame = scene.frame,
             .lighting = gpu::import_whole(graph, "lighting", context.features.lighting.globals()),
             .lights = gpu::import_whole(graph, "lights", context.features.lighting.lights()),
@@ -144,19 +90,11 @@ light::LightInputs light_inputs(const FrameContext& context, const PosedScene& s
             .normal = surface.normal,
             .draws = scene.meshes.draws,
             .materials = scene.meshes.materials,
-            .sun_map = maps.sun,
-            .sun_shadow = gpu::import_whole(graph, "sun", context.features.shadows.sun_globals()),
             .coordinate = surface.coordinate,
             .footprint = surface.footprint,
-            .edge_look = gpu::import_whole(graph, "edges", context.features.shadows.edge_look()),
-            .shadow_variant = plan.sun.map.variant | plan.local_shadows.variant,
-            .local_shadows =
-                gpu::import_whole(graph, "lights' shadows", context.features.shadows.local().shadows),
-            .local_maps = maps.local,
-            .has_local_shadows = plan.local_shadows.is_there,
-            .has_shadow = plan.sun.map.size > 0,
-            .local_count = plan.light.local_count,
-            .has_links = plan.light.has_links,
+            .shadows = maps,
+            .local_count = plan.local_count,
+            .has_links = plan.has_links,
             .size_px = context.sample.size_px};
 }
 
@@ -199,7 +137,8 @@ gpu::ImageId spread_in_map(const FrameContext& context, const PosedScene& scene,
 
 /// `light` with what of it goes into things and comes out elsewhere.
 gpu::ImageId add_subsurface(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
-                            const surface::Surface& surface, const ShadowMaps& maps, gpu::ImageId light)
+                            const surface::Surface& surface, const light::ShadowMaps& maps,
+                            gpu::ImageId light)
 {
     if (!context.plan.subsurface) {
         return light;
@@ -257,10 +196,20 @@ subsurface::SubsurfaceInputs subsurface_inputs(const FrameContext& context, cons
             .in_perspective = !context.plan.page.pixel.is_parallel};
 }
 
-ShadowMaps add_shadow_maps(const FrameContext& context, const PosedScene& scene)
+light::ShadowMaps add_shadow_maps(const FrameContext& context, const PosedScene& scene)
 {
-    const gpu::BufferId sun = sun_map_of(context, scene);
-    return {.sun = sun, .local = local_maps_of(context, scene)};
+    const FramePlan& plan = context.plan;
+    return context.features.shadows.record(context.graph,
+                                           {.raster = scene.meshes,
+                                            .layout = context.loaded.layout,
+                                            .still = context.loaded.still_casters,
+                                            .cluster_bounds = scene.cluster_bounds,
+                                            .path = plan.raster.paths.maps,
+                                            .tuning = plan.raster.tuning},
+                                           {.sun = plan.sun.map,
+                                            .of_sun = context.sample.sun_map,
+                                            .local = plan.local_shadows,
+                                            .draws_local = context.sample.is_first});
 }
 
 std::optional<gpu::ImageId> add_lightmap_light(const FrameContext& context, const PosedScene& scene,
@@ -312,27 +261,14 @@ std::optional<occlusion::AmbientOcclusion> add_occlusion(const FrameContext& con
 }
 
 std::optional<smoke::Volume> add_smoke_volume(const FrameContext& context, const PosedScene& scene,
-                                              const ShadowMaps& maps)
+                                              const light::ShadowMaps& maps)
 {
     if (!context.plan.smoke) {
         return std::nullopt;
     }
-    gpu::Graph& graph = context.graph;
-    if (!context.sample.is_first) {
-        return context.features.smoke.volume().import(graph);
-    }
-    smoke::Fields fields = context.features.smoke.fields(graph);
-    if (context.style.smoke.shaded) {
-        fields.shadows = {
-            .frame = scene.frame,
-            .sun_map = maps.sun,
-            .sun_shadow = gpu::import_whole(graph, "sun", context.features.shadows.sun_globals()),
-            .local_shadows =
-                gpu::import_whole(graph, "lights' shadows", context.features.shadows.local().shadows),
-            .local_maps = maps.local,
-            .variant = context.plan.sun.map.variant};
-    }
-    return smoke::add_volume(graph, context.features.smoke.volume(), context.style.smoke, fields);
+    features::RisingSmoke& smoke = context.features.smoke;
+    return context.sample.is_first ? smoke.record(context.graph, context.style.smoke, scene.frame, maps)
+                                   : smoke.volume(context.graph);
 }
 
 light::LitPixels add_light(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
@@ -341,7 +277,7 @@ light::LitPixels add_light(const FrameContext& context, const PosedScene& scene,
     const FramePlan& plan = context.plan;
     const occlusion::Feeds feeds = context.style.occlusion.feeds;
     light::LightInputs inputs = light_inputs(context, scene, surface, before.maps);
-    inputs.shadow_variant |= plan.shadow_edges.variant;
+    inputs.shadows.variant |= plan.shadow_edges.variant;
     inputs.lightmap = before.lightmap;
     inputs.sun_share = add_sun_share(context, scene, surface, before.smoke);
     if (before.occlusion && feeds != occlusion::Feeds::layer) {

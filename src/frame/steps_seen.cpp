@@ -164,24 +164,34 @@ surface::Surface add_surface(const FrameContext& context, const PosedScene& scen
     return surface;
 }
 
+gpu::BufferId vertices_before(const FrameContext& context, const PosedScene& scene,
+                              const features::MotionPlan& moved)
+{
+    // A scene that stands as it stood has one set of vertices.
+    const bool has_moved = moved.pose_moved || context.loaded.terrain != nullptr;
+    return has_moved ? scene.vertices_before : scene.meshes.posed_vertices;
+}
+
+motion::MotionInputs motion_inputs(const FrameContext& context, const PosedScene& scene,
+                                   gpu::BufferId visibility, const features::MotionPlan& moved)
+{
+    return {.frame = scene.frame,
+            .visibility = visibility,
+            .triangles = scene.meshes.triangles,
+            .posed_vertices = scene.meshes.posed_vertices,
+            .posed_vertices_before = vertices_before(context, scene, moved),
+            .clip_from_anchor = moved.clip_from_anchor,
+            .clip_from_anchor_before = moved.clip_from_anchor_before,
+            .size_px = context.sample.size_px};
+}
+
 void add_motion(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility)
 {
     const std::optional<features::MotionPlan>& motion = context.plan.motion;
-    if (!motion || !context.sample.is_first) {
-        return;
+    if (motion && context.sample.is_first) {
+        features::declare_motion(context.graph, motion_inputs(context, scene, visibility, *motion),
+                                 context.buffers.motion_pixels);
     }
-    const bool has_moved = motion->pose_moved || context.loaded.terrain != nullptr;
-    const auto vertices_before = has_moved ? scene.vertices_before : scene.meshes.posed_vertices;
-    features::declare_motion(context.graph,
-                             {.frame = scene.frame,
-                              .visibility = visibility,
-                              .triangles = scene.meshes.triangles,
-                              .posed_vertices = scene.meshes.posed_vertices,
-                              .posed_vertices_before = vertices_before,
-                              .clip_from_anchor = motion->clip_from_anchor,
-                              .clip_from_anchor_before = motion->clip_from_anchor_before,
-                              .size_px = context.sample.size_px},
-                             context.buffers.motion_pixels);
 }
 
 transparency::TransparencyInputs transparency_inputs(const FrameContext& context, const PosedScene& scene,
@@ -232,7 +242,7 @@ namespace {
 
 /// A visibility lit and painted as what is seen first is, without what lies in things.
 gpu::ImageId add_painted(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
-                         const ShadowMaps& maps, const std::optional<gpu::ImageId>& background)
+                         const light::ShadowMaps& maps, const std::optional<gpu::ImageId>& background)
 {
     const surface::Surface surface = add_surface(context, scene, visibility);
     light::LightInputs inputs = light_inputs(context, scene, surface, maps);
@@ -241,8 +251,8 @@ gpu::ImageId add_painted(const FrameContext& context, const PosedScene& scene, g
 }
 
 gpu::ImageId add_behind(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
-                        const surface::Surface& surface, const ShadowMaps& maps, gpu::BufferId background,
-                        const Colors& colors)
+                        const surface::Surface& surface, const light::ShadowMaps& maps,
+                        gpu::BufferId background, const Colors& colors)
 {
     gpu::Graph& graph = context.graph;
     const SubsurfacePlan& plan = *context.plan.subsurface;
@@ -265,8 +275,8 @@ gpu::ImageId add_behind(const FrameContext& context, const PosedScene& scene, gp
 } // namespace
 
 Colors add_seen_through(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
-                        const surface::Surface& surface, const ShadowMaps& maps, const SeenThrough& screen,
-                        Colors colors)
+                        const surface::Surface& surface, const light::ShadowMaps& maps,
+                        const SeenThrough& screen, Colors colors)
 {
     if (screen.background) {
         colors.wash = add_behind(context, scene, visibility, surface, maps, *screen.background, colors);

@@ -5,11 +5,9 @@
 
 #include <glm/gtc/packing.hpp>
 
-#include "features/common/view.hpp"
-#include "features/hatching/hatching.hpp"
-#include "features/shadows/sun.hpp"
 #include "gpu/resources.hpp"
 #include "support/gpu_device.hpp"
+#include "techniques/shadow/sun/sun_map.hpp"
 
 namespace estampe::test {
 namespace {
@@ -38,197 +36,148 @@ void unpack_footprint(SurfacePixels& pixels, const std::vector<glm::uvec4>& pack
     }
 }
 
-surface::TexturePlan planned(const Scene& scene)
-{
-    return surface::plan_textures(scene, shared_device().limits().maxImageArrayLayers);
-}
-
 } // namespace
 
 Drawing::Drawing(const Scene& scene, const Camera& camera, glm::uvec2 size, double time_s)
-    : size_px(size), layout(pose::build_meshes(scene, static_cast<Index>(scene.materials.size()))),
-      pose(pose::pose_meshes(layout, scene, pose_scene(scene, time_s))),
-      globals(features::frame_globals(camera, layout.bounds, layout.anchor, {.size_px = size})),
-      pixel_(features::pixel_size(camera, size.y)), meshes_(pose::upload_meshes(shared_device(), layout)),
-      materials_(surface::upload_materials(shared_device(), scene, planned(scene))),
-      needs_(surface::scene_needs(scene, planned(scene))),
-      frame_(gpu::upload_buffer(shared_device(), "frame", std::vector{globals}))
+    : loaded(std::make_unique<frame::LoadedScene>(
+          frame::load_onto_device(shared_device(), scene, /*lightmap=*/nullptr))),
+      size_px(size), layout(loaded->layout),
+      pose(loaded->pose.emplace(pose::pose_meshes(layout, loaded->scene, pose_scene(loaded->scene, time_s)))),
+      globals(features::frame_globals(camera, layout.bounds, layout.anchor, {.size_px = size}))
 {
-    (void)pose::upload_pose(shared_device(), meshes_, layout, pose);
-    const features::StrokePlan strokes = features::plan_strokes(layout, scene.materials, {.styles = {{}}});
-    strokes_present_ = strokes.present;
-    stroke_kinds_ = gpu::upload_buffer(shared_device(), "stroke kinds", strokes.kind_of_draw);
-    form_coordinates_ = gpu::Buffer(shared_device(), "form coordinates", 0, gpu::MemoryUse::device);
+    (void)pose::upload_pose(shared_device(), loaded->meshes, layout, pose);
+    buffers_.frame_globals = gpu::upload_buffer(shared_device(), "frame", std::vector{globals});
+    plan_.page_px = size;
+    plan_.page.size_px = size;
+    plan_.page.pixel = features::pixel_size(camera, size.y);
+    plan_.needs = loaded->needs;
+    plan_.looks.styles = {style_};
+    plan_.strokes = features::plan_strokes(layout, loaded->scene.materials, plan_.looks);
 }
 
-gpu::BufferId Drawing::add_posed(gpu::Graph& graph)
+frame::FrameContext Drawing::context(gpu::Graph& graph)
 {
-    return pose::add_pose(graph, meshes_, layout, gpu::import_whole(graph, "draws", meshes_.draws),
-                          gpu::import_whole(graph, "rest vertices", meshes_.rest_vertices));
-}
-
-raster::RasterInputs Drawing::raster_inputs(gpu::Graph& graph, gpu::BufferId posed)
-{
-    return {.triangles = gpu::import_whole(graph, "triangles", meshes_.triangles),
-            .posed_vertices = posed,
-            .draws = gpu::import_whole(graph, "draws", meshes_.draws),
-            .rest_vertices = gpu::import_whole(graph, "rest vertices", meshes_.rest_vertices),
-            .materials = gpu::import_whole(graph, "materials", materials_.materials),
-            .textures = surface::import_textures(graph, materials_),
-            .texture_classes = needs_.texture_classes};
+    plan_.page.has_ground = with_ground;
+    plan_.raster = {.paths = {.page = path, .maps = path}, .tuning = tuning};
+    sample_.size_px = size_px;
+    sample_.clip_from_anchor = globals.clip_from_anchor;
+    features->hatching.ensure_strokes(shared_device(), layout, plan_.strokes);
+    loaded->cluster_boxes.forget(); // tests change the layout and the pose in between
+    features->invalidate(features::Event::pose_changed);
+    return {.graph = graph,
+            .device = shared_device(),
+            .loaded = *loaded,
+            .features = *features,
+            .buffers = buffers_,
+            .job = job_,
+            .plan = plan_,
+            .sample = sample_,
+            .style = style_,
+            .wash_looks = wash_looks_};
 }
 
 raster::RasterInputs Drawing::raster_inputs(gpu::Graph& graph)
 {
-    return raster_inputs(graph, add_posed(graph));
-}
-
-std::vector<raster::Batch> Drawing::batches() const
-{
-    const auto batch = [](const pose::Range& range, bool masked) {
-        return raster::Batch{range.first, range.count, masked, range.plain};
-    };
-    std::vector<raster::Batch> result{batch(layout.opaque, false), batch(layout.masked, true)};
-    if (with_ground) {
-        result.push_back(batch(layout.ground, false));
-    }
-    return result;
-}
-
-std::vector<raster::Batch> Drawing::caster_batches(const LightSetup& setup) const
-{
-    const uint32_t groups = setup.has_links ? setup.records.front().groups >> 16U : all_groups;
-    std::vector<raster::Batch> result;
-    for (const pose::CasterRun& run : layout.casters) {
-        if ((run.groups & groups) != 0) {
-            result.push_back({run.range.first, run.range.count, run.masked, run.range.plain});
-        }
-    }
-    return result;
-}
-
-raster::View Drawing::raster_view() const
-{
-    return {.clip_from_anchor = globals.clip_from_anchor, .size_px = size_px, .path = path, .tuning = tuning};
-}
-
-gpu::BufferId Drawing::add_visibility(gpu::Graph& graph, gpu::BufferId posed)
-{
-    return raster::add_visibility(graph, "visibility", raster_inputs(graph, posed), batches(), raster_view());
+    return frame::add_posed_scene(context(graph)).meshes;
 }
 
 Drawing::Stage Drawing::add_surface(gpu::Graph& graph)
 {
-    const gpu::BufferId frame = gpu::import_whole(graph, "frame", frame_);
-    const raster::RasterInputs inputs = raster_inputs(graph, add_posed(graph));
-    const gpu::BufferId visibility =
-        raster::add_visibility(graph, "visibility", inputs, batches(), raster_view());
-    const surface::Surface seen = surface::add_resolve(
-        graph,
-        {.frame = frame,
-         .visibility = visibility,
-         .triangles = inputs.triangles,
-         .posed_vertices = inputs.posed_vertices,
-         .draws = inputs.draws,
-         .rest_vertices = inputs.rest_vertices,
-         .stroke_coordinates = gpu::import_whole(graph, "stroke coordinates", meshes_.stroke_coordinates),
-         .stroke_kinds = gpu::import_whole(graph, "stroke kinds", stroke_kinds_),
-         .form_coordinates = gpu::import_whole(graph, "form coordinates", form_coordinates_),
-         .materials = inputs.materials,
-         .textures = inputs.textures,
-         .needs = needs_,
-         .strokes_present = strokes_present_,
-         .strokes_per_m = static_cast<float>(1.0 / layout.stroke_unit_m),
-         .size_px = size_px});
-    return {.frame = frame,
-            .triangles = inputs.triangles,
-            .draws = inputs.draws,
-            .posed = inputs.posed_vertices,
-            .rest_vertices = inputs.rest_vertices,
-            .materials = inputs.materials,
+    const frame::FrameContext in = context(graph);
+    const frame::PosedScene scene = frame::add_posed_scene(in);
+    const gpu::BufferId visibility = frame::add_visibility(in, scene);
+    return {.context = in,
+            .scene = scene,
             .visibility = visibility,
-            .surface = seen};
+            .surface = frame::add_surface(in, scene, visibility)};
 }
 
-transparency::Transparency Drawing::add_transparency(gpu::Graph& graph)
+features::SunMapPlan Drawing::sun_plan(const LightSetup& setup) const
 {
-    const gpu::BufferId posed = add_posed(graph);
-    const raster::RasterInputs inputs = raster_inputs(graph, posed);
-    const raster::Batch blended{layout.blended.first, layout.blended.count, true};
-    return transparency::add_transparency(
-        graph, {.frame = gpu::import_whole(graph, "frame", frame_),
-                .solid_visibility = add_visibility(graph, posed),
-                .layers = raster::add_layers(graph, "screen", inputs, {&blended, 1}, raster_view(),
-                                             layout.blended_sheets),
-                .triangles = inputs.triangles,
-                .posed_vertices = posed,
-                .draws = inputs.draws,
-                .rest_vertices = inputs.rest_vertices,
-                .materials = inputs.materials,
-                .textures = inputs.textures,
-                .texture_classes = needs_.texture_classes,
-                .size_px = size_px});
-}
-
-light::LitPixels Drawing::add_light(gpu::Graph& graph, const Stage& stage, LightSetup setup)
-{
-    const gpu::BufferId local_maps = add_local_maps(graph, stage, setup);
     const glm::dvec3 towards_sun =
         setup.directional_count > 0 ? glm::dvec3(setup.records.front().direction) : glm::dvec3(0, 1, 0);
-    const features::SunMapPlan plan = sun_plan(towards_sun, setup);
-    const shared::LightGlobals lighting{.sky_ambient = setup.ambient,
-                                        .ground_ambient = setup.ambient,
-                                        .directional_count = setup.directional_count,
-                                        .local_count = static_cast<uint32_t>(setup.records.size()) -
-                                                       setup.directional_count,
-                                        .falloff = setup.falloff};
-    light_globals_ = gpu::upload_buffer(shared_device(), "lighting", std::vector{lighting});
-    sun_shadow_ = gpu::upload_buffer(shared_device(), "sun",
-                                     std::vector{features::sun_globals(plan, pixel_, setup.shadow)});
-    edge_look_ = gpu::upload_buffer(shared_device(), "edges",
-                                    std::vector{shadow::edge_look(setup.shadow, setup.lines, 1.0F)});
-    lights_ = gpu::upload_buffer(shared_device(), "lights", setup.records);
-    const gpu::BufferId shadow_map = add_sun_map(graph, stage, setup, plan);
-    return light::add_light(
-        graph,
-        {.frame = stage.frame,
-         .lighting = gpu::import_whole(graph, "lighting", light_globals_),
-         .lights = gpu::import_whole(graph, "lights", lights_),
-         .draw = stage.surface.draw,
-         .depth = stage.surface.depth,
-         .normal = stage.surface.normal,
-         .draws = stage.draws,
-         .materials = stage.materials,
-         .sun_map = shadow_map,
-         .sun_shadow = gpu::import_whole(graph, "sun", sun_shadow_),
-         .coordinate = stage.surface.coordinate,
-         .footprint = stage.surface.footprint,
-         .edge_look = gpu::import_whole(graph, "edges", edge_look_),
-         .shadow_variant = shadow::shadow_variant(setup.shadow, setup.lines) | plan.variant | lamps_variant_,
-         .local_shadows = gpu::import_whole(graph, "local shadows", local_shadows_),
-         .local_maps = local_maps,
-         .has_local_shadows = setup.local_shadow_size > 0,
-         .has_shadow = plan.size > 0,
-         .local_count = lighting.local_count,
-         .has_emissive = needs_.emissive,
-         .keeps_strongest = setup.keeps_strongest,
-         .keeps_sun = setup.keeps_sun,
-         .counts_visits = setup.counts_visits,
-         .looks_at_all = setup.looks_at_all,
-         .has_links = setup.has_links,
-         .size_px = size_px});
+    features::SunMapPlan plan{.size = setup.shadow_size,
+                              .view = sun(towards_sun, std::max(setup.shadow_size, 4U))};
+    if (setup.is_warped) {
+        plan.view = warped_sun(towards_sun, setup.shadow_size);
+        plan.variant |= shared::light_has_sun_warp;
+    }
+    if (setup.clipmap) {
+        plan.clipmap = setup.clipmap;
+        plan.size = setup.clipmap->size;
+        plan.windows = shadow::windows_about(*plan.clipmap, glm::dvec3(globals.eye_anchor));
+        plan.variant |= shared::light_has_sun_levels;
+    }
+    return plan;
+}
+
+void Drawing::prepare_light(const LightSetup& setup)
+{
+    const auto local_count = static_cast<uint32_t>(setup.records.size()) - setup.directional_count;
+    light::Lighting lighting{.records = setup.records, .directional_count = setup.directional_count};
+    if (setup.has_links && setup.directional_count > 0) {
+        lighting.sun_casters = static_cast<Groups>(setup.records.front().groups >> 16U);
+    }
+    plan_.light = {
+        .local_count = local_count, .leads_strokes = setup.keeps_strongest, .has_links = setup.has_links};
+    plan_.lines.of_shadows = setup.keeps_sun;
+    plan_.shadow_edges = {.look = shadow::edge_look(setup.shadow, setup.lines, 1.0F),
+                          .variant = shadow::shadow_variant(setup.shadow, setup.lines)};
+    plan_.sun.map = sun_plan(setup);
+    features::Shadows& shadows = features->shadows;
+    if (!setup.keeps_sun_map) {
+        shadows.invalidate(features::Event::lights_changed);
+    }
+    sample_.sun_map = shadows.sun().ensure(
+        shared_device(), plan_.sun.map,
+        features::sun_casters(layout, loaded->layout_number, lighting.sun_casters, path));
+    shadows.sun().drawn(plan_.sun.map);
+    // Pages of such fine pixels ask for maps as large as may be.
+    features::LocalMapScene local{.page = {.pixel = {.at_one_m = 1e-12F}},
+                                  .style = setup.shadow,
+                                  .casters = features::caster_kinds(layout)};
+    local.style.local_size = static_cast<int>(setup.local_shadow_size);
+    local.style.local_lights = setup.local_shadow_size > 0 ? static_cast<int>(local_count) : 0;
+    local.style.local_megatexels = 1e4F;
+    std::vector<std::string> notes;
+    plan_.local_shadows = shadows.ensure_local_maps(shared_device(), lighting, local, notes);
+    shadows.upload(shared_device(), plan_.shadow_edges.look,
+                   features::sun_globals(plan_.sun.map, plan_.page.pixel, setup.shadow));
+    features->lighting.upload(shared_device(),
+                              {.sky_ambient = setup.ambient,
+                               .ground_ambient = setup.ambient,
+                               .directional_count = setup.directional_count,
+                               .local_count = local_count,
+                               .falloff = setup.falloff},
+                              lighting.records);
+}
+
+light::LitPixels Drawing::add_light(const Stage& stage, const LightSetup& setup)
+{
+    const light::ShadowMaps maps = frame::add_shadow_maps(stage.context, stage.scene);
+    if (!setup.counts_visits && !setup.looks_at_all) {
+        return frame::add_light(stage.context, stage.scene, stage.visibility, stage.surface,
+                                {.maps = maps, .smoke = {}, .lightmap = {}, .occlusion = {}});
+    }
+    light::LightInputs inputs = frame::light_inputs(stage.context, stage.scene, stage.surface, maps);
+    inputs.shadows.variant |= plan_.shadow_edges.variant;
+    inputs.has_emissive = plan_.needs.emissive;
+    inputs.counts_visits = setup.counts_visits;
+    inputs.looks_at_all = setup.looks_at_all;
+    return light::add_light(stage.context.graph, inputs);
 }
 
 std::vector<shared::PosedVertex> Drawing::posed()
 {
     gpu::Graph graph;
-    return run_and_read_as<shared::PosedVertex>(graph, add_posed(graph));
+    return run_and_read_as<shared::PosedVertex>(graph, raster_inputs(graph).posed_vertices);
 }
 
 std::vector<uint64_t> Drawing::visibility()
 {
     gpu::Graph graph;
-    auto words = run_and_read_as<uint64_t>(graph, add_visibility(graph, add_posed(graph)));
+    const frame::FrameContext in = context(graph);
+    auto words = run_and_read_as<uint64_t>(graph, frame::add_visibility(in, frame::add_posed_scene(in)));
     words.resize(static_cast<size_t>(size_px.x) * size_px.y); // the buffer is whole groups of 16 bytes
     return words;
 }
@@ -236,11 +185,12 @@ std::vector<uint64_t> Drawing::visibility()
 std::vector<float> Drawing::depth_alone()
 {
     gpu::Graph graph;
+    const frame::FrameContext in = context(graph);
     const uint64_t size_bytes = sizeof(float) * size_px.x * size_px.y;
-    const auto target = graph.buffer("depths", {.size_bytes = (size_bytes + 15) / 16 * 16});
-    auto depths = run_and_read_as<float>(graph, raster::add_depth(graph, "depths",
-                                                                  raster_inputs(graph, add_posed(graph)),
-                                                                  batches(), raster_view(), target));
+    auto depths = run_and_read_as<float>(
+        graph, raster::add_depth(graph, "depths", frame::add_posed_scene(in).meshes,
+                                 frame::solid_batches(layout, with_ground), frame::eye_view(in),
+                                 graph.buffer("depths", {.size_bytes = (size_bytes + 15) / 16 * 16})));
     depths.resize(static_cast<size_t>(size_px.x) * size_px.y);
     return depths;
 }
@@ -254,7 +204,7 @@ std::vector<uint32_t> Drawing::depth_views(const std::vector<shared::RasterView>
     gpu::Buffer tile_list = gpu::upload_buffer(shared_device(), "tiles", tiles);
     const auto triangle_count = static_cast<uint32_t>(layout.triangles.size());
     gpu::Graph graph;
-    const raster::RasterInputs inputs = raster_inputs(graph, add_posed(graph));
+    const raster::RasterInputs inputs = raster_inputs(graph);
     const gpu::BufferId bounds = raster::add_cluster_bounds(
         graph, inputs, triangle_count,
         graph.buffer("bounds", {.size_bytes = raster::cluster_bounds_bytes(triangle_count)}));
@@ -267,9 +217,9 @@ std::vector<uint32_t> Drawing::depth_views(const std::vector<shared::RasterView>
         drawn.tiles = raster::ViewTiles{.list = gpu::import_whole(graph, "tiles", tile_list),
                                         .count = static_cast<uint32_t>(tiles.size())};
     }
-    return run_and_read_as<uint32_t>(graph,
-                                     raster::add_depth_views(graph, "depths", inputs, batches(), drawn,
-                                                             gpu::import_whole(graph, "depths", target)));
+    return run_and_read_as<uint32_t>(
+        graph, raster::add_depth_views(graph, "depths", inputs, frame::solid_batches(layout, with_ground),
+                                       drawn, gpu::import_whole(graph, "depths", target)));
 }
 
 SurfacePixels Drawing::surface()
@@ -296,20 +246,24 @@ SurfacePixels Drawing::surface()
 
 ScreenPixels Drawing::screen()
 {
-    gpu::Graph for_draw;
-    gpu::Graph for_color;
-    ScreenPixels pixels;
-    pixels.draw = run_and_read_as<uint32_t>(for_draw, add_transparency(for_draw).draw);
-    pixels.color = unpack_roots(run_and_read_as<uint32_t>(for_color, add_transparency(for_color).color));
-    return pixels;
+    const auto read = [this](gpu::ImageId transparency::Transparency::*image) {
+        gpu::Graph graph;
+        const frame::FrameContext in = context(graph);
+        const frame::PosedScene scene = frame::add_posed_scene(in);
+        const frame::SeenThrough seen = frame::add_transparency(in, scene, frame::add_visibility(in, scene));
+        return run_and_read_as<uint32_t>(graph, seen.images.*image);
+    };
+    return {.draw = read(&transparency::Transparency::draw),
+            .color = unpack_roots(read(&transparency::Transparency::color))};
 }
 
 std::vector<glm::vec4> Drawing::light(const LightSetup& setup)
 {
+    prepare_light(setup);
     gpu::Graph graph;
-    const Stage stage = add_surface(graph);
     std::vector<glm::vec4> result;
-    for (const uint64_t packed : run_and_read_as<uint64_t>(graph, add_light(graph, stage, setup).light)) {
+    for (const uint64_t packed :
+         run_and_read_as<uint64_t>(graph, add_light(add_surface(graph), setup).light)) {
         result.push_back(glm::unpackHalf4x16(packed));
     }
     return result;
@@ -318,13 +272,31 @@ std::vector<glm::vec4> Drawing::light(const LightSetup& setup)
 std::vector<glm::vec3> Drawing::strongest_light(LightSetup setup)
 {
     setup.keeps_strongest = true;
+    prepare_light(setup);
     gpu::Graph graph;
-    const Stage stage = add_surface(graph);
     std::vector<glm::vec3> result;
-    for (const uint32_t packed : run_and_read_as<uint32_t>(graph, add_light(graph, stage, setup).strongest)) {
+    for (const uint32_t packed :
+         run_and_read_as<uint32_t>(graph, add_light(add_surface(graph), setup).strongest)) {
         result.push_back(packed == 0 ? glm::vec3(0.0F) : pose::unpack_normal(packed));
     }
     return result;
+}
+
+std::vector<uint32_t> Drawing::sun_piece(const shadow::Clipmap& clipmap, const shadow::Piece& piece)
+{
+    gpu::Graph graph;
+    raster::RasterInputs inputs = raster_inputs(graph);
+    inputs.posed_vertices =
+        shadow::add_sun_vertices(graph, inputs.posed_vertices, loaded->meshes.vertex_count, clipmap);
+    const auto target = graph.buffer("depths", {.size_bytes = 4ULL * piece.size.x * piece.size.y});
+    return run_and_read_as<uint32_t>(
+        graph, raster::add_depth(graph, "piece", inputs, frame::solid_batches(layout, with_ground),
+                                 {.clip_from_anchor = shadow::clip_from_sun(piece),
+                                  .size_px = piece.size,
+                                  .cull_back_faces = false,
+                                  .path = path,
+                                  .tuning = tuning},
+                                 target));
 }
 
 glm::dvec3 Drawing::point_at(glm::dvec2 position_px, double depth) const
@@ -344,6 +316,19 @@ glm::dvec3 Drawing::point_seen(size_t pixel, float depth) const
 shadow::SunView Drawing::sun(const glm::dvec3& towards_sun, uint32_t shadow_size) const
 {
     return shadow::sun_view(pose.casters, layout.anchor, towards_sun, shadow_size);
+}
+
+shadow::SunView Drawing::warped_sun(const glm::dvec3& towards_sun, uint32_t shadow_size) const
+{
+    return shadow::fit_sun_map({.casters = pose.casters,
+                                .anchor = layout.anchor,
+                                .towards_sun = towards_sun,
+                                .floor_m = layout.bounds.min.y,
+                                .nearest_m = 2.0,
+                                .size = shadow_size,
+                                .eye = globals},
+                               {.sun_map = shadow::SunMapKind::warped})
+        .view;
 }
 
 } // namespace estampe::test

@@ -1,27 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A scene on the shared device, for tests that look at what one technique hands to the next.
+// A scene on the shared device, for tests that look at what one technique hands to the next: drawn by the
+// steps of a frame, of which each function declares as many as it needs.
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include <estampe/scene.hpp>
 
-#include "features/shadows/sun.hpp"
-#include "frame/frame.hpp"
+#include "frame/steps.hpp"
 #include "gpu/graph/graph.hpp"
 #include "shaders/frame.glsl.h"
 #include "techniques/contour/chains/chains.hpp"
-#include "techniques/light/light.hpp"
-#include "techniques/pose/pose.hpp"
-#include "techniques/raster/raster.hpp"
 #include "techniques/raster/views/views.hpp"
-#include "techniques/shadow/shadow_style.hpp"
 #include "techniques/shadow/sun/sun_map.hpp"
-#include "techniques/surface/materials.hpp"
-#include "techniques/transparency/transparency.hpp"
 
 namespace estampe::test {
 
@@ -60,7 +55,7 @@ struct LightSetup {
     std::optional<shadow::HatchedLines> lines; ///< what teeth follow
     std::optional<shadow::Clipmap> clipmap;    ///< about the eye, in place of a single map
     bool is_warped = false;                    ///< a single map in perspective
-    features::SunMap* sun_memory = nullptr;    ///< keeps the map from picture to picture
+    bool keeps_sun_map = false;                ///< goes on from the map that `Drawing::features` hold
 };
 
 /// Lines strung as chains, as contour/chains/chains.glsl.h has them.
@@ -103,11 +98,15 @@ public:
     [[nodiscard]] std::vector<glm::vec3> strongest_light(LightSetup setup);
     /// Depths of a piece of the sun's clipmap, row by row.
     [[nodiscard]] std::vector<uint32_t> sun_piece(const shadow::Clipmap& clipmap, const shadow::Piece& piece);
-    /// Coverage of the lines, in `line_light`; those of chains go on from the frame that `history` holds.
+    /// Coverage of the lines, in `line_light`; those of a film's frame that `features` have begun go on from
+    /// the frame before where it `remembers`.
     [[nodiscard]] std::vector<float> lines(const contour::ContourStyle& style, float pixels_per_mm,
-                                           contour::LineHistory* history = nullptr);
-    /// Makes `history` ready for the next frame of a film, which goes on from the one before or is the first.
-    void begin_film_frame(contour::LineHistory& history, bool continues, bool has_hidden = false) const;
+                                           bool remembers = false);
+    /// Begins the next frame of a film, which goes on from the one before or is the first.
+    void begin_film_frame(bool continues, bool has_hidden = false);
+
+    void end_film_frame() { features->lines.history().end_frame(globals.clip_from_anchor); }
+
     [[nodiscard]] ChainLists chains(const contour::ContourStyle& style,
                                     contour::LineClass wanted = contour::LineClass::seen);
     /// How long the lists are that make up chains, without what those are drawn from: a quarter of the time.
@@ -120,56 +119,44 @@ public:
     [[nodiscard]] shadow::SunView warped_sun(const glm::dvec3& towards_sun, uint32_t shadow_size) const;
     [[nodiscard]] shadow::SunView sun(const glm::dvec3& towards_sun, uint32_t shadow_size) const;
 
+    std::unique_ptr<frame::LoadedScene> loaded;
+    /// What goes on from drawing to drawing, where a test hands it on.
+    std::shared_ptr<frame::Features> features = std::make_shared<frame::Features>();
     glm::uvec2 size_px;
     RasterPath path = RasterPath::compute;
     raster::Tuning tuning;
     bool with_ground = false;
     LightSetup line_light{.ambient = glm::vec3(1.0F)}; ///< that lines are drawn in
-    pose::MeshData layout;
-    pose::PoseData pose;
+    pose::MeshData& layout;                            ///< of `loaded`
+    const pose::PoseData& pose;                        ///< of `loaded`
     shared::FrameGlobals globals;
 
 private:
     /// The passes of one graph up to the surface, with all that the later ones need.
     struct Stage {
-        gpu::BufferId frame, triangles, draws, posed, rest_vertices, materials, visibility;
+        frame::FrameContext context;
+        frame::PosedScene scene;
+        gpu::BufferId visibility;
         surface::Surface surface;
     };
 
-    gpu::BufferId add_posed(gpu::Graph& graph);
-    gpu::BufferId add_visibility(gpu::Graph& graph, gpu::BufferId posed);
+    /// All in it are members, as they are now.
+    frame::FrameContext context(gpu::Graph& graph);
     Stage add_surface(gpu::Graph& graph);
-    transparency::Transparency add_transparency(gpu::Graph& graph);
-    contour::ContourInputs contour_inputs(gpu::Graph& graph, const Stage& stage);
-    features::SunMapPlan sun_plan(const glm::dvec3& towards_sun, const LightSetup& setup) const;
-    gpu::BufferId add_sun_map(gpu::Graph& graph, const Stage& stage, const LightSetup& setup,
-                              const features::SunMapPlan& plan);
-    light::LitPixels add_light(gpu::Graph& graph, const Stage& stage, LightSetup setup);
-    /// Fills in the records' shadows and draws their maps.
-    gpu::BufferId add_local_maps(gpu::Graph& graph, const Stage& stage, LightSetup& setup);
-    raster::RasterInputs raster_inputs(gpu::Graph& graph, gpu::BufferId posed);
-    std::vector<raster::Batch> batches() const;
-    /// What throws shadows in the light of the first record.
-    std::vector<raster::Batch> caster_batches(const LightSetup& setup) const;
-    raster::View raster_view() const;
+    features::SunMapPlan sun_plan(const LightSetup& setup) const;
+    /// Plans the light and its shadows, and uploads what they are looked up by. To be called before a graph
+    /// is begun.
+    void prepare_light(const LightSetup& setup);
+    light::LitPixels add_light(const Stage& stage, const LightSetup& setup);
+    void prepare_lines(const contour::ContourStyle& style, float pixels_per_mm);
+    contour::ContourInputs add_lit_lines(const Stage& stage);
 
-    features::PixelSize pixel_;
-    pose::MeshBuffers meshes_;
-    surface::MaterialBuffers materials_;
-    surface::SceneNeeds needs_;
-    gpu::Buffer frame_;
-    gpu::Buffer stroke_kinds_;
-    gpu::Buffer form_coordinates_;
-    uint32_t strokes_present_ = 0;
-    gpu::Buffer light_globals_;
-    gpu::Buffer lights_;
-    features::SunMap sun_map_;
-    uint32_t lamps_variant_ = 0;
-    gpu::Buffer local_shadows_;
-    gpu::Buffer local_maps_;
-    gpu::Buffer local_views_;
-    gpu::Buffer sun_shadow_;
-    gpu::Buffer edge_look_;
+    frame::FrameBuffers buffers_;
+    frame::FrameJob job_;
+    frame::FramePlan plan_;
+    frame::SamplePlan sample_;
+    features::StyleTables style_;
+    std::vector<wash::LookWash> wash_looks_;
 };
 
 } // namespace estampe::test

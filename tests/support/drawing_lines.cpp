@@ -3,7 +3,6 @@
 
 #include <glm/gtc/packing.hpp>
 
-#include "features/lines/lines.hpp"
 #include "gpu/resources.hpp"
 #include "support/drawing.hpp"
 #include "support/gpu_device.hpp"
@@ -11,42 +10,29 @@
 
 namespace estampe::test {
 
-contour::ContourInputs Drawing::contour_inputs(gpu::Graph& graph, const Stage& stage)
+void Drawing::prepare_lines(const contour::ContourStyle& style, float pixels_per_mm)
 {
-    const light::LitPixels lit = add_light(graph, stage, line_light);
-    return {.frame = stage.frame,
-            .visibility = stage.visibility,
-            .triangles = stage.triangles,
-            .posed_vertices = stage.posed,
-            .draws = stage.draws,
-            .materials = stage.materials,
-            .own_outlines = needs_.own_outlines,
-            .draw = stage.surface.draw,
-            .depth = stage.surface.depth,
-            .normal = stage.surface.normal,
-            .coordinate = stage.surface.coordinate,
-            .light = lit.light,
-            .sun = line_light.keeps_sun ? std::optional(lit.sun) : std::nullopt,
-            .screen_draw = transparency::add_no_transparency(graph).draw,
-            .pixel_m_at_one = pixel_.at_one_m,
-            .size_px = size_px};
+    features->lines.invalidate(features::Event::layout_replaced); // features may be another drawing's
+    features->lines.ensure(shared_device(), layout, style);
+    plan_.page.pixels_per_mm = pixels_per_mm;
+    plan_.looks.lines = style;
+    prepare_light(line_light);
 }
 
-std::vector<float> Drawing::lines(const contour::ContourStyle& style, float pixels_per_mm,
-                                  contour::LineHistory* history)
+contour::ContourInputs Drawing::add_lit_lines(const Stage& stage)
 {
+    return frame::contour_inputs(stage.context, stage.scene, stage.visibility, stage.surface,
+                                 add_light(stage, line_light),
+                                 frame::add_transparency(stage.context, stage.scene, stage.visibility));
+}
+
+std::vector<float> Drawing::lines(const contour::ContourStyle& style, float pixels_per_mm, bool remembers)
+{
+    prepare_lines(style, pixels_per_mm);
+    plan_.lines.are_remembered = remembers;
     gpu::Graph graph;
     const Stage stage = add_surface(graph);
-    contour::ContourInputs inputs = contour_inputs(graph, stage);
-    inputs.pixels_per_mm = pixels_per_mm;
-    features::LineMeshes meshes;
-    features::LineBrushes brushes;
-    inputs.brushes = brushes.ensure(shared_device(), style);
-    inputs.is_moving = true;
-    contour::LineMesh* mesh = meshes.ensure(shared_device(), layout, style);
-    const gpu::ImageId ink = mesh != nullptr
-                                 ? contour::add_chain_contours(graph, inputs, *mesh, history, style)
-                                 : contour::add_contours(graph, inputs, style);
+    const gpu::ImageId ink = frame::add_lines(stage.context, add_lit_lines(stage));
     std::vector<float> result;
     for (const uint32_t packed : run_and_read_as<uint32_t>(graph, ink)) {
         result.push_back(glm::unpackUnorm4x8(packed).w);
@@ -54,35 +40,33 @@ std::vector<float> Drawing::lines(const contour::ContourStyle& style, float pixe
     return result;
 }
 
-void Drawing::begin_film_frame(contour::LineHistory& history, bool continues, bool has_hidden) const
+void Drawing::begin_film_frame(bool continues, bool has_hidden)
 {
-    history.begin_frame(shared_device(), size_px, continues, has_hidden);
+    features->lines.history().begin_frame(shared_device(), size_px, continues, has_hidden);
 }
 
 std::vector<shared::ListSize> Drawing::chain_sizes(const contour::ContourStyle& style)
 {
-    features::LineMeshes meshes;
-    contour::LineMesh* mesh = meshes.ensure(shared_device(), layout, style);
+    prepare_lines(style, 1.0F);
+    contour::LineMesh& mesh = *features->lines.mesh();
     gpu::Graph graph;
-    const Stage stage = add_surface(graph);
     const contour::ChainInputs inputs =
-        contour::chain_inputs(graph, contour_inputs(graph, stage), *mesh, style);
+        contour::chain_inputs(graph, add_lit_lines(add_surface(graph)), mesh, style);
     const bool along_edges = style.silhouettes == contour::Silhouettes::edges;
     return run_and_read_as<shared::ListSize>(graph,
-                                             contour::add_chains(graph, inputs, *mesh, along_edges).sizes);
+                                             contour::add_chains(graph, inputs, mesh, along_edges).sizes);
 }
 
 ChainLists Drawing::chains(const contour::ContourStyle& style, contour::LineClass wanted)
 {
+    prepare_lines(style, 1.0F);
     ChainLists lists;
-    features::LineMeshes meshes;
-    contour::LineMesh* mesh = meshes.ensure(shared_device(), layout, style);
+    contour::LineMesh& mesh = *features->lines.mesh();
     const bool along_edges = style.silhouettes == contour::Silhouettes::edges;
     gpu::Graph graph;
-    const Stage stage = add_surface(graph);
     const contour::ChainInputs inputs =
-        contour::chain_inputs(graph, contour_inputs(graph, stage), *mesh, style);
-    const contour::Chains chains = contour::add_chains(graph, inputs, *mesh, along_edges);
+        contour::chain_inputs(graph, add_lit_lines(add_surface(graph)), mesh, style);
+    const contour::Chains chains = contour::add_chains(graph, inputs, mesh, along_edges);
     const auto grid =
         graph.buffer("grid", contour::list_of(contour::grid_cell_count(size_px), sizeof(glm::uvec2)));
     const contour::ChainSamples samples = contour::add_samples(graph, inputs, chains);
@@ -95,7 +79,7 @@ ChainLists Drawing::chains(const contour::ContourStyle& style, contour::LineClas
     };
     read(lists.marks, chains.marks);
     read(lists.facing, chains.facing);
-    if (mesh->bending_count > 0) {
+    if (mesh.bending_count > 0) {
         read(lists.view_bends, *chains.view_bends);
     }
     read(lists.sizes, strokes.sizes);

@@ -17,4 +17,12 @@ void Clouds::upload(gpu::Device& device, const sky::CloudPlan& plan)
     gpu::upload_items(device, "streaks", shapes_->streaks, streaks_);
 }
 
+sky::CloudHandles Clouds::import(gpu::Graph& graph)
+{
+    return {.globals = gpu::import_whole(graph, "clouds", globals_),
+            .starts = gpu::import_whole(graph, "cloud cells", starts_),
+            .puffs = gpu::import_whole(graph, "puffs", puffs_),
+            .streaks = gpu::import_whole(graph, "streaks", streaks_)};
+}
+
 } // namespace estampe::features

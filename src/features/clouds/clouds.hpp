@@ -20,13 +20,8 @@ public:
     /// The shapes that were planned last, for sky::plan_clouds().
     [[nodiscard]] sky::CloudMemory& memory() { return memory_; }
 
-    [[nodiscard]] gpu::Buffer& globals() { return globals_; }
-
-    [[nodiscard]] gpu::Buffer& starts() { return starts_; }
-
-    [[nodiscard]] gpu::Buffer& puffs() { return puffs_; }
-
-    [[nodiscard]] gpu::Buffer& streaks() { return streaks_; }
+    /// What was uploaded, for sky::add_clouds() and sky::add_cloud_shadow().
+    [[nodiscard]] sky::CloudHandles import(gpu::Graph& graph);
 
 private:
     sky::CloudMemory memory_;

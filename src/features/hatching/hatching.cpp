@@ -270,6 +270,20 @@ void Hatching::invalidate(Event event)
     }
 }
 
+const std::vector<hatch::LookHatch>& Hatching::looks(gpu::Graph& graph,
+                                                     const std::vector<StyleTables>& styles)
+{
+    looks_.clear();
+    for (const StyleTables& style : styles) {
+        hatch::MapImages* const map = maps_.of_look(looks_.size());
+        looks_.push_back(
+            {.style = style.hatch,
+             .tone = light::tone_constants(style.tone),
+             .map = map != nullptr ? std::optional(hatch::import_map(graph, *map)) : std::nullopt});
+    }
+    return looks_;
+}
+
 void Hatching::ensure_strokes(gpu::Device& device, const pose::MeshData& layout, const StrokePlan& strokes)
 {
     if (kind_of_draw_ == strokes.kind_of_draw) {

@@ -105,6 +105,11 @@ public:
     /// One map per style variant.
     [[nodiscard]] TonalMaps& maps() { return maps_; }
 
+    /// How the surfaces of each style variant are hatched, once their maps are there. Valid until the next
+    /// call.
+    [[nodiscard]] const std::vector<hatch::LookHatch>& looks(gpu::Graph& graph,
+                                                             const std::vector<StyleTables>& styles);
+
     /// One kind per draw, as shaders/stroke_kind.glsl.h numbers them.
     [[nodiscard]] gpu::Buffer& kinds() { return kinds_; }
 
@@ -113,7 +118,8 @@ public:
 
 private:
     TonalMaps maps_;
-    std::vector<uint32_t> kind_of_draw_; ///< what `kinds_` holds
+    std::vector<hatch::LookHatch> looks_; ///< its room serves the next frame
+    std::vector<uint32_t> kind_of_draw_;  ///< what `kinds_` holds
     gpu::Buffer kinds_;
     gpu::Buffer form_coordinates_;
 };

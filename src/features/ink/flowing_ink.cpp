@@ -530,6 +530,14 @@ InkPlan FlowingInk::shown_on(gpu::Device& device, const InkPlan& drawn, const Fl
     return shown;
 }
 
+gpu::ImageId FlowingInk::record(gpu::Graph& graph, const InkPlan& plan, const ink::Inputs& in, bool is_first,
+                                glm::uvec2 size_px)
+{
+    const ink::Flowing flowing =
+        is_first ? ink::add_steps(graph, memory_, plan.ink, in) : ink::add_standing(graph, memory_, plan.ink);
+    return ink::add_layer(graph, flowing, in.frame, size_px);
+}
+
 void FlowingInk::drawn(const InkPlan& plan, const Camera& camera)
 {
     memory_.end_picture(plan.ink);

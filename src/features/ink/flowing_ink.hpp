@@ -119,6 +119,11 @@ public:
     /// The ink of `drawn`, a picture of another size that has just been drawn, on the page of this one.
     [[nodiscard]] InkPlan shown_on(gpu::Device& device, const InkPlan& drawn, const FlowingInkInputs& in);
 
+    /// Has ink flow out of the layers of `in` in the first sample of a picture, and lays it on the page: an
+    /// image as ink::add_layer() has it.
+    [[nodiscard]] gpu::ImageId record(gpu::Graph& graph, const InkPlan& plan, const ink::Inputs& in,
+                                      bool is_first, glm::uvec2 size_px);
+
     /// To be called when the first sample of that picture has been drawn.
     void drawn(const InkPlan& plan, const Camera& camera);
 
@@ -130,8 +135,6 @@ public:
 
     void save(FilmWriter& writer) override;
     void load(FilmReader& reader) override;
-
-    [[nodiscard]] ink::Memory& memory() { return memory_; }
 
     /// Of the water that ink stirs, when it last measured steps.
     [[nodiscard]] const std::optional<SolverReport>& solver_report() const { return water_.solver_report(); }

@@ -438,6 +438,30 @@ void Lines::ensure(gpu::Device& device, const pose::MeshData& layout, const cont
     brush_images_ = brushes_.ensure(device, style);
 }
 
+gpu::ImageId Lines::record(gpu::Graph& graph, const contour::ContourInputs& in, const LineJob& job)
+{
+    std::optional<gpu::ImageId> of_pixels;
+    if (mesh_ == nullptr || job.has_cuts) {
+        of_pixels = contour::add_contours(graph, in, job.style);
+    }
+    if (mesh_ == nullptr) {
+        return *of_pixels;
+    }
+    return job.linked ? contour::add_linked_contours(graph, in, *job.linked->lines, job.linked->part,
+                                                     job.style, of_pixels)
+                      : contour::add_chain_contours(graph, in, *mesh_, job.remembers ? &history_ : nullptr,
+                                                    job.style, of_pixels);
+}
+
+void Lines::record_linked(gpu::Graph& graph, gpu::Device& device, const contour::ContourInputs& in,
+                          const contour::ContourStyle& style, contour::LinkedLines& linked)
+{
+    if (mesh_ != nullptr) {
+        contour::add_keeping(graph, device, contour::add_shaped_strokes(graph, in, *mesh_, nullptr, style),
+                             in.size_px, linked);
+    }
+}
+
 void Lines::save(FilmWriter& writer)
 {
     if (!history_.holds_frame(contour::LineClass::seen)) {

@@ -16,6 +16,7 @@
 #include "techniques/contour/chains/chains.hpp"
 #include "techniques/contour/chains/ink/ink.hpp"
 #include "techniques/contour/chains/mesh/feature_chains.hpp"
+#include "techniques/contour/chains/stroke/linked_lines.hpp"
 #include "techniques/contour/contour.hpp"
 #include "techniques/focus/focus.glsl.h"
 #include "techniques/paper/paper.hpp"
@@ -100,6 +101,20 @@ private:
     std::optional<BrushChoice> choice_;
 };
 
+/// Lines that were linked for a whole page, and the part of it that is inked.
+struct LinkedPart {
+    contour::LinkedLines* lines = nullptr;
+    contour::PartOfPage part;
+};
+
+/// Which lines a sample of a picture has.
+struct LineJob {
+    const contour::ContourStyle& style;    ///< see LookPlan::lines
+    bool has_cuts = false;                 ///< some triangles are cut by a texture
+    bool remembers = false;                ///< chains go on from the history's frame
+    std::optional<LinkedPart> linked = {}; ///< in place of those that would be found
+};
+
 class Lines final : public Feature {
 public:
     /// Lines of another scene are no continuation; nor are those that were found among other triangles, or
@@ -114,6 +129,16 @@ public:
     /// Makes the line mesh and the brushes that `style` asks for. Cost: nothing where neither triangles nor
     /// style changed; otherwise linear in triangles. Throws Error for a brush that cannot be read.
     void ensure(gpu::Device& device, const pose::MeshData& layout, const contour::ContourStyle& style);
+
+    /// Draws lines where surfaces end, meet or fold: as chains, or between pixels, which is also how what a
+    /// texture cuts gets its own. Writes an image as contour::add_contours() has it.
+    [[nodiscard]] gpu::ImageId record(gpu::Graph& graph, const contour::ContourInputs& in,
+                                      const LineJob& job);
+
+    /// Links the lines of a whole page into `linked`, which must outlive the graph; nothing where lines are
+    /// not chains.
+    void record_linked(gpu::Graph& graph, gpu::Device& device, const contour::ContourInputs& in,
+                       const contour::ContourStyle& style, contour::LinkedLines& linked);
 
     /// What ensure() made; null where lines are not chains.
     [[nodiscard]] contour::LineMesh* mesh() { return mesh_; }

@@ -241,7 +241,7 @@ std::vector<particles::ParticlePlan> Particles::plan(gpu::Device& device, gpu::E
         const auto alive = particles::particles_at(style, group.emitters, in.settings.time_s);
         ParticleBuffers& room = buffers_[plans.size()];
         room.sheet.ensure(device, style, [&] { return smoke_sheet(device, executor); });
-        const particles::ParticlePlan& plan =
+        particles::ParticlePlan& plan =
             plans.emplace_back(particles::plan_particles(style, alive,
                                                          {.clip_from_anchor = page.clip_from_anchor,
                                                           .anchor = in.layout.anchor,
@@ -255,11 +255,32 @@ std::vector<particles::ParticlePlan> Particles::plan(gpu::Device& device, gpu::E
             plans.pop_back();
             continue;
         }
+        if (in.has_haze) {
+            plan.constants.haze_start_m = in.style.haze.start_m;
+            plan.constants.haze_halves_per_m = 1.0F / in.style.haze.reach_m;
+            plan.constants.haze_ink = in.style.haze.ink;
+        }
         room.sprites = gpu::mapped_buffer(device, "sprites", plan.sprites);
         room.starts = gpu::mapped_buffer(device, "sprite tiles", plan.starts);
         room.listed = gpu::mapped_buffer(device, "listed sprites", plan.listed);
     }
     return plans;
+}
+
+particles::ParticleLayers Particles::record(gpu::Graph& graph, std::span<const particles::ParticlePlan> plans,
+                                            const particles::ParticleInputs& in,
+                                            particles::ParticleLayers layers)
+{
+    for (size_t i = 0; i < plans.size(); ++i) {
+        ParticleBuffers& buffers = buffers_[i];
+        const particles::SpriteLists lists{
+            .sprites = gpu::import_whole(graph, "sprites", buffers.sprites),
+            .starts = gpu::import_whole(graph, "sprite tiles", buffers.starts),
+            .listed = gpu::import_whole(graph, "listed sprites", buffers.listed),
+            .sheet = gpu::import_whole(graph, "particle sheet", buffers.sheet.texels())};
+        layers = particles::add_particles(graph, in, lists, plans[i].constants, layers);
+    }
+    return layers;
 }
 
 } // namespace estampe::features

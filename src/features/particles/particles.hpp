@@ -6,6 +6,7 @@
 // technique, one small simulation shown on dozens of sprites.
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,7 @@ struct ParticlePlanInputs {
     const Camera& camera;
     const RenderSettings& settings;
     const StyleTables& style;
+    bool has_haze = false;
 };
 
 class Particles final : public Feature {
@@ -54,12 +56,15 @@ public:
     [[nodiscard]] std::vector<particles::ParticlePlan> plan(gpu::Device& device, gpu::Executor& executor,
                                                             const ParticlePlanInputs& in);
 
-    /// As many as there are plans, in their order.
-    [[nodiscard]] std::vector<ParticleBuffers>& buffers() { return buffers_; }
+    /// Draws what was planned over the layers, one look after another. `in` is the page that all share.
+    [[nodiscard]] particles::ParticleLayers record(gpu::Graph& graph,
+                                                   std::span<const particles::ParticlePlan> plans,
+                                                   const particles::ParticleInputs& in,
+                                                   particles::ParticleLayers layers);
 
 private:
-    std::vector<ParticleBuffers> buffers_;
-    std::string patterns_; ///< of the style, that `emitting_` was found by
+    std::vector<ParticleBuffers> buffers_; ///< of the plans, in their order
+    std::string patterns_;                 ///< of the style, that `emitting_` was found by
     std::vector<size_t> emitting_;
 };
 

@@ -170,11 +170,10 @@ TEST(LocalShadowMaps, MapsInLayersAreThoseDrawnWholeBitForBit)
             graph,
             {.raster = inputs,
              .layout = drawing.layout,
-             .views = views,
              .cluster_bounds = boxes.add(graph, test::shared_device(), inputs,
                                          static_cast<uint32_t>(drawing.layout.triangles.size())),
              .path = path},
-            buffers);
+            views, buffers);
         return read_texels(graph, maps, texel_count);
     };
     for (const RasterPath path : {RasterPath::compute, RasterPath::hardware}) {

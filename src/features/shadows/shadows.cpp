@@ -50,8 +50,8 @@ bool GroundShadow::stands(const GroundShadowPlan& plan, uint32_t level) const
     return held_ && held_->plan.levels[level].origin_m == plan.levels[level].origin_m;
 }
 
-gpu::ImageId GroundShadow::add_share(gpu::Graph& graph, terrain::TerrainBuffers& terrain,
-                                     const GroundShadowInputs& in)
+gpu::ImageId GroundShadow::record(gpu::Graph& graph, terrain::TerrainBuffers& terrain,
+                                  const GroundShadowInputs& in)
 {
     const GroundShadowPlan& plan = in.plan;
     gpu::BufferId kept = gpu::import_whole(graph, "ground shadow", kept_);
@@ -232,30 +232,6 @@ const LocalShadowPlan& LocalShadows::plan(light::Lighting& lighting, std::span<c
     return plan;
 }
 
-namespace {
-
-bool counts(const pose::CasterRun& run, Casters which)
-{
-    return which == Casters::all || run.moves == (which == Casters::moving);
-}
-
-} // namespace
-
-void list_casters(const pose::MeshData& layout, Groups groups, Casters which,
-                  std::vector<raster::Batch>& batches)
-{
-    batches.clear();
-    for (const pose::CasterRun& run : layout.casters) {
-        if ((run.groups & groups) != 0 && counts(run, which)) {
-            batches.push_back({.first_triangle = run.range.first,
-                               .triangle_count = run.range.count,
-                               .masked = run.masked,
-                               .plain = run.range.plain,
-                               .groups = run.groups});
-        }
-    }
-}
-
 std::vector<raster::Batch> caster_batches(const pose::MeshData& layout, Groups groups, Casters which)
 {
     std::vector<raster::Batch> batches;
@@ -263,46 +239,40 @@ std::vector<raster::Batch> caster_batches(const pose::MeshData& layout, Groups g
     return batches;
 }
 
-CasterKinds caster_kinds(const pose::MeshData& layout)
-{
-    const auto& runs = layout.casters;
-    return {.moving = std::ranges::any_of(runs, [](const auto& run) { return run.moves; }),
-            .still = std::ranges::any_of(runs, [](const auto& run) { return !run.moves; })};
-}
-
-gpu::BufferId add_local_maps(gpu::Graph& graph, const LocalMapInputs& in, LocalShadowBuffers& buffers)
+gpu::BufferId add_local_maps(gpu::Graph& graph, const ShadowScene& scene, const LocalMapViews& views,
+                             LocalShadowBuffers& buffers)
 {
     auto maps = gpu::import_whole(graph, "local shadows", buffers.maps);
-    if (in.views.empty()) {
+    if (views.empty()) {
         return maps;
     }
     const auto depth_views = [&](const std::vector<shared::RasterView>& list, const char* name,
                                  gpu::Buffer& records) {
         return raster::DepthViews{.list = list,
                                   .records = gpu::import_whole(graph, name, records),
-                                  .bounds = *in.cluster_bounds,
-                                  .path = in.path,
-                                  .tuning = in.tuning};
+                                  .bounds = *scene.cluster_bounds,
+                                  .path = scene.path,
+                                  .tuning = scene.tuning};
     };
-    const auto draw = [&](const char* name, Casters which, const raster::DepthViews& views,
+    const auto draw = [&](const char* name, Casters which, const raster::DepthViews& drawn,
                           gpu::BufferId target) {
-        return raster::add_depth_views(graph, name, in.raster, caster_batches(in.layout, all_groups, which),
-                                       views, target);
+        return raster::add_depth_views(graph, name, scene.raster,
+                                       caster_batches(scene.layout, all_groups, which), drawn, target);
     };
-    if (!in.views.whole.empty()) {
+    if (!views.whole.empty()) {
         maps = draw("local shadows", Casters::all,
-                    depth_views(in.views.whole, "local views", buffers.views.whole), maps);
+                    depth_views(views.whole, "local views", buffers.views.whole), maps);
     }
-    if (!in.views.moving.empty()) {
+    if (!views.moving.empty()) {
         auto layers = gpu::import_whole(graph, "local layers", buffers.layers);
-        if (!in.views.still.empty()) {
+        if (!views.still.empty()) {
             layers = draw("local shadows/still", Casters::still,
-                          depth_views(in.views.still, "local views/still", buffers.views.still), layers);
+                          depth_views(views.still, "local views/still", buffers.views.still), layers);
         }
-        const raster::DepthViews views =
-            depth_views(in.views.moving, "local views/moving", buffers.views.moving);
-        maps = draw("local shadows/moving", Casters::moving, views, maps);
-        maps = raster::add_merged_views(graph, "local shadows/merge", views, layers, maps);
+        const raster::DepthViews moving =
+            depth_views(views.moving, "local views/moving", buffers.views.moving);
+        maps = draw("local shadows/moving", Casters::moving, moving, maps);
+        maps = raster::add_merged_views(graph, "local shadows/merge", moving, layers, maps);
     }
     return maps;
 }
@@ -361,6 +331,19 @@ LocalMapPlan Shadows::ensure_local_maps(gpu::Device& device, light::Lighting& li
     return {.is_there = !plan->shadows.empty(),
             .variant = shadow::lamps_variant(plan->shadows),
             .views = plan->views};
+}
+
+light::ShadowMaps Shadows::record(gpu::Graph& graph, const ShadowScene& scene, const ShadowMapWork& work)
+{
+    const LocalMapViews none;
+    return {.sun = sun_.record(graph, scene, work.sun, work.of_sun),
+            .sun_globals = gpu::import_whole(graph, "sun", sun_globals_),
+            .local = add_local_maps(graph, scene, work.draws_local ? work.local.views : none, local_buffers_),
+            .local_shadows = gpu::import_whole(graph, "lights' shadows", local_buffers_.shadows),
+            .edge_look = gpu::import_whole(graph, "edges", edge_look_),
+            .has_sun = work.sun.size > 0,
+            .has_local = work.local.is_there,
+            .variant = work.sun.variant | work.local.variant};
 }
 
 void Shadows::upload(gpu::Device& device, const shared::EdgeLook& edges, const shared::SunShadow& sun)

@@ -73,9 +73,9 @@ public:
 
     /// Makes room for what `plan` wants.
     void ensure(gpu::Device& device, const GroundShadowPlan& plan);
-    /// Brings the fields up to date, and looks every pixel up in them.
-    [[nodiscard]] gpu::ImageId add_share(gpu::Graph& graph, terrain::TerrainBuffers& terrain,
-                                         const GroundShadowInputs& in);
+    /// Brings the fields up to date, and looks up in them how much of the sun is left at each pixel.
+    [[nodiscard]] gpu::ImageId record(gpu::Graph& graph, terrain::TerrainBuffers& terrain,
+                                      const GroundShadowInputs& in);
     /// That has been drawn.
     void drawn(const GroundShadowPlan& plan, const terrain::TerrainBuffers& terrain);
 
@@ -119,12 +119,6 @@ struct PageView {
 /// The views that draw the maps of a light, not placed yet.
 void add_views(std::vector<shared::RasterView>& list, const shadow::LocalLight& light,
                const shared::LocalShadow& shadow);
-
-/// Whether there are casters that may move, and such that never do.
-struct CasterKinds {
-    bool moving = false;
-    bool still = false;
-};
 
 /// Maps that are out of date, each list placed by raster::place_views().
 struct LocalMapViews {
@@ -201,41 +195,30 @@ struct LocalShadowBuffers {
     LocalViewBuffers views;
 };
 
-/// Which casters count.
-enum class Casters : uint8_t { all, still, moving };
-
-/// What blocks a light that `groups` of casters shadow, as runs of triangles, in place of what `batches`
-/// held.
-void list_casters(const pose::MeshData& layout, Groups groups, Casters which,
-                  std::vector<raster::Batch>& batches);
-
-/// The same in a list of its own.
+/// What blocks a light, see list_casters(), in a list of its own.
 [[nodiscard]] std::vector<raster::Batch> caster_batches(const pose::MeshData& layout, Groups groups,
                                                         Casters which = Casters::all);
-
-[[nodiscard]] CasterKinds caster_kinds(const pose::MeshData& layout);
-
-struct LocalMapInputs {
-    const raster::RasterInputs& raster;
-    const pose::MeshData& layout;
-    const LocalMapViews& views;
-    std::optional<gpu::BufferId> cluster_bounds; ///< needed where there are views
-    RasterPath path = RasterPath::compute;       ///< never automatic
-    raster::Tuning tuning;
-};
 
 /// Draws the maps that are out of date: whole, or what moves alone, over the layer of what stands still.
 ///
 /// Writes  maps and layers of `buffers`; returns the maps
 /// Cost    nothing where no map is out of date; else that of raster::add_depth_views() for each list of views
-[[nodiscard]] gpu::BufferId add_local_maps(gpu::Graph& graph, const LocalMapInputs& in,
-                                           LocalShadowBuffers& buffers);
+[[nodiscard]] gpu::BufferId add_local_maps(gpu::Graph& graph, const ShadowScene& scene,
+                                           const LocalMapViews& views, LocalShadowBuffers& buffers);
 
 /// What the maps of local lights are planned from.
 struct LocalMapScene {
     PageView page;
     shadow::ShadowStyle style; ///< with as many local lights as may throw shadows
     CasterKinds casters;
+};
+
+/// The maps that a sample of a picture has, and what of them is to be drawn.
+struct ShadowMapWork {
+    const SunMapPlan& sun;
+    const SunMapWork& of_sun;
+    const LocalMapPlan& local;
+    bool draws_local = true; ///< else a sample before this one did
 };
 
 class Shadows final : public Feature {
@@ -254,17 +237,13 @@ public:
     /// Uploads what lookups read.
     void upload(gpu::Device& device, const shared::EdgeLook& edges, const shared::SunShadow& sun);
 
+    /// Draws what of a picture's maps is out of date. Cost: that of SunMap::record() and add_local_maps().
+    [[nodiscard]] light::ShadowMaps record(gpu::Graph& graph, const ShadowScene& scene,
+                                           const ShadowMapWork& work);
+
     [[nodiscard]] SunMap& sun() { return sun_; }
 
     [[nodiscard]] GroundShadow& ground() { return ground_; }
-
-    [[nodiscard]] LocalShadowBuffers& local() { return local_buffers_; }
-
-    /// EdgeLook, see shadow/shadow.glsl.h.
-    [[nodiscard]] gpu::Buffer& edge_look() { return edge_look_; }
-
-    /// SunShadow, see shadow/shadow.glsl.h.
-    [[nodiscard]] gpu::Buffer& sun_globals() { return sun_globals_; }
 
 private:
     SunMap sun_;
@@ -272,8 +251,8 @@ private:
     LocalShadows local_;
     LocalShadowBuffers local_buffers_;
     std::vector<Bounds> moved_; ///< since local maps were planned last
-    gpu::Buffer edge_look_;
-    gpu::Buffer sun_globals_;
+    gpu::Buffer edge_look_;     ///< EdgeLook, see shadow/shadow.glsl.h
+    gpu::Buffer sun_globals_;   ///< SunShadow, see shadow/shadow.glsl.h
 };
 
 } // namespace estampe::features

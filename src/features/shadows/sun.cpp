@@ -246,7 +246,8 @@ SunMapWork SunMap::ensure(gpu::Device& device, const SunMapPlan& plan, const Sun
     const bool had_still = has_still_ && (stands || stood_);
     stood_ = stands;
     has_still_ = plan.clipmap && casters.are_parted && (had_still || (stands && !moved_.empty()));
-    SunMapWork work{.redraws_whole = plan.size > 0 && !has_still_ && (!stands || !moved_.empty())};
+    SunMapWork work{.groups = casters.groups,
+                    .redraws_whole = plan.size > 0 && !has_still_ && (!stands || !moved_.empty())};
     if (plan.clipmap) {
         const bool starts = has_still_ ? !had_still || !stands : work.redraws_whole;
         work.pieces = shadow::uncovered(*plan.clipmap, starts ? shadow::Windows() : windows_, plan.windows);
@@ -260,7 +261,7 @@ SunMapWork SunMap::ensure(gpu::Device& device, const SunMapPlan& plan, const Sun
             still_ = gpu::Buffer(device, "shadow map of what stands", size_bytes, gpu::MemoryUse::device);
         }
         work.has_still = true;
-        ensure_moving(device, plan, casters.groups, work);
+        ensure_moving(device, plan, work);
     }
     if (!work.views.empty()) {
         gpu::upload_items(device, "sun views", work.views, views_);
@@ -268,11 +269,11 @@ SunMapWork SunMap::ensure(gpu::Device& device, const SunMapPlan& plan, const Sun
     return work;
 }
 
-void SunMap::ensure_moving(gpu::Device& device, const SunMapPlan& plan, Groups groups, SunMapWork& work)
+void SunMap::ensure_moving(gpu::Device& device, const SunMapPlan& plan, SunMapWork& work)
 {
     const shadow::Clipmap& clipmap = *plan.clipmap;
     work.squares = shadow::squares_about(clipmap, plan.windows, moved_, work.pieces);
-    work.views = views_of(work.squares, clipmap, groups);
+    work.views = views_of(work.squares, clipmap, work.groups);
     const uint64_t pictures_bytes = sizeof(float) * texels_of(work.views);
     if (pictures_.empty() || pictures_.size_bytes() < pictures_bytes) {
         pictures_ = gpu::Buffer(device, "shadows of what moves", pictures_bytes, gpu::MemoryUse::device);
@@ -300,100 +301,145 @@ void SunMap::drawn(const SunMapPlan& plan)
 
 namespace {
 
-std::vector<raster::Batch> casters_of(const SunMapInputs& in, const shadow::Piece& piece)
+bool counts(const pose::CasterRun& run, Casters which)
 {
-    // A batch costs a GPU several dispatches, and a processor next to nothing.
-    const size_t most = in.path == RasterPath::compute ? 6 : 24;
-    std::vector<raster::Batch> casters;
-    if (!in.work.has_still) {
-        casters.assign(in.casters.begin(), in.casters.end());
-    }
-    add_casters_within(piece, *in.plan.clipmap, in.anchor, in.still, in.groups, most, casters);
-    return casters;
+    return which == Casters::all || run.moves == (which == Casters::moving);
 }
 
-gpu::BufferId add_pieces(gpu::Graph& graph, const SunMapInputs& in, const raster::RasterInputs& by_sun,
-                         raster::View view, gpu::BufferId map)
-{
-    for (const shadow::Piece& piece : in.work.pieces) {
-        view.clip_from_anchor = shadow::clip_from_sun(piece);
-        view.size_px = piece.size;
-        std::vector<raster::DepthPart> parts;
-        for (const shadow::PieceHome& home : shadow::homes(*in.plan.clipmap, piece)) {
-            parts.push_back({.from_px = home.from, .size_px = home.size, .first_texel = home.texel});
+/// The pieces of a clipmap to draw, and what they are drawn from.
+struct PieceDrawing {
+    const ShadowScene& scene;
+    raster::RasterInputs by_sun;
+    std::span<const raster::Batch> casters; ///< that move
+    const shadow::Clipmap& clipmap;
+    const SunMapWork& work;
+
+    [[nodiscard]] std::vector<raster::Batch> casters_of(const shadow::Piece& piece) const
+    {
+        // A batch costs a GPU several dispatches, and a processor next to nothing.
+        const size_t most = scene.path == RasterPath::compute ? 6 : 24;
+        std::vector<raster::Batch> batches;
+        if (!work.has_still) {
+            batches.assign(casters.begin(), casters.end());
         }
-        map = raster::add_depth_parts(graph, "shadow", by_sun, casters_of(in, piece), view, parts,
-                                      in.plan.clipmap->size, map);
+        add_casters_within(piece, clipmap, scene.layout.anchor, scene.still, work.groups, most, batches);
+        return batches;
     }
-    return map;
-}
 
-/// Draws what moves, over what stands still.
-gpu::BufferId add_moving(gpu::Graph& graph, const SunMapInputs& in, const raster::RasterInputs& by_sun,
-                         raster::DepthViews views, const SunMaps& maps, gpu::BufferId still)
-{
-    views.tiles = raster::ViewTiles{.list = *maps.tiles, .count = in.work.tile_count};
-    const gpu::BufferId pictures =
-        raster::add_depth_views(graph, "shadow/moving", by_sun, in.casters, views, *maps.pictures);
-    return shadow::add_mixed_levels(graph, *in.plan.clipmap,
-                                    {.squares = in.work.squares,
-                                     .pictures = pictures,
-                                     .still = still,
-                                     .tiles = *maps.tiles,
-                                     .tile_count = in.work.tile_count},
-                                    maps.map);
-}
-
-/// What of a clipmap is to be drawn. All of its levels together are views of one drawing: none of them is
-/// begun, divided into batches and copied by itself.
-gpu::BufferId add_levels(gpu::Graph& graph, const SunMapInputs& in, const raster::View& view,
-                         const SunMaps& maps)
-{
-    raster::RasterInputs by_sun = in.raster;
-    by_sun.posed_vertices =
-        shadow::add_sun_vertices(graph, in.raster.posed_vertices, in.vertex_count, *in.plan.clipmap);
-    const gpu::BufferId drawn_into = in.work.has_still ? *maps.still : maps.map;
-    if (in.work.views.empty()) {
-        return add_pieces(graph, in, by_sun, view, drawn_into);
+    gpu::BufferId add(gpu::Graph& graph, raster::View view, gpu::BufferId map) const
+    {
+        for (const shadow::Piece& piece : work.pieces) {
+            view.clip_from_anchor = shadow::clip_from_sun(piece);
+            view.size_px = piece.size;
+            std::vector<raster::DepthPart> parts;
+            for (const shadow::PieceHome& home : shadow::homes(clipmap, piece)) {
+                parts.push_back({.from_px = home.from, .size_px = home.size, .first_texel = home.texel});
+            }
+            map = raster::add_depth_parts(graph, "shadow", by_sun, casters_of(piece), view, parts,
+                                          clipmap.size, map);
+        }
+        return map;
     }
-    const gpu::BufferId bounds = raster::add_cluster_bounds(
-        graph, by_sun, in.triangle_count,
-        graph.buffer("sun cluster bounds", {.size_bytes = raster::cluster_bounds_bytes(in.triangle_count)}),
-        in.tuning);
-    const raster::DepthViews views{.list = in.work.views,
-                                   .records = *maps.views,
-                                   .bounds = bounds,
-                                   .path = in.path,
-                                   .tuning = in.tuning};
-    // The last is the coarsest, whose window holds all others.
-    const gpu::BufferId drawn =
-        in.work.draws_levels
-            ? raster::add_depth_views(graph, "shadow", by_sun, casters_of(in, in.work.pieces.back()), views,
-                                      drawn_into)
-            : add_pieces(graph, in, by_sun, view, drawn_into);
-    return in.work.has_still ? add_moving(graph, in, by_sun, views, maps, drawn) : drawn;
-}
+};
 
 } // namespace
 
-gpu::BufferId add_sun_map(gpu::Graph& graph, const SunMapInputs& in, const SunMaps& maps)
+SunCasters sun_casters(const pose::MeshData& layout, uint32_t layout_number, Groups groups, RasterPath path)
 {
-    const SunMapPlan& plan = in.plan;
+    // The device's own rasteriser gives depths other bits in another picture: a film that is taken up again
+    // would not be the same to the byte.
+    const CasterKinds kinds = caster_kinds(layout);
+    const bool by_compute = path == RasterPath::compute;
+    return {.layout = layout_number,
+            .groups = groups,
+            .by_compute = by_compute,
+            .are_parted = by_compute && kinds.moving && kinds.still};
+}
+
+CasterKinds caster_kinds(const pose::MeshData& layout)
+{
+    const auto& runs = layout.casters;
+    return {.moving = std::ranges::any_of(runs, [](const auto& run) { return run.moves; }),
+            .still = std::ranges::any_of(runs, [](const auto& run) { return !run.moves; })};
+}
+
+void list_casters(const pose::MeshData& layout, Groups groups, Casters which,
+                  std::vector<raster::Batch>& batches)
+{
+    batches.clear();
+    for (const pose::CasterRun& run : layout.casters) {
+        if ((run.groups & groups) != 0 && counts(run, which)) {
+            batches.push_back({.first_triangle = run.range.first,
+                               .triangle_count = run.range.count,
+                               .masked = run.masked,
+                               .plain = run.range.plain,
+                               .groups = run.groups});
+        }
+    }
+}
+
+gpu::BufferId SunMap::record(gpu::Graph& graph, const ShadowScene& scene, const SunMapPlan& plan,
+                             const SunMapWork& work)
+{
+    const gpu::BufferId map = gpu::import_whole(graph, "shadow", map_);
+    // The ground receives but does not throw.
+    list_casters(scene.layout, work.groups, plan.clipmap ? Casters::moving : Casters::all, casters_);
     const raster::View view{.clip_from_anchor = plan.view.clip_from_anchor,
                             .size_px = glm::uvec2(plan.size),
                             .cull_back_faces = false,
-                            .path = in.path,
-                            .tuning = in.tuning};
+                            .path = scene.path,
+                            .tuning = scene.tuning};
     if (!plan.clipmap) {
-        return in.work.redraws_whole
-                   ? raster::add_depth(graph, "shadow", in.raster, in.casters, view, maps.map)
-                   : maps.map;
+        return work.redraws_whole ? raster::add_depth(graph, "shadow", scene.raster, casters_, view, map)
+                                  : map;
     }
-    if (in.work.pieces.empty() && in.work.squares.empty()) {
-        return maps.map;
+    if (work.pieces.empty() && work.squares.empty()) {
+        return map;
     }
-    const gpu::BufferId drawn = add_levels(graph, in, view, maps);
-    return in.work.has_still && in.work.squares.empty() ? maps.map : drawn;
+    PieceDrawing drawing{
+        .scene = scene, .by_sun = scene.raster, .casters = casters_, .clipmap = *plan.clipmap, .work = work};
+    drawing.by_sun.posed_vertices =
+        shadow::add_sun_vertices(graph, scene.raster.posed_vertices,
+                                 static_cast<uint32_t>(scene.layout.draw_of_vertex.size()), *plan.clipmap);
+    gpu::BufferId drawn = work.has_still ? gpu::import_whole(graph, "shadow of what stands", still_) : map;
+    if (work.views.empty()) {
+        drawn = drawing.add(graph, view, drawn);
+        return work.has_still ? map : drawn;
+    }
+    const auto triangle_count = static_cast<uint32_t>(scene.layout.triangles.size());
+    raster::DepthViews views{
+        .list = work.views,
+        .records = gpu::import_whole(graph, "sun views", views_),
+        .bounds = raster::add_cluster_bounds(
+            graph, drawing.by_sun, triangle_count,
+            graph.buffer("sun cluster bounds", {.size_bytes = raster::cluster_bounds_bytes(triangle_count)}),
+            scene.tuning),
+        .path = scene.path,
+        .tuning = scene.tuning};
+    // All levels together are views of one drawing: none of them is begun, divided into batches and copied by
+    // itself. The last is the coarsest, whose window holds all others.
+    drawn = work.draws_levels ? raster::add_depth_views(graph, "shadow", drawing.by_sun,
+                                                        drawing.casters_of(work.pieces.back()), views, drawn)
+                              : drawing.add(graph, view, drawn);
+    return work.has_still ? add_moving(graph, drawing.by_sun, *plan.clipmap, work, views, drawn, map) : drawn;
+}
+
+gpu::BufferId SunMap::add_moving(gpu::Graph& graph, const raster::RasterInputs& by_sun,
+                                 const shadow::Clipmap& clipmap, const SunMapWork& work,
+                                 raster::DepthViews views, gpu::BufferId still, gpu::BufferId map)
+{
+    const gpu::BufferId tiles = gpu::import_whole(graph, "tiles that change", tiles_);
+    views.tiles = raster::ViewTiles{.list = tiles, .count = work.tile_count};
+    const gpu::BufferId pictures =
+        raster::add_depth_views(graph, "shadow/moving", by_sun, casters_, views,
+                                gpu::import_whole(graph, "shadow of what moves", pictures_));
+    return shadow::add_mixed_levels(graph, clipmap,
+                                    {.squares = work.squares,
+                                     .pictures = pictures,
+                                     .still = still,
+                                     .tiles = tiles,
+                                     .tile_count = work.tile_count},
+                                    map);
 }
 
 } // namespace estampe::features

@@ -18,6 +18,7 @@
 #include "techniques/pose/mesh_data.hpp"
 #include "techniques/raster/raster.glsl.h"
 #include "techniques/raster/raster.hpp"
+#include "techniques/raster/views/views.hpp"
 #include "techniques/shadow/sun/sun_map.hpp"
 
 namespace estampe::features {
@@ -61,6 +62,7 @@ struct SunMapPlan {
 
 /// What of the map is to be drawn now.
 struct SunMapWork {
+    Groups groups = all_groups; ///< of those that the sun shadows
     bool redraws_whole = false;
     std::vector<shadow::Piece> pieces; ///< of a clipmap, not drawn yet
     bool draws_levels = false;         ///< these are its levels, all of them, drawn together
@@ -77,6 +79,36 @@ struct SunCasters {
     Groups groups = all_groups;
     bool by_compute = false;
     bool are_parted = false; ///< what moves is to be drawn apart from what stands still
+};
+
+/// Of a scene that was laid out as `layout_number`, whose maps are drawn by `path`.
+[[nodiscard]] SunCasters sun_casters(const pose::MeshData& layout, uint32_t layout_number, Groups groups,
+                                     RasterPath path);
+
+/// Which casters count.
+enum class Casters : uint8_t { all, still, moving };
+
+/// Whether there are casters that may move, and such that never do.
+struct CasterKinds {
+    bool moving = false;
+    bool still = false;
+};
+
+[[nodiscard]] CasterKinds caster_kinds(const pose::MeshData& layout);
+
+/// What blocks a light that `groups` of casters shadow, as runs of triangles, in place of what `batches`
+/// held.
+void list_casters(const pose::MeshData& layout, Groups groups, Casters which,
+                  std::vector<raster::Batch>& batches);
+
+/// What shadow maps are drawn from, and by what.
+struct ShadowScene {
+    const raster::RasterInputs& raster;
+    const pose::MeshData& layout;
+    std::span<const StillCaster> still;                         ///< of `layout`
+    std::optional<gpu::BufferId> cluster_bounds = std::nullopt; ///< needed where local maps are out of date
+    RasterPath path = RasterPath::compute;                      ///< never automatic
+    raster::Tuning tuning = {};
 };
 
 /// Plans the map: its view, its size, and the windows of a clipmap where the style or, by itself, a scene
@@ -104,66 +136,42 @@ public:
     /// That has been drawn.
     void drawn(const SunMapPlan& plan);
 
+    /// Draws what is to be drawn of the map, and hands it on.
+    ///
+    /// Cost    nothing where nothing is to be drawn; else that of raster::add_depth(), of a clipmap for each
+    ///         piece, of what stands still only what is seen there; of all its levels, in compute, that of
+    ///         raster::add_depth_views(). Where what stands still is kept, so is what moves drawn, and mixed
+    ///         in where it was and is
+    [[nodiscard]] gpu::BufferId record(gpu::Graph& graph, const ShadowScene& scene, const SunMapPlan& plan,
+                                       const SunMapWork& work);
+
     [[nodiscard]] gpu::Buffer& buffer() { return map_; }
 
-    /// What stands still alone, where that is kept.
-    [[nodiscard]] gpu::Buffer& still() { return still_; }
-
-    /// The views of the work, and room for what is drawn of them.
-    [[nodiscard]] gpu::Buffer& views() { return views_; }
-
+    /// Room for what is drawn of what moves, beside which it holds whatever was drawn before.
     [[nodiscard]] gpu::Buffer& pictures() { return pictures_; }
-
-    /// Of the pictures, those in which the map changes; beside them pictures hold whatever was drawn before.
-    [[nodiscard]] gpu::Buffer& tiles() { return tiles_; }
 
 private:
     /// Of what moves, drawn over what stands still.
-    void ensure_moving(gpu::Device& device, const SunMapPlan& plan, Groups groups, SunMapWork& work);
+    void ensure_moving(gpu::Device& device, const SunMapPlan& plan, SunMapWork& work);
+    /// Draws that into `map`.
+    gpu::BufferId add_moving(gpu::Graph& graph, const raster::RasterInputs& by_sun,
+                             const shadow::Clipmap& clipmap, const SunMapWork& work, raster::DepthViews views,
+                             gpu::BufferId still, gpu::BufferId map);
 
     gpu::Buffer map_;
-    gpu::Buffer still_;
-    gpu::Buffer views_;
+    gpu::Buffer still_; ///< what stands still alone, where that is kept
+    gpu::Buffer views_; ///< of the work
     gpu::Buffer pictures_;
-    gpu::Buffer tiles_;
+    gpu::Buffer tiles_; ///< of the pictures, those in which the map changes
     std::vector<uint32_t> tile_list_;
-    bool has_still_ = false; ///< it is up to date wherever the map is
-    bool stood_ = false;     ///< the sun, when the map was last provided
+    std::vector<raster::Batch> casters_; ///< its room serves the next frame
+    bool has_still_ = false;             ///< it is up to date wherever the map is
+    bool stood_ = false;                 ///< the sun, when the map was last provided
     std::vector<Bounds> moved_;
     uint32_t layout_ = 0;
     std::optional<glm::mat4> view_; ///< of what the map holds; none when it is out of date
     std::optional<shadow::Clipmap> clipmap_;
     shadow::Windows windows_;
 };
-
-struct SunMapInputs {
-    const raster::RasterInputs& raster;
-    std::span<const raster::Batch> casters; ///< for a clipmap those that move alone
-    std::span<const StillCaster> still;     ///< and the others
-    Groups groups = all_groups;             ///< of those that the sun shadows
-    glm::dvec3 anchor{0.0};
-    const SunMapPlan& plan;
-    const SunMapWork& work;
-    RasterPath path = RasterPath::compute; ///< never automatic
-    raster::Tuning tuning;
-    uint32_t vertex_count = 0;   ///< of the posed vertices
-    uint32_t triangle_count = 0; ///< of all
-};
-
-struct SunMaps {
-    gpu::BufferId map;
-    std::optional<gpu::BufferId> still = std::nullopt; ///< where the work has any
-    std::optional<gpu::BufferId> views = std::nullopt; ///< where it has any
-    std::optional<gpu::BufferId> pictures = std::nullopt;
-    std::optional<gpu::BufferId> tiles = std::nullopt;
-};
-
-/// Draws what is to be drawn of the maps, and hands the map back.
-///
-/// Cost    nothing where nothing is to be drawn; else that of raster::add_depth(), of a clipmap for each
-/// piece, of what stands still only what is seen there; of all its levels, in compute, that of
-/// raster::add_depth_views(). Where what stands still is kept, so is what moves drawn, and mixed in where it
-/// was and is
-[[nodiscard]] gpu::BufferId add_sun_map(gpu::Graph& graph, const SunMapInputs& in, const SunMaps& maps);
 
 } // namespace estampe::features

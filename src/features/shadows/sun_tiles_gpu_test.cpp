@@ -105,24 +105,8 @@ public:
         gpu::Graph graph;
         const raster::RasterInputs raster = drawing.raster_inputs(graph);
         const std::vector<StillCaster> still = still_casters(drawing.layout, scene);
-        const auto import = [&](bool is_there, const char* name, gpu::Buffer& buffer) {
-            return is_there ? std::optional(gpu::import_whole(graph, name, buffer)) : std::nullopt;
-        };
         const gpu::BufferId map =
-            add_sun_map(graph,
-                        {.raster = raster,
-                         .casters = caster_batches(drawing.layout, all_groups, Casters::moving),
-                         .still = still,
-                         .anchor = drawing.layout.anchor,
-                         .plan = plan,
-                         .work = work,
-                         .vertex_count = static_cast<uint32_t>(drawing.layout.draw_of_vertex.size()),
-                         .triangle_count = static_cast<uint32_t>(drawing.layout.triangles.size())},
-                        {.map = gpu::import_whole(graph, "map", memory_.buffer()),
-                         .still = import(work.has_still, "still", memory_.still()),
-                         .views = import(!work.views.empty(), "views", memory_.views()),
-                         .pictures = import(work.has_still, "pictures", memory_.pictures()),
-                         .tiles = import(work.has_still, "tiles", memory_.tiles())});
+            memory_.record(graph, {.raster = raster, .layout = drawing.layout, .still = still}, plan, work);
         memory_.drawn(plan);
         return test::run_and_read_as<uint32_t>(graph, map);
     }

@@ -421,14 +421,32 @@ std::optional<SmokePlan> RisingSmoke::ensure(gpu::Device& device, gpu::Executor&
     return plan;
 }
 
-smoke::Fields RisingSmoke::fields(gpu::Graph& graph)
+smoke::Volume RisingSmoke::record(gpu::Graph& graph, const smoke::SmokeStyle& style, gpu::BufferId frame,
+                                  const light::ShadowMaps& maps)
 {
     smoke::Fields fields{
         .globals = gpu::import_whole(graph, "smoke", globals_), .densities = {}, .ignition = smoke_ignition};
     for (const auto& column : columns_) {
         fields.densities.push_back(column->add(graph).quantities.value());
     }
-    return fields;
+    if (style.shaded) {
+        fields.shadows = {.frame = frame,
+                          .sun_map = maps.sun,
+                          .sun_shadow = maps.sun_globals,
+                          .local_shadows = maps.local_shadows,
+                          .local_maps = maps.local,
+                          .variant = maps.variant};
+    }
+    return smoke::add_volume(graph, volume_, style, fields);
+}
+
+smoke::ViewInputs RisingSmoke::view(gpu::Graph& graph, gpu::BufferId frame, gpu::ImageId depth,
+                                    glm::uvec2 size_px)
+{
+    return {.frame = frame,
+            .globals = gpu::import_whole(graph, "smoke", globals_),
+            .depth = depth,
+            .size_px = size_px};
 }
 
 } // namespace estampe::features

@@ -60,7 +60,7 @@ public:
     ~RisingSmoke() override;
 
     /// Lets the smoke rise to the moment of a picture, and returns its boxes; none where the style or the
-    /// scene has none. The last steps are for the graph that next asks for velocity() or fields(), in which
+    /// scene has none. The last steps are for the graph that next asks for velocity() or record(), in which
     /// they run beside what hangs on none of them. It goes on from the picture before where that is followed,
     /// at most a second later; else, and where another number of quantities is to rise, it starts `age_s`
     /// ago, and takes steps_per_s() for each of these seconds. Patterns that name nothing, or more than
@@ -86,12 +86,17 @@ public:
     void save(FilmWriter& writer) override;
     void load(FilmReader& reader) override;
 
-    [[nodiscard]] gpu::Buffer& globals() { return globals_; }
+    /// Shapes what has risen, and lights it through the `maps` of the scene if the style wants its shadows.
+    /// Once a picture; other graphs find it by volume().
+    [[nodiscard]] smoke::Volume record(gpu::Graph& graph, const smoke::SmokeStyle& style, gpu::BufferId frame,
+                                       const light::ShadowMaps& maps);
 
-    /// What has risen, for smoke::add_volume(). Once a graph.
-    [[nodiscard]] smoke::Fields fields(gpu::Graph& graph);
+    /// What record() left.
+    [[nodiscard]] smoke::Volume volume(gpu::Graph& graph) { return volume_.import(graph); }
 
-    [[nodiscard]] smoke::VolumeMemory& volume() { return volume_; }
+    /// How a page sees it. `frame`: FrameGlobals; `depth`: r32f, reversed.
+    [[nodiscard]] smoke::ViewInputs view(gpu::Graph& graph, gpu::BufferId frame, gpu::ImageId depth,
+                                         glm::uvec2 size_px);
 
 private:
     /// The smoke of a box.

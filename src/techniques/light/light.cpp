@@ -138,14 +138,14 @@ Lists add_lists(gpu::Graph& graph, const LightInputs& in)
 
 uint32_t light_variant(const LightInputs& in, const Lists& lists)
 {
-    return in.shadow_variant | (in.has_shadow ? shared::light_has_shadow : 0U) |
+    return in.shadows.variant | (in.shadows.has_sun ? shared::light_has_shadow : 0U) |
            (in.local_count > 0 ? shared::light_has_local_lights : 0U) |
            (in.has_emissive ? shared::light_has_emissive : 0U) |
            (in.has_links ? shared::light_has_links : 0U) | (lists.made ? shared::light_has_lists : 0U) |
            (in.counts_visits ? shared::light_counts_visits : 0U) |
            (in.keeps_strongest ? shared::light_keeps_strongest : 0U) |
            (in.looks_at_all || in.points ? shared::light_looks_at_all : 0U) |
-           (in.has_local_shadows ? shared::light_has_local_shadows : 0U) |
+           (in.shadows.has_local ? shared::light_has_local_shadows : 0U) |
            (in.sun_share ? shared::light_has_sun_share : 0U) |
            (in.lightmap ? shared::light_has_lightmap : 0U) |
            (!in.occlusion     ? 0U
@@ -179,18 +179,18 @@ LitPixels add_light(gpu::Graph& graph, const LightInputs& in)
         .sample(in.normal)
         .sample(in.draws)
         .sample(in.materials)
-        .sample(in.sun_map, gpu::Format::r32f)
-        .uniform(in.sun_shadow)
+        .sample(in.shadows.sun, gpu::Format::r32f)
+        .uniform(in.shadows.sun_globals)
         .sample(in.coordinate)
         .sample(in.footprint)
-        .uniform(in.edge_look)
+        .uniform(in.shadows.edge_look)
         .read(lists.words);
     const gpu::ImageId light = pass.write(graph.image(
         "light", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
     const glm::uvec2 kept_px = in.keeps_strongest ? in.size_px : glm::uvec2(1);
     const gpu::ImageId strongest = pass.write(graph.image(
         "light/strongest", {.width = kept_px.x, .height = kept_px.y, .format = gpu::Format::r32ui}));
-    pass.sample(in.local_shadows).sample(in.local_maps, gpu::Format::r32f);
+    pass.sample(in.shadows.local_shadows).sample(in.shadows.local, gpu::Format::r32f);
     pass.sample(in.lightmap.value_or(in.depth));
     const glm::uvec2 sun_px = in.keeps_sun ? in.size_px : glm::uvec2(1);
     const gpu::ImageId sun = pass.write(

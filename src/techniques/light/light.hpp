@@ -115,6 +115,18 @@ struct SkyAndGround {
 /// The style's tone curve as the shaders want it.
 [[nodiscard]] shared::ToneConstants tone_constants(const ToneStyle& style);
 
+/// How far the lights see.
+struct ShadowMaps {
+    gpu::BufferId sun;           ///< reversed depth, row by row
+    gpu::BufferId sun_globals;   ///< SunShadow, see shadow/shadow.glsl.h
+    gpu::BufferId local;         ///< near distance over distance, of all maps of local lights
+    gpu::BufferId local_shadows; ///< LocalShadow, see shadow/shadow.glsl.h
+    gpu::BufferId edge_look;     ///< EdgeLook, see shadow/shadow.glsl.h
+    bool has_sun = false;
+    bool has_local = false;
+    uint32_t variant = 0; ///< see shadow/shadow_style.hpp
+};
+
 struct LightInputs {
     gpu::BufferId frame;    ///< FrameGlobals
     gpu::BufferId lighting; ///< LightGlobals
@@ -124,15 +136,9 @@ struct LightInputs {
     gpu::ImageId normal;
     gpu::BufferId draws;
     gpu::BufferId materials;
-    gpu::BufferId sun_map;    ///< reversed depth, row by row
-    gpu::BufferId sun_shadow; ///< SunShadow, see shadow/shadow.glsl.h
     gpu::ImageId coordinate;
     gpu::ImageId footprint;
-    gpu::BufferId edge_look;     ///< EdgeLook, see shadow/shadow.glsl.h
-    uint32_t shadow_variant = 0; ///< see shadow/shadow_style.hpp
-    gpu::BufferId local_shadows; ///< LocalShadow, see shadow/shadow.glsl.h
-    gpu::BufferId local_maps;    ///< near distance over distance, of all maps of local lights
-    bool has_local_shadows = false;
+    ShadowMaps shadows;
     std::optional<gpu::ImageId> lightmap;  ///< light known ahead: takes the place of ambient where alpha is 1
     std::optional<gpu::ImageId> sun_share; ///< r16f: how much of the sun terrain, smoke and clouds leave
     std::optional<gpu::ImageId> occlusion; ///< share of the light from everywhere that arrives
@@ -142,8 +148,7 @@ struct LightInputs {
                                            ///< at every light
     std::optional<gpu::BufferId> tiles;    ///< to light, see shaders/tiles.glsl.h; elsewhere nothing is
                                            ///< written
-    bool has_shadow = false;
-    uint32_t local_count = 0; ///< point and spot lights, after the directional ones
+    uint32_t local_count = 0;              ///< point and spot lights, after the directional ones
     bool has_emissive = false;
     bool keeps_strongest = false; ///< the direction of the strongest light is wanted
     bool keeps_sun = false;       ///< how much is seen of the first directional light is wanted

@@ -315,12 +315,13 @@ void Sheet::ensure(gpu::Device& device, const ParticleStyle& style,
 namespace {
 
 /// The tiles of 8 x 8 pixels where the page has sprites.
-gpu::BufferId add_tiles(gpu::Graph& graph, const ParticleInputs& in, uint32_t tiles_across)
+gpu::BufferId add_tiles(gpu::Graph& graph, const ParticleInputs& in, gpu::BufferId starts,
+                        uint32_t tiles_across)
 {
     const glm::uvec2 tiles = (in.size_px + 7U) / 8U;
     const gpu::BufferId none = gpu::add_empty_tile_list(graph, "sprites' pixels", in.size_px);
     auto pass = graph.compute("particles/tiles", shaders::particle_tiles_comp);
-    pass.uniform(in.frame).sample(in.starts, gpu::Format::r32ui);
+    pass.uniform(in.frame).sample(starts, gpu::Format::r32ui);
     const gpu::BufferId listed = pass.modify(none);
     pass.push(shared::ParticleTiles{.tiles_across = tiles_across}).dispatch_over(tiles.x, tiles.y);
     return listed;
@@ -328,14 +329,14 @@ gpu::BufferId add_tiles(gpu::Graph& graph, const ParticleInputs& in, uint32_t ti
 
 } // namespace
 
-ParticleLayers add_particles(gpu::Graph& graph, const ParticleInputs& in,
+ParticleLayers add_particles(gpu::Graph& graph, const ParticleInputs& in, const SpriteLists& lists,
                              const shared::ParticleConstants& constants, const ParticleLayers& layers)
 {
-    const gpu::BufferId tiles = add_tiles(graph, in, constants.tiles_across);
+    const gpu::BufferId tiles = add_tiles(graph, in, lists.starts, constants.tiles_across);
     auto pass = graph.compute("particles", shaders::particles_comp);
-    pass.uniform(in.frame).sample(in.sprites, gpu::Format::rgba32f);
-    pass.sample(in.starts, gpu::Format::r32ui).sample(in.listed, gpu::Format::r32ui);
-    pass.sample(in.sheet, gpu::Format::r32f).sample(in.depth).sample(in.sky);
+    pass.uniform(in.frame).sample(lists.sprites, gpu::Format::rgba32f);
+    pass.sample(lists.starts, gpu::Format::r32ui).sample(lists.listed, gpu::Format::r32ui);
+    pass.sample(lists.sheet, gpu::Format::r32f).sample(in.depth).sample(in.sky);
     const gpu::ImageId wash = pass.modify(layers.wash);
     const gpu::ImageId hatch = pass.modify(layers.hatch);
     const gpu::ImageId lines = pass.modify(layers.lines);

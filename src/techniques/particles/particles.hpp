@@ -96,12 +96,17 @@ private:
     gpu::Buffer texels_;
 };
 
-struct ParticleInputs {
-    gpu::BufferId frame; ///< FrameGlobals
+/// The lists of a plan on the device.
+struct SpriteLists {
     gpu::BufferId sprites;
     gpu::BufferId starts;
     gpu::BufferId listed;
     gpu::BufferId sheet; ///< brightness, row by row
+};
+
+/// The page that sprites are drawn over.
+struct ParticleInputs {
+    gpu::BufferId frame; ///< FrameGlobals
     gpu::ImageId depth;  ///< r32f: reversed, 0 where nothing is
     gpu::ImageId sky;    ///< rgba16f, as large as the page or of one texel: what haze fades into
     glm::uvec2 size_px{0};
@@ -121,6 +126,7 @@ struct ParticleLayers {
 ///
 /// Cost    linear in the sprites over each other, where the page has any; a list of the tiles that do
 [[nodiscard]] ParticleLayers add_particles(gpu::Graph& graph, const ParticleInputs& in,
+                                           const SpriteLists& lists,
                                            const shared::ParticleConstants& constants,
                                            const ParticleLayers& layers);
 

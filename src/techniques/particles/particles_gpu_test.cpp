@@ -60,14 +60,14 @@ public:
             return add_particles(
                 graph,
                 {.frame = gpu::import_whole(graph, "frame", frame),
-                 .sprites = gpu::import_whole(graph, "sprites", sprites),
-                 .starts = gpu::import_whole(graph, "starts", starts),
-                 .listed = gpu::import_whole(graph, "listed", listed),
-                 .sheet = gpu::import_whole(graph, "sheet", sheet.texels()),
                  .depth = depth.in(graph),
                  .sky = sky.in(graph),
                  .size_px = size_px,
                  .by_groups = by_groups},
+                {.sprites = gpu::import_whole(graph, "sprites", sprites),
+                 .starts = gpu::import_whole(graph, "starts", starts),
+                 .listed = gpu::import_whole(graph, "listed", listed),
+                 .sheet = gpu::import_whole(graph, "sheet", sheet.texels())},
                 plan.constants, {.wash = wash.in(graph), .hatch = hatch.in(graph), .lines = lines.in(graph)});
         };
         const auto layers = [&] {

@@ -57,6 +57,7 @@ public:
         const Camera camera = walker(along_m);
         test::Drawing drawing(scene_, camera, size_px);
         drawing.path = path;
+        drawing.features = features_;
         shared::LightRecord sun{};
         sun.type = shared::light_directional;
         sun.direction = glm::vec3(towards_sun);
@@ -67,7 +68,7 @@ public:
                                           .shadow = style_,
                                           .lines = lines_,
                                           .clipmap = clipmap_,
-                                          .sun_memory = &memory_});
+                                          .keeps_sun_map = true});
         const auto depth = drawing.depth_alone();
         Seen seen{.clip_from_anchor = glm::dmat4(drawing.globals.clip_from_anchor),
                   .anchor = drawing.layout.anchor};
@@ -91,7 +92,8 @@ public:
     [[nodiscard]] std::vector<uint32_t> texels()
     {
         gpu::Graph graph;
-        return test::run_and_read_as<uint32_t>(graph, gpu::import_whole(graph, "map", memory_.buffer()));
+        return test::run_and_read_as<uint32_t>(
+            graph, gpu::import_whole(graph, "map", features_->shadows.sun().buffer()));
     }
 
     RasterPath path = RasterPath::compute;
@@ -102,7 +104,7 @@ private:
     ShadowStyle style_;
     std::optional<HatchedLines> lines_;
     Clipmap clipmap_;
-    features::SunMap memory_;
+    std::shared_ptr<frame::Features> features_ = std::make_shared<frame::Features>();
 };
 
 /// The pixel of `now` that shows a pixel of `before`; none where it is not to be seen.

@@ -303,15 +303,15 @@ std::optional<CloudPlan> plan_clouds(const CloudStyle& style, const CloudView& v
 CloudedSky add_clouds(gpu::Graph& graph, const CloudInputs& in, const Sky& sky)
 {
     auto pass = graph.compute("clouds", shaders::clouds_comp);
-    pass.uniform(in.frame).uniform(in.globals);
-    pass.sample(in.starts, gpu::Format::r32ui).sample(in.puffs, gpu::Format::rgba32f);
-    pass.sample(in.streaks, gpu::Format::r32f);
+    pass.uniform(in.frame).uniform(in.clouds.globals);
+    pass.sample(in.clouds.starts, gpu::Format::r32ui).sample(in.clouds.puffs, gpu::Format::rgba32f);
+    pass.sample(in.clouds.streaks, gpu::Format::r32f);
     const gpu::ImageId wash = pass.modify(sky.wash);
     const gpu::ImageId ink = pass.modify(sky.ink);
     const glm::uvec2 cover_px = in.keeps_cover ? in.size_px : glm::uvec2(1);
     const gpu::ImageId cover = pass.write(graph.image(
         "clouds/cover", {.width = cover_px.x, .height = cover_px.y, .format = gpu::Format::r16f}));
-    pass.read(in.tiles.value_or(in.globals)).sample(in.depth);
+    pass.read(in.tiles.value_or(in.clouds.globals)).sample(in.depth);
     pass.variant(in.variant | (in.keeps_cover ? shared::clouds_keep_cover : 0U) |
                  (in.tiles ? shared::clouds_have_tiles : 0U) | (in.far_m ? shared::clouds_have_depth : 0U) |
                  (in.by_groups ? shared::clouds_by_groups : 0U));
@@ -327,8 +327,8 @@ CloudedSky add_clouds(gpu::Graph& graph, const CloudInputs& in, const Sky& sky)
 gpu::ImageId add_cloud_shadow(gpu::Graph& graph, const CloudShadowInputs& in, float strength)
 {
     auto pass = graph.compute("clouds/shadow", shaders::cloud_shadow_comp);
-    pass.uniform(in.frame).uniform(in.globals);
-    pass.sample(in.starts, gpu::Format::r32ui).sample(in.puffs, gpu::Format::rgba32f);
+    pass.uniform(in.frame).uniform(in.clouds.globals);
+    pass.sample(in.clouds.starts, gpu::Format::r32ui).sample(in.clouds.puffs, gpu::Format::rgba32f);
     pass.sample(in.depth).sample(in.share.value_or(in.depth));
     const gpu::ImageId share = pass.write(graph.image(
         "clouds/share", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));

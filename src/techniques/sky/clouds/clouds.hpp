@@ -104,12 +104,17 @@ struct CloudPlan {
 [[nodiscard]] std::optional<CloudPlan> plan_clouds(const CloudStyle& style, const CloudView& view,
                                                    CloudMemory& memory);
 
-struct CloudInputs {
-    gpu::BufferId frame;   ///< FrameGlobals
+/// The clouds of a plan on the device.
+struct CloudHandles {
     gpu::BufferId globals; ///< CloudGlobals
     gpu::BufferId starts;
     gpu::BufferId puffs;
     gpu::BufferId streaks;
+};
+
+struct CloudInputs {
+    gpu::BufferId frame; ///< FrameGlobals
+    CloudHandles clouds;
     gpu::ImageId depth; ///< r32f: reversed, 0 where nothing is
     uint32_t variant = 0;
     bool keeps_cover = false; ///< for a mask of them
@@ -139,10 +144,8 @@ struct CloudedSky {
 [[nodiscard]] CloudedSky add_clouds(gpu::Graph& graph, const CloudInputs& in, const Sky& sky);
 
 struct CloudShadowInputs {
-    gpu::BufferId frame;   ///< FrameGlobals
-    gpu::BufferId globals; ///< CloudGlobals
-    gpu::BufferId starts;
-    gpu::BufferId puffs;
+    gpu::BufferId frame; ///< FrameGlobals
+    CloudHandles clouds;
     gpu::ImageId depth;                ///< r32f: reversed, 0 where nothing is
     std::optional<gpu::ImageId> share; ///< of the sun, as large as the page, that something else leaves
     glm::uvec2 size_px{0};

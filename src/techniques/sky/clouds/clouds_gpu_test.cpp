@@ -312,9 +312,8 @@ Plain shadow_on_plain(const View& view, const CloudStyle& style, float strength,
         style, {.eye_m = view.camera.eye, .time_s = time_s, .towards_sun = view.towards_sun}, memory);
     const shared::FrameGlobals globals = view.globals();
     gpu::Buffer frame = gpu::upload_buffer(device, "frame", std::vector{globals});
-    gpu::Buffer clouds = gpu::upload_buffer(device, "clouds", std::vector{plan->globals});
-    gpu::Buffer starts = gpu::upload_buffer(device, "cloud cells", plan->shapes->starts);
-    gpu::Buffer puffs = gpu::upload_buffer(device, "puffs", plan->shapes->puffs);
+    features::Clouds clouds;
+    clouds.upload(device, *plan);
     const glm::dmat4 anchor_from_clip = glm::inverse(glm::dmat4(globals.clip_from_anchor));
     Plain plain;
     std::vector<float> depths;
@@ -335,9 +334,7 @@ Plain shadow_on_plain(const View& view, const CloudStyle& style, float strength,
     plain.share = test::run_and_read_coverage(
         graph, add_cloud_shadow(graph,
                                 {.frame = gpu::import_whole(graph, "frame", frame),
-                                 .globals = gpu::import_whole(graph, "clouds", clouds),
-                                 .starts = gpu::import_whole(graph, "cloud cells", starts),
-                                 .puffs = gpu::import_whole(graph, "puffs", puffs),
+                                 .clouds = clouds.import(graph),
                                  .depth = depth.in(graph),
                                  .share = std::nullopt,
                                  .size_px = view.size_px},

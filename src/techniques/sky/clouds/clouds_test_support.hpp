@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "features/clouds/clouds.hpp"
 #include "gpu/resources.hpp"
 #include "support/gpu_device.hpp"
 #include "support/layers.hpp"
@@ -33,12 +34,8 @@ inline Painted paint(const View& view, const std::optional<CloudPlan>& plan, Pai
     const SkyStyle sky{.horizon = glm::vec3(0.0F), .zenith = glm::vec3(0.0F), .darkness = 0.0F};
     gpu::Device& device = test::shared_device();
     gpu::Buffer frame = gpu::upload_buffer(device, "frame", std::vector{view.globals()});
-    const CloudPlan none{.shapes = std::make_shared<CloudShapes>()};
-    const CloudPlan& of = plan ? *plan : none;
-    gpu::Buffer globals = gpu::upload_buffer(device, "clouds", std::vector{of.globals});
-    gpu::Buffer starts = gpu::upload_buffer(device, "cloud cells", of.shapes->starts);
-    gpu::Buffer puffs = gpu::upload_buffer(device, "puffs", of.shapes->puffs);
-    gpu::Buffer streaks = gpu::upload_buffer(device, "streaks", of.shapes->streaks);
+    features::Clouds clouds;
+    clouds.upload(device, plan ? *plan : CloudPlan{.shapes = std::make_shared<CloudShapes>()});
     auto depth = test::Layer::depth(view.size_px, [&](glm::uvec2 pixel) { return view.depth_at(pixel); });
     const auto add = [&](gpu::Graph& graph) {
         const gpu::BufferId frame_id = gpu::import_whole(graph, "frame", frame);
@@ -51,12 +48,9 @@ inline Painted paint(const View& view, const std::optional<CloudPlan>& plan, Pai
                                  sky);
         return plan ? add_clouds(graph,
                                  {.frame = frame_id,
-                                  .globals = gpu::import_whole(graph, "clouds", globals),
-                                  .starts = gpu::import_whole(graph, "cloud cells", starts),
-                                  .puffs = gpu::import_whole(graph, "puffs", puffs),
-                                  .streaks = gpu::import_whole(graph, "streaks", streaks),
+                                  .clouds = clouds.import(graph),
                                   .depth = depth.in(graph),
-                                  .variant = of.variant,
+                                  .variant = plan->variant,
                                   .keeps_cover = how.keeps_cover,
                                   .size_px = view.size_px,
                                   .far_m = view.far_m,

@@ -36,12 +36,14 @@ struct FilmFrame {
 
 /// Renders a frame and adds it to a film.
 void shoot(std::vector<FilmFrame>& frames, const Scene& scene, const Camera& camera,
-           const ContourStyle& style, LineHistory& history, LineClass lines = LineClass::seen)
+           const ContourStyle& style, const std::shared_ptr<frame::Features>& features,
+           LineClass lines = LineClass::seen)
 {
     test::Drawing drawing(scene, camera, page_px);
-    drawing.begin_film_frame(history, !frames.empty(), lines == LineClass::hidden);
-    static_cast<void>(drawing.lines(style, 1.0F, &history));
-    history.end_frame(drawing.globals.clip_from_anchor);
+    drawing.features = features;
+    drawing.begin_film_frame(!frames.empty(), lines == LineClass::hidden);
+    static_cast<void>(drawing.lines(style, 1.0F, true));
+    drawing.end_film_frame();
     FilmFrame& frame = frames.emplace_back();
     const test::ChainLists lists = drawing.chains(style, lines);
     frame.samples = lists.samples;
@@ -49,7 +51,7 @@ void shoot(std::vector<FilmFrame>& frames, const Scene& scene, const Camera& cam
     frame.clip_from_anchor = glm::dmat4(drawing.globals.clip_from_anchor);
     gpu::Graph graph;
     frame.drawn = test::run_and_read_as<DrawnSample>(
-        graph, gpu::import_whole(graph, "drawn samples", history.before(lines).samples));
+        graph, gpu::import_whole(graph, "drawn samples", features->lines.history().before(lines).samples));
     frame.drawn.resize(frame.samples.size());
 }
 
@@ -57,14 +59,14 @@ void shoot(std::vector<FilmFrame>& frames, const Scene& scene, const Camera& cam
 std::vector<FilmFrame> orbit(const Scene& scene, const ContourStyle& style, int frame_count,
                              LineClass lines = LineClass::seen)
 {
-    LineHistory history;
+    const auto features = std::make_shared<frame::Features>();
     std::vector<FilmFrame> frames;
     for (int i = 0; i < frame_count; ++i) {
         const double angle = glm::radians(0.25) * i;
         Camera camera = view_from_above();
         camera.eye = {camera.eye.x * std::cos(angle) + camera.eye.z * std::sin(angle), camera.eye.y,
                       camera.eye.z * std::cos(angle) - camera.eye.x * std::sin(angle)};
-        shoot(frames, scene, camera, style, history, lines);
+        shoot(frames, scene, camera, style, features, lines);
     }
     return frames;
 }
@@ -230,13 +232,13 @@ TEST(LineBrush, AStretchedOneSlidesToItsNewEndsWhereAStrokeIsSplitOrJoined)
     const Scene whole = with_post_at(-1.85);
     const Scene split = with_post_at(0.4);
     const Camera camera{.eye = {0.0, 4.0, 6.0}, .target = {0.0, 0.0, 0.0}};
-    LineHistory history;
+    const auto features = std::make_shared<frame::Features>();
     std::vector<FilmFrame> frames;
-    shoot(frames, whole, camera, stretched_style(), history);
+    shoot(frames, whole, camera, stretched_style(), features);
     for (const Scene* scene : std::array{&split, &whole}) {
         std::vector<FilmFrame> shots{frames.back()};
         for (int i = 0; i < 40; ++i) {
-            shoot(shots, *scene, camera, stretched_style(), history);
+            shoot(shots, *scene, camera, stretched_style(), features);
         }
         // The edges at the front and back exist before and after the change.
         EXPECT_GT(matches(shots[0], shots[1]).size(), 60U);

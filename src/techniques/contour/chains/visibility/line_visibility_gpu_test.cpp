@@ -216,7 +216,7 @@ TEST(ContourChains, AFilmIsSteadierThanStills)
     };
     size_t in_film = 0;
     size_t in_stills = 0;
-    LineHistory history;
+    const auto features = std::make_shared<frame::Features>();
     std::vector<float> film_before;
     std::vector<float> still_before;
     for (int frame = 0; frame < 12; ++frame) {
@@ -225,10 +225,11 @@ TEST(ContourChains, AFilmIsSteadierThanStills)
         camera.eye = {camera.eye.x * std::cos(angle) + camera.eye.z * std::sin(angle), camera.eye.y,
                       camera.eye.z * std::cos(angle) - camera.eye.x * std::sin(angle)};
         test::Drawing drawing(scene, camera, size_px);
+        drawing.features = features;
         const auto still = drawing.lines(tapered(8.0F), 1.0F);
-        drawing.begin_film_frame(history, frame > 0);
-        const auto film = drawing.lines(tapered(8.0F), 1.0F, &history);
-        history.end_frame(drawing.globals.clip_from_anchor);
+        drawing.begin_film_frame(frame > 0);
+        const auto film = drawing.lines(tapered(8.0F), 1.0F, true);
+        drawing.end_film_frame();
         if (frame > 0) {
             in_film += alone(film, film_before) + alone(film_before, film);
             in_stills += alone(still, still_before) + alone(still_before, still);
