@@ -225,9 +225,9 @@ Bounds bounds_without_strays(const Scene& scene, const ScenePose& pose, const Bo
     for (int round = 0; round < most_rounds && length_of(bounds) > 0.0; ++round) {
         if (!std::isfinite(length_of(bounds)))
             return whole;
-        Grid grid(bounds);
-        visit_posed(scene, pose, [&](const PosedPrimitive& posed) { grid.add(posed); });
-        const std::vector<Part> parts = grid.parts();
+        Grid cubes(bounds);
+        visit_posed(scene, pose, [&](const PosedPrimitive& posed) { cubes.add(posed); });
+        const std::vector<Part> parts = cubes.parts();
         const std::optional<Bounds> main = parts.size() > 1 ? main_part(parts, bounds) : std::nullopt;
         if (!main)
             break;
