@@ -76,7 +76,7 @@ void BatchOptions::add_to(CLI::App& app)
     command
         .add_option("--shard", shard_,
                     "Draw only part I of N, to share jobs between machines. All parts\n"
-                    "take about as long.")
+                    "have about as many jobs.")
         ->type_name("I/N");
     command
         .add_option("--report", report_,
@@ -139,7 +139,7 @@ const std::vector<std::string>& job_keys()
     return keys;
 }
 
-/// Of which lists make many jobs of one.
+/// Keys for which a list of values turns one entry into several jobs.
 constexpr std::array varied_keys{"scene", "camera", "view", "style"};
 
 bool is_varied(const std::string& key)
@@ -370,7 +370,7 @@ using Json = nlohmann::ordered_json;
 struct JobResult {
     enum class Status : uint8_t { not_begun, done, failed };
     Status status = Status::not_begun;
-    std::string error; ///< of one that failed
+    std::string error; ///< error message of a failed job
     double seconds = 0.0;
 };
 

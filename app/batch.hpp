@@ -37,8 +37,8 @@ struct BatchJob {
     std::vector<std::string> arguments; ///< arguments of `estampe render`
 };
 
-/// Reads a job file and combines every scene, camera and style in its lists. Throws Error naming file, line
-/// and column for an invalid job, and when two jobs have the same output.
+/// Reads a job file and combines every scene, camera and style in its lists. Throws Error for an invalid job,
+/// with its file, line and column, and for two jobs with one output.
 [[nodiscard]] std::vector<BatchJob> read_jobs(const std::string& file);
 
 /// The command of a job. Throws Error for invalid options and for a style that cannot be read.

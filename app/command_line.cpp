@@ -171,14 +171,7 @@ TamCommand read_tam(const TypedOptions& typed)
 StylesCommand read_styles(const CLI::App& app, const TypedOptions& typed)
 {
     StylesCommand styles{.style = typed.style, .schema = typed.schema};
-    const CLI::App& command = *app.get_subcommands().front();
     if (typed.sheet.empty()) {
-        for (const char* option : {"--size", "--up", "--input-format", "--world", "--seed", "--camera",
-                                   "--view", "--ortho", "--set", "--device", "--raster"}) {
-            if (command.count(option) > 0) {
-                throw UsageError("only works with --sheet", option, "leave it out, or add --sheet FILE.png");
-            }
-        }
         return styles;
     }
     if (lower_extension(typed.sheet) != ".png") {
@@ -190,6 +183,7 @@ StylesCommand read_styles(const CLI::App& app, const TypedOptions& typed)
     drawn.output = typed.sheet;
     styles.style.clear();
     styles.sheet = read_draw_options(drawn);
+    const CLI::App& command = *app.get_subcommands().front();
     if (command.count("--size") == 0) {
         constexpr PageSize of_one{.width = 400, .height = 300};
         styles.sheet->page = of_one;

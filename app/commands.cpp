@@ -142,18 +142,13 @@ void run(const ViewCommand& command)
         viewer::warm_up(command);
         return;
     }
-    bool is_reading = false;
-    {
-        viewer::Viewer viewer(command);
-        viewer.run();
-        is_reading = viewer.is_reading();
-        if (is_reading) {
-            // Skips destructors, so that the program does not wait for a large file that is still being
-            // loaded.
-            std::fflush(nullptr);
-            remove_piped_scenes();
-            std::_Exit(0);
-        }
+    viewer::Viewer viewer(command);
+    viewer.run();
+    if (viewer.is_reading()) {
+        // A large file that nobody waits for: threads end with the program.
+        std::fflush(nullptr);
+        remove_piped_scenes();
+        std::_Exit(0);
     }
 }
 

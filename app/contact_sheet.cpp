@@ -15,6 +15,7 @@
 #include "drawing.hpp"
 #include "messages.hpp"
 #include "option_values.hpp"
+#include "worlds.hpp"
 
 namespace estampe::app {
 namespace {
@@ -39,6 +40,9 @@ public:
     {
         float pen = 0.0F;
         for (const char letter : text) {
+            if (static_cast<unsigned char>(letter) > '~') {
+                continue; // a byte of a character outside ASCII
+            }
             const ImFontGlyph* glyph = font_->FindGlyphNoFallback(static_cast<ImWchar>(letter));
             if (glyph == nullptr) {
                 continue;
@@ -127,13 +131,6 @@ Image lay_out_sheet(std::span<const SheetEntry> entries)
     return sheet;
 }
 
-std::vector<std::string> presets_of_sheet()
-{
-    std::vector<std::string> names = Style::presets();
-    std::erase_if(names, [](const std::string& name) { return name.starts_with("tam-"); });
-    return names;
-}
-
 Image draw_contact_sheet(const DrawOptions& draw)
 {
     const Scene scene = draw.scene.empty() ? still_life() : load_scene_of(draw);
@@ -143,12 +140,15 @@ Image draw_contact_sheet(const DrawOptions& draw)
     warn_of_empty_view(draw, scene, animation, camera);
     Renderer renderer(draw.device);
     set_scene(renderer, scene, draw);
+    DrawOptions in_preset = draw;
+    WorldAnimator animator(in_preset, scene, worlds::Occasion::picture);
     std::vector<SheetEntry> entries;
-    for (const std::string& name : presets_of_sheet()) {
-        entries.push_back(
-            {renderer.render(camera, read_style(name, draw.assignments), settings_of(draw, animation)),
-             name});
+    for (const std::string& name : look_presets()) {
+        in_preset.style = read_style(name, draw.assignments);
+        const Style style = animator.show(renderer, draw.time_s, camera);
+        entries.push_back({renderer.render(camera, style, settings_of(draw, animation)), name});
     }
+    print_notes(renderer.notes());
     return lay_out_sheet(entries);
 }
 

@@ -23,11 +23,8 @@ struct SheetEntry {
 /// left out. Throws Error when the sheet would be larger than an Image may be.
 [[nodiscard]] Image lay_out_sheet(std::span<const SheetEntry> entries);
 
-/// The names of the presets that a sheet shows: all but those that only hold a tonal art map's strokes.
-[[nodiscard]] std::vector<std::string> presets_of_sheet();
-
-/// Draws the scene of `draw` in every preset, with the assignments that `draw` has over each, and lays the
-/// pictures out. Without a scene it draws a small still life. Throws Error as load_scene() and
+/// Draws the scene of `draw` in each of look_presets(), with the assignments that `draw` has over each, and
+/// lays the pictures out. Without a scene it draws a small still life. Throws Error as load_scene() and
 /// Renderer::render() do.
 [[nodiscard]] Image draw_contact_sheet(const DrawOptions& draw);
 

@@ -15,9 +15,9 @@ void draw_film(const RenderCommand& command);
 
 /// Time spent on drawing, without writing files.
 struct FilmCost {
-    double drawing_s = 0.0;                         ///< wall time of all frames
-    std::vector<double> gpu_ms;                     ///< of frames without timed passes; per sample
-    uint32_t timed_frames = 0;                      ///< number of frames whose passes were timed
+    double drawing_s = 0.0;     ///< wall time of all frames
+    std::vector<double> gpu_ms; ///< GPU time per sample of the frames without timed passes
+    uint32_t timed_frames = 0;  ///< number of frames whose passes were timed
     std::map<std::string, double> gpu_ms_of_passes; ///< per pass, of the timed frames
 };
 

@@ -119,7 +119,7 @@ std::vector<std::string> endings_in(const std::string& description)
 std::string completer(const CLI::Option& option)
 {
     const std::string type = option.get_type_name();
-    if (type == "STYLE") {
+    if (type == "STYLE" || type == "STYLE|SCENE") {
         return fmt::format("_estampe_files toml; _estampe_words {}", joined(Style::presets()));
     }
     if (option.check_lname("world")) {

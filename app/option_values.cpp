@@ -159,6 +159,13 @@ void check_count(const char* option, uint32_t count, uint32_t most)
     }
 }
 
+std::vector<std::string> look_presets()
+{
+    std::vector<std::string> names = Style::presets();
+    std::erase_if(names, [](const std::string& name) { return name.starts_with("tam-"); });
+    return names;
+}
+
 Style read_style(const std::string& name, const std::vector<std::string>& assignments)
 {
     Style style = name.empty() ? Style() : Style::load(name);

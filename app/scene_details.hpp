@@ -14,7 +14,7 @@ namespace estampe::app {
 /// files.
 struct SceneDetails {
     std::vector<std::pair<std::string, std::string>> rows; ///< label and text, in display order
-    nlohmann::ordered_json json; ///< the same rows as numbers and lists, for programs
+    nlohmann::ordered_json json;                           ///< `rows` as numbers and lists, for programs
 };
 
 /// `path` is the file that the scene was read from; its format says whether axis and unit are known. Cost:

@@ -186,11 +186,12 @@ void add_styles(CLI::App& app, TypedOptions& typed)
                     "Preset or TOML file to print in full. With --sheet: the scene to\n"
                     "draw, as estampe render takes it. [list the presets; a still life]")
         ->type_name("STYLE|SCENE");
-    CLI::Option* sheet = command
-                             .add_option("--sheet", typed.sheet,
-                                         "Draw the scene in every preset, side by side on one picture, each\n"
-                                         "with its name")
-                             ->type_name("PNG");
+    CLI::Option* sheet =
+        command
+            .add_option("--sheet", typed.sheet,
+                        "Draw the scene in every preset but those named tam-, side by side on\n"
+                        "one picture, each with its name")
+            ->type_name("PNG");
     command.add_flag("--schema", typed.schema, "Print a JSON schema of style files, for editors")
         ->excludes(sheet);
     typed.page.add_to(command, false);
@@ -201,6 +202,12 @@ void add_styles(CLI::App& app, TypedOptions& typed)
                    "One parameter of the style that all pictures of the sheet share,\n"
                    "such as hatch.width_mm=0.5. May be repeated.");
     add_device_options(command, typed);
+    for (CLI::Option* option : command.get_options()) {
+        if (option != sheet && !option->get_positional() && !option->check_lname("schema") &&
+            !option->check_lname("help")) {
+            option->needs(sheet);
+        }
+    }
 }
 
 void add_tam(CLI::App& app, TypedOptions& typed)

@@ -11,6 +11,7 @@
 #include <imgui_stdlib.h>
 
 #include "features/common/style_tables.hpp"
+#include "option_values.hpp"
 #include "viewer/panels.hpp"
 
 namespace estampe::viewer {
@@ -48,10 +49,7 @@ void show_preset_list(Studio& studio, const PanelRequests& requests)
         if (ImGui::Selectable("built-in style", name.empty())) {
             requests.open_style("");
         }
-        for (const std::string& preset : Style::presets()) {
-            if (preset.starts_with("tam-")) {
-                continue; // only used by `estampe tam`
-            }
+        for (const std::string& preset : app::look_presets()) {
             if (ImGui::Selectable(preset.c_str(), preset == name)) {
                 requests.open_style(preset);
             }

@@ -57,7 +57,7 @@ void show_parameters(Studio& studio, const std::string& search, std::span<const 
 [[nodiscard]] bool matches(const style::Section& section, const style::Parameter& parameter,
                            const std::string& search);
 
-/// Whether any parameter of the section matches.
+/// Whether `search` matches any parameter of the section, as in matches() above.
 [[nodiscard]] bool matches(const style::Section& section, const std::string& search);
 
 /// Result of a row: what the user changed.

@@ -148,7 +148,7 @@ private:
     std::array<std::optional<PictureRequest>, 2> requests_;
     size_t next_slot_ = 0;
     std::unique_ptr<PictureJob> job_;
-    glm::uvec2 film_size_px_{0}; ///< of the last picture, if another can follow; only used by the thread
+    glm::uvec2 film_size_px_{0}; ///< size of the last picture, if another can follow; only used by the thread
     bool is_job_cancelled_ = false;
     bool is_closing_ = false;
     std::vector<PictureNews> news_;

@@ -48,7 +48,7 @@ public:
     [[nodiscard]] std::string path() const;
     /// Loaded share of the scene; nothing if the file does not say.
     [[nodiscard]] std::optional<double> share() const;
-    /// Whether any thread still loads, even a discarded scene.
+    /// True while a thread still reads a file, also one whose scene was discarded.
     [[nodiscard]] bool is_busy() const;
 
     using Result = std::variant<std::shared_ptr<const LoadedFile>, std::string>;

@@ -13,6 +13,7 @@
 
 #include "core/file.hpp"
 #include "features/common/style_tables.hpp"
+#include "option_values.hpp"
 #include "piped_scene.hpp"
 
 namespace estampe::viewer {
@@ -347,9 +348,8 @@ void Studio::step_up_axis()
 
 void Studio::step_preset(int step)
 {
-    std::vector<std::string> names{""};
-    std::ranges::copy_if(Style::presets(), std::back_inserter(names),
-                         [](const std::string& name) { return !name.starts_with("tam-"); });
+    std::vector<std::string> names = app::look_presets();
+    names.insert(names.begin(), ""); // the built-in style
     const auto found = std::ranges::find(names, look.name());
     const auto count = static_cast<std::ptrdiff_t>(names.size());
     const std::ptrdiff_t now = found == names.end() ? 0 : found - names.begin();

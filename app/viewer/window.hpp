@@ -23,7 +23,7 @@ struct PointerEvent {
 
 /// Events since the last call of Window::wait().
 struct WindowEvents {
-    std::vector<Action> actions; ///< of keys that no text field used
+    std::vector<Action> actions; ///< actions of the keys that no text field used
     std::vector<std::string> dropped;
     std::vector<PointerEvent> pointer;
     bool any = false; ///< something that may change the painted window

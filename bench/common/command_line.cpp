@@ -90,9 +90,8 @@ void add_device_option(CLI::App& command, std::string& device)
         ->type_name("DEVICE")
         ->capture_default_str()
         ->check(quiet([](const std::string& text) {
-            const bool is_index = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-            return is_index || text == "auto" || text == "cpu" ? std::string()
-                                                               : in_quotes(text) + " is not a device";
+            const bool is_one = text == "auto" || text == "cpu" || number_from<uint32_t>(text);
+            return is_one ? std::string() : in_quotes(text) + " is not a device";
         }));
 }
 

@@ -42,10 +42,8 @@ struct Cloth {
     /// Stretch, as current length over rest length, at which threads tear; more than 1. 0: the sheet never
     /// tears. A sheet that can tear takes four times as many small steps.
     float tear = 0.0F;
-    uint32_t back_material =
-        /// Index of the scene's material of the back; the maximum means that both sides have the same
-        /// material.
-        std::numeric_limits<uint32_t>::max();
+    /// Index of the scene's material of the back; the maximum means that both sides have the same material.
+    uint32_t back_material = std::numeric_limits<uint32_t>::max();
     ClothSolver solver = ClothSolver::automatic;
 
     bool operator==(const Cloth& other) const = default;
@@ -59,8 +57,8 @@ enum class ClothCollider : uint8_t {
     ellipsoid,
     cylinder, ///< Upright, along y
     capsule,  ///< Upright cylinder with hemispherical ends
-    /// The shape of the mesh, which must be closed, at a resolution of 1/40 of its length. Skins and morph
-    /// targets do not deform it.
+    /// The shape of the mesh at a resolution of 1/40 of its longest side. The mesh should be closed; small
+    /// holes do no harm. Skins and morph targets do not deform it.
     mesh
 };
 

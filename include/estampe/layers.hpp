@@ -41,7 +41,7 @@ struct PictureMask {
 
 /// A picture with its layers and masks; see Renderer::render_layers().
 struct LayeredImage {
-    Image picture;                    ///< The same bytes as Renderer::render() returns
+    Image picture;                    ///< The whole picture, byte for byte as from Renderer::render()
     std::vector<PictureLayer> layers; ///< From bottom to top; the bottom layer is opaque
     std::vector<PictureMask> masks;   ///< From bottom to top
     /// Linear colour of the paper that a transparent picture leaves out; empty for an opaque picture.
@@ -49,8 +49,7 @@ struct LayeredImage {
 };
 
 /// Composites the visible layers in linear light. The result is opaque unless the picture is transparent.
-/// Throws Error if no layer is visible or if a layer differs in size from the picture. Cost: about 10 ms per
-/// megapixel and layer.
+/// Throws Error if there are no layers or if they differ in size. Cost: about 10 ms per megapixel and layer.
 [[nodiscard]] LinearImage flattened(const LayeredImage& image);
 
 /// Writes an OpenRaster file, which Krita, GIMP and MyPaint open. Layers are visible, except the paper of a

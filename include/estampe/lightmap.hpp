@@ -76,10 +76,11 @@ void save_lightmap(const Lightmap& map, const std::filesystem::path& path);
 ///     "extensions": {"MOZ_lightmap": {"index": 3, "texCoord": 1, "intensity": 1.0}}
 ///
 /// A uri is relative to the file, or a data uri. Pictures are OpenEXR (linear) or PNG, JPEG, WebP (sRGB).
-/// The scene may instead name a map made by `estampe bake`, and all other entries are then ignored.
-/// KHR_texture_transform is not applied to the UVs. Unknown keys and values are ignored, and load_scene()
-/// warns of them. Throws Error with file and JSON pointer if a picture is missing or unreadable. Cost: reads
-/// the file once more, and decodes it only if it names lightmaps.
+/// The scene may instead name a map made by `estampe bake`; nothing else in the file may then name a
+/// lightmap. KHR_texture_transform is not applied to the UVs. Unknown keys and values are ignored, and
+/// load_scene() warns of them. Throws Error with file and JSON pointer if a picture is missing or unreadable,
+/// or if a baked map is named beside other lightmaps. Cost: reads the file once more, and decodes it only if
+/// it names lightmaps.
 [[nodiscard]] std::optional<Lightmap> named_lightmap(const std::filesystem::path& scene_file);
 
 /// Reads a file of save_lightmap(). Throws Error that names the file if it is missing or damaged, or if it

@@ -11,20 +11,20 @@
 
 namespace estampe {
 
-/// Motion vectors of a picture: how far the surface at each pixel has moved on the page since an earlier
-/// moment.
+/// Motion vectors of a picture: how far the surface at each pixel has moved on the page since another moment,
+/// that of RenderSettings::motion_since.
 struct Motion {
     uint32_t width = 0;
     uint32_t height = 0;
-    /// Row by row. x: pixels to the right; y: pixels down; z: reversed depth of the point at the earlier
-    /// moment (near plane over distance, 0 at infinity); w: 1. All four are 0 if the point was behind the
-    /// camera then and had no place on the page. See-through surfaces have no motion of their own; their
-    /// pixels hold that of the solid surface behind.
+    /// Row by row. x: pixels to the right; y: pixels down; z: reversed depth of the point at that moment
+    /// (near plane over distance, 0 at infinity); w: 1. All four are 0 if the point was behind the camera
+    /// then and had no place on the page. See-through surfaces have no motion of their own; their pixels hold
+    /// that of the solid surface behind.
     std::vector<glm::vec4> pixels;
 };
 
 /// Writes an OpenEXR picture in 32-bit floats, with R, G, B and A for x, y, z and w of Motion::pixels. The
-/// point that is at p in the picture was at p - (R, G) at the earlier moment. The file is written beside
+/// point that is at p in the picture was at p - (R, G) at the other moment. The file is written beside
 /// `path` and renamed. Throws Error if `motion` is empty or the file cannot be written.
 void save_motion(const Motion& motion, const std::filesystem::path& path);
 

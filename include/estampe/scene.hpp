@@ -197,7 +197,7 @@ enum class LightType : uint8_t { directional, point, spot, ambient };
 /// réel", Université Paris 8, 2008, chapter 4).
 enum class LightFalloff : uint8_t { inverse_square, unit_volume };
 
-/// Lit volume of a spot: a cone, or a square pyramid whose upright axis is its node's y.
+/// Lit volume of a spot: a cone, or a pyramid whose square base has its sides along the node's x and y.
 enum class SpotShape : uint8_t { cone, pyramid };
 
 /// A light as in KHR_lights_punctual, which shines along its node's -z. Intensity is in lux (directional,

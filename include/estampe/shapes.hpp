@@ -86,8 +86,7 @@ struct FlutedColumn {
 /// Solid stairs that rise towards -z.
 [[nodiscard]] Primitive stairs(float width, float rise, float run, uint32_t steps);
 
-/// A rod from `a` to `b`, as limbs and poles are, whose ends are half balls about these two points, each in
-/// `rings` steps.
+/// A rod from `a` to `b` with round ends: half spheres around these two points, each with `rings` rings.
 [[nodiscard]] Primitive rod(const glm::vec3& a, const glm::vec3& b, float radius_a, float radius_b,
                             uint32_t segments = 16, uint32_t rings = 4);
 
@@ -116,13 +115,14 @@ public:
         append(part(static_cast<Index>(material), !shape.edge_marks.empty()), shape, placed);
     }
 
-    /// Adds all of `other`, placed.
+    /// Adds all shapes of `other`, transformed by `placed`.
     void add(const MeshBuilder& other, const glm::mat4& placed = glm::mat4(1.0F));
 
-    /// What has been gathered of a material, for vertices and triangles of one's own.
+    /// The primitive that collects the shapes of a material, to add vertices and triangles directly.
     [[nodiscard]] Primitive& part(Index material, bool has_edge_marks);
 
-    /// A primitive for each material, in the order of their numbers, unmarked ones first.
+    /// The mesh: for each material, in ascending order, one primitive without edge marks and one with, as far
+    /// as used.
     [[nodiscard]] Mesh mesh(const std::string& name) const;
 
 private:

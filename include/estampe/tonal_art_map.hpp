@@ -23,7 +23,7 @@ using Gray8 = std::vector<uint8_t>;
 /// Source  Praun et al., "Real-Time Hatching", SIGGRAPH 2001
 struct TonalArtMap {
     uint32_t size_px = 0;        ///< Texels per side of level 0; a power of two, 32 to 2048
-    std::vector<float> darkness; ///< Mean coverage of each tone, rising, in (0, 1)
+    std::vector<float> darkness; ///< Intended mean coverage of each tone, rising, in (0, 1)
     /// [tone][level]: level 0 has size_px per side, the last level 1.
     std::vector<std::vector<Gray8>> level_of_tone;
 

@@ -9,8 +9,8 @@
 
 namespace estampe {
 
-/// A Vulkan device of the host application, for Renderer(const VulkanHost&). The host keeps ownership, and
-/// the device must outlive the renderer.
+/// A Vulkan device of the host application, for Renderer(const VulkanHost&). The host keeps ownership of all
+/// objects named here, and they must outlive the renderer.
 struct VulkanHost {
     /// Function of the Vulkan loader that created the instance; null: the loader of this machine.
     PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr;
@@ -31,8 +31,8 @@ struct VulkanHost {
 ///     ...};
 ///
 /// A host that needs further features sets them in the structures of the chain, because Vulkan allows each
-/// structure only once: VkPhysicalDeviceFeatures2, VkPhysicalDeviceVulkan12Features,
-/// VkPhysicalDeviceVulkan13Features.
+/// structure only once. In the order of the chain they are VkPhysicalDeviceFeatures2,
+/// VkPhysicalDeviceVulkan12Features and VkPhysicalDeviceVulkan13Features.
 class VulkanFeatures {
 public:
     /// Queries `host.physical_device`; `device` and `queue` may still be null. Throws Error that says what

@@ -44,6 +44,13 @@ std::string lower_case(std::string_view text)
     return lower;
 }
 
+std::string_view trimmed(std::string_view text, std::string_view around)
+{
+    const size_t first = text.find_first_not_of(around);
+    return first == std::string_view::npos ? std::string_view()
+                                           : text.substr(first, text.find_last_not_of(around) - first + 1);
+}
+
 void replace_all(std::string& text, const std::string& what, const std::string& with)
 {
     for (size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size())) {

@@ -21,6 +21,9 @@ namespace estampe {
 /// `text` in lower case. Non-ASCII letters are unchanged, because their case depends on the language.
 [[nodiscard]] std::string lower_case(std::string_view text);
 
+/// `text` without the characters of `around` at its beginning and its end.
+[[nodiscard]] std::string_view trimmed(std::string_view text, std::string_view around = " \t\r\n");
+
 /// The number that is all of `text`, as std::from_chars reads it; nothing if there is none or it does not fit
 /// the type.
 template <typename Number>

@@ -212,7 +212,6 @@ TEST(FilmMemory, NamesTheFeatureWhoseVersionItDoesNotRead)
                 << problem.what();
         }
     }
-    renderer.recall_film(memory);
     EXPECT_EQ(renderer.film_memory(), memory) << "what was refused changed nothing";
 }
 

@@ -305,8 +305,8 @@ private:
     std::vector<uint32_t> pixel_things_; ///< of the sample in hand
     frame::Shares shares_;
     std::vector<float> shadow_; ///< sum over the samples
-    std::vector<float> closed_; ///< the same, of light that occlusion takes
-    std::vector<float> clouds_; ///< the same, of sky that clouds cover
+    std::vector<float> closed_; ///< sum over the samples of what occlusion takes of the light
+    std::vector<float> clouds_; ///< sum over the samples of what clouds cover of the sky
 };
 
 } // namespace

@@ -90,7 +90,7 @@ struct LinearPage {
         draws; ///< of the last sample, see shaders/surface_images.glsl; empty where no layers are wanted
     gpu::Buffer sun;       ///< of the last sample, see light::LitPixels; empty where no layers are wanted
     gpu::Buffer occlusion; ///< of the last sample, halves; empty where no layers are wanted, or no occlusion
-    gpu::Buffer cloud_cover; ///< the same of what clouds cover; empty where no layers are wanted
+    gpu::Buffer cloud_cover; ///< of the last sample, halves; empty where no layers are wanted
     bool has_clouds = false; ///< else that holds nothing
 
     [[nodiscard]] bool has_layers() const { return !draws.empty(); }

@@ -201,7 +201,7 @@ add_motion_blur(const FrameContext& context, const PosedScene& scene, gpu::Buffe
 [[nodiscard]] haze::HazeInputs haze_inputs(const FrameContext& context, const PosedScene& scene,
                                            const surface::Surface& surface);
 
-/// The same for strokes as paths, where there is any.
+/// Haze as strokes that are paths meet it; nothing where there is no haze.
 [[nodiscard]] std::optional<StrokeHaze> stroke_haze(const FrameContext& context, const PosedScene& scene,
                                                     const surface::Surface& surface);
 

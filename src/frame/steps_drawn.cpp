@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // From light to ink, colour and paper.
-#include <algorithm>
-
 #include "frame/steps.hpp"
 #include "gpu/resources.hpp"
 #include "techniques/contour/chains/chains.hpp"
@@ -33,8 +31,8 @@ gpu::ImageId stroke_footprint(const FrameContext& context, const surface::Surfac
 gpu::ImageId blurring_motion_of(const FrameContext& context, const PosedScene& scene,
                                 const MotionBlurPlan& plan, gpu::ImageId own_motion)
 {
-    const std::optional<motion_blur::VelocityShape> shape = motion_blur::add_velocity_shape(
-        context.graph, context.features.motion_blur.memory(),
+    const std::optional<motion_blur::VelocityShape> shape = context.features.motion_blur.record(
+        context.graph,
         {.posed_vertices = scene.meshes.posed_vertices,
          .posed_vertices_before = vertices_before(context, scene, plan.motion),
          .now_from_before = glm::inverse(plan.motion.clip_from_anchor) * plan.motion.clip_from_anchor_before,
@@ -58,6 +56,16 @@ bool works_by_groups(const FrameContext& context)
 {
     const glm::uvec2 beside_px = glm::uvec2(context.sample.from_px) % 8U;
     return context.device.execution().shares_by_groups() && beside_px == glm::uvec2(0);
+}
+
+std::optional<contour::CrestMesh> crests_of(const FrameContext& context)
+{
+    if (!context.loaded.terrain || !context.loaded.layout.foreign_vertex) {
+        return std::nullopt;
+    }
+    return contour::CrestMesh{.first_vertex = *context.loaded.layout.foreign_vertex,
+                              .vertex_count = context.loaded.meshes.vertex_count,
+                              .along = context.plan.strokes.ground_wind};
 }
 
 } // namespace
@@ -94,16 +102,6 @@ hatch::HatchInputs hatch_inputs(const FrameContext& context, const PosedScene& s
             .size_px = context.sample.size_px,
             .look_of_draw = look_of_draw(context),
             .draws = scene.meshes.draws};
-}
-
-std::optional<contour::CrestMesh> crests_of(const FrameContext& context)
-{
-    if (!context.loaded.terrain || !context.loaded.layout.foreign_vertex) {
-        return std::nullopt;
-    }
-    return contour::CrestMesh{.first_vertex = *context.loaded.layout.foreign_vertex,
-                              .vertex_count = context.loaded.meshes.vertex_count,
-                              .along = context.plan.strokes.ground_wind};
 }
 
 contour::ContourInputs contour_inputs(const FrameContext& context, const PosedScene& scene,

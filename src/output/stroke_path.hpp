@@ -22,9 +22,8 @@ using Cubic = std::array<glm::dvec2, 4>;
 /// Fits cubics, end to end, that stay within `tolerance` of `points`, from the first to the last. A turn of
 /// more than 50 degrees at one point stays a corner. Elsewhere the tangent is continuous, also across the
 /// seam of a closed line. Coincident points count once. Empty for fewer than two distinct points.
-/// for fewer than two places.
+///
 /// Cost    usually n log n in points
-/// Cost    n log n in points, as a rule
 /// Source  Schneider, "An Algorithm for Automatically Fitting Digitized Curves", Graphics Gems, 1990
 [[nodiscard]] std::vector<Cubic> fit_curve(std::span<const glm::dvec2> points, double tolerance,
                                            bool is_closed = false);

@@ -242,7 +242,7 @@ Fit fit_part(const ViewPoints& points, const Window& window, double part)
 /// the middle.
 Fit fit_with_shadow(const ViewPoints& points, const Window& window)
 {
-    constexpr double least_size = 0.74; // of the size without the shadow
+    constexpr double least_size = 0.74; // share of the subject's size without the shadow
     constexpr double most_aside = 0.42; // largest offset from the page's middle, of half its width
     const glm::dvec3 alone = fit_eye(points.subject, window);
     double nearest = std::numeric_limits<double>::infinity();

@@ -35,7 +35,7 @@ struct Window {
 
 /// What automatic framing needs to know about a scene.
 struct SceneSurvey {
-    Bounds whole; ///< of all vertices in the pose, never empty
+    Bounds whole; ///< bounds of all vertices in the pose, never empty
     SurfaceCloud cloud;
     ViewAnalysis analysis;
 };

@@ -83,7 +83,7 @@ public:
         has_eye_ = true;
     }
 
-    /// The same view, in the space of a mesh with the transform `world_from_mesh`.
+    /// This view in the space of a mesh with the transform `world_from_mesh`.
     [[nodiscard]] View within(const glm::dmat4& world_from_mesh) const
     {
         View view = *this;

@@ -11,6 +11,7 @@
 
 #include <estampe/error.hpp>
 
+#include "core/text.hpp"
 #include "style/toml.hpp"
 
 namespace estampe::style {
@@ -55,26 +56,11 @@ std::string nearest(std::string_view word, std::span<const std::string> candidat
     return best == nullptr ? std::string() : *best;
 }
 
-namespace {
-
-std::string_view without_outer_spaces(std::string_view text)
-{
-    while (!text.empty() && text.front() == ' ') {
-        text.remove_prefix(1);
-    }
-    while (!text.empty() && text.back() == ' ') {
-        text.remove_suffix(1);
-    }
-    return text;
-}
-
-} // namespace
-
 std::vector<Assignment> assignments(std::string_view text, const std::string& key, const std::string& form,
                                     const std::string& example)
 {
     std::vector<Assignment> parts;
-    while (!without_outer_spaces(text).empty()) {
+    while (!trimmed(text, " ").empty()) {
         const std::string_view item = text.substr(0, text.find(','));
         text.remove_prefix(std::min(item.size() + 1, text.size()));
         const size_t equals = item.rfind('=');
@@ -82,8 +68,8 @@ std::vector<Assignment> assignments(std::string_view text, const std::string& ke
             throw Error(fmt::format("{} is not of the form {}", in_quotes(item), form), key,
                         fmt::format("write for instance {}", in_quotes(example)));
         }
-        parts.push_back({std::string(without_outer_spaces(item.substr(0, equals))),
-                         std::string(without_outer_spaces(item.substr(equals + 1)))});
+        parts.push_back({std::string(trimmed(item.substr(0, equals), " ")),
+                         std::string(trimmed(item.substr(equals + 1), " "))});
     }
     return parts;
 }
@@ -102,9 +88,8 @@ std::vector<std::string> between_commas(std::string_view text)
     std::vector<std::string> parts;
     std::istringstream stream{std::string(text)};
     for (std::string part; std::getline(stream, part, ',');) {
-        const size_t first = part.find_first_not_of(' ');
-        if (first != std::string::npos) {
-            parts.push_back(part.substr(first, part.find_last_not_of(' ') + 1 - first));
+        if (const std::string_view inner = trimmed(part, " "); !inner.empty()) {
+            parts.emplace_back(inner);
         }
     }
     return parts;

@@ -13,6 +13,7 @@
 #include <estampe/error.hpp>
 
 #include "core/file.hpp"
+#include "core/text.hpp"
 #include "style/names.hpp"
 #include "style/toml.hpp"
 
@@ -71,16 +72,6 @@ constexpr const char* manual = "estampe --help-style lists every key";
 std::string full_key(const Section& section, const Parameter& parameter)
 {
     return section.name + "." + parameter.key;
-}
-
-std::string_view trimmed(std::string_view text)
-{
-    constexpr std::string_view blanks = " \t\r\n";
-    const size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) {
-        return {};
-    }
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
 /// `path` as seen from the working directory, when a text named `source` means it as seen from itself.

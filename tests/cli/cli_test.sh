@@ -57,7 +57,7 @@ expect_success styles --sheet sheet.png --size 48x36 --device cpu scene.glb
 [[ "$(head -c 4 sheet.png | tail -c 3)" == PNG ]] || wrong "styles --sheet wrote no PNG"
 expect_error 1 'nowhere.glb' styles --sheet out.png nowhere.glb --device cpu
 expect_error 2 'must end in .png' styles --sheet out.jpg --device cpu
-expect_error 2 '--size: only works with --sheet' styles comic --size 96x54
+expect_error 2 '--size requires --sheet' styles comic --size 96x54
 expect_error 2 '' styles --sheet out.png --schema
 expect_success devices
 expect_printed 'raster: hardware'

@@ -57,6 +57,7 @@ mkdir scenes
 touch fox.glb house.obj notes.txt mine.toml light.exr
 for word in fox.glb house.obj scenes; do offers $word render ""; done
 offers_not notes.txt render ""
+offers pencil styles pen
 offers fox.glb render -o a.png f
 offers notes.txt info n
 offers pencil render fox.glb --style pen

@@ -99,8 +99,9 @@ features::SunMapPlan Drawing::sun_plan(const LightSetup& setup) const
     features::SunMapPlan plan{.size = setup.shadow_size,
                               .view = sun(towards_sun, std::max(setup.shadow_size, 4U))};
     if (setup.is_warped) {
-        plan.view = warped_sun(towards_sun, setup.shadow_size);
-        plan.variant |= shared::light_has_sun_warp;
+        const shadow::SunMapFit fit = warped_sun(towards_sun, setup.shadow_size);
+        plan.view = fit.view;
+        plan.variant |= fit.variant;
     }
     if (setup.clipmap) {
         plan.clipmap = setup.clipmap;
@@ -318,7 +319,7 @@ shadow::SunView Drawing::sun(const glm::dvec3& towards_sun, uint32_t shadow_size
     return shadow::sun_view(pose.casters, layout.anchor, towards_sun, shadow_size);
 }
 
-shadow::SunView Drawing::warped_sun(const glm::dvec3& towards_sun, uint32_t shadow_size) const
+shadow::SunMapFit Drawing::warped_sun(const glm::dvec3& towards_sun, uint32_t shadow_size) const
 {
     return shadow::fit_sun_map({.casters = pose.casters,
                                 .anchor = layout.anchor,
@@ -327,8 +328,7 @@ shadow::SunView Drawing::warped_sun(const glm::dvec3& towards_sun, uint32_t shad
                                 .nearest_m = 2.0,
                                 .size = shadow_size,
                                 .eye = globals},
-                               {.sun_map = shadow::SunMapKind::warped})
-        .view;
+                               {.sun_map = shadow::SunMapKind::warped});
 }
 
 } // namespace estampe::test

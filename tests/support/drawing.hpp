@@ -116,7 +116,7 @@ public:
     [[nodiscard]] glm::dvec3 point_at(glm::dvec2 position_px, double depth) const;
     /// The same at the centre of a pixel, counted row by row; far away where nothing is seen.
     [[nodiscard]] glm::dvec3 point_seen(size_t pixel, float depth) const;
-    [[nodiscard]] shadow::SunView warped_sun(const glm::dvec3& towards_sun, uint32_t shadow_size) const;
+    [[nodiscard]] shadow::SunMapFit warped_sun(const glm::dvec3& towards_sun, uint32_t shadow_size) const;
     [[nodiscard]] shadow::SunView sun(const glm::dvec3& towards_sun, uint32_t shadow_size) const;
 
     std::unique_ptr<frame::LoadedScene> loaded;

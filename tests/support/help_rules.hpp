@@ -4,11 +4,13 @@
 // What every line of help must be: a clause that stands alone, since it is also a tooltip and a schema's
 // hint.
 
+#include <algorithm>
 #include <array>
-#include <cctype>
 #include <sstream>
 #include <string>
 #include <string_view>
+
+#include "core/text.hpp"
 
 namespace estampe::test {
 
@@ -31,12 +33,8 @@ inline std::string clause_of(std::string_view line)
 inline std::string fault_of_help(std::string_view line, size_t least_words = 4)
 {
     const std::string clause = clause_of(line);
-    std::string low;
-    size_t words = 1;
-    for (const char letter : clause) {
-        words += letter == ' ' ? 1U : 0U;
-        low += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    }
+    const std::string low = lower_case(clause);
+    const size_t words = 1 + static_cast<size_t>(std::ranges::count(clause, ' '));
     if (clause.empty() || words < least_words) {
         return "has too few words";
     }

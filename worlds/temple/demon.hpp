@@ -41,7 +41,7 @@ struct Strand {
     float length_m = 0.3F;           ///< distance between joints
     glm::vec3 root_m{0.0F};          ///< attachment on the body, relative to the head
     glm::vec3 hangs{0.0F, -1, 0.0F}; ///< rest direction, unit
-    float stiffness = 1.0F;          ///< of the first joint; decreases further down
+    float stiffness = 1.0F;          ///< stiffness of the first joint; decreases further down
 };
 
 inline constexpr int strand_count = 6;

@@ -256,7 +256,8 @@ Haunt room_haunt(const Plan& plan, size_t room, float size)
     return haunt;
 }
 
-/// A ground on the sand, without what stands there.
+/// Ground of a demon on the sand between `low` and `high`, without the places of columns, drums, the statue
+/// and flags.
 Haunt sand_haunt(const Site& site, const glm::vec2& low, const glm::vec2& high, float size)
 {
     Haunt haunt{.low_m = low, .high_m = high, .pillars = {}, .is_on_floor = false, .size = size};

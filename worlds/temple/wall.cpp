@@ -236,7 +236,7 @@ float right_at(const Wall& wall, const Stone& stone, float height_m)
     return std::max(arch.x_m - half_beside_m(arch, stone, height_m), stone.left_m);
 }
 
-/// Share of a stone's top on which nothing lies.
+/// Whether other stones cover less than 98 % of a stone's top; true if there is no course above.
 bool is_open_above(const Stone& stone, const std::vector<Stone>* above)
 {
     if (above == nullptr) {

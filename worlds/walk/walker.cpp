@@ -199,7 +199,7 @@ void Walker::steer(const Intent& intent)
         const double steep = glm::length(slope);
         const double limit = std::tan(
             glm::radians(static_cast<double>(footing_.is_sand ? body_.repose_deg : body_.steepest_deg)));
-        if (footing_.is_sand && glm::length(wanted) > 0.0) { // on a slope feet sink back
+        if (footing_.is_sand && glm::length(wanted) > 0.0) { // feet sink back into the sand uphill
             wanted /= 1.0 + 1.3 * std::max(0.0, glm::dot(slope, glm::normalize(wanted)));
         }
         double grip_m_s2 = 14.0;

@@ -18,13 +18,8 @@ namespace {
 std::vector<std::vector<uint32_t>> triangles_of_draws(const pose::MeshData& layout)
 {
     std::vector<std::vector<uint32_t>> of_draw(layout.draws.size());
-    for (const pose::Range& range : {layout.opaque, layout.masked}) {
-        for (uint32_t i = range.first; i < range.first + range.count; ++i) {
-            const glm::uvec4& corners = layout.triangles[i];
-            if (corners.x < layout.foreign_vertex.value_or(UINT32_MAX)) {
-                of_draw[corners.w & shared::triangle_draw_mask].push_back(i);
-            }
-        }
+    for (const uint32_t triangle : pose::solid_triangles(layout)) {
+        of_draw[layout.triangles[triangle].w & shared::triangle_draw_mask].push_back(triangle);
     }
     return of_draw;
 }

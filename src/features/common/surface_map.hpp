@@ -30,7 +30,7 @@ struct SurfaceMapData {
 /// not fit. Cost: a few microseconds a triangle.
 [[nodiscard]] SurfaceMapData make_surface_map(const pose::MeshData& layout, uint32_t size);
 
-/// The same on the device.
+/// A SurfaceMapData on the device.
 struct SurfaceMap {
     gpu::Buffer texels;
     gpu::Buffer corners;

@@ -11,7 +11,8 @@ namespace estampe::features {
 
 class MotionBlur final : public Feature {
 public:
-    /// All of it is numbered by vertices and triangles.
+    /// Forgets vertices and seeds when the scene or its layout is replaced, since both are numbers of
+    /// vertices and triangles.
     void invalidate(Event event) override;
 
     /// Makes what the style asks for. Smear strokes begin on all that is solid, and neither blank ground nor
@@ -19,7 +20,11 @@ public:
     void prepare(gpu::Device& device, const pose::MeshData& layout,
                  const motion_blur::MotionBlurStyle& style);
 
-    [[nodiscard]] motion_blur::Memory& memory() { return memory_; }
+    /// The shape whose motion the style's mode blurs by, where that is not the scene's own. See
+    /// motion_blur::add_velocity_shape().
+    [[nodiscard]] std::optional<motion_blur::VelocityShape> record(gpu::Graph& graph,
+                                                                   const motion_blur::VelocityShapeInputs& in,
+                                                                   const motion_blur::MotionBlurStyle& style);
 
     [[nodiscard]] motion_blur::SmearSeeds& smear_seeds() { return smear_seeds_; }
 

@@ -30,12 +30,8 @@ occlusion::OccluderMesh occluders_of(const pose::MeshData& layout, const surface
                                       .unit_m = static_cast<float>(layout.stroke_unit_m),
                                       .triangles = {},
                                       .color_of_vertex = colors_of_vertices(layout, materials)};
-    for (const pose::Range& range : {layout.opaque, layout.masked}) {
-        for (uint32_t i = range.first; i < range.first + range.count; ++i) {
-            if (layout.triangles[i].x < layout.foreign_vertex.value_or(UINT32_MAX)) {
-                occluders.triangles.push_back(layout.triangles[i]);
-            }
-        }
+    for (const uint32_t triangle : pose::solid_triangles(layout)) {
+        occluders.triangles.push_back(layout.triangles[triangle]);
     }
     return occluders;
 }

@@ -191,7 +191,7 @@ struct LocalViewBuffers {
 struct LocalShadowBuffers {
     gpu::Buffer shadows; ///< LocalShadow, one for each light that has maps
     gpu::Buffer maps;    ///< their texels, kept from frame to frame
-    gpu::Buffer layers;  ///< the same of what stands still, where some light has such a layer
+    gpu::Buffer layers;  ///< texels of what stands still alone, where some light keeps those apart
     LocalViewBuffers views;
 };
 

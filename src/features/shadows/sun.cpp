@@ -6,8 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include <glm/gtc/matrix_transform.hpp>
-
 #include "gpu/resources.hpp"
 #include "shaders/light_variant.glsl.h"
 #include "shaders/tiles.glsl.h"

@@ -18,6 +18,7 @@
 #include <estampe/scene.hpp>
 
 #include "core/file.hpp"
+#include "core/text.hpp"
 
 namespace estampe::dae {
 namespace {
@@ -311,20 +312,12 @@ bool holds_a_path(const pugi::xml_node& text)
     return parent == "init_from" || parent == "ref";
 }
 
-std::string trimmed(std::string_view text)
-{
-    while (!text.empty() && is_blank(text.front()))
-        text.remove_prefix(1);
-    while (!text.empty() && is_blank(text.back()))
-        text.remove_suffix(1);
-    return std::string(text);
-}
-
 struct TidyTexts : pugi::xml_tree_walker {
     bool for_each(pugi::xml_node& node) override
     {
         if (node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata)
-            node.set_value((holds_a_path(node) ? trimmed(node.value()) : tidied(node.value())).c_str());
+            node.set_value(
+                (holds_a_path(node) ? std::string(trimmed(node.value())) : tidied(node.value())).c_str());
         return true;
     }
 };

@@ -10,7 +10,7 @@
 namespace estampe::charts {
 namespace {
 
-/// Overlap of two triangles along `axis`, as a share of the shorter extent.
+/// Whether the extents of two triangles along `axis` overlap by no more than 1e-4 of the shorter extent.
 bool separates(const glm::vec2& axis, const FlatTriangle& a, const FlatTriangle& b)
 {
     constexpr float tolerance = 1e-4F;

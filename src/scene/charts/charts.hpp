@@ -58,7 +58,8 @@ inline constexpr uint32_t gutter = 2;
 struct Texel {
     uint32_t place = 0; ///< index in the picture, row by row
     uint32_t triangle = 0;
-    glm::vec2 weights{0.0F}; ///< of the second and third corner, at the triangle's nearest point
+    /// Barycentric weights of the second and third corner, at the triangle's nearest point.
+    glm::vec2 weights{0.0F};
 };
 
 /// The texels within one texel of a triangle, sorted by `place`. Cost: linear in texels.

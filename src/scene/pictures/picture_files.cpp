@@ -18,15 +18,6 @@ constexpr size_t longest_name = 4096;  ///< no operating system opens a longer p
 constexpr size_t most_parts = 16;      ///< of deeper paths only the last parts are searched
 constexpr size_t most_listed = 200000; ///< largest number of entries remembered per folder
 
-std::string_view trimmed(std::string_view text)
-{
-    constexpr std::string_view around = " \t\r\n\"'";
-    const size_t first = text.find_first_not_of(around);
-    if (first == std::string_view::npos)
-        return {};
-    return text.substr(first, text.find_last_not_of(around) - first + 1);
-}
-
 int hex_digit(char letter)
 {
     if (letter >= '0' && letter <= '9')
@@ -110,7 +101,7 @@ void FileFinder::add_folder(const std::filesystem::path& folder)
 
 std::optional<std::filesystem::path> FileFinder::find(std::string_view name)
 {
-    name = trimmed(name);
+    name = trimmed(name, " \t\r\n\"'");
     if (name.empty() || name.size() > longest_name || name.find('\0') != std::string_view::npos)
         return std::nullopt;
     if (std::optional<std::filesystem::path> found = find_spelled(name))

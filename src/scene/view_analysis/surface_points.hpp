@@ -60,7 +60,7 @@ struct SurfacePoint {
 
 struct SurfaceCloud {
     glm::dvec3 origin{0.0}; ///< in the world; the centre of the bounds
-    Bounds bounds;          ///< of all vertices, in the world
+    Bounds bounds;          ///< bounds of all vertices, in the world
     std::vector<SurfacePoint> points;
 };
 

@@ -24,7 +24,6 @@
 #include "shaders/cloth_tear_comp.hpp"
 #include "shaders/cloth_vertices_comp.hpp"
 #include "shaders/cloth_wide_comp.hpp"
-#include "techniques/cloth/alternatives/descent.hpp"
 
 namespace estampe::cloth {
 namespace {

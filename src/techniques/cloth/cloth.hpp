@@ -216,6 +216,9 @@ private:
 
     [[nodiscard]] uint32_t variant_of(size_t sheet) const;
     [[nodiscard]] bool is_small(size_t sheet) const;
+    /// Sweeps of block descent over all colours, in one small step.
+    static constexpr uint32_t sweeps_of_descent = 4;
+
     void append_colours(Kind& kind, std::vector<uint32_t>& groups) const;
     [[nodiscard]] uint32_t small_steps(const Kind& kind, const Surroundings& surroundings) const;
     [[nodiscard]] gpu::BufferId add_vertices_at(gpu::Graph& graph, const Handles& handles,

@@ -23,9 +23,9 @@ struct EdgePixel {
 };
 
 struct EdgeConstants {
-    float outline_px; // full width; so are the next two
-    float boundary_px;
-    float crease_px;
+    float outline_px;  // full width of outlines
+    float boundary_px; // full width of boundaries
+    float crease_px;   // full width of creases
     float crease_cosine;
     float depth_step; // smallest fall of a surface within one pixel that makes a line: share of the distance,
                       // or metres in parallel projection

@@ -50,16 +50,16 @@ struct ContourStyle {
     float shadow_mm = 0.0F;
     float depth_step = 1.0F;
     std::string brush = "pen";
-    std::string outline_brush; ///< empty uses `brush`; so do those below
-    std::string boundary_brush;
-    std::string crease_brush;
-    std::string marked_brush;
-    std::string ridge_brush;
-    std::string valley_brush;
-    std::string suggestive_brush;
-    std::string crest_brush;
-    std::string intersection_brush;
-    std::string shadow_brush;
+    std::string outline_brush;      ///< brush of outlines; empty uses `brush`
+    std::string boundary_brush;     ///< brush of boundaries; empty uses `brush`
+    std::string crease_brush;       ///< brush of creases; empty uses `brush`
+    std::string marked_brush;       ///< brush of marked edges; empty uses `brush`
+    std::string ridge_brush;        ///< brush of ridges; empty uses `brush`
+    std::string valley_brush;       ///< brush of valleys; empty uses `brush`
+    std::string suggestive_brush;   ///< brush of suggestive contours; empty uses `brush`
+    std::string crest_brush;        ///< brush of crests; empty uses `brush`
+    std::string intersection_brush; ///< brush of intersections; empty uses `brush`
+    std::string shadow_brush;       ///< brush of edges of shadows; empty uses `brush`
     BrushFit brush_fit = BrushFit::repeat;
     float brush_mm = 0.0F;
     float outline_m = 0.0F; ///< width in the scene; unless 0, replaces the width on the page
@@ -155,7 +155,7 @@ struct BrushImages;
 /// The mesh whose crests have lines: a wind-shaped terrain.
 struct CrestMesh {
     uint32_t first_vertex = 0;
-    uint32_t vertex_count = 0;   ///< of all meshes; this mesh is the last
+    uint32_t vertex_count = 0;   ///< number of vertices of all meshes; this mesh is the last
     glm::vec2 along{1.0F, 0.0F}; ///< direction that the wind blows to, along x and z; unit
 };
 
@@ -174,7 +174,7 @@ struct ContourInputs {
     gpu::ImageId coordinate;
     gpu::ImageId light;
     std::optional<gpu::ImageId> sun; ///< as light::LitPixels; only if edges of shadows are drawn
-    gpu::ImageId screen_draw;        ///< of see-through surfaces; one texel if there are none
+    gpu::ImageId screen_draw;        ///< draw image of see-through surfaces; one texel if there are none
     bool has_screen = false;
     bool only_cut = false; ///< lines only where the alpha of a texture cuts the surface
     gpu::ExecutionProfile execution;

@@ -101,7 +101,7 @@ private:
     uint32_t newest_quantities_ = 0;
     Shapes shapes_;
     gpu::Buffer solids_;   ///< a word a cell
-    gpu::Buffer standing_; ///< the same of what stands still for good, or none
+    gpu::Buffer standing_; ///< a word per cell of what stands still for good, or none
     gpu::Buffer angles_;
     bool are_standing_ = false;
     bool is_spectral_right_ = true;
@@ -116,7 +116,7 @@ void hand_on(gpu::Graph& graph, gpu::ImageId image);
 /// in.
 [[nodiscard]] gpu::BufferId add_layers_copy(gpu::Graph& graph, gpu::ImageId image);
 
-/// The same, read after a run of `graph`.
+/// Runs `graph` with a copy of all layers of `image`, and reads the copy.
 [[nodiscard]] std::vector<float> run_and_read(gpu::Device& device, gpu::Executor& executor, gpu::Graph& graph,
                                               gpu::ImageId image);
 

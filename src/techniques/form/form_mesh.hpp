@@ -86,7 +86,8 @@ struct Directions {
     std::vector<double> angles; ///< one a vertex: in its tangent plane, radians
     std::vector<uint8_t>
         turns; ///< one an edge: 1 where the angle at its end points the other way than at its start
-    std::vector<uint8_t> link_turns; ///< the same for each link over a crease
+    std::vector<uint8_t>
+        link_turns; ///< one per link over a crease: 1 where the angles at its ends point opposite ways
 };
 
 /// Angles whose lines have nearly the least change; signs are such that few edges turn.

@@ -22,8 +22,7 @@
 #include "shaders/speed_seeds_comp.hpp"
 #include "shaders/speed_tiles_comp.hpp"
 #include "style/parameter.hpp"
-#include "techniques/motion_blur/alternatives/own.hpp"
-#include "techniques/motion_blur/alternatives/stretch.hpp"
+#include "techniques/motion_blur/alternatives/within_outline.hpp"
 
 namespace estampe::motion_blur {
 

@@ -50,7 +50,7 @@ inline constexpr uint32_t smear_seed_count = 2048;
                                                           std::span<const glm::uvec4> triangles,
                                                           std::span<const glm::vec3> places);
 
-/// The same on the device, made when a style first asks for it.
+/// Seeds of smear strokes on the device, made when a style first asks for smear strokes.
 struct SmearSeeds {
     gpu::Buffer places;
     uint32_t count = 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/occlusion/occlusion.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "shaders/horizon_comp.hpp"

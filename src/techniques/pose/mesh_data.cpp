@@ -469,4 +469,17 @@ std::vector<uint8_t> edge_marks_of(const MeshData& meshes, const Scene& scene)
     return marks;
 }
 
+std::vector<uint32_t> solid_triangles(const MeshData& data)
+{
+    std::vector<uint32_t> solid;
+    for (const Range& range : {data.opaque, data.masked}) {
+        for (uint32_t i = range.first; i < range.first + range.count; ++i) {
+            if (data.triangles[i].x < data.foreign_vertex.value_or(UINT32_MAX)) {
+                solid.push_back(i);
+            }
+        }
+    }
+    return solid;
+}
+
 } // namespace estampe::pose

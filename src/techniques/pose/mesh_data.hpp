@@ -146,4 +146,7 @@ struct PoseData {
 /// triangles when any changed.
 [[nodiscard]] bool turn_triangles(MeshData& meshes, const PoseData& pose);
 
+/// Numbers of the triangles that are solid: opaque or cut out, and neither blank ground nor terrain.
+[[nodiscard]] std::vector<uint32_t> solid_triangles(const MeshData& data);
+
 } // namespace estampe::pose

@@ -375,12 +375,6 @@ void swap_posed(MeshBuffers& meshes)
     std::swap(meshes.posed_as[0], meshes.posed_as[1]);
 }
 
-gpu::BufferId add_pose(gpu::Graph& graph, MeshBuffers& meshes, const MeshData& data, gpu::BufferId draws,
-                       gpu::BufferId rest_vertices)
-{
-    return add_runs(graph, meshes, data, {VertexRun{.count = meshes.vertex_count}}, draws, rest_vertices);
-}
-
 gpu::BufferId add_pose_of_moved(gpu::Graph& graph, MeshBuffers& meshes, const MeshData& data,
                                 const PoseData& now, std::span<const uint32_t> written_over,
                                 gpu::BufferId draws, gpu::BufferId rest_vertices)

@@ -60,18 +60,15 @@ bool upload_pose(gpu::Device& device, MeshBuffers& meshes, MeshData& data, const
 /// What was of this frame is of the one before, and the other way round.
 void swap_posed(MeshBuffers& meshes);
 
-/// Poses all vertices of `meshes`, which were made of `data`: morph targets, then the skin, or the place of
-/// the object where there is none. `draws` and `rest_vertices` are their handles in this graph.
+/// Poses vertices of `meshes`, which were made of `data`: morph targets, then the skin, or the place of the
+/// object where there is none. Only those are posed that do not stand in their buffer as `now`, which was
+/// uploaded, has them, and those of the draws `written_over`, in ascending order, in whose place others
+/// write. `draws` and `rest_vertices` are their handles in this graph. Call keep_posed() when the graph has
+/// run.
 ///
 /// Writes  posed vertices, relative to the anchor
-/// Cost    one dispatch, one thread a vertex
+/// Cost    a dispatch for each of the runs that runs_to_pose() finds, one thread per vertex
 /// Source  linear blend skinning as glTF 2.0, section 3.7.3, has it
-[[nodiscard]] gpu::BufferId add_pose(gpu::Graph& graph, MeshBuffers& meshes, const MeshData& data,
-                                     gpu::BufferId draws, gpu::BufferId rest_vertices);
-
-/// The same of those alone that do not stand in their buffer as `now`, which was uploaded, has them, and of
-/// the draws `written_over`, in ascending order, in whose place others write. keep_posed() is to be
-/// called when the graph has run. Cost: a dispatch for each of the runs that runs_to_pose() finds.
 [[nodiscard]] gpu::BufferId add_pose_of_moved(gpu::Graph& graph, MeshBuffers& meshes, const MeshData& data,
                                               const PoseData& now, std::span<const uint32_t> written_over,
                                               gpu::BufferId draws, gpu::BufferId rest_vertices);

@@ -156,7 +156,7 @@ struct SlideConstants {
     uint first_x; // 0 or 1: where blocks begin
     uint first_y;
     int beside; // slabs that a cell may be higher than the one beside it
-    int aslant; // the same across a corner
+    int aslant; // slabs that a cell may be higher than the one across its corner
 };
 
 struct SlabHeightConstants {
@@ -219,7 +219,7 @@ struct TrailSlump {
     uint skip_x; // 0 or 1: where blocks of two by two begin in the window
     uint skip_y;
     float beside_m; // that a texel may be higher than the one beside it
-    float aslant_m; // the same across a corner
+    float aslant_m; // that a texel may be higher than the one across its corner
 };
 
 struct TrailFill {

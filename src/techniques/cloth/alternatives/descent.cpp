@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Vertex block descent: sheets' particles by colours, and the sweeps over them. Chen, Liu, Yang and Yuksel,
 // "Vertex Block Descent", SIGGRAPH 2024.
-#include "techniques/cloth/alternatives/descent.hpp"
+#include "techniques/cloth/cloth.hpp"
 
 #include "shaders/cloth_descend_comp.hpp"
-#include "techniques/cloth/cloth.hpp"
 
 namespace estampe::cloth {
 

@@ -6,7 +6,6 @@
 // then all loose edges, for the outline; then all triangles again, for suggestive contours; then cells of the
 // page, for lines found on the page. A slot holds a chain: first those of features, then one per segment
 // found; only the slot of the segment that represents its chain is not empty.
-// one for each segment found, of which only the one that stands for its whole chain is not empty.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
@@ -300,7 +299,7 @@ struct ViewBendConstants {
 
 struct CrestConstants {
     uint first_vertex; // first vertex of the mesh with crests
-    uint vertex_count; // of all meshes; that mesh is the last
+    uint vertex_count; // number of vertices of all meshes; the mesh with crests is the last
     uint keeps_others; // the other vertices have been written by another pass
     vec2 along;        // direction that the wind blows to, along x and z
 };

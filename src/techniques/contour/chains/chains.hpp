@@ -174,8 +174,9 @@ struct ShapedStrokes {
 
 /// Inputs for finding the edges of the sun's shadow.
 struct SunPixels {
-    gpu::ImageId share;       ///< visible share of the sun; negative where no sun can shine
-    gpu::BufferId visibility; ///< of all solid surfaces, including clear glass, because shadows fall on it
+    gpu::ImageId share; ///< visible share of the sun; negative where no sun can shine
+    /// Visibility buffer of all solid surfaces, including clear glass, because shadows fall on it.
+    gpu::BufferId visibility;
     gpu::ImageId draw;
     gpu::ImageId depth;
     gpu::ImageId normal;
@@ -185,7 +186,7 @@ struct SunPixels {
 struct ChainInputs {
     gpu::BufferId frame;
     gpu::BufferId posed_vertices;
-    gpu::BufferId visibility; ///< of surfaces that hide lines
+    gpu::BufferId visibility; ///< visibility buffer of the surfaces that hide lines
     gpu::BufferId neighbors;  ///< neighbours of the line mesh's triangles
     gpu::BufferId line_triangles;
     SuggestiveCut suggestive_cut;    ///< unused if the line mesh has no bendings

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/motion_blur/alternatives/stretch.hpp"
+#include "techniques/motion_blur/alternatives/within_outline.hpp"
 
 #include <array>
 

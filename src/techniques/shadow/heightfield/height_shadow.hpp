@@ -8,7 +8,6 @@
 
 #include "core/inline_vector.hpp"
 #include "gpu/graph/graph.hpp"
-#include "style/parameter.hpp"
 #include "techniques/shadow/heightfield/height_shadow.glsl.h"
 
 namespace estampe::shadow {
@@ -24,8 +23,6 @@ struct HeightShadowStyle {
     int march_steps = 512;
     float march_blur_texels = 2.0F;
 };
-
-[[nodiscard]] const style::Table<HeightShadowStyle>& height_shadow_table();
 
 /// Between two texels, for each of the fields that are worked out together.
 using FieldTexels = InlineVector<float, shared::height_fields_most>;

@@ -4,7 +4,6 @@
 // The sun's shadow map: one view of all that throws a shadow, or a clipmap of such maps about the eye, as
 // fit_sun_map() chooses by the style.
 
-#include <array>
 #include <optional>
 #include <span>
 #include <vector>

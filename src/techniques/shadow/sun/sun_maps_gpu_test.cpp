@@ -91,7 +91,7 @@ std::vector<Map> maps_of(const test::Drawing& drawing, const glm::dvec3& sun, do
 
     maps[3].name = "warped";
     maps[3].setup.is_warped = true;
-    const SunView warped = drawing.warped_sun(sun, size);
+    const SunView warped = drawing.warped_sun(sun, size).view;
     maps[3].texel_m = [=](const glm::dvec3& point, double) {
         const double w = (glm::dmat4(warped.clip_from_anchor) * glm::dvec4(point, 1.0)).w;
         const glm::dvec2 extent_m(warped.extent_m);

@@ -123,7 +123,7 @@ struct TextureInProgram {
 [[nodiscard]] glm::dvec4 evaluate(const Program& program, std::span<const PlaceWords> places,
                                   const glm::dvec2& local_m, double spacing_m = 0.0);
 
-/// The same in the single precision of the GPU.
+/// What evaluate() computes, in the single precision of the GPU.
 [[nodiscard]] glm::vec4 evaluate_single(const Program& program, std::span<const PlaceWords> places,
                                         const glm::vec2& local_m, float spacing_m = 0.0F);
 

@@ -44,7 +44,7 @@ struct CellSegments {
     gpu::BufferId sizes;
     gpu::BufferId segments;
     gpu::BufferId ranks;
-    uint32_t word_count; ///< of all marks
+    uint32_t word_count; ///< number of words in `marks`
 };
 
 /// Appends the segments of `lines` and their ranks to the lists.

@@ -350,7 +350,7 @@ private:
     std::vector<uint32_t> corners_;      ///< triangle << 2 | corner
 };
 
-/// The same curvature in a frame with another tangent.
+/// Expresses a curvature in a frame with the tangent `tangent`.
 Bending with_tangent(const Bending& bending, const glm::vec3& tangent)
 {
     const glm::vec3 third = glm::cross(bending.normal, tangent);

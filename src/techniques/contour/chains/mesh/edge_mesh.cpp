@@ -189,7 +189,7 @@ std::vector<uint32_t> weld_vertices(const WeldInput& input)
 }
 
 constexpr float same_normal_cosine = 0.99996F; // half a degree
-constexpr float flat_cosine = 0.9852F;         // of 9.87 degrees, which is less than least_fold_deg
+constexpr float flat_cosine = 0.9852F;         // cosine of 9.87 degrees, which is less than least_fold_deg
 
 uint32_t next(uint32_t corner)
 {

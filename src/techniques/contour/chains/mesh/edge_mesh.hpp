@@ -34,7 +34,9 @@ struct TriangleSoup {
     /// however it is rotated, scaled or mirrored.
     std::span<const glm::vec3> mesh_positions;
     std::span<const glm::vec3> mesh_normals;
-    std::span<const uint32_t> bodies;    ///< one per triangle: its body; no_side if it has no lines
+    /// One per triangle: its body, because only triangles of one body share edges; no_side if it has no
+    /// lines.
+    std::span<const uint32_t> bodies;
     std::span<const uint32_t> materials; ///< one per triangle
     std::span<const uint8_t> edge_marks; ///< one per triangle, see pose::MeshData; or empty
 };

@@ -199,7 +199,7 @@ FeatureChains string_features(const EdgeMesh& mesh, std::span<const glm::vec3> p
 namespace {
 
 constexpr uint32_t nowhere = ~0U;
-constexpr float least_share = 2.0F / 3.0F; // of the sharpness needed at a line's sharpest point
+constexpr float least_share = 2.0F / 3.0F; // share of the sharpness needed at a line's sharpest point
 constexpr float shortest_share = 1.0F / 30.0F;
 constexpr float least_lead =
     1.1F; // least ratio of the greatest curvature to the other; nearly spherical surfaces have no lines

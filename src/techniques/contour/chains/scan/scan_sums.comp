@@ -23,7 +23,7 @@ layout(scalar, binding = 1) readonly buffer Values
 
 layout(scalar, binding = 2) writeonly buffer Sums
 {
-    uint sums[]; // of each part; then the length of the list
+    uint sums[]; // sum of each part; the last entry is the length of the list
 };
 
 layout(push_constant, scalar) uniform Constants

@@ -213,7 +213,7 @@ float full_width(uint index, Stroke stroke, out uint ink)
 
 const float new_half_width_px = 0.15;
 const float least_change_px = 0.25;
-const float change_share = 0.08; // of the full width
+const float change_share = 0.08; // share of the full width
 const float most_past = 0.12;    // share of its length that a stroke runs past its ends
 
 // Position of a stroke on its brush, which follows the surface from frame to frame.

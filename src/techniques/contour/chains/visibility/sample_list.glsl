@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_SAMPLE_LIST
 #define ESTAMPE_SAMPLE_LIST
 
-// Samples of a chain by their index in it. Requires before inclusion: `samples`, and the slots of slots.glsl.
+// Samples of a chain by their index in it.
 
 struct ChainOfSamples {
     uint first;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Meshes drawn out along the way that they go while the shutter is open, so that what they pass has a
-// velocity too.
+// Motion blur within the outline of what moves: each pixel along its own way; or meshes stretched along their
+// way, so that what they pass has a velocity too.
 
 #include <span>
 
@@ -11,6 +11,14 @@
 #include "techniques/motion_blur/motion_blur.hpp"
 
 namespace estampe::motion_blur {
+
+/// Blurs each pixel along its own way, from velocity to velocity: nothing is spread over what it passes.
+///
+/// Reads   `page`: the layers and half their way, packed
+/// Writes  new layers
+/// Cost    one full-screen dispatch, 17 texels a pixel
+[[nodiscard]] MotionBlurLayers add_own_blur(gpu::Graph& graph, const MotionBlurInputs& in, gpu::ImageId page,
+                                            const shared::MotionBlurConstants& constants);
 
 /// Vertices at one place of one draw, which go together whatever their normals are: for each vertex where its
 /// list begins and how long it is, then the lists.
