@@ -13,7 +13,7 @@ namespace estampe::app {
 namespace {
 
 /// What the manual page says, as `man -l -` would show it.
-std::string plain(const std::string& roff)
+std::string plain_text(const std::string& roff)
 {
     std::string text;
     for (size_t i = 0; i < roff.size(); ++i) {
@@ -49,12 +49,12 @@ std::vector<Entry> entries()
             if (!is_command) {
                 std::getline(page, heading);
             }
-            found.push_back({plain(heading), {}});
+            found.push_back({plain_text(heading), {}});
             is_text = true;
         } else if (line.starts_with('.')) {
             is_text = false;
         } else if (is_text) {
-            found.back().help += plain(line) + "\n";
+            found.back().help += plain_text(line) + "\n";
         }
     }
     return found;

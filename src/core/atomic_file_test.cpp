@@ -18,13 +18,13 @@
 namespace estampe {
 namespace {
 
-std::string text_of(const std::filesystem::path& path)
+std::string text_in(const std::filesystem::path& path)
 {
     std::ifstream file(path);
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-std::span<const std::byte> bytes_of(const std::string& text)
+std::span<const std::byte> bytes_in(const std::string& text)
 {
     return std::as_bytes(std::span(text));
 }
@@ -38,10 +38,10 @@ TEST(AtomicFile, what_is_not_published_goes)
 {
     const test::Folder folder;
     {
-        const AtomicFile file = AtomicFile::file(folder / "a.txt", bytes_of("half"));
+        const AtomicFile file = AtomicFile::file(folder / "a.txt", bytes_in("half"));
         const AtomicFile other = AtomicFile::folder(folder / "b");
         std::ofstream(other.path() / "within") << "half";
-        EXPECT_EQ(text_of(file.path()), "half");
+        EXPECT_EQ(text_in(file.path()), "half");
         EXPECT_EQ(count_in(folder), 2U);
     }
     EXPECT_EQ(count_in(folder), 0U);
@@ -51,10 +51,10 @@ TEST(AtomicFile, published_it_takes_the_place_of_the_old)
 {
     const test::Folder folder;
     std::ofstream(folder / "a.txt") << "old";
-    AtomicFile file = AtomicFile::file(folder / "a.txt", bytes_of("new"));
-    EXPECT_EQ(text_of(folder / "a.txt"), "old");
+    AtomicFile file = AtomicFile::file(folder / "a.txt", bytes_in("new"));
+    EXPECT_EQ(text_in(folder / "a.txt"), "old");
     file.publish();
-    EXPECT_EQ(text_of(folder / "a.txt"), "new");
+    EXPECT_EQ(text_in(folder / "a.txt"), "new");
     EXPECT_EQ(count_in(folder), 1U);
 }
 
@@ -62,8 +62,8 @@ TEST(AtomicFile, a_name_may_be_as_long_as_the_disk_allows)
 {
     const test::Folder folder;
     const std::string name(255, 'a');
-    write_file_atomically(folder / name, bytes_of("all"));
-    EXPECT_EQ(text_of(folder / name), "all");
+    write_file_atomically(folder / name, bytes_in("all"));
+    EXPECT_EQ(text_in(folder / name), "all");
 }
 
 TEST(AtomicFile, nowhere_to_write)
@@ -95,7 +95,7 @@ TEST(AtomicFile, a_full_disk_leaves_nothing)
         setrlimit(RLIMIT_FSIZE, &limit);
         std::signal(SIGXFSZ, SIG_IGN);
         try {
-            write_file_atomically(folder / "a.txt", bytes_of(std::string(100000, 'a')));
+            write_file_atomically(folder / "a.txt", bytes_in(std::string(100000, 'a')));
         } catch (const Error& error) {
             return error.where() == folder / "a.txt" ? 7 : 1;
         }
@@ -109,9 +109,9 @@ TEST(AtomicFile, a_program_that_ends_takes_all_with_it)
 {
     const test::Folder folder;
     const int status = run_apart([&] {
-        const AtomicFile file = AtomicFile::file(folder / "a.txt", bytes_of("half"));
+        const AtomicFile file = AtomicFile::file(folder / "a.txt", bytes_in("half"));
         const AtomicFile other = AtomicFile::folder(folder / "b");
-        AtomicFile kept = AtomicFile::file(folder / "c.txt", bytes_of("whole"));
+        AtomicFile kept = AtomicFile::file(folder / "c.txt", bytes_in("whole"));
         kept.publish();
         std::ofstream(other.path() / "within") << "half";
         remove_all_pending();
@@ -120,7 +120,7 @@ TEST(AtomicFile, a_program_that_ends_takes_all_with_it)
     });
     EXPECT_EQ(status, 7);
     EXPECT_EQ(count_in(folder), 1U);
-    EXPECT_EQ(text_of(folder / "c.txt"), "whole");
+    EXPECT_EQ(text_in(folder / "c.txt"), "whole");
 }
 
 } // namespace

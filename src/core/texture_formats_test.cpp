@@ -51,7 +51,7 @@ Image decode(const std::string& file)
     return decode_image(std::as_bytes(std::span(file)), "picture");
 }
 
-Pixel at(const Image& image, uint32_t x, uint32_t y)
+Pixel pixel_at(const Image& image, uint32_t x, uint32_t y)
 {
     const uint8_t* const first = image.rgba.data() + 4 * (size_t{y} * image.width + x);
     return {first[0], first[1], first[2], first[3]};
@@ -62,10 +62,10 @@ void expect_four(const Image& image)
 {
     ASSERT_EQ(image.width, 2U);
     ASSERT_EQ(image.height, 2U);
-    EXPECT_EQ(at(image, 0, 0), red);
-    EXPECT_EQ(at(image, 1, 0), green);
-    EXPECT_EQ(at(image, 0, 1), blue);
-    EXPECT_EQ(at(image, 1, 1), white);
+    EXPECT_EQ(pixel_at(image, 0, 0), red);
+    EXPECT_EQ(pixel_at(image, 1, 0), green);
+    EXPECT_EQ(pixel_at(image, 0, 1), blue);
+    EXPECT_EQ(pixel_at(image, 1, 1), white);
 }
 
 /// Expects an Error with the file's name for every truncation of the file.
@@ -115,10 +115,10 @@ TEST(TextureFormats, TgaDepths)
         // The fourth byte is not alpha.
         decode(tga(2, 32, r3 + x + g3 + x + b3 + x + w3 + x, from_the_top)));
     const Image clear = decode(tga(2, 32, r3 + x + g3 + bytes({128}) + b3 + x + w3 + x, from_the_top | 8));
-    EXPECT_EQ(at(clear, 0, 0), (Pixel{255, 0, 0, 0}));
-    EXPECT_EQ(at(clear, 1, 0), (Pixel{0, 255, 0, 128}));
+    EXPECT_EQ(pixel_at(clear, 0, 0), (Pixel{255, 0, 0, 0}));
+    EXPECT_EQ(pixel_at(clear, 1, 0), (Pixel{0, 255, 0, 128}));
     const Image grey = decode(tga(3, 8, bytes({10, 20, 30, 40}), from_the_top));
-    EXPECT_EQ(at(grey, 1, 1), (Pixel{40, 40, 40, 255}));
+    EXPECT_EQ(pixel_at(grey, 1, 1), (Pixel{40, 40, 40, 255}));
 }
 
 TEST(TextureFormats, TgaWithRunsAndColorMaps)
@@ -129,7 +129,7 @@ TEST(TextureFormats, TgaWithRunsAndColorMaps)
     expect_four(decode(tga(10, 24, runs, from_the_top)));
     expect_four(decode(tga(9, 8, bytes({0x03, 0, 1, 2, 3}), from_the_top, map, 4, 24)));
     const Image same = decode(tga(11, 8, bytes({0x83, 77}), 0));
-    EXPECT_EQ(at(same, 1, 0), (Pixel{77, 77, 77, 255}));
+    EXPECT_EQ(pixel_at(same, 1, 0), (Pixel{77, 77, 77, 255}));
     expect_refused_when_cut(tga(10, 24, runs, from_the_top));
     expect_refused_when_cut(tga(9, 8, bytes({0x03, 0, 1, 2, 3}), from_the_top, map, 4, 24));
     expect_refused_when_cut(tga(2, 24, r3 + g3 + b3 + w3, from_the_top));
@@ -297,12 +297,12 @@ TEST(TextureFormats, TiffAlphaStaysStraight)
     };
     const std::string rows = bytes({200, 100, 50, 0, 200, 100, 50, 128, 1, 2, 3, 255, 9, 9, 9, 255});
     const Image straight = with_alpha(EXTRASAMPLE_UNASSALPHA, rows);
-    EXPECT_EQ(at(straight, 0, 0), (Pixel{200, 100, 50, 0}));
-    EXPECT_EQ(at(straight, 1, 0), (Pixel{200, 100, 50, 128}));
+    EXPECT_EQ(pixel_at(straight, 0, 0), (Pixel{200, 100, 50, 0}));
+    EXPECT_EQ(pixel_at(straight, 1, 0), (Pixel{200, 100, 50, 128}));
     const Image multiplied =
         with_alpha(EXTRASAMPLE_ASSOCALPHA, bytes({0, 0, 0, 0, 100, 50, 25, 128, 1, 2, 3, 255, 9, 9, 9, 255}));
-    EXPECT_EQ(at(multiplied, 1, 0), (Pixel{199, 100, 50, 128}));
-    EXPECT_EQ(at(multiplied, 0, 1), (Pixel{1, 2, 3, 255}));
+    EXPECT_EQ(pixel_at(multiplied, 1, 0), (Pixel{199, 100, 50, 128}));
+    EXPECT_EQ(pixel_at(multiplied, 0, 1), (Pixel{1, 2, 3, 255}));
 }
 
 /// Encodes rows of floating-point numbers as a TIFF.
@@ -340,10 +340,10 @@ TEST(TextureFormats, FloatTiffIsLinearAndClamped)
     const float not_a_number = std::numeric_limits<float>::quiet_NaN();
     const Image grey = decode(
         float_tiff<float>({0.2158605F, 7.0F, -1.0F, not_a_number}, PHOTOMETRIC_MINISBLACK, COMPRESSION_NONE));
-    EXPECT_EQ(at(grey, 0, 0), (Pixel{128, 128, 128, 255})) << "the linear value of 128";
-    EXPECT_EQ(at(grey, 1, 0), (Pixel{255, 255, 255, 255}));
-    EXPECT_EQ(at(grey, 0, 1), (Pixel{0, 0, 0, 255}));
-    EXPECT_EQ(at(grey, 1, 1), (Pixel{0, 0, 0, 255}));
+    EXPECT_EQ(pixel_at(grey, 0, 0), (Pixel{128, 128, 128, 255})) << "the linear value of 128";
+    EXPECT_EQ(pixel_at(grey, 1, 0), (Pixel{255, 255, 255, 255}));
+    EXPECT_EQ(pixel_at(grey, 0, 1), (Pixel{0, 0, 0, 255}));
+    EXPECT_EQ(pixel_at(grey, 1, 1), (Pixel{0, 0, 0, 255}));
     expect_refused_when_cut(float_tiff(singles, PHOTOMETRIC_RGB, COMPRESSION_NONE));
 }
 
@@ -352,12 +352,12 @@ TEST(TextureFormats, FloatTiffHasStraightAlpha)
     const std::vector<float> pixels{1, 1, 1, 0.5F, 0, 0, 0, 0, 0.2158605F, 0, 1, 1, 0.1079302F, 0, 0, 0.5F};
     const Image straight =
         decode(float_tiff(pixels, PHOTOMETRIC_RGB, COMPRESSION_NONE, "wl", EXTRASAMPLE_UNASSALPHA));
-    EXPECT_EQ(at(straight, 0, 0), (Pixel{255, 255, 255, 128}));
-    EXPECT_EQ(at(straight, 1, 0), (Pixel{0, 0, 0, 0}));
-    EXPECT_EQ(at(straight, 0, 1), (Pixel{128, 0, 255, 255}));
+    EXPECT_EQ(pixel_at(straight, 0, 0), (Pixel{255, 255, 255, 128}));
+    EXPECT_EQ(pixel_at(straight, 1, 0), (Pixel{0, 0, 0, 0}));
+    EXPECT_EQ(pixel_at(straight, 0, 1), (Pixel{128, 0, 255, 255}));
     const Image multiplied =
         decode(float_tiff(pixels, PHOTOMETRIC_RGB, COMPRESSION_NONE, "wl", EXTRASAMPLE_ASSOCALPHA));
-    EXPECT_EQ(at(multiplied, 1, 1), (Pixel{128, 0, 0, 128})) << "divided by its alpha";
+    EXPECT_EQ(pixel_at(multiplied, 1, 1), (Pixel{128, 0, 0, 128})) << "divided by its alpha";
 }
 
 TEST(TextureFormats, CutAndAbsurdTiffIsRefused)
@@ -422,11 +422,11 @@ void expect_about(const Pixel& found, const Pixel& wanted, int tolerance = 4)
 TEST(TextureFormats, JpegOfInks)
 {
     for (const bool as_ycck : {false, true}) {
-        expect_about(at(decode(ink_jpeg({0, 0, 0, 0}, true, as_ycck)), 3, 3), white);
-        expect_about(at(decode(ink_jpeg({0, 255, 255, 0}, true, as_ycck)), 3, 3), red);
-        expect_about(at(decode(ink_jpeg({51, 0, 0, 128}, true, as_ycck)), 3, 3), {102, 127, 127, 255});
+        expect_about(pixel_at(decode(ink_jpeg({0, 0, 0, 0}, true, as_ycck)), 3, 3), white);
+        expect_about(pixel_at(decode(ink_jpeg({0, 255, 255, 0}, true, as_ycck)), 3, 3), red);
+        expect_about(pixel_at(decode(ink_jpeg({51, 0, 0, 128}, true, as_ycck)), 3, 3), {102, 127, 127, 255});
     }
-    expect_about(at(decode(ink_jpeg({0, 255, 255, 0}, false, false)), 3, 3), red);
+    expect_about(pixel_at(decode(ink_jpeg({0, 255, 255, 0}, false, false)), 3, 3), red);
 }
 
 /// A CMYK profile that maps cyan to dark grey and everything else to light grey.
@@ -460,13 +460,13 @@ std::vector<uint8_t> profile_of_inks()
 TEST(TextureFormats, InksAreWhatTheProfileSays)
 {
     const std::vector<uint8_t> profile = profile_of_inks();
-    const Pixel dark = at(decode(ink_jpeg({255, 0, 0, 0}, true, false, profile)), 3, 3);
-    const Pixel light = at(decode(ink_jpeg({0, 255, 255, 0}, true, false, profile)), 3, 3);
+    const Pixel dark = pixel_at(decode(ink_jpeg({255, 0, 0, 0}, true, false, profile)), 3, 3);
+    const Pixel light = pixel_at(decode(ink_jpeg({0, 255, 255, 0}, true, false, profile)), 3, 3);
     EXPECT_NEAR(dark[0], dark[2], 4) << "grey, where the product would be cyan";
     EXPECT_NEAR(light[0], light[2], 4);
     EXPECT_LT(dark[0] + 100, light[0]);
     const std::vector<uint8_t> damaged(400, 7);
-    expect_about(at(decode(ink_jpeg({0, 255, 255, 0}, true, false, damaged)), 3, 3), red);
+    expect_about(pixel_at(decode(ink_jpeg({0, 255, 255, 0}, true, false, damaged)), 3, 3), red);
 }
 
 TEST(TextureFormats, NoiseIsNoPicture)

@@ -17,13 +17,13 @@
 namespace estampe {
 namespace {
 
-constexpr RenderSettings small{.width = 128, .height = 96};
+constexpr RenderSettings lens_page{.width = 128, .height = 96};
 constexpr double focus_m = 4.8;
 // So narrow a view that cameras which turn are as good as a lens that shifts the picture.
-const Camera camera{.eye = {0.0, 0.6, 4.8}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.3};
+const Camera lens_camera{.eye = {0.0, 0.6, 4.8}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.3};
 
 /// Colours without paper, and a lens of 150 mm at f/1.
-Style colors(std::initializer_list<const char*> more)
+Style lens_colors(std::initializer_list<const char*> more)
 {
     Style style;
     for (const char* assignment :
@@ -59,28 +59,28 @@ Camera through(int i, int count, double radius_m)
 {
     const double away = radius_m * std::sqrt((i + 0.5) / count);
     const double turn = i * glm::pi<double>() * (3.0 - std::sqrt(5.0));
-    const glm::dvec3 ahead = glm::normalize(camera.target - camera.eye);
-    const glm::dvec3 right = glm::normalize(glm::cross(ahead, camera.up));
+    const glm::dvec3 ahead = glm::normalize(lens_camera.target - lens_camera.eye);
+    const glm::dvec3 right = glm::normalize(glm::cross(ahead, lens_camera.up));
     const glm::dvec3 above = glm::cross(right, ahead);
-    Camera moved = camera;
+    Camera moved = lens_camera;
     moved.eye += away * (std::cos(turn) * right + std::sin(turn) * above);
-    moved.target = camera.eye + focus_m * ahead;
-    return test::shifted_in_pixel(moved, i * 7 % count, small.height);
+    moved.target = lens_camera.eye + focus_m * ahead;
+    return test::shifted_in_pixel(moved, i * 7 % count, lens_page.height);
 }
 
 test::Exposure through_the_lens(int count)
 {
-    const Style sharp = colors({"lens.mode=none"});
+    const Style sharp = lens_colors({"lens.mode=none"});
     return test::mean_of(count, [&](int i) {
-        return test::shared_renderer().render(through(i, count, 0.5 * 0.15), sharp, small);
+        return test::shared_renderer().render(through(i, count, 0.5 * 0.15), sharp, lens_page);
     });
 }
 
 test::Exposure drawn_in(const char* mode)
 {
-    RenderSettings smooth = small;
+    RenderSettings smooth = lens_page;
     smooth.samples = 8;
-    return test::exposure_of(test::shared_renderer().render(camera, colors({mode}), smooth));
+    return test::exposure_of(test::shared_renderer().render(lens_camera, lens_colors({mode}), smooth));
 }
 
 TEST(DepthOfField, IsThatOfManyPicturesThroughTheLens)
@@ -110,7 +110,8 @@ TEST(DepthOfField, GuessesWhatIsHidden)
         test::shared_renderer().set_scene(posts(0.16, width_m));
         const test::Exposure truth = through_the_lens(64);
         const test::Exposure seen = drawn_in("lens.mode=gather");
-        const double hidden_px = static_cast<double>(width_m) * small.height / (2.0 * 2.4 * std::tan(0.15));
+        const double hidden_px =
+            static_cast<double>(width_m) * lens_page.height / (2.0 * 2.4 * std::tan(0.15));
         const int halo_px = test::widest_error_px(seen, truth, 0.1);
         std::printf("with edges that are hidden behind %.1f px: %.1f dB, halo %d px\n", hidden_px,
                     test::psnr_db(seen, truth), halo_px);
@@ -124,13 +125,13 @@ TEST(DepthOfField, CostsNothingWhereThereIsNone)
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(posts());
     const auto has_pass = [&] { return renderer.graph_dot().find("lens") != std::string::npos; };
-    const Image plain = renderer.render(camera, {}, small);
+    const Image plain = renderer.render(lens_camera, {}, lens_page);
     EXPECT_FALSE(has_pass());
     Style sharp; // all of it in focus, through a hole
     sharp.set("lens.mode=gather");
     sharp.set("lens.f_number=128");
     sharp.set("lens.focal_mm=1");
-    EXPECT_EQ(renderer.render(camera, sharp, small).rgba, plain.rgba);
+    EXPECT_EQ(renderer.render(lens_camera, sharp, lens_page).rgba, plain.rgba);
     EXPECT_TRUE(has_pass());
 }
 
@@ -141,12 +142,12 @@ TEST(DepthOfField, FocusesOnWhatIsNamed)
     scene.nodes[1].name = "Post";
     renderer.set_scene(scene);
     const auto draw = [&](std::initializer_list<const char*> more) {
-        Style style = colors(more);
+        Style style = lens_colors(more);
         style.set("lens.mode=gather");
-        return renderer.render(camera, style, small).rgba;
+        return renderer.render(lens_camera, style, lens_page).rgba;
     };
-    const double post_m =
-        glm::dot(glm::dvec3(0.2, 0.4, 2.4) - camera.eye, glm::normalize(camera.target - camera.eye));
+    const double post_m = glm::dot(glm::dvec3(0.2, 0.4, 2.4) - lens_camera.eye,
+                                   glm::normalize(lens_camera.target - lens_camera.eye));
     const std::string by_hand = "lens.focus_m=" + std::to_string(post_m);
     EXPECT_EQ(draw({"lens.focus_on=Post"}), draw({by_hand.c_str()}));
     EXPECT_NE(draw({"lens.focus_on=Post"}), draw({}));
@@ -162,14 +163,15 @@ TEST(DepthOfField, SaysWhereThereIsNoLens)
     renderer.set_scene(posts());
     Style style;
     style.set("lens.mode=gather");
-    Camera parallel = camera;
+    Camera parallel = lens_camera;
     parallel.orthographic_half_height_m = 1.0;
-    EXPECT_EQ(renderer.render(parallel, style, small).rgba, renderer.render(parallel, {}, small).rgba);
-    std::ignore = renderer.render(parallel, style, small);
+    EXPECT_EQ(renderer.render(parallel, style, lens_page).rgba,
+              renderer.render(parallel, {}, lens_page).rgba);
+    std::ignore = renderer.render(parallel, style, lens_page);
     EXPECT_EQ(renderer.notes().size(), 1U);
-    const VectorDrawing paths = renderer.draw_strokes(camera, style, small);
+    const VectorDrawing paths = renderer.draw_strokes(lens_camera, style, lens_page);
     EXPECT_EQ(renderer.notes().size(), 2U) << "of wash, and of the lens";
-    EXPECT_EQ(paths.strokes.size(), renderer.draw_strokes(camera, {}, small).strokes.size());
+    EXPECT_EQ(paths.strokes.size(), renderer.draw_strokes(lens_camera, {}, lens_page).strokes.size());
 }
 
 TEST(DepthOfField, LeavesNoSeamsBetweenTiles)
@@ -184,9 +186,9 @@ TEST(DepthOfField, LeavesNoSeamsBetweenTiles)
         style.set(assignment);
     }
     RenderSettings tiled{.width = 480, .height = 180};
-    const Image whole = renderer.render(camera, style, tiled);
+    const Image whole = renderer.render(lens_camera, style, tiled);
     tiled.tile_px = 300;
-    const Image parts = renderer.render(camera, style, tiled);
+    const Image parts = renderer.render(lens_camera, style, tiled);
     int most = 0;
     for (size_t i = 0; i < whole.rgba.size(); ++i) {
         most = std::max(most, std::abs(int{whole.rgba[i]} - int{parts.rgba[i]}));
@@ -200,7 +202,7 @@ double ink_between(const LayeredImage& picture, const char* name, uint32_t left,
     double sum = 0.0;
     for (const PictureLayer& layer : picture.layers) {
         for (size_t i = 0; layer.name == name && i < layer.image.pixels.size(); ++i) {
-            const size_t x = i % small.width;
+            const size_t x = i % lens_page.width;
             sum += x >= left && x < right ? static_cast<double>(layer.image.pixels[i].w) : 0.0;
         }
     }
@@ -220,7 +222,7 @@ TEST(DepthOfField, DrawsFewerAndPalerStrokesWhereItIsToldTo)
         for (const char* assignment : more) {
             style.set(assignment);
         }
-        return renderer.render_layers(camera, style, small);
+        return renderer.render_layers(lens_camera, style, lens_page);
     };
     const LayeredImage sharp = draw({});
     const LayeredImage pale = draw({"lens.mode=gather", "lens.acts_on=strokes"});

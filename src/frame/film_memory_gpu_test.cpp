@@ -20,7 +20,7 @@ namespace {
 
 constexpr uint32_t frame_count = 8;
 
-Scene still_life()
+Scene smoking_still_life()
 {
     Scene scene = test::scene_of(shapes::plane(6.0F, 6.0F));
     test::add_object(scene, shapes::box({1.0F, 1.5F, 1.0F}), {0.8F, 0.3F, 0.2F}, {-0.6, 0.0, 0.0});
@@ -62,7 +62,7 @@ TEST(FilmMemory, AnotherRunGoesOnToTheByte)
 {
     Renderer& renderer = test::shared_renderer();
     const Style style = inked();
-    const Scene scene = still_life();
+    const Scene scene = smoking_still_life();
     renderer.set_scene(scene);
     std::vector<Image> film;
     std::vector<std::byte> memory;
@@ -86,7 +86,7 @@ TEST(FilmMemory, AnotherRunGoesOnToTheByte)
 }
 
 /// Coarse smoke without lines, and what else is asked for.
-Style smoking(const std::vector<std::string>& more)
+Style coarse_smoke(const std::vector<std::string>& more)
 {
     Style style;
     for (const char* assignment :
@@ -102,10 +102,10 @@ Style smoking(const std::vector<std::string>& more)
 TEST(FilmMemory, KeepsHowFarSmokeIsBehindThatWasBegunWithinTheFilm)
 {
     Renderer& renderer = test::shared_renderer();
-    const Scene scene = still_life();
+    const Scene scene = smoking_still_life();
     renderer.set_scene(scene);
-    const Style style = smoking({"smoke.age_s=2"});
-    static_cast<void>(frame(renderer, smoking({"smoke.drawn=false"}), 0));
+    const Style style = coarse_smoke({"smoke.age_s=2"});
+    static_cast<void>(frame(renderer, coarse_smoke({"smoke.drawn=false"}), 0));
     static_cast<void>(frame(renderer, style, 1));
     const std::vector<std::byte> memory = renderer.film_memory();
     const Image second = frame(renderer, style, 2);
@@ -119,8 +119,8 @@ TEST(FilmMemory, KeepsHowFarSmokeIsBehindThatWasBegunWithinTheFilm)
 TEST(FilmMemory, GoesOnWithoutLinesToo)
 {
     Renderer& renderer = test::shared_renderer();
-    const Style style = smoking({"light.metering=page", "light.adapt_stops_per_s=0.5"});
-    const Scene scene = still_life();
+    const Style style = coarse_smoke({"light.metering=page", "light.adapt_stops_per_s=0.5"});
+    const Scene scene = smoking_still_life();
     renderer.set_scene(scene);
     static_cast<void>(frame(renderer, style, 0));
     static_cast<void>(frame(renderer, style, 1));
@@ -143,8 +143,8 @@ TEST(FilmMemory, GoesOnWithoutLinesToo)
 TEST(FilmMemory, KeepsFuelAndWaterOfSmoke)
 {
     Renderer& renderer = test::shared_renderer();
-    Style style = smoking({"smoke.fuel_per_s=8", "smoke.humidity=2", "smoke.cloud_base=0.2"});
-    const Scene scene = still_life();
+    Style style = coarse_smoke({"smoke.fuel_per_s=8", "smoke.humidity=2", "smoke.cloud_base=0.2"});
+    const Scene scene = smoking_still_life();
     renderer.set_scene(scene);
     static_cast<void>(frame(renderer, style, 0));
     static_cast<void>(frame(renderer, style, 1));
@@ -169,7 +169,7 @@ TEST(FilmMemory, KeepsFuelAndWaterOfSmoke)
 TEST(FilmMemory, RefusesWhatIsNone)
 {
     Renderer& renderer = test::shared_renderer();
-    renderer.set_scene(still_life());
+    renderer.set_scene(smoking_still_life());
     EXPECT_TRUE(renderer.film_memory().empty());
     static_cast<void>(frame(renderer, inked(), 0));
     std::vector<std::byte> memory = renderer.film_memory();
@@ -194,7 +194,7 @@ size_t version_of(const std::vector<std::byte>& memory, std::string_view name)
 TEST(FilmMemory, NamesTheFeatureWhoseVersionItDoesNotRead)
 {
     Renderer& renderer = test::shared_renderer();
-    const Scene scene = still_life();
+    const Scene scene = smoking_still_life();
     renderer.set_scene(scene);
     static_cast<void>(frame(renderer, inked(), 0));
     const std::vector<std::byte> memory = renderer.film_memory();

@@ -10,8 +10,8 @@
 namespace estampe {
 namespace {
 
-constexpr RenderSettings settings{.width = 240, .height = 120};
-const Camera camera{.eye = {0.0, 0.0, 8.0}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.5};
+constexpr RenderSettings glass_page{.width = 240, .height = 120};
+const Camera glass_camera{.eye = {0.0, 0.0, 8.0}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.5};
 
 /// What one pane is made of.
 struct Pane {
@@ -54,22 +54,22 @@ Style lines_alone()
 }
 
 /// Dark pixels where the left and the right ball are, away from the edges of the panes.
-struct Ink {
+struct GlassInk {
     int left = 0;
     int right = 0;
 };
 
-Ink ink_of(const Scene& scene, const char* raster)
+GlassInk glass_ink(const Scene& scene, const char* raster)
 {
     RendererOptions options = test::validated();
     options.raster = std::string(raster) == "compute" ? RasterPath::compute : RasterPath::hardware;
     Renderer renderer(options);
     renderer.set_scene(scene);
-    const Image image = renderer.render(camera, lines_alone(), settings);
-    Ink ink;
+    const Image image = renderer.render(glass_camera, lines_alone(), glass_page);
+    GlassInk ink;
     for (uint32_t y = 30; y < 90; ++y) {
-        for (uint32_t x = 0; x < settings.width; ++x) {
-            const bool is_dark = image.rgba[4 * (size_t{y} * settings.width + x)] < 200;
+        for (uint32_t x = 0; x < glass_page.width; ++x) {
+            const bool is_dark = image.rgba[4 * (size_t{y} * glass_page.width + x)] < 200;
             ink.left += is_dark && x > 45 && x < 100 ? 1 : 0;
             ink.right += is_dark && x > 140 && x < 195 ? 1 : 0;
         }
@@ -83,15 +83,15 @@ TEST(GlassLines, WhatStandsBehindClearGlassHasItsLines)
     const Pane clear{.share = 1.0F};
     const Pane nearly_solid{.share = 0.3F};
     for (const char* const raster : {"hardware", "compute"}) {
-        const Ink soft = ink_of(balls_behind(blended, blended), raster);
+        const GlassInk soft = glass_ink(balls_behind(blended, blended), raster);
         ASSERT_GT(soft.left, 60) << raster;
         const double bound = 0.15 * soft.left; // each stroke strays by its own number
-        const Ink glass = ink_of(balls_behind(clear, clear), raster);
+        const GlassInk glass = glass_ink(balls_behind(clear, clear), raster);
         EXPECT_NEAR(glass.left, soft.left, bound) << raster;
         EXPECT_NEAR(glass.right, soft.right, bound) << raster;
-        const Ink solid = ink_of(balls_behind({}, {}), raster);
+        const GlassInk solid = glass_ink(balls_behind({}, {}), raster);
         EXPECT_EQ(solid.left + solid.right, 0) << raster;
-        const Ink mixed = ink_of(balls_behind(clear, nearly_solid), raster);
+        const GlassInk mixed = glass_ink(balls_behind(clear, nearly_solid), raster);
         EXPECT_NEAR(mixed.left, soft.left, bound) << raster;
         EXPECT_EQ(mixed.right, 0) << raster << ": little is seen of what lies behind";
     }
@@ -103,7 +103,7 @@ TEST(GlassLines, StrokesAsPathsGoOnBehindGlass)
         Renderer& renderer = test::shared_renderer();
         renderer.set_scene(balls_behind(pane, pane));
         const VectorDrawing drawing =
-            renderer.draw_strokes(camera, lines_alone(), settings, HiddenLines::left_out);
+            renderer.draw_strokes(glass_camera, lines_alone(), glass_page, HiddenLines::left_out);
         double length = 0.0;
         for (const VectorStroke& stroke : drawing.strokes) {
             for (size_t i = 1; i < stroke.points.size(); ++i) {

@@ -11,7 +11,7 @@
 namespace estampe {
 namespace {
 
-Image draw(const Scene& scene)
+Image draw_nodes(const Scene& scene)
 {
     constexpr RenderSettings small{.width = 192, .height = 144};
     const Camera camera{.eye = {4.0, 4.0, 7.0}, .target = {0.5, 0.5, 0.0}};
@@ -45,23 +45,24 @@ Scene with_tower(bool visible)
 
 TEST(HiddenNodes, AreDrawnAsIfTheyWereNotThere)
 {
-    const Image without = draw(stage());
-    EXPECT_EQ(draw(with_tower(false)), without) << "neither the tower, its shadow nor the light is left";
-    EXPECT_NE(draw(with_tower(true)), without);
+    const Image without = draw_nodes(stage());
+    EXPECT_EQ(draw_nodes(with_tower(false)), without)
+        << "neither the tower, its shadow nor the light is left";
+    EXPECT_NE(draw_nodes(with_tower(true)), without);
 }
 
 TEST(MaterialVariants, AreDrawnOfTheirMaterials)
 {
     Scene scene = stage();
-    const Image by_default = draw(scene);
+    const Image by_default = draw_nodes(scene);
     scene.materials.push_back({.name = "night", .base_color = {0.05F, 0.05F, 0.3F, 1.0F}, .metallic = 0.0F});
     scene.variants = {"night"};
     scene.meshes[1].primitives[0].variant_materials = {static_cast<Index>(scene.materials.size() - 1)};
-    EXPECT_EQ(draw(scene), by_default);
+    EXPECT_EQ(draw_nodes(scene), by_default);
     apply_variant(scene, "night");
-    EXPECT_NE(draw(scene), by_default);
+    EXPECT_NE(draw_nodes(scene), by_default);
     apply_variant(scene, "");
-    EXPECT_EQ(draw(scene), by_default);
+    EXPECT_EQ(draw_nodes(scene), by_default);
 }
 
 } // namespace

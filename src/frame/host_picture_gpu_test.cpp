@@ -7,15 +7,13 @@
 #include <estampe/shapes.hpp>
 #include <estampe/vulkan.hpp>
 
+#include "frame/transparent_test_support.hpp"
 #include "gpu/resources.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
 
 namespace estampe {
 namespace {
-
-constexpr RenderSettings settings{.width = 200, .height = 120};
-const Camera camera{.eye = {3.0, 2.0, 5.0}, .target = {0.0, 0.5, 0.0}};
 
 /// A host with a device of its own, an image on it, and a renderer that borrows the device.
 class HostPicture : public testing::Test {
@@ -31,27 +29,29 @@ protected:
     Image draw_into(const Style& style)
     {
         renderer_.render_to({.image = image_.handle(), .layout_after = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL},
-                            camera, style, settings);
+                            transparent_camera, style, transparent_page);
         gpu::run_once(device_, [&](VkCommandBuffer commands) {
-            const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
-                                           .imageExtent = {settings.width, settings.height, 1}};
+            const VkBufferImageCopy region{
+                .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
+                .imageExtent = {transparent_page.width, transparent_page.height, 1}};
             vkCmdCopyImageToBuffer(commands, image_.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
                                    bytes_.handle(), 1, &region);
         });
-        Image drawn{.width = settings.width, .height = settings.height};
+        Image drawn{.width = transparent_page.width, .height = transparent_page.height};
         const auto* const first = reinterpret_cast<const uint8_t*>(bytes_.mapped().data());
         drawn.rgba.assign(first, first + bytes_.size_bytes());
         return drawn;
     }
 
-    Image draw(const Style& style) { return renderer_.render(camera, style, settings); }
+    Image draw(const Style& style) { return renderer_.render(transparent_camera, style, transparent_page); }
 
 private:
     gpu::Device device_{test::validated()};
-    gpu::Image image_{device_,
-                      "host's",
-                      {.width = settings.width, .height = settings.height, .format = gpu::Format::rgba8}};
-    gpu::Buffer bytes_{device_, "read", uint64_t{4} * settings.width* settings.height,
+    gpu::Image image_{
+        device_,
+        "host's",
+        {.width = transparent_page.width, .height = transparent_page.height, .format = gpu::Format::rgba8}};
+    gpu::Buffer bytes_{device_, "read", uint64_t{4} * transparent_page.width* transparent_page.height,
                        gpu::MemoryUse::readback};
     Renderer renderer_{VulkanHost{.instance = volkGetLoadedInstance(),
                                   .physical_device = device_.physical(),
@@ -59,16 +59,6 @@ private:
                                   .queue = device_.queue(),
                                   .queue_family = device_.queue_family()}};
 };
-
-Style style_with(std::initializer_list<const char*> assignments)
-{
-    Style style;
-    style.set("paper.grain=0");
-    for (const char* const assignment : assignments) {
-        style.set(assignment);
-    }
-    return style;
-}
 
 /// The largest difference of `over`, blended by VK_BLEND_FACTOR_SRC_ALPHA over one colour, from `wanted`.
 double difference_over(const glm::dvec3& background, const Image& over, const Image& wanted)
@@ -88,12 +78,13 @@ double difference_over(const glm::dvec3& background, const Image& over, const Im
 
 TEST_F(HostPicture, StraightAlphaBlendsOverAnyBackground)
 {
-    const Image over = draw_into(style_with({"wash.strength=0", "paper.transparent=paper"}));
-    EXPECT_EQ(over, draw(style_with({"wash.strength=0", "paper.transparent=paper"})));
+    const Image over = draw_into(grainless_style({"wash.strength=0", "paper.transparent=paper"}));
+    EXPECT_EQ(over, draw(grainless_style({"wash.strength=0", "paper.transparent=paper"})));
     for (const auto& [name, color, bound] :
          {std::tuple("paper.color=#ffffff", glm::dvec3(255.0), 4.0),
           std::tuple("paper.color=#ff0000", glm::dvec3(255.0, 0.0, 0.0), 16.0)}) {
-        EXPECT_LE(difference_over(color, over, draw(style_with({"wash.strength=0", name}))), bound) << name;
+        EXPECT_LE(difference_over(color, over, draw(grainless_style({"wash.strength=0", name}))), bound)
+            << name;
     }
     size_t clear = 0;
     size_t inked = 0;
@@ -107,17 +98,18 @@ TEST_F(HostPicture, StraightAlphaBlendsOverAnyBackground)
 
 TEST_F(HostPicture, ThingsCoverTheBackground)
 {
-    const Image over = draw_into(style_with({"paper.transparent=background"}));
-    EXPECT_LE(difference_over({0xf6, 0xf0, 0xe2}, over, draw(style_with({}))), 1.0) << "its own paper";
+    const Image over = draw_into(grainless_style({"paper.transparent=background"}));
+    EXPECT_LE(difference_over({0xf6, 0xf0, 0xe2}, over, draw(grainless_style({}))), 1.0) << "its own paper";
     EXPECT_EQ(over.rgba[3], 0) << "a corner";
-    const size_t middle = 4 * (settings.height / 2 * size_t{settings.width} + settings.width / 2);
+    const size_t middle =
+        4 * (transparent_page.height / 2 * size_t{transparent_page.width} + transparent_page.width / 2);
     EXPECT_EQ(over.rgba[middle + 3], 255) << "the box";
 }
 
 TEST_F(HostPicture, IsOpaqueOtherwise)
 {
-    const Image opaque = draw_into(style_with({}));
-    EXPECT_EQ(opaque, draw(style_with({})));
+    const Image opaque = draw_into(grainless_style({}));
+    EXPECT_EQ(opaque, draw(grainless_style({})));
     for (size_t i = 3; i < opaque.rgba.size(); i += 4) {
         ASSERT_EQ(opaque.rgba[i], 255);
     }

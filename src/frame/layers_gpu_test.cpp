@@ -20,10 +20,8 @@
 namespace estampe {
 namespace {
 
-const Camera camera{.eye = {3.0, 3.0, 5.0}, .target = {0.0, 0.5, 0.0}};
-
 /// A box and a ball of one name on a floor, in the sun.
-Scene still_life()
+Scene still_life_of_things()
 {
     Scene scene = test::scene_of(shapes::plane(6.0F, 6.0F));
     scene.nodes[0].name = "floor";
@@ -37,17 +35,17 @@ Scene still_life()
     return scene;
 }
 
-struct Case {
+struct LayerCase {
     Scene scene;
     Camera camera;
     Style style;
 };
 
 /// One that is painted in colours; and one of light ink on dark paper, with coloured ink, from above.
-std::vector<Case> cases()
+std::vector<LayerCase> cases()
 {
-    std::vector<Case> cases;
-    cases.push_back({still_life(), camera, {}});
+    std::vector<LayerCase> cases;
+    cases.push_back({still_life_of_things(), test::corner_camera, {}});
     const Scene square = load_scene(test::square_scene());
     Style night;
     night.set("paper.color=#20242c");
@@ -59,7 +57,7 @@ std::vector<Case> cases()
     Style flowing;
     flowing.set("ink.drawn=true");
     flowing.set("ink.age_s=1");
-    cases.push_back({still_life(), camera, flowing});
+    cases.push_back({still_life_of_things(), test::corner_camera, flowing});
     return cases;
 }
 
@@ -80,7 +78,7 @@ double largest_difference(const LinearImage& linear, const Image& image)
 TEST(PictureLayers, LaidOnEachOtherTheyAreThePicture)
 {
     Renderer& renderer = test::shared_renderer();
-    for (const Case& drawn : cases()) {
+    for (const LayerCase& drawn : cases()) {
         renderer.set_scene(drawn.scene);
         for (const uint32_t samples : {1U, 5U}) {
             const RenderSettings settings{.width = 200, .height = 120, .samples = samples};
@@ -106,14 +104,14 @@ TEST(PictureLayers, LaidOnEachOtherTheyAreThePicture)
 TEST(PictureLayers, EachHoldsItsOwn)
 {
     Renderer& renderer = test::shared_renderer();
-    renderer.set_scene(still_life());
+    renderer.set_scene(still_life_of_things());
     const RenderSettings settings{.width = 200, .height = 120};
     Style bare;
     bare.set("hatch.drawn=false");
     bare.set("contour.drawn=false");
     bare.set("wash.strength=0");
-    const LayeredImage blank = renderer.render_layers(camera, bare, settings);
-    const LayeredImage full = renderer.render_layers(camera, {}, settings);
+    const LayeredImage blank = renderer.render_layers(test::corner_camera, bare, settings);
+    const LayeredImage full = renderer.render_layers(test::corner_camera, {}, settings);
     ASSERT_EQ(full.layers.size(), 4U);
     EXPECT_EQ(full.layers[0].image, blank.layers[0].image) << "paper is paper";
     size_t inked = 0;
@@ -135,7 +133,7 @@ TEST(PictureLayers, EachHoldsItsOwn)
 TEST(PictureLayers, HaveOneOfInkThatFlows)
 {
     Renderer& renderer = test::shared_renderer();
-    renderer.set_scene(still_life());
+    renderer.set_scene(still_life_of_things());
     const RenderSettings settings{.width = 200, .height = 120};
     Style style;
     style.set("ink.drawn=true");
@@ -145,8 +143,8 @@ TEST(PictureLayers, HaveOneOfInkThatFlows)
     style.set("ink.spacing_mm=8");
     style.set("ink.thin_color=#ff0000");
     style.set("ink.color=#ff0000");
-    const LayeredImage image = renderer.render_layers(camera, style, settings);
-    const LayeredImage without = renderer.render_layers(camera, {}, settings);
+    const LayeredImage image = renderer.render_layers(test::corner_camera, style, settings);
+    const LayeredImage without = renderer.render_layers(test::corner_camera, {}, settings);
     ASSERT_EQ(image.layers.size(), 5U);
     EXPECT_EQ(image.layers[2].name, "ink");
     EXPECT_EQ(image.layers[1].image, without.layers[1].image) << "it lies over the wash, which stays";
@@ -161,10 +159,10 @@ TEST(PictureLayers, HaveOneOfInkThatFlows)
 TEST(PictureLayers, MasksShareThePageAmongTheNodes)
 {
     Renderer& renderer = test::shared_renderer();
-    renderer.set_scene(still_life());
+    renderer.set_scene(still_life_of_things());
     for (const uint32_t samples : {1U, 8U}) {
-        const LayeredImage image =
-            renderer.render_layers(camera, {}, {.width = 200, .height = 120, .samples = samples});
+        const LayeredImage image = renderer.render_layers(test::corner_camera, {},
+                                                          {.width = 200, .height = 120, .samples = samples});
         std::vector<float> sum(200 * 120, 0.0F);
         std::set<std::string> names;
         size_t soft = 0;
@@ -191,7 +189,7 @@ TEST(PictureLayers, MasksShareThePageAmongTheNodes)
 TEST(PictureLayers, AMaskSaysWhereCloudsAre)
 {
     Renderer& renderer = test::shared_renderer();
-    renderer.set_scene(still_life());
+    renderer.set_scene(still_life_of_things());
     const Camera low{.eye = {3.0, 0.6, 5.0}, .target = {0.0, 1.8, 0.0}};
     const RenderSettings settings{.width = 120, .height = 80};
     Style cloudy;
@@ -243,23 +241,24 @@ TEST(PictureLayers, ShadowIsWhereTheSunIsKeptOff)
     };
     EXPECT_GT(mean(42, 46), 0.9F) << "to the left of the box";
     EXPECT_LT(mean(80, 100), 0.02F) << "to its right";
-    Scene overcast = still_life();
+    Scene overcast = still_life_of_things();
     overcast.lights[0].type = LightType::point;
     renderer.set_scene(overcast);
-    EXPECT_NE(renderer.render_layers(camera, {}, {.width = 60, .height = 40}).masks.front().name, "shadow");
+    EXPECT_NE(renderer.render_layers(test::corner_camera, {}, {.width = 60, .height = 40}).masks.front().name,
+              "shadow");
 }
 
 /// Beyond the margin there is nothing but paper, and the border is a line.
 TEST(PictureLayers, EndAtTheMargin)
 {
     Renderer& renderer = test::shared_renderer();
-    renderer.set_scene(still_life());
+    renderer.set_scene(still_life_of_things());
     Style style;
     style.set("paper.margin_mm=20");
     style.set("paper.border_mm=1");
     const RenderSettings settings{.width = 240, .height = 180};
-    const LayeredImage image = renderer.render_layers(camera, style, settings);
-    EXPECT_EQ(image.picture, renderer.render(camera, style, settings));
+    const LayeredImage image = renderer.render_layers(test::corner_camera, style, settings);
+    EXPECT_EQ(image.picture, renderer.render(test::corner_camera, style, settings));
     EXPECT_LE(largest_difference(flattened(image), image.picture), 1.0);
     const test::OpenRaster raster = test::read_openraster(output::encode_openraster(image));
     EXPECT_LE(test::largest_difference(test::composite(raster, true), image.picture), 1.0);
@@ -281,12 +280,12 @@ TEST(PictureLayers, EndAtTheMargin)
 TEST(LinearPicture, IsThePictureInMoreThanBytes)
 {
     Renderer& renderer = test::shared_renderer();
-    renderer.set_scene(still_life());
+    renderer.set_scene(still_life_of_things());
     for (const uint32_t samples : {1U, 4U}) {
         const RenderSettings settings{.width = 160, .height = 120, .samples = samples};
-        const LinearImage linear = renderer.render_linear(camera, {}, settings);
-        EXPECT_LE(largest_difference(linear, renderer.render(camera, {}, settings)), 0.6);
-        EXPECT_EQ(linear, renderer.render_linear(camera, {}, settings));
+        const LinearImage linear = renderer.render_linear(test::corner_camera, {}, settings);
+        EXPECT_LE(largest_difference(linear, renderer.render(test::corner_camera, {}, settings)), 0.6);
+        EXPECT_EQ(linear, renderer.render_linear(test::corner_camera, {}, settings));
         // What bytes cannot tell apart: far more values than 256, and several within one byte.
         std::map<int, std::set<float>> of_byte;
         size_t values = 0;
@@ -297,7 +296,8 @@ TEST(LinearPicture, IsThePictureInMoreThanBytes)
         }
         EXPECT_GT(values, 4000U);
     }
-    EXPECT_THROW(std::ignore = renderer.render_linear(camera, {}, {.width = 0, .height = 4}), std::exception);
+    EXPECT_THROW(std::ignore = renderer.render_linear(test::corner_camera, {}, {.width = 0, .height = 4}),
+                 std::exception);
 }
 
 } // namespace

@@ -16,12 +16,12 @@
 namespace estampe {
 namespace {
 
-constexpr RenderSettings small{.width = 128, .height = 96, .time_s = 0.5};
-constexpr RenderSettings smooth{.width = 128, .height = 96, .samples = 8, .time_s = 0.5};
-constexpr double exposure_s = 0.2;
-const Camera camera{.eye = {0.0, 0.0, 4.0}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.7};
+constexpr RenderSettings shutter_page{.width = 128, .height = 96, .time_s = 0.5};
+constexpr RenderSettings smooth_shutter_page{.width = 128, .height = 96, .samples = 8, .time_s = 0.5};
+constexpr double shutter_s = 0.2;
+const Camera shutter_camera{.eye = {0.0, 0.0, 4.0}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.7};
 
-Style colors(std::initializer_list<const char*> more)
+Style shutter_colors(std::initializer_list<const char*> more)
 {
     Style style;
     for (const char* assignment :
@@ -78,7 +78,7 @@ Scene passing()
 
 RenderSettings at(double time_s)
 {
-    RenderSettings settings = small;
+    RenderSettings settings = shutter_page;
     settings.time_s = time_s;
     return settings;
 }
@@ -88,15 +88,17 @@ TEST(MotionBlur, IsThatOfManyPicturesWhileTheShutterIsOpen)
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(passing());
     constexpr int count = 64;
-    const Style still = colors({});
+    const Style still = shutter_colors({});
     const test::Exposure truth = test::mean_of(count, [&](int i) {
-        return renderer.render(test::shifted_in_pixel(camera, i * 7 % count, small.height), still,
-                               at(small.time_s + exposure_s * ((i + 0.5) / count - 0.5)));
+        return renderer.render(test::shifted_in_pixel(shutter_camera, i * 7 % count, shutter_page.height),
+                               still, at(shutter_page.time_s + shutter_s * ((i + 0.5) / count - 0.5)));
     });
     const auto measured = [&](const char* mode) {
-        return test::exposure_of(renderer.render(camera, colors({mode}), smooth));
+        return test::exposure_of(
+            renderer.render(shutter_camera, shutter_colors({mode}), smooth_shutter_page));
     };
-    const test::Exposure none = test::exposure_of(renderer.render(camera, still, smooth));
+    const test::Exposure none =
+        test::exposure_of(renderer.render(shutter_camera, still, smooth_shutter_page));
     const test::Exposure seen = measured("motion_blur.mode=tiles");
     const test::Exposure own = measured("motion_blur.mode=own");
     const test::Exposure stretched = measured("motion_blur.mode=stretched");
@@ -108,10 +110,12 @@ TEST(MotionBlur, IsThatOfManyPicturesWhileTheShutterIsOpen)
     EXPECT_GT(test::psnr_db(own, truth), test::psnr_db(none, truth));
     EXPECT_LT(test::psnr_db(none, truth), test::psnr_db(seen, truth) - 3.0);
     // What stands, and what nothing passes, is the same to the bit.
-    const Image sharp = renderer.render(camera, still, small);
-    const Image blurred = renderer.render(camera, colors({"motion_blur.mode=tiles"}), small);
-    for (uint32_t y = 60; y < small.height; ++y) {
-        for (size_t i = size_t{4} * y * small.width; i < size_t{4} * (y * small.width + 60); ++i) {
+    const Image sharp = renderer.render(shutter_camera, still, shutter_page);
+    const Image blurred =
+        renderer.render(shutter_camera, shutter_colors({"motion_blur.mode=tiles"}), shutter_page);
+    for (uint32_t y = 60; y < shutter_page.height; ++y) {
+        for (size_t i = size_t{4} * y * shutter_page.width; i < size_t{4} * (y * shutter_page.width + 60);
+             ++i) {
             ASSERT_EQ(sharp.rgba[i], blurred.rgba[i]) << i;
         }
     }
@@ -122,23 +126,24 @@ TEST(MotionBlur, IsThatOfACameraThatGoes)
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(passing());
     const auto seen_at = [&](double share) {
-        Camera moved = camera;
+        Camera moved = shutter_camera;
         moved.eye += share * glm::dvec3(0.25, 0.05, -0.1);
         moved.target += share * glm::dvec3(0.3, 0.0, 0.0);
         return moved;
     };
     constexpr int count = 64;
-    const Style still = colors({});
+    const Style still = shutter_colors({});
     const test::Exposure truth = test::mean_of(count, [&](int i) {
         return renderer.render(
-            test::shifted_in_pixel(seen_at((i + 0.5) / count - 0.5), i * 7 % count, small.height), still,
-            small);
+            test::shifted_in_pixel(seen_at((i + 0.5) / count - 0.5), i * 7 % count, shutter_page.height),
+            still, shutter_page);
     });
-    RenderSettings exposed = smooth;
-    exposed.exposure_end = Moment{seen_at(-0.5), small.time_s};
-    const test::Exposure none = test::exposure_of(renderer.render(camera, still, smooth));
-    const test::Exposure seen =
-        test::exposure_of(renderer.render(camera, colors({"motion_blur.mode=tiles"}), exposed));
+    RenderSettings exposed = smooth_shutter_page;
+    exposed.exposure_end = Moment{seen_at(-0.5), shutter_page.time_s};
+    const test::Exposure none =
+        test::exposure_of(renderer.render(shutter_camera, still, smooth_shutter_page));
+    const test::Exposure seen = test::exposure_of(
+        renderer.render(shutter_camera, shutter_colors({"motion_blur.mode=tiles"}), exposed));
     std::printf("camera, against %d pictures: %.1f dB, without %.1f dB\n", count, test::psnr_db(seen, truth),
                 test::psnr_db(none, truth));
     EXPECT_GE(test::psnr_db(seen, truth), 30.0);
@@ -154,14 +159,16 @@ TEST(MotionBlur, ShowsTheVelocityOfWhatMoves)
     renderer.set_scene(scene);
     constexpr float largest_mm = 12.0F;
     const LinearImage drawn = renderer.render_linear(
-        camera, colors({"motion_blur.mode=velocity", "motion_blur.largest_mm=12"}), small);
-    const double px_per_m = 0.5 * small.height / std::tan(0.5 * camera.vertical_fov_rad) / camera.eye.z;
-    const glm::dvec2 way_px = 0.5 * exposure_s * px_per_m * glm::dvec2(0.5, -0.3);
-    const double most_px = 0.5 * static_cast<double>(largest_mm) * small.height / 150.0;
+        shutter_camera, shutter_colors({"motion_blur.mode=velocity", "motion_blur.largest_mm=12"}),
+        shutter_page);
+    const double px_per_m =
+        0.5 * shutter_page.height / std::tan(0.5 * shutter_camera.vertical_fov_rad) / shutter_camera.eye.z;
+    const glm::dvec2 way_px = 0.5 * shutter_s * px_per_m * glm::dvec2(0.5, -0.3);
+    const double most_px = 0.5 * static_cast<double>(largest_mm) * shutter_page.height / 150.0;
     double worst_px = 0.0;
     for (uint32_t y = 28; y < 40; ++y) {
         for (uint32_t x = 56; x < 72; ++x) {
-            const glm::dvec4 color(drawn.pixels[size_t{y} * small.width + x]);
+            const glm::dvec4 color(drawn.pixels[size_t{y} * shutter_page.width + x]);
             const glm::dvec2 seen_px = most_px * (2.0 * glm::dvec2(color) - 1.0);
             worst_px = std::max(worst_px, glm::distance(seen_px, way_px));
         }
@@ -182,16 +189,17 @@ TEST(MotionBlur, SpreadsABarAsFarAsItGoes)
     test::add_sun(scene, {0.3, 0.8, 1.0});
     renderer.set_scene(scene);
     for (const char* mode : {"motion_blur.mode=tiles", "motion_blur.mode=stretched"}) {
-        const test::Exposure seen =
-            test::exposure_of(renderer.render(camera, colors({mode, "motion_blur.largest_mm=30"}), small));
-        const double px_per_m = 0.5 * small.height / std::tan(0.5 * camera.vertical_fov_rad) / camera.eye.z;
-        const double way_px = exposure_s * px_per_m;
+        const test::Exposure seen = test::exposure_of(renderer.render(
+            shutter_camera, shutter_colors({mode, "motion_blur.largest_mm=30"}), shutter_page));
+        const double px_per_m = 0.5 * shutter_page.height / std::tan(0.5 * shutter_camera.vertical_fov_rad) /
+                                shutter_camera.eye.z;
+        const double way_px = shutter_s * px_per_m;
         for (const bool is_in_front : {true, false}) {
             int between = 0;
-            for (uint32_t i = 0; i < small.width / 2; ++i) {
-                const uint32_t x = is_in_front ? small.width / 2 + i : small.width / 2 - 1 - i;
-                const double light = seen.pixels[size_t{30} * small.width + x].x;
-                const double middle = seen.pixels[size_t{30} * small.width + small.width / 2].x;
+            for (uint32_t i = 0; i < shutter_page.width / 2; ++i) {
+                const uint32_t x = is_in_front ? shutter_page.width / 2 + i : shutter_page.width / 2 - 1 - i;
+                const double light = seen.pixels[size_t{30} * shutter_page.width + x].x;
+                const double middle = seen.pixels[size_t{30} * shutter_page.width + shutter_page.width / 2].x;
                 const double share = (light - middle) / (1.0 - middle);
                 between += share > 0.02 && share < 0.98 ? 1 : 0;
             }
@@ -211,9 +219,10 @@ TEST(MotionBlur, LeavesNothingSharpOfWhatIsDrawnOut)
     turn(scene, blade);
     test::add_sun(scene, {0.3, 0.8, 1.0});
     renderer.set_scene(scene);
-    const Image plain = renderer.render(camera, colors({}), small);
-    const Image own = renderer.render(camera, colors({"motion_blur.mode=own"}), small);
-    const Image stretched = renderer.render(camera, colors({"motion_blur.mode=stretched"}), small);
+    const Image plain = renderer.render(shutter_camera, shutter_colors({}), shutter_page);
+    const Image own = renderer.render(shutter_camera, shutter_colors({"motion_blur.mode=own"}), shutter_page);
+    const Image stretched =
+        renderer.render(shutter_camera, shutter_colors({"motion_blur.mode=stretched"}), shutter_page);
     int blurred = 0;
     int left = 0;
     for (size_t i = 0; i < plain.rgba.size(); i += 4) {
@@ -232,24 +241,24 @@ TEST(MotionBlur, CostsNothingWhereThereIsNone)
     const auto has_pass = [&](const char* name) {
         return renderer.graph_dot().find(name) != std::string::npos;
     };
-    const Image plain = renderer.render(camera, {}, small);
+    const Image plain = renderer.render(shutter_camera, {}, shutter_page);
     EXPECT_FALSE(has_pass("motion"));
     EXPECT_FALSE(has_pass("speed"));
     Style shut;
     shut.set("motion_blur.mode=tiles");
     shut.set("motion_blur.shutter_deg=0");
-    EXPECT_EQ(renderer.render(camera, shut, small).rgba, plain.rgba);
+    EXPECT_EQ(renderer.render(shutter_camera, shut, shutter_page).rgba, plain.rgba);
     EXPECT_FALSE(has_pass("motion"));
     // Nothing moves: every bit stays, though there are passes.
     Scene still = passing();
     still.animations.clear();
     renderer.set_scene(still);
-    const Image before = renderer.render(camera, {}, small);
+    const Image before = renderer.render(shutter_camera, {}, shutter_page);
     for (const char* mode : {"motion_blur.mode=tiles", "motion_blur.mode=own", "motion_blur.mode=stretched",
                              "motion_blur.lines=true"}) {
         Style open;
         open.set(mode);
-        EXPECT_EQ(renderer.render(camera, open, small).rgba, before.rgba) << mode;
+        EXPECT_EQ(renderer.render(shutter_camera, open, shutter_page).rgba, before.rgba) << mode;
         EXPECT_TRUE(has_pass("motion"));
     }
 }
@@ -263,7 +272,7 @@ TEST(MotionBlur, DrawsSpeedLinesBehindWhatIsFast)
     move(scene, fast, {-1.5F, 0.0F, 0.0F}, {1.5F, 0.0F, 0.0F});
     renderer.set_scene(scene);
     const auto draw = [&](std::initializer_list<const char*> more) {
-        return test::exposure_of(renderer.render(camera, colors(more), small));
+        return test::exposure_of(renderer.render(shutter_camera, shutter_colors(more), shutter_page));
     };
     const test::Exposure plain = draw({});
     const test::Exposure lined = draw({"motion_blur.lines=true", "motion_blur.lines_spacing_mm=4"});
@@ -271,7 +280,7 @@ TEST(MotionBlur, DrawsSpeedLinesBehindWhatIsFast)
     double ahead = 0.0;
     for (size_t i = 0; i < plain.pixels.size(); ++i) {
         const double ink = plain.pixels[i].x - lined.pixels[i].x;
-        (i % small.width < 64 ? behind : ahead) += ink;
+        (i % shutter_page.width < 64 ? behind : ahead) += ink;
     }
     EXPECT_GT(behind, 10.0);
     EXPECT_EQ(ahead, 0.0) << "it goes to the right";
@@ -285,20 +294,20 @@ TEST(MotionBlur, SaysWhereThereIsNone)
     renderer.set_scene(passing());
     Style style;
     style.set("motion_blur.mode=tiles");
-    std::ignore = renderer.draw_strokes(camera, style, small);
+    std::ignore = renderer.draw_strokes(shutter_camera, style, shutter_page);
     const auto is_told = [&] {
         return std::ranges::any_of(renderer.notes(), [](const std::string& note) {
             return note.find("motion blur") != std::string::npos;
         });
     };
     EXPECT_TRUE(is_told());
-    RenderSettings tiled = small;
+    RenderSettings tiled = shutter_page;
     tiled.width = 640;
     tiled.height = 160;
     tiled.tile_px = 400;
-    const Image parts = renderer.render(camera, style, tiled);
+    const Image parts = renderer.render(shutter_camera, style, tiled);
     EXPECT_TRUE(is_told());
-    EXPECT_EQ(parts.rgba, renderer.render(camera, {}, tiled).rgba);
+    EXPECT_EQ(parts.rgba, renderer.render(shutter_camera, {}, tiled).rgba);
 }
 
 } // namespace

@@ -19,10 +19,9 @@
 namespace estampe {
 namespace {
 
-constexpr RenderSettings small{.width = 160, .height = 120};
-const Camera camera{.eye = {3.0, 3.0, 5.0}, .target = {0.0, 0.5, 0.0}};
+constexpr RenderSettings renderer_page{.width = 160, .height = 120};
 
-Scene still_life(const glm::dvec3& place = glm::dvec3(0.0))
+Scene placed_still_life(const glm::dvec3& place = glm::dvec3(0.0))
 {
     Scene scene = test::scene_of(shapes::plane(6.0F, 6.0F));
     scene.nodes[0].transform.translation = place;
@@ -55,8 +54,8 @@ Scene bending()
     return scene;
 }
 
-Image draw(const Scene& scene, const Camera& from = camera, const RenderSettings& settings = small,
-           const Style& style = {})
+Image draw_still_life(const Scene& scene, const Camera& from = test::corner_camera,
+                      const RenderSettings& settings = renderer_page, const Style& style = {})
 {
     test::shared_renderer().set_scene(scene);
     return test::shared_renderer().render(from, style, settings);
@@ -79,11 +78,13 @@ TEST(Renderer, AMarginShrinksThePictureAndNotItsStrokes)
                                    "paper.margin_mm=0", "paper.height_mm=120"}) {
         style.set(assignment);
     }
-    const Image whole = draw(still_life(), camera, {.width = 160, .height = 120}, style);
+    const Image whole =
+        draw_still_life(placed_still_life(), test::corner_camera, {.width = 160, .height = 120}, style);
     style.set("paper.margin_mm=10");
     style.set("paper.height_mm=140");
     EXPECT_DOUBLE_EQ(style.window_aspect(180, 140), 160.0 / 120.0);
-    const Image framed = draw(still_life(), camera, {.width = 180, .height = 140}, style);
+    const Image framed =
+        draw_still_life(placed_still_life(), test::corner_camera, {.width = 180, .height = 140}, style);
     double difference = 0.0;
     for (uint32_t y = 2; y < 118; ++y) {
         for (uint32_t x = 2; x < 158; ++x) {
@@ -103,46 +104,46 @@ TEST(Renderer, AMarginShrinksThePictureAndNotItsStrokes)
 
 TEST(Renderer, TheSameBytesAgainAndAgain)
 {
-    const Image first = draw(still_life());
+    const Image first = draw_still_life(placed_still_life());
     EXPECT_GT(shades(first), 50U);
-    EXPECT_EQ(first, test::shared_renderer().render(camera, {}, small));
-    std::ignore = draw(bending());
+    EXPECT_EQ(first, test::shared_renderer().render(test::corner_camera, {}, renderer_page));
+    std::ignore = draw_still_life(bending());
     std::ignore =
         test::shared_renderer().render({}, {}, {.width = 33, .height = 20, .samples = 3, .time_s = 0.5});
-    EXPECT_EQ(first, draw(still_life()));
+    EXPECT_EQ(first, draw_still_life(placed_still_life()));
     Renderer other(test::validated());
-    other.set_scene(still_life());
-    EXPECT_EQ(first, other.render(camera, {}, small));
+    other.set_scene(placed_still_life());
+    EXPECT_EQ(first, other.render(test::corner_camera, {}, renderer_page));
 }
 
 TEST(Renderer, RefusesWhatItCannotDraw)
 {
     Renderer fresh(test::validated());
-    EXPECT_THROW(std::ignore = fresh.render(camera, {}, small), Error);
-    fresh.set_scene(still_life());
+    EXPECT_THROW(std::ignore = fresh.render(test::corner_camera, {}, renderer_page), Error);
+    fresh.set_scene(placed_still_life());
     const RenderSettings wrong[] = {{.width = 0, .height = 10},
                                     {.width = 10, .height = 0},
                                     {.width = 1U << 20U, .height = 4},
                                     {.width = 4, .height = 4'000'000'000U},
                                     {.width = 4, .height = 4, .samples = 0}};
     for (const RenderSettings& settings : wrong) {
-        EXPECT_THROW(std::ignore = fresh.render(camera, {}, settings), Error)
+        EXPECT_THROW(std::ignore = fresh.render(test::corner_camera, {}, settings), Error)
             << settings.width << " x " << settings.height;
     }
-    EXPECT_GT(shades(fresh.render(camera, {}, small)), 50U) << "and goes on drawing";
+    EXPECT_GT(shades(fresh.render(test::corner_camera, {}, renderer_page)), 50U) << "and goes on drawing";
 }
 
 TEST(Renderer, RefusesNumbersThatNothingCanBeDrawnWith)
 {
     Renderer fresh(test::validated());
-    fresh.set_scene(still_life());
-    Camera far = camera;
+    fresh.set_scene(placed_still_life());
+    Camera far = test::corner_camera;
     far.eye.x = 1e30;
-    EXPECT_THROW(std::ignore = fresh.render(far, {}, small), Error);
-    RenderSettings moved = small;
+    EXPECT_THROW(std::ignore = fresh.render(far, {}, renderer_page), Error);
+    RenderSettings moved = renderer_page;
     moved.motion_since = Moment{far, 0.0};
-    EXPECT_THROW(std::ignore = fresh.render(camera, {}, moved), Error);
-    Scene stretched = still_life();
+    EXPECT_THROW(std::ignore = fresh.render(test::corner_camera, {}, moved), Error);
+    Scene stretched = placed_still_life();
     for (const double size : {1e-20, 1e20, 1e300}) {
         for (Node& node : stretched.nodes) {
             node.transform.scale = glm::dvec3(size);
@@ -154,35 +155,37 @@ TEST(Renderer, RefusesNumbersThatNothingCanBeDrawnWith)
     lost.animations[0].channels[0].values[3] = 3e38F;
     lost.nodes[1].transform.scale = glm::dvec3(10.0);
     fresh.set_scene(lost);
-    EXPECT_THROW(std::ignore = fresh.render(camera, {}, {.width = 160, .height = 120, .time_s = 0.9}), Error);
+    EXPECT_THROW(std::ignore =
+                     fresh.render(test::corner_camera, {}, {.width = 160, .height = 120, .time_s = 0.9}),
+                 Error);
 }
 
 TEST(Renderer, DrawsPaperWhereThereIsNothing)
 {
     Scene empty;
     empty.materials.emplace_back();
-    EXPECT_EQ(draw(empty).rgba.size(), 160U * 120U * 4U);
+    EXPECT_EQ(draw_still_life(empty).rgba.size(), 160U * 120U * 4U);
     Scene no_triangles = test::scene_of(Primitive{});
-    EXPECT_EQ(draw(no_triangles).rgba.size(), 160U * 120U * 4U);
+    EXPECT_EQ(draw_still_life(no_triangles).rgba.size(), 160U * 120U * 4U);
     Primitive strokes{.topology = Topology::lines};
     strokes.positions = {{0, 0, 0}, {1, 1, 0}};
     strokes.indices = {0, 1};
-    const Image lines = draw(test::scene_of(strokes));
+    const Image lines = draw_still_life(test::scene_of(strokes));
     EXPECT_EQ(lines.rgba.size(), 160U * 120U * 4U);
     const Camera elsewhere{.eye = {0.0, 9.0, 0.0}, .target = {0.0, 20.0, 0.1}};
     Style blank;
     blank.set("sky.mode=paper");
     blank.set("paper.grain=0");
     blank.set("paper.granulation=0");
-    EXPECT_LE(shades(draw(still_life(), elsewhere, small, blank)), 2U);
+    EXPECT_LE(shades(draw_still_life(placed_still_life(), elsewhere, renderer_page, blank)), 2U);
 }
 
 TEST(Renderer, SamplesAreTheMeanOfShiftedPictures)
 {
-    const Image one = draw(still_life());
-    RenderSettings settings = small;
+    const Image one = draw_still_life(placed_still_life());
+    RenderSettings settings = renderer_page;
     settings.samples = 4;
-    const Image four = draw(still_life(), camera, settings);
+    const Image four = draw_still_life(placed_still_life(), test::corner_camera, settings);
     EXPECT_NE(one, four);
     EXPECT_LT(test::compare_images(one, four).delta_e_mean, 6.0);
     const auto roughness = [](const Image& image) {
@@ -194,17 +197,17 @@ TEST(Renderer, SamplesAreTheMeanOfShiftedPictures)
         return sum;
     };
     EXPECT_LT(roughness(four), 0.9 * roughness(one)) << "edges grow softer";
-    EXPECT_EQ(four, test::shared_renderer().render(camera, {}, settings));
+    EXPECT_EQ(four, test::shared_renderer().render(test::corner_camera, {}, settings));
     settings.samples = 16;
-    const Image sixteen = draw(still_life(), camera, settings);
+    const Image sixteen = draw_still_life(placed_still_life(), test::corner_camera, settings);
     EXPECT_LT(test::compare_images(four, sixteen).mean_abs, test::compare_images(one, sixteen).mean_abs);
 }
 
 TEST(Renderer, CanBeStoppedBetweenSamples)
 {
-    RenderSettings settings = small;
+    RenderSettings settings = renderer_page;
     settings.samples = 8;
-    const Image whole = draw(still_life(), camera, settings);
+    const Image whole = draw_still_life(placed_still_life(), test::corner_camera, settings);
     Renderer& renderer = test::shared_renderer();
     const auto is_read_back = [&] {
         return std::ranges::any_of(renderer.timings(),
@@ -217,11 +220,11 @@ TEST(Renderer, CanBeStoppedBetweenSamples)
             EXPECT_EQ(share, samples / 8.0);
             return ++samples <= 3;
         });
-        EXPECT_THROW(static_cast<void>(renderer.render(camera, {}, settings)), Error);
+        EXPECT_THROW(static_cast<void>(renderer.render(test::corner_camera, {}, settings)), Error);
         EXPECT_EQ(samples, 4) << "it was told to stop after three";
     }
     EXPECT_FALSE(is_read_back()) << "the third of eight samples is no picture";
-    EXPECT_EQ(whole, renderer.render(camera, {}, settings)) << "the next one begins anew";
+    EXPECT_EQ(whole, renderer.render(test::corner_camera, {}, settings)) << "the next one begins anew";
 }
 
 TEST(Renderer, DrawsNearlyTheSameByEitherRasterPath)
@@ -232,9 +235,9 @@ TEST(Renderer, DrawsNearlyTheSameByEitherRasterPath)
         options.raster = path;
         Renderer renderer(options);
         EXPECT_EQ(renderer.raster_path(), path);
-        renderer.set_scene(still_life());
-        images.push_back(renderer.render(camera, {}, small));
-        EXPECT_EQ(images.back(), renderer.render(camera, {}, small)) << name_of(path);
+        renderer.set_scene(placed_still_life());
+        images.push_back(renderer.render(test::corner_camera, {}, renderer_page));
+        EXPECT_EQ(images.back(), renderer.render(test::corner_camera, {}, renderer_page)) << name_of(path);
     }
     // A pixel in ten thousand may see another triangle, and a stroke or a line may end beside it.
     const test::ImageDifference difference = test::compare_images(images[0], images[1]);
@@ -249,41 +252,44 @@ TEST(Renderer, TheRasterPathIsFixedOnAProcessor)
 
 TEST(Renderer, DrawsInParallelProjection)
 {
-    Camera parallel = camera;
+    Camera parallel = test::corner_camera;
     parallel.orthographic_half_height_m = 2.0;
-    const Image image = draw(still_life(), parallel);
+    const Image image = draw_still_life(placed_still_life(), parallel);
     EXPECT_GT(shades(image), 50U);
     // In parallel projection the distance of the eye does not matter, but for the lines' weight.
-    parallel.eye = parallel.target + 3.0 * (camera.eye - camera.target);
+    parallel.eye = parallel.target + 3.0 * (test::corner_camera.eye - test::corner_camera.target);
     Style even;
     even.set("contour.distance_thinning=0");
-    const Image far = draw(still_life(), parallel, small, even);
-    parallel.eye = camera.eye;
-    EXPECT_LT(test::compare_images(draw(still_life(), parallel, small, even), far).delta_e_mean, 0.5);
+    const Image far = draw_still_life(placed_still_life(), parallel, renderer_page, even);
+    parallel.eye = test::corner_camera.eye;
+    EXPECT_LT(test::compare_images(draw_still_life(placed_still_life(), parallel, renderer_page, even), far)
+                  .delta_e_mean,
+              0.5);
 }
 
 TEST(Renderer, StandsACameraInsideOfThings)
 {
-    const Scene scene = still_life();
+    const Scene scene = placed_still_life();
     for (const glm::dvec3 eye : {glm::dvec3(-0.6, 0.7, 0.0), glm::dvec3(0.8, 0.6, 0.5),
                                  glm::dvec3(0.0, 0.0, 0.0), glm::dvec3(-0.6, 1.5, 0.0)}) {
-        const Image image = draw(scene, {.eye = eye, .target = eye + glm::dvec3(0.3, 0.1, -1.0)});
+        const Image image = draw_still_life(scene, {.eye = eye, .target = eye + glm::dvec3(0.3, 0.1, -1.0)});
         EXPECT_EQ(image.rgba.size(), 160U * 120U * 4U);
         EXPECT_EQ(image, test::shared_renderer().render(
-                             {.eye = eye, .target = eye + glm::dvec3(0.3, 0.1, -1.0)}, {}, small));
+                             {.eye = eye, .target = eye + glm::dvec3(0.3, 0.1, -1.0)}, {}, renderer_page));
     }
     // A near plane through the sphere opens it, and takes nothing from what lies behind.
-    const Image cut = draw(scene, {.eye = {3.0, 3.0, 5.0}, .target = {0.0, 0.5, 0.0}, .near_m = 5.0});
+    const Image cut =
+        draw_still_life(scene, {.eye = {3.0, 3.0, 5.0}, .target = {0.0, 0.5, 0.0}, .near_m = 5.0});
     EXPECT_GT(shades(cut), 30U);
-    EXPECT_NE(cut, draw(scene));
+    EXPECT_NE(cut, draw_still_life(scene));
 }
 
 TEST(Renderer, TimeMovesASkin)
 {
     const auto at = [](double time_s) {
-        RenderSettings settings = small;
+        RenderSettings settings = renderer_page;
         settings.time_s = time_s;
-        return test::shared_renderer().render(camera, {}, settings);
+        return test::shared_renderer().render(test::corner_camera, {}, settings);
     };
     test::shared_renderer().set_scene(bending());
     const Image start = at(0.0);
@@ -295,11 +301,11 @@ TEST(Renderer, TimeMovesASkin)
 
 TEST(Renderer, TakesOneSceneAfterAnother)
 {
-    const Image first = draw(still_life());
-    const Image second = draw(test::scene_of(shapes::torus(1.0F, 0.4F)));
+    const Image first = draw_still_life(placed_still_life());
+    const Image second = draw_still_life(test::scene_of(shapes::torus(1.0F, 0.4F)));
     EXPECT_GT(test::compare_images(first, second).failing_fraction, 0.1);
-    EXPECT_EQ(first, draw(still_life()));
-    EXPECT_EQ(second, draw(test::scene_of(shapes::torus(1.0F, 0.4F))));
+    EXPECT_EQ(first, draw_still_life(placed_still_life()));
+    EXPECT_EQ(second, draw_still_life(test::scene_of(shapes::torus(1.0F, 0.4F))));
 }
 
 TEST(Renderer, DrawsTheSmallestPictures)
@@ -307,8 +313,8 @@ TEST(Renderer, DrawsTheSmallestPictures)
     for (const auto& [width, height] :
          {std::pair(1U, 1U), std::pair(7U, 3U), std::pair(1U, 90U), std::pair(300U, 1U)}) {
         for (const uint32_t samples : {1U, 2U}) {
-            const Image image =
-                draw(still_life(), camera, {.width = width, .height = height, .samples = samples});
+            const Image image = draw_still_life(placed_still_life(), test::corner_camera,
+                                                {.width = width, .height = height, .samples = samples});
             EXPECT_EQ(image.width, width);
             EXPECT_EQ(image.height, height);
             EXPECT_EQ(image.rgba.size(), size_t{4} * width * height);
@@ -318,12 +324,13 @@ TEST(Renderer, DrawsTheSmallestPictures)
 
 TEST(Renderer, ALongWayFromTheOriginLooksTheSame)
 {
-    const Image here = draw(still_life());
+    const Image here = draw_still_life(placed_still_life());
     const glm::dvec3 away(1e6, -2e5, 3e6);
-    Camera there = camera;
+    Camera there = test::corner_camera;
     there.eye += away;
     there.target += away;
-    const test::ImageDifference difference = test::compare_images(here, draw(still_life(away), there));
+    const test::ImageDifference difference =
+        test::compare_images(here, draw_still_life(placed_still_life(away), there));
     EXPECT_LT(difference.mean_abs, 1.0) << test::describe(difference);
 }
 

@@ -15,9 +15,9 @@
 namespace estampe {
 namespace {
 
-constexpr RenderSettings page{.width = 320, .height = 240, .time_s = 0.5};
-constexpr double exposure_s = 0.1;
-const Camera camera{.eye = {0.0, 0.0, 4.0}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.7};
+constexpr RenderSettings smear_page{.width = 320, .height = 240, .time_s = 0.5};
+constexpr double smear_s = 0.1;
+const Camera smear_camera{.eye = {0.0, 0.0, 4.0}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.7};
 
 Style paper(std::initializer_list<const char*> more)
 {
@@ -54,20 +54,23 @@ Scene going(const glm::vec3& way_m)
 
 double px_per_m(double away_m)
 {
-    return 0.5 * page.height / std::tan(0.5 * camera.vertical_fov_rad) / away_m;
+    return 0.5 * smear_page.height / std::tan(0.5 * smear_camera.vertical_fov_rad) / away_m;
 }
 
 /// What strokes add to a picture, 0 to 1 a pixel.
-struct Ink {
+struct SmearInk {
     std::vector<double> of_pixel;
     double sum = 0.0;
 
-    [[nodiscard]] double at(uint32_t x, uint32_t y) const { return of_pixel[size_t{y} * page.width + x]; }
+    [[nodiscard]] double at(uint32_t x, uint32_t y) const
+    {
+        return of_pixel[size_t{y} * smear_page.width + x];
+    }
 };
 
-Ink ink_of(const Image& plain, const Image& smeared)
+SmearInk smear_ink(const Image& plain, const Image& smeared)
 {
-    Ink ink;
+    SmearInk ink;
     for (size_t i = 0; i < plain.rgba.size(); i += 4) {
         const double added = (int{plain.rgba[i]} - int{smeared.rgba[i]}) / 255.0;
         ink.of_pixel.push_back(added);
@@ -76,14 +79,14 @@ Ink ink_of(const Image& plain, const Image& smeared)
     return ink;
 }
 
-Ink ink_of_going(const glm::vec3& way_m, std::initializer_list<const char*> more)
+SmearInk ink_of_going(const glm::vec3& way_m, std::initializer_list<const char*> more)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(going(way_m));
-    const Image plain = renderer.render(camera, paper({}), page);
+    const Image plain = renderer.render(smear_camera, paper({}), smear_page);
     Style style = paper(more);
     style.set("motion_blur.smear=true");
-    return ink_of(plain, renderer.render(camera, style, page));
+    return smear_ink(plain, renderer.render(smear_camera, style, smear_page));
 }
 
 bool is_inked(double added)
@@ -92,16 +95,16 @@ bool is_inked(double added)
 }
 
 /// The farthest to the left that ink reaches.
-int leftmost(const Ink& ink)
+int leftmost(const SmearInk& ink)
 {
-    for (uint32_t x = 0; x < page.width; ++x) {
-        for (uint32_t y = 0; y < page.height; ++y) {
+    for (uint32_t x = 0; x < smear_page.width; ++x) {
+        for (uint32_t y = 0; y < smear_page.height; ++y) {
             if (is_inked(ink.at(x, y))) {
                 return static_cast<int>(x);
             }
         }
     }
-    return page.width;
+    return smear_page.width;
 }
 
 TEST(SmearMotion, LeavesEveryBitWhereNothingMoves)
@@ -111,64 +114,64 @@ TEST(SmearMotion, LeavesEveryBitWhereNothingMoves)
     Style smear;
     smear.set("motion_blur.smear=true");
     renderer.set_scene(scene);
-    const Image moving = renderer.render(camera, {}, page);
+    const Image moving = renderer.render(smear_camera, {}, smear_page);
     EXPECT_EQ(renderer.graph_dot().find("smear"), std::string::npos) << "costs nothing when off";
-    EXPECT_NE(renderer.render(camera, smear, page).rgba, moving.rgba);
+    EXPECT_NE(renderer.render(smear_camera, smear, smear_page).rgba, moving.rgba);
     scene.animations.clear();
     renderer.set_scene(scene);
-    const Image still = renderer.render(camera, {}, page);
-    EXPECT_EQ(renderer.render(camera, smear, page).rgba, still.rgba);
+    const Image still = renderer.render(smear_camera, {}, smear_page);
+    EXPECT_EQ(renderer.render(smear_camera, smear, smear_page).rgba, still.rgba);
     EXPECT_NE(renderer.graph_dot().find("smear"), std::string::npos);
     // Nor where it goes less far than the style asks.
     renderer.set_scene(going({3.0F, 0.0F, 0.0F}));
     smear.set("motion_blur.smear_from_mm=60");
-    EXPECT_EQ(renderer.render(camera, smear, page).rgba, moving.rgba);
+    EXPECT_EQ(renderer.render(smear_camera, smear, smear_page).rgba, moving.rgba);
 }
 
 TEST(SmearMotion, LiesBehindWhatMovesAndNotOnIt)
 {
-    const Ink ink = ink_of_going({3.0F, 0.0F, 0.0F}, {});
-    const double near_px = px_per_m(camera.eye.z - 0.2); // the front, which is widest
-    const auto left = static_cast<uint32_t>(0.5 * page.width - 0.4 * near_px);
-    const auto top = static_cast<uint32_t>(0.5 * page.height - 0.6 * near_px);
+    const SmearInk ink = ink_of_going({3.0F, 0.0F, 0.0F}, {});
+    const double near_px = px_per_m(smear_camera.eye.z - 0.2); // the front, which is widest
+    const auto left = static_cast<uint32_t>(0.5 * smear_page.width - 0.4 * near_px);
+    const auto top = static_cast<uint32_t>(0.5 * smear_page.height - 0.6 * near_px);
     double behind = 0.0;
-    for (uint32_t y = 0; y < page.height; ++y) {
-        for (uint32_t x = 0; x < page.width; ++x) {
+    for (uint32_t y = 0; y < smear_page.height; ++y) {
+        for (uint32_t x = 0; x < smear_page.width; ++x) {
             if (x < left) {
                 behind += ink.at(x, y);
             } else if (x > left) {
                 ASSERT_EQ(ink.at(x, y), 0.0) << x << ", " << y;
             }
-            if (y + 6 < top || y > page.height - top + 6) {
+            if (y + 6 < top || y > smear_page.height - top + 6) {
                 ASSERT_EQ(ink.at(x, y), 0.0) << "aside, " << x << ", " << y;
             }
         }
     }
     // Of the place that the strokes may take, some, and far from all.
-    const double reach_px = 3.0 * 3.0 * exposure_s * near_px;
+    const double reach_px = 3.0 * 3.0 * smear_s * near_px;
     const double share = behind / (reach_px * 1.2 * near_px);
     std::printf("ink behind %.0f px, %.3f of the place for it\n", behind, share);
     EXPECT_GT(share, 0.02);
     EXPECT_LT(share, 0.35);
     // They begin at the edge itself, without a gap.
     double at_edge = 0.0;
-    for (uint32_t y = top; y < page.height - top; ++y) {
+    for (uint32_t y = top; y < smear_page.height - top; ++y) {
         at_edge += ink.at(left - 1, y);
     }
     EXPECT_GT(at_edge, 0.1 * 1.2 * near_px);
 }
 
 /// How alike the ink is to itself a way on.
-double likeness(const Ink& ink, const glm::dvec2& way_px)
+double likeness(const SmearInk& ink, const glm::dvec2& way_px)
 {
     double sum = 0.0;
     const auto whole = glm::ivec2(glm::floor(way_px));
     const glm::dvec2 part = way_px - glm::dvec2(whole);
-    for (int y = 0; y < static_cast<int>(page.height); ++y) {
-        for (int x = 0; x < static_cast<int>(page.width); ++x) {
+    for (int y = 0; y < static_cast<int>(smear_page.height); ++y) {
+        for (int x = 0; x < static_cast<int>(smear_page.width); ++x) {
             const glm::ivec2 to = glm::ivec2(x, y) + whole;
-            if (to.x < 0 || to.y < 0 || to.x + 1 >= static_cast<int>(page.width) ||
-                to.y + 1 >= static_cast<int>(page.height)) {
+            if (to.x < 0 || to.y < 0 || to.x + 1 >= static_cast<int>(smear_page.width) ||
+                to.y + 1 >= static_cast<int>(smear_page.height)) {
                 continue;
             }
             const auto ink_at = [&](int dx, int dy) {
@@ -187,9 +190,9 @@ TEST(SmearMotion, RunsAlongTheVelocity)
     constexpr double rad_per_deg = 3.14159265358979 / 180.0;
     for (const double asked_deg : {0.0, 25.0, -50.0}) {
         const double asked_rad = asked_deg * rad_per_deg;
-        const Ink ink = ink_of_going({static_cast<float>(3.0 * std::cos(asked_rad)),
-                                      static_cast<float>(3.0 * std::sin(asked_rad)), 0.0F},
-                                     {});
+        const SmearInk ink = ink_of_going({static_cast<float>(3.0 * std::cos(asked_rad)),
+                                           static_cast<float>(3.0 * std::sin(asked_rad)), 0.0F},
+                                          {});
         double best = 0.0;
         double seen_deg = 0.0;
         for (double deg = -90.0; deg < 90.0; deg += 0.5) {
@@ -207,13 +210,13 @@ TEST(SmearMotion, RunsAlongTheVelocity)
 TEST(SmearMotion, ReachesAsFarAsItsSpeed)
 {
     const auto reach_px = [](float speed, const char* length) {
-        const double edge_px = 0.5 * page.width - 0.4 * px_per_m(camera.eye.z - 0.2);
+        const double edge_px = 0.5 * smear_page.width - 0.4 * px_per_m(smear_camera.eye.z - 0.2);
         return edge_px - leftmost(ink_of_going({speed, 0.0F, 0.0F}, {length}));
     };
     const double slow = reach_px(1.5F, "motion_blur.smear_length=2");
     const double fast = reach_px(3.0F, "motion_blur.smear_length=2");
     const double longer = reach_px(1.5F, "motion_blur.smear_length=4");
-    const double most_px = 2.0 * 1.5 * exposure_s * px_per_m(camera.eye.z - 0.2);
+    const double most_px = 2.0 * 1.5 * smear_s * px_per_m(smear_camera.eye.z - 0.2);
     std::printf("reach %.0f px, %.0f at twice the speed, %.0f at twice the length; at most %.0f\n", slow,
                 fast, longer, most_px);
     EXPECT_NEAR(fast / slow, 2.0, 0.2);
@@ -227,7 +230,7 @@ TEST(SmearMotion, IsAnotherHandByItsSeedAlone)
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(going({3.0F, 0.0F, 0.0F}));
     const auto draw = [&](const char* seed) {
-        return renderer.render(camera, paper({"motion_blur.smear=true", seed}), page).rgba;
+        return renderer.render(smear_camera, paper({"motion_blur.smear=true", seed}), smear_page).rgba;
     };
     const std::vector<uint8_t> first = draw("motion_blur.seed=1");
     EXPECT_NE(draw("motion_blur.seed=2"), first);
@@ -248,23 +251,24 @@ TEST(SmearMotion, GoesAlongWithWhatMoves)
     // By one whole pixel later strokes are the same strokes a pixel on; drawn by another hand they are not.
     Renderer& renderer = test::shared_renderer();
     constexpr double speed = 3.0;
-    const double away_m = camera.eye.z;
+    const double away_m = smear_camera.eye.z;
     renderer.set_scene(going({speed, 0.0F, 0.0F}));
     const auto draw = [&](double time_s, const char* seed) {
-        RenderSettings settings = page;
+        RenderSettings settings = smear_page;
         settings.time_s = time_s;
-        const Image plain = renderer.render(camera, paper({}), settings);
-        return ink_of(plain, renderer.render(camera, paper({"motion_blur.smear=true", seed}), settings));
+        const Image plain = renderer.render(smear_camera, paper({}), settings);
+        return smear_ink(plain,
+                         renderer.render(smear_camera, paper({"motion_blur.smear=true", seed}), settings));
     };
     constexpr uint32_t shift_px = 4;
-    const double later_s = page.time_s + shift_px / px_per_m(away_m - 0.2) / speed;
-    const Ink now = draw(page.time_s, "motion_blur.seed=1");
-    const Ink later = draw(later_s, "motion_blur.seed=1");
-    const Ink other = draw(later_s, "motion_blur.seed=2");
-    const auto apart = [&](const Ink& seen) {
+    const double later_s = smear_page.time_s + shift_px / px_per_m(away_m - 0.2) / speed;
+    const SmearInk now = draw(smear_page.time_s, "motion_blur.seed=1");
+    const SmearInk later = draw(later_s, "motion_blur.seed=1");
+    const SmearInk other = draw(later_s, "motion_blur.seed=2");
+    const auto apart = [&](const SmearInk& seen) {
         double sum = 0.0;
-        for (uint32_t y = 0; y < page.height; ++y) {
-            for (uint32_t x = 0; x + shift_px < page.width; ++x) {
+        for (uint32_t y = 0; y < smear_page.height; ++y) {
+            for (uint32_t x = 0; x + shift_px < smear_page.width; ++x) {
                 sum += std::abs(now.at(x, y) - seen.at(x + shift_px, y));
             }
         }
@@ -280,13 +284,13 @@ TEST(SmearMotion, IsTheSameInAllSamples)
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(going({3.0F, 0.5F, 0.0F}));
     const auto draw = [&](uint32_t samples) {
-        RenderSettings settings = page;
+        RenderSettings settings = smear_page;
         settings.samples = samples;
-        const Image plain = renderer.render(camera, paper({}), settings);
-        return ink_of(plain, renderer.render(camera, paper({"motion_blur.smear=true"}), settings));
+        const Image plain = renderer.render(smear_camera, paper({}), settings);
+        return smear_ink(plain, renderer.render(smear_camera, paper({"motion_blur.smear=true"}), settings));
     };
-    const Ink once = draw(1);
-    const Ink often = draw(8);
+    const SmearInk once = draw(1);
+    const SmearInk often = draw(8);
     double apart = 0.0;
     for (size_t i = 0; i < once.of_pixel.size(); ++i) {
         apart += std::abs(once.of_pixel[i] - often.of_pixel[i]) / once.sum;
@@ -301,12 +305,13 @@ TEST(SmearMotion, IsHiddenByWhatStandsBefore)
     Scene scene = going({3.0F, 0.0F, 0.0F});
     test::add_object(scene, shapes::quad(0.3F, 3.0F), {0.9F, 0.9F, 0.9F}, {-0.6, -1.5, 0.8});
     renderer.set_scene(scene);
-    const Image plain = renderer.render(camera, paper({}), page);
-    const Ink ink = ink_of(plain, renderer.render(camera, paper({"motion_blur.smear=true"}), page));
-    const double near_px = px_per_m(camera.eye.z - 0.8);
-    const double middle = 0.5 * page.width - 0.6 * near_px;
+    const Image plain = renderer.render(smear_camera, paper({}), smear_page);
+    const SmearInk ink =
+        smear_ink(plain, renderer.render(smear_camera, paper({"motion_blur.smear=true"}), smear_page));
+    const double near_px = px_per_m(smear_camera.eye.z - 0.8);
+    const double middle = 0.5 * smear_page.width - 0.6 * near_px;
     double on_post = 0.0;
-    for (uint32_t y = 0; y < page.height; ++y) {
+    for (uint32_t y = 0; y < smear_page.height; ++y) {
         for (auto x = static_cast<uint32_t>(middle - 0.15 * near_px + 1.0); x < middle + 0.15 * near_px - 1.0;
              ++x) {
             on_post += std::abs(ink.at(x, y));

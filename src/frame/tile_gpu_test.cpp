@@ -25,7 +25,7 @@ namespace {
 
 constexpr double most_differing = 0.001; // share of the pixels
 
-const Camera camera{.eye = {3.0, 2.6, 5.0}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.65};
+const Camera tile_camera{.eye = {3.0, 2.6, 5.0}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.65};
 
 /// Things in the sun's shadow and in a lamp's, one through another, and a pane before them.
 Scene crowded()
@@ -45,7 +45,7 @@ Scene crowded()
     return scene;
 }
 
-Style style_of(const std::string& preset, const std::vector<std::string>& assignments)
+Style preset_with(const std::string& preset, const std::vector<std::string>& assignments)
 {
     Style style = Style::load(preset);
     for (const std::string& assignment : assignments) {
@@ -62,23 +62,23 @@ uint32_t four_by_four(const Style& style, const RenderSettings& settings)
     return (std::max(settings.width, settings.height) + 3) / 4 + 2 * overlap;
 }
 
-struct Case {
+struct TileCase {
     std::string name;
     std::string preset;
     std::vector<std::string> assignments = {};
     uint32_t samples = 1;
 };
 
-class TiledPage : public testing::TestWithParam<Case> {};
+class TiledPage : public testing::TestWithParam<TileCase> {};
 
 TEST_P(TiledPage, IsThePageThatIsDrawnWhole)
 {
-    const Style style = style_of(GetParam().preset, GetParam().assignments);
+    const Style style = preset_with(GetParam().preset, GetParam().assignments);
     RenderSettings settings{.width = 251, .height = 243, .samples = GetParam().samples};
     test::shared_renderer().set_scene(crowded());
-    const Image whole = test::shared_renderer().render(camera, style, settings);
+    const Image whole = test::shared_renderer().render(tile_camera, style, settings);
     settings.tile_px = four_by_four(style, settings);
-    const Image tiled = test::shared_renderer().render(camera, style, settings);
+    const Image tiled = test::shared_renderer().render(tile_camera, style, settings);
     ASSERT_EQ(tiled.rgba.size(), whole.rgba.size());
     const test::ImageDifference difference = test::compare_images(whole, tiled, 0);
     EXPECT_LE(difference.failing_fraction, most_differing) << test::describe(difference) << "\n"
@@ -88,28 +88,28 @@ TEST_P(TiledPage, IsThePageThatIsDrawnWhole)
 INSTANTIATE_TEST_SUITE_P(
     Styles, TiledPage,
     testing::Values(
-        Case{"Comic", "comic"}, Case{"ComicInSamples", "comic", {}, 4},
-        Case{"PencilOfAMap", "pencil", {"hatch.strokes=map", "hatch.overrun_mm=2"}},
-        Case{"Engraving", "engraving"}, Case{"WashMetered", "wash", {"light.metering=page"}, 2},
-        Case{"Ukiyoe", "ukiyoe"},
-        Case{"Charcoal", "charcoal", {"contour.joints=mitre", "contour.strokes=2", "bleed.width_mm=2"}},
-        Case{"HiddenLines", "blueprint"},
-        Case{"LinesOfThePage", "comic", {"contour.lines=page", "sky.mode=drawn"}},
-        Case{"FlowingInk", "flowing-ink"},
-        Case{"FlowingInkInSamples", "flowing-ink", {"ink.follow=around", "ink.budget=0.05"}, 2},
-        Case{"ShadowLines", "manual", {"contour.shadow_mm=0.5", "contour.intersection_mm=0.5"}}),
-    [](const testing::TestParamInfo<Case>& tested) { return tested.param.name; });
+        TileCase{"Comic", "comic"}, TileCase{"ComicInSamples", "comic", {}, 4},
+        TileCase{"PencilOfAMap", "pencil", {"hatch.strokes=map", "hatch.overrun_mm=2"}},
+        TileCase{"Engraving", "engraving"}, TileCase{"WashMetered", "wash", {"light.metering=page"}, 2},
+        TileCase{"Ukiyoe", "ukiyoe"},
+        TileCase{"Charcoal", "charcoal", {"contour.joints=mitre", "contour.strokes=2", "bleed.width_mm=2"}},
+        TileCase{"HiddenLines", "blueprint"},
+        TileCase{"LinesOfThePage", "comic", {"contour.lines=page", "sky.mode=drawn"}},
+        TileCase{"FlowingInk", "flowing-ink"},
+        TileCase{"FlowingInkInSamples", "flowing-ink", {"ink.follow=around", "ink.budget=0.05"}, 2},
+        TileCase{"ShadowLines", "manual", {"contour.shadow_mm=0.5", "contour.intersection_mm=0.5"}}),
+    [](const testing::TestParamInfo<TileCase>& tested) { return tested.param.name; });
 
 TEST(DrawnTiles, ComeInBandsFromTheTopDown)
 {
     const Style style = Style::load("comic");
     const RenderSettings settings{.width = 150, .height = 131, .tile_px = 64};
     test::shared_renderer().set_scene(crowded());
-    const Image image = test::shared_renderer().render(camera, style, settings);
+    const Image image = test::shared_renderer().render(tile_camera, style, settings);
     std::vector<uint8_t> rows;
     uint32_t bands = 0;
     double share = -1.0;
-    test::shared_renderer().render_bands(camera, style, settings,
+    test::shared_renderer().render_bands(tile_camera, style, settings,
                                          {.take =
                                               [&](const Image& band) {
                                                   EXPECT_EQ(band.width, 150U);
@@ -129,7 +129,7 @@ TEST(DrawnTiles, ComeInBandsFromTheTopDown)
 /// How wide the line down the left side of a square is, in millimetres, by its ink.
 double line_width_mm(uint32_t height_px, uint32_t tile_px)
 {
-    const Style style = style_of(
+    const Style style = preset_with(
         "manual", {"contour.outline_mm=2", "contour.crease_mm=0", "contour.pressure=0", "contour.taper_mm=0",
                    "contour.distance_thinning=0", "contour.wobble_mm=0", "contour.overshoot_mm=0",
                    "paper.height_mm=50", "paper.margin_mm=0", "paper.grain=0", "paper.ink_break=0",
@@ -166,9 +166,9 @@ TEST(DrawnTiles, OnAPageLongerThanAnyImageTheSameLooksTheSameEverywhere)
     for (int i = -60; i <= 60; ++i) {
         test::add_object(scene, shapes::sphere(0.4F), {0.4F, 0.5F, 0.6F}, {1.5 * i, 0.45, 0.0});
     }
-    const Style style = style_of("manual", {"paper.height_mm=12", "paper.margin_mm=0", "paper.border_mm=0",
-                                            "paper.grain=0", "paper.ink_break=0", "contour.pressure=0",
-                                            "contour.wobble_mm=0", "contour.taper_mm=0"});
+    const Style style = preset_with("manual", {"paper.height_mm=12", "paper.margin_mm=0", "paper.border_mm=0",
+                                               "paper.grain=0", "paper.ink_break=0", "contour.pressure=0",
+                                               "contour.wobble_mm=0", "contour.taper_mm=0"});
     const Camera side{.eye = {0.0, 0.45, 8.0}, .target = {0.0, 0.45, 0.0}, .orthographic_half_height_m = 0.5};
     test::shared_renderer().set_scene(scene);
     const Image page = test::shared_renderer().render(side, style, {.width = 16800, .height = height_px});
@@ -190,17 +190,17 @@ TEST(DrawnTiles, AreRefusedWhereTheyWillNotDo)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(crowded());
-    EXPECT_THROW(std::ignore = renderer.render(camera, {}, {.width = 70000, .height = 10}), Error);
+    EXPECT_THROW(std::ignore = renderer.render(tile_camera, {}, {.width = 70000, .height = 10}), Error);
     const RenderSettings large{.width = 17000, .height = 20};
-    EXPECT_THROW(std::ignore = renderer.render_linear(camera, {}, large), Error);
-    EXPECT_THROW(std::ignore = renderer.render_layers(camera, {}, large), Error);
-    EXPECT_THROW(std::ignore = renderer.draw_strokes(camera, {}, large), Error);
+    EXPECT_THROW(std::ignore = renderer.render_linear(tile_camera, {}, large), Error);
+    EXPECT_THROW(std::ignore = renderer.render_layers(tile_camera, {}, large), Error);
+    EXPECT_THROW(std::ignore = renderer.draw_strokes(tile_camera, {}, large), Error);
     RenderSettings film = large;
     film.continuity = Continuity::starts;
-    EXPECT_THROW(std::ignore = renderer.render(camera, {}, film), Error);
+    EXPECT_THROW(std::ignore = renderer.render(tile_camera, {}, film), Error);
     RenderSettings moved = large;
-    moved.motion_since = Moment{camera, 0.0};
-    EXPECT_THROW(std::ignore = renderer.render(camera, {}, moved), Error);
+    moved.motion_since = Moment{tile_camera, 0.0};
+    EXPECT_THROW(std::ignore = renderer.render(tile_camera, {}, moved), Error);
 }
 
 } // namespace

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "features/common/style_tables.hpp"
+#include "frame/transparent_test_support.hpp"
 #include "output/layer_bytes.hpp"
 #include "output/layer_files.hpp"
 #include "support/gpu_device.hpp"
@@ -19,11 +20,8 @@
 namespace estampe {
 namespace {
 
-constexpr RenderSettings small{.width = 200, .height = 120};
-const Camera camera{.eye = {3.0, 2.0, 5.0}, .target = {0.0, 0.5, 0.0}};
-
 /// A box, white as paper, and a blue ball, on the ground that a scene without a camera is given.
-Scene still_life()
+Scene white_still_life()
 {
     Scene scene = test::scene_of(shapes::box({1.0F, 1.5F, 1.0F}));
     scene.nodes[0].name = "box";
@@ -35,16 +33,6 @@ Scene still_life()
     return scene;
 }
 
-Style style_of(std::initializer_list<const char*> assignments)
-{
-    Style style;
-    style.set("paper.grain=0");
-    for (const char* assignment : assignments) {
-        style.set(assignment);
-    }
-    return style;
-}
-
 Style with(Style style, std::initializer_list<const char*> assignments)
 {
     for (const char* assignment : assignments) {
@@ -53,9 +41,9 @@ Style with(Style style, std::initializer_list<const char*> assignments)
     return style;
 }
 
-Image draw(const Style& style, const RenderSettings& settings = small)
+Image draw_transparent(const Style& style, const RenderSettings& settings = transparent_page)
 {
-    return test::shared_renderer().render(camera, style, settings);
+    return test::shared_renderer().render(transparent_camera, style, settings);
 }
 
 /// The largest difference of a picture laid on paper, as programs do, from one that was drawn there.
@@ -78,17 +66,18 @@ const glm::dvec3 own_paper(0xf6, 0xf0, 0xe2); // of the default style
 
 TEST(Transparent, OnItsOwnPaperIsTheOpaquePicture)
 {
-    test::shared_renderer().set_scene(still_life());
+    test::shared_renderer().set_scene(white_still_life());
     const std::vector<Style> styles{
-        style_of({}), style_of({"wash.strength=1", "paper.border_mm=0.8", "paper.ink_tint=1"}),
-        style_of({"bleed.width_mm=0.5", "contour.ink=#c03020"}), style_of({"ink.drawn=true", "ink.age_s=1"})};
+        grainless_style({}), grainless_style({"wash.strength=1", "paper.border_mm=0.8", "paper.ink_tint=1"}),
+        grainless_style({"bleed.width_mm=0.5", "contour.ink=#c03020"}),
+        grainless_style({"ink.drawn=true", "ink.age_s=1"})};
     for (size_t i = 0; i < styles.size(); ++i) {
         for (const uint32_t samples : {1U, 4U}) {
-            RenderSettings settings = small;
+            RenderSettings settings = transparent_page;
             settings.samples = samples;
-            const Image opaque = draw(styles[i], settings);
+            const Image opaque = draw_transparent(styles[i], settings);
             for (const char* mode : {"paper.transparent=background", "paper.transparent=paper"}) {
-                const Image transparent = draw(with(styles[i], {mode}), settings);
+                const Image transparent = draw_transparent(with(styles[i], {mode}), settings);
                 EXPECT_LE(difference_on(transparent, own_paper, opaque), 1.0)
                     << "style " << i << " samples " << samples << " " << mode;
             }
@@ -98,14 +87,14 @@ TEST(Transparent, OnItsOwnPaperIsTheOpaquePicture)
 
 TEST(Transparent, InkLooksOnAnyPaperAsIfDrawnThere)
 {
-    test::shared_renderer().set_scene(still_life());
-    const Style ink = style_of({"wash.strength=0", "paper.transparent=paper"});
-    const Image transparent = draw(ink);
+    test::shared_renderer().set_scene(white_still_life());
+    const Style ink = grainless_style({"wash.strength=0", "paper.transparent=paper"});
+    const Image transparent = draw_transparent(ink);
     for (const auto& [name, color, bound] :
          {std::tuple("paper.color=#ffffff", glm::dvec3(255.0), 4.0),
           std::tuple("paper.color=#ff0000", glm::dvec3(255.0, 0.0, 0.0), 16.0),
           std::tuple("paper.color=#000000", glm::dvec3(0.0), 16.0)}) {
-        const Image drawn = draw(with(ink, {name, "paper.transparent=none"}));
+        const Image drawn = draw_transparent(with(ink, {name, "paper.transparent=none"}));
         const double difference = difference_on(transparent, color, drawn);
         RecordProperty(name, std::to_string(difference));
         EXPECT_LE(difference, bound) << name;
@@ -115,15 +104,16 @@ TEST(Transparent, InkLooksOnAnyPaperAsIfDrawnThere)
 TEST(Transparent, ThingsHideWhatIsBehindThemAndTheirShadowDoesNot)
 {
     Renderer& renderer = test::shared_renderer();
-    renderer.set_scene(still_life());
+    renderer.set_scene(white_still_life());
     const Style style =
-        style_of({"paper.transparent=background", "hatch.drawn=false", "contour.drawn=false"});
-    const LayeredImage layers = renderer.render_layers(camera, style, small);
+        grainless_style({"paper.transparent=background", "hatch.drawn=false", "contour.drawn=false"});
+    const LayeredImage layers = renderer.render_layers(transparent_camera, style, transparent_page);
     size_t solid = 0;
-    std::vector<bool> is_thing(size_t{small.width} * small.height, false);
+    std::vector<bool> is_thing(size_t{transparent_page.width} * transparent_page.height, false);
     for (const PictureMask& mask : layers.masks) {
         for (uint32_t i = 0; mask.name != "ground" && mask.is_object && i < mask.cover.size(); ++i) {
-            const size_t at = size_t{mask.y + i / mask.width} * small.width + mask.x + i % mask.width;
+            const size_t at =
+                size_t{mask.y + i / mask.width} * transparent_page.width + mask.x + i % mask.width;
             is_thing[at] = is_thing[at] || mask.cover[i] > 0.0F;
         }
     }
@@ -133,9 +123,11 @@ TEST(Transparent, ThingsHideWhatIsBehindThemAndTheirShadowDoesNot)
         const uint8_t alpha = layers.picture.rgba[4 * i + 3];
         solid += is_thing[i] ? 1 : 0;
         if (is_thing[i]) {
-            EXPECT_EQ(alpha, 255) << "a hole at " << i % small.width << ", " << i / small.width;
+            EXPECT_EQ(alpha, 255) << "a hole at " << i % transparent_page.width << ", "
+                                  << i / transparent_page.width;
         } else {
-            EXPECT_LT(alpha, 200) << "at " << i % small.width << ", " << i / small.width;
+            EXPECT_LT(alpha, 200) << "at " << i % transparent_page.width << ", "
+                                  << i / transparent_page.width;
             shaded += alpha > 0 ? 1 : 0;
             bare += alpha == 0 ? 1 : 0;
         }
@@ -144,42 +136,42 @@ TEST(Transparent, ThingsHideWhatIsBehindThemAndTheirShadowDoesNot)
     EXPECT_GT(shaded, 50U) << "there is a shadow on the ground";
     EXPECT_GT(bare, solid);
     // All paper gone, the white box is not there.
-    const Image keyed = draw(with(style, {"paper.transparent=paper", "wash.strength=0"}));
+    const Image keyed = draw_transparent(with(style, {"paper.transparent=paper", "wash.strength=0"}));
     EXPECT_TRUE(std::ranges::all_of(keyed.rgba, [](uint8_t value) { return value == 0; }));
 }
 
 TEST(Transparent, BackgroundHasNoSky)
 {
-    test::shared_renderer().set_scene(still_life());
-    const Style sky = style_of({"sky.mode=drawn", "picture.ground=none"});
-    const Image plain = draw(with(sky, {"sky.mode=paper"}));
-    const Image without = draw(with(sky, {"paper.transparent=background"}));
+    test::shared_renderer().set_scene(white_still_life());
+    const Style sky = grainless_style({"sky.mode=drawn", "picture.ground=none"});
+    const Image plain = draw_transparent(with(sky, {"sky.mode=paper"}));
+    const Image without = draw_transparent(with(sky, {"paper.transparent=background"}));
     EXPECT_EQ(without.rgba[3], 0);
     EXPECT_LE(difference_on(without, own_paper, plain), 1.0);
     // Keyed out like the white of a scan, the sky stays: it is paint.
-    const Image keyed = draw(with(sky, {"paper.transparent=paper"}));
-    EXPECT_LE(difference_on(keyed, own_paper, draw(sky)), 1.0);
+    const Image keyed = draw_transparent(with(sky, {"paper.transparent=paper"}));
+    EXPECT_LE(difference_on(keyed, own_paper, draw_transparent(sky)), 1.0);
     EXPECT_NE(keyed, without);
 }
 
 TEST(Transparent, LensAndShutterBlurTheEdgesToo)
 {
-    Scene scene = still_life();
+    Scene scene = white_still_life();
     scene.animations.push_back({.channels = {{.node = 0,
                                               .path = AnimatedPath::translation,
                                               .times_s = {0.0F, 1.0F},
                                               .values = {0.0F, 0.0F, 0.0F, 4.0F, 0.0F, 0.0F}}},
                                 .duration_s = 1.0F});
     test::shared_renderer().set_scene(scene);
-    RenderSettings settings = small;
+    RenderSettings settings = transparent_page;
     settings.time_s = 0.3;
-    for (const Style& style : {style_of({"lens.mode=gather", "lens.focus_m=2", "lens.f_number=1"}),
-                               style_of({"motion_blur.mode=tiles", "motion_blur.shutter_deg=360"}),
-                               style_of({"motion_blur.mode=own", "motion_blur.shutter_deg=360"})}) {
-        const Image opaque = draw(style, settings);
-        const Image transparent = draw(with(style, {"paper.transparent=background"}), settings);
+    for (const Style& style : {grainless_style({"lens.mode=gather", "lens.focus_m=2", "lens.f_number=1"}),
+                               grainless_style({"motion_blur.mode=tiles", "motion_blur.shutter_deg=360"}),
+                               grainless_style({"motion_blur.mode=own", "motion_blur.shutter_deg=360"})}) {
+        const Image opaque = draw_transparent(style, settings);
+        const Image transparent = draw_transparent(with(style, {"paper.transparent=background"}), settings);
         EXPECT_LE(difference_on(transparent, own_paper, opaque), 2.0);
-        const Image sharp = draw(style_of({"paper.transparent=background"}), settings);
+        const Image sharp = draw_transparent(grainless_style({"paper.transparent=background"}), settings);
         const auto soft = [](const Image& image) {
             size_t count = 0;
             for (size_t i = 3; i < image.rgba.size(); i += 4) {
@@ -194,15 +186,15 @@ TEST(Transparent, LensAndShutterBlurTheEdgesToo)
 TEST(Transparent, TilesAndFloatsAndLayersAgree)
 {
     Renderer& renderer = test::shared_renderer();
-    renderer.set_scene(still_life());
-    const glm::vec3 paper_linear = style_of({}).tables().paper.color;
+    renderer.set_scene(white_still_life());
+    const glm::vec3 paper_linear = grainless_style({}).tables().paper.color;
     for (const char* mode : {"paper.transparent=background", "paper.transparent=paper"}) {
         for (const uint32_t samples : {1U, 3U}) {
-            const Style style = style_of({mode});
-            RenderSettings settings = small;
+            const Style style = grainless_style({mode});
+            RenderSettings settings = transparent_page;
             settings.samples = samples;
-            const Image picture = draw(style, settings);
-            const LinearImage linear = renderer.render_linear(camera, style, settings);
+            const Image picture = draw_transparent(style, settings);
+            const LinearImage linear = renderer.render_linear(transparent_camera, style, settings);
             ASSERT_TRUE(linear.paper.has_value());
             const Image of_floats = output::encoded_bytes(linear);
             int off = 0;
@@ -210,9 +202,10 @@ TEST(Transparent, TilesAndFloatsAndLayersAgree)
                 off = std::max(off, std::abs(picture.rgba[i] - of_floats.rgba[i]));
             }
             EXPECT_LE(off, 1);
-            EXPECT_LE(difference_on(of_floats, own_paper, draw(style_of({}), settings)), 1.0);
+            EXPECT_LE(difference_on(of_floats, own_paper, draw_transparent(grainless_style({}), settings)),
+                      1.0);
 
-            const LayeredImage layers = renderer.render_layers(camera, style, settings);
+            const LayeredImage layers = renderer.render_layers(transparent_camera, style, settings);
             EXPECT_EQ(layers.picture, picture);
             const LinearImage flat = flattened(layers);
             for (size_t i = 0; i < flat.pixels.size(); ++i) {
@@ -229,11 +222,12 @@ TEST(Transparent, TilesAndFloatsAndLayersAgree)
             EXPECT_FALSE(raster.layers.front().is_visible);
             EXPECT_LT(raster.thumbnail.rgba[3], 128);
             raster.layers.front().is_visible = true;
-            EXPECT_LE(test::largest_difference(test::composite(raster, true), draw(style_of({}), settings)),
+            EXPECT_LE(test::largest_difference(test::composite(raster, true),
+                                               draw_transparent(grainless_style({}), settings)),
                       1.0);
 
             settings.tile_px = 96;
-            const Image tiled = draw(style, settings);
+            const Image tiled = draw_transparent(style, settings);
             size_t differing = 0;
             for (size_t i = 0; i < tiled.rgba.size(); i += 4) {
                 differing += std::abs(tiled.rgba[i + 3] - picture.rgba[i + 3]) > 2 ? 1 : 0;

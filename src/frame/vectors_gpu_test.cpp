@@ -23,11 +23,11 @@
 namespace estampe {
 namespace {
 
-constexpr RenderSettings small{.width = 240, .height = 180};
-const Camera camera{.eye = {3.0, 3.0, 5.0}, .target = {0.0, 0.4, 0.0}};
+constexpr RenderSettings vector_page{.width = 240, .height = 180};
+const Camera vector_camera{.eye = {3.0, 3.0, 5.0}, .target = {0.0, 0.4, 0.0}};
 
 /// Things before and behind each other, some of them beyond the edge of the page.
-Scene still_life()
+Scene crowded_still_life()
 {
     Scene scene = test::scene_of(shapes::plane(6.0F, 6.0F));
     test::add_object(scene, shapes::box({1.0F, 1.5F, 1.0F}), {0.8F, 0.3F, 0.2F}, {-0.6, 0.0, 0.0});
@@ -57,7 +57,7 @@ const std::vector<std::string> only_lines{"hatch.drawn=false"};
 const std::vector<std::string> only_hatching{"contour.drawn=false"};
 
 /// How much of each pixel is ink, by the encoding in which black was laid over white.
-struct Ink {
+struct PageInk {
     uint32_t width = 0;
     uint32_t height = 0;
     std::vector<double> of_pixel;
@@ -78,9 +78,9 @@ struct Ink {
     }
 };
 
-Ink ink_of(const Image& image, bool is_linear)
+PageInk page_ink(const Image& image, bool is_linear)
 {
-    Ink ink{image.width, image.height, {}};
+    PageInk ink{image.width, image.height, {}};
     ink.of_pixel.reserve(image.rgba.size() / 4);
     for (size_t i = 0; i < image.rgba.size(); i += 4) {
         const double value = image.rgba[i + 1] / 255.0;
@@ -91,7 +91,7 @@ Ink ink_of(const Image& image, bool is_linear)
 }
 
 /// Share of the ink of `a` that has ink of `b` within 1.5 pixels, at least half as much.
-double covered(const Ink& a, const Ink& b)
+double covered(const PageInk& a, const PageInk& b)
 {
     double all = 0.0;
     double met = 0.0;
@@ -120,8 +120,8 @@ Image by_librsvg(const std::filesystem::path& svg, const RenderSettings& setting
 }
 
 struct Both {
-    Ink picture;
-    Ink paths;
+    PageInk picture;
+    PageInk paths;
 };
 
 Both both_ways(const Scene& scene, const Camera& from, const Style& style, const RenderSettings& settings)
@@ -131,7 +131,7 @@ Both both_ways(const Scene& scene, const Camera& from, const Style& style, const
     renderer.set_scene(scene);
     const Image picture = renderer.render(from, style, settings);
     save_svg(renderer.draw_strokes(from, style, settings), folder / "strokes.svg");
-    return {ink_of(picture, true), ink_of(by_librsvg(folder / "strokes.svg", settings), false)};
+    return {page_ink(picture, true), page_ink(by_librsvg(folder / "strokes.svg", settings), false)};
 }
 
 /// Mean ink of lines may differ: where two meet within a pixel the picture keeps the darker, an SVG lays one
@@ -147,8 +147,8 @@ void expect_alike(const Both& both, double least_covered, double most_more_ink =
 TEST(Vectors, TheMarginIsLeftBlankAndTheBorderIsRuled)
 {
     Style style = bare({"paper.margin_mm=5", "paper.border_mm=0.4"});
-    test::shared_renderer().set_scene(still_life());
-    const VectorDrawing drawing = test::shared_renderer().draw_strokes(camera, style, small);
+    test::shared_renderer().set_scene(crowded_still_life());
+    const VectorDrawing drawing = test::shared_renderer().draw_strokes(vector_camera, style, vector_page);
     float ruled_mm = 0.0F;
     for (const VectorStroke& stroke : drawing.strokes) {
         for (size_t i = 0; i < stroke.points.size(); ++i) {
@@ -169,10 +169,10 @@ TEST(Vectors, FocusLinesLieWhereThePictureHasThem)
     const Style style = bare({"hatch.drawn=false", "contour.drawn=false", "focus.drawn=true",
                               "focus.clear=0.4", "focus.ink=#000", "paper.margin_mm=5"});
     Renderer& renderer = test::shared_renderer();
-    renderer.set_scene(still_life());
-    const VectorDrawing drawing = renderer.draw_strokes(camera, style, small);
-    const Image picture = renderer.render(camera, style, small);
-    const float px_per_mm = static_cast<float>(small.height) / drawing.height_mm;
+    renderer.set_scene(crowded_still_life());
+    const VectorDrawing drawing = renderer.draw_strokes(vector_camera, style, vector_page);
+    const Image picture = renderer.render(vector_camera, style, vector_page);
+    const float px_per_mm = static_cast<float>(vector_page.height) / drawing.height_mm;
     ASSERT_GT(drawing.strokes.size(), 20U);
     for (const VectorStroke& stroke : drawing.strokes) {
         ASSERT_EQ(stroke.kind, StrokeKind::focus);
@@ -180,7 +180,7 @@ TEST(Vectors, FocusLinesLieWhereThePictureHasThem)
         const VectorPoint& end = stroke.points.back();
         const glm::vec2 inwards = glm::normalize(stroke.points.front().page_mm - end.page_mm);
         const glm::ivec2 pixel((end.page_mm + 0.5F * inwards) * px_per_mm);
-        const auto at = 4 * static_cast<size_t>(pixel.y * static_cast<int>(small.width) + pixel.x);
+        const auto at = 4 * static_cast<size_t>(pixel.y * static_cast<int>(vector_page.width) + pixel.x);
         const float is_wide = end.width_mm * px_per_mm;
         EXPECT_TRUE(is_wide < 1.5F || picture.rgba[at] < 128) << pixel.x << ", " << pixel.y;
     }
@@ -188,29 +188,30 @@ TEST(Vectors, FocusLinesLieWhereThePictureHasThem)
 
 TEST(Vectors, LinesLieWhereThePictureHasThem)
 {
-    expect_alike(both_ways(still_life(), camera, bare(only_lines), small), 0.99);
+    expect_alike(both_ways(crowded_still_life(), vector_camera, bare(only_lines), vector_page), 0.99);
 }
 
 TEST(Vectors, LinesOfMeshEdgesToo)
 {
-    expect_alike(both_ways(still_life(), camera,
+    expect_alike(both_ways(crowded_still_life(), vector_camera,
                            bare({"hatch.drawn=false", "contour.silhouettes=edges", "contour.wobble_mm=0.2"}),
-                           small),
+                           vector_page),
                  0.99);
 }
 
 TEST(Vectors, LinesDrawnTwiceByALooseHandToo)
 {
-    expect_alike(both_ways(still_life(), camera,
+    expect_alike(both_ways(crowded_still_life(), vector_camera,
                            bare({"hatch.drawn=false", "contour.strokes=2", "contour.retrace_mm=0.8",
                                  "contour.wobble_mm=0.2", "contour.jitter_ends_mm=1",
                                  "contour.jitter_width=0.3", "contour.overshoot_mm=0.8"}),
-                           small),
+                           vector_page),
                  0.98, 0.08);
     Renderer& renderer = test::shared_renderer();
-    const size_t once = renderer.draw_strokes(camera, bare(only_lines), small).strokes.size();
+    const size_t once = renderer.draw_strokes(vector_camera, bare(only_lines), vector_page).strokes.size();
     const size_t twice =
-        renderer.draw_strokes(camera, bare({"hatch.drawn=false", "contour.strokes=2"}), small).strokes.size();
+        renderer.draw_strokes(vector_camera, bare({"hatch.drawn=false", "contour.strokes=2"}), vector_page)
+            .strokes.size();
     EXPECT_GT(twice, once);
     EXPECT_LE(twice, 2 * once);
 }
@@ -218,11 +219,11 @@ TEST(Vectors, LinesDrawnTwiceByALooseHandToo)
 TEST(Vectors, OtherBrushesGiveWayToThePenAndItIsSaid)
 {
     Renderer& renderer = test::shared_renderer();
-    renderer.set_scene(still_life());
-    const VectorDrawing pen = renderer.draw_strokes(camera, bare(only_lines), small);
+    renderer.set_scene(crowded_still_life());
+    const VectorDrawing pen = renderer.draw_strokes(vector_camera, bare(only_lines), vector_page);
     EXPECT_TRUE(renderer.notes().empty());
-    const VectorDrawing other =
-        renderer.draw_strokes(camera, bare({"hatch.drawn=false", "contour.brush=charcoal"}), small);
+    const VectorDrawing other = renderer.draw_strokes(
+        vector_camera, bare({"hatch.drawn=false", "contour.brush=charcoal"}), vector_page);
     ASSERT_EQ(renderer.notes().size(), 1U);
     EXPECT_NE(renderer.notes().front().find("the pen"), std::string::npos);
     EXPECT_EQ(other.strokes.size(), pen.strokes.size());
@@ -234,7 +235,7 @@ TEST_P(HatchVectors, HatchingLiesWhereThePictureHasIt)
 {
     std::vector<std::string> assignments = only_hatching;
     assignments.emplace_back(GetParam());
-    expect_alike(both_ways(still_life(), camera, bare(assignments), small), 0.98);
+    expect_alike(both_ways(crowded_still_life(), vector_camera, bare(assignments), vector_page), 0.98);
 }
 
 INSTANTIATE_TEST_SUITE_P(Styles, HatchVectors,
@@ -250,11 +251,11 @@ INSTANTIATE_TEST_SUITE_P(Styles, HatchVectors,
 
 TEST(Vectors, StrokesStayOnThePageAndKnowWhatTheyBelongTo)
 {
-    Scene scene = still_life();
+    Scene scene = crowded_still_life();
     scene.nodes[2].name = "ball";
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(scene);
-    const VectorDrawing drawing = renderer.draw_strokes(camera, bare({}), small);
+    const VectorDrawing drawing = renderer.draw_strokes(vector_camera, bare({}), vector_page);
     EXPECT_FLOAT_EQ(drawing.height_mm, 50.0F);
     EXPECT_NEAR(drawing.width_mm, 66.667F, 1e-3F);
     size_t of_ball = 0;
@@ -296,7 +297,7 @@ TEST(Vectors, EachKindOfLineIsAKindOfStroke)
         all.insert(all.end(), {"hatch.drawn=false", "picture.ground=none"});
         float sum = 0.0F;
         for (const VectorStroke& stroke :
-             renderer.draw_strokes({.eye = {0.6, 1.8, 8.0}}, bare(all), small).strokes) {
+             renderer.draw_strokes({.eye = {0.6, 1.8, 8.0}}, bare(all), vector_page).strokes) {
             for (size_t i = 1; stroke.kind == kind && i < stroke.points.size(); ++i) {
                 sum += glm::distance(stroke.points[i - 1].page_mm, stroke.points[i].page_mm);
             }
@@ -324,7 +325,7 @@ TEST(Vectors, HiddenLinesComeWhereAskedFor)
     const auto total_mm = [&](HiddenLines hidden, bool of_hidden) {
         const VectorDrawing drawing =
             renderer.draw_strokes({.eye = {3.0, 3.0, 5.0}, .target = {0.0, 0.5, 0.0}},
-                                  bare({"hatch.drawn=false", "picture.ground=none"}), small, hidden);
+                                  bare({"hatch.drawn=false", "picture.ground=none"}), vector_page, hidden);
         double sum = 0.0;
         for (const VectorStroke& stroke : drawing.strokes) {
             for (size_t i = 1; i < stroke.points.size() && stroke.is_hidden == of_hidden; ++i) {
@@ -343,12 +344,12 @@ TEST(Vectors, HiddenLinesComeWhereAskedFor)
 TEST(Vectors, HiddenLinesOfTheStyleComeWithItsDashes)
 {
     Renderer& renderer = test::shared_renderer();
-    renderer.set_scene(still_life());
+    renderer.set_scene(crowded_still_life());
     const VectorDrawing drawing =
-        renderer.draw_strokes(camera,
+        renderer.draw_strokes(vector_camera,
                               bare({"hatch.drawn=false", "contour.hidden=dashed", "contour.hidden_mm=0.3",
                                     "contour.hidden_dash_mm=2", "contour.hidden_gap_mm=1"}),
-                              small);
+                              vector_page);
     EXPECT_FLOAT_EQ(drawing.dash_mm, 1.7F); // and round ends
     EXPECT_FLOAT_EQ(drawing.dash_gap_mm, 1.3F);
     size_t hidden = 0;
@@ -362,12 +363,12 @@ TEST(Vectors, HiddenLinesOfTheStyleComeWithItsDashes)
 TEST(Vectors, WhatHasNoPathsIsAnErrorThatNamesTheKey)
 {
     Renderer& renderer = test::shared_renderer();
-    renderer.set_scene(still_life());
+    renderer.set_scene(crowded_still_life());
     for (const auto& [assignment, key] :
          {std::pair("hatch.strokes=map", "hatch.strokes"), std::pair("hatch.strokes=dots", "hatch.strokes"),
           std::pair("contour.lines=page", "contour.lines")}) {
         try {
-            static_cast<void>(renderer.draw_strokes(camera, bare({assignment}), small));
+            static_cast<void>(renderer.draw_strokes(vector_camera, bare({assignment}), vector_page));
             ADD_FAILURE() << assignment;
         } catch (const Error& error) {
             EXPECT_NE(std::string(error.what()).find("no paths"), std::string::npos);
@@ -375,18 +376,18 @@ TEST(Vectors, WhatHasNoPathsIsAnErrorThatNamesTheKey)
         }
     }
     const VectorDrawing none =
-        renderer.draw_strokes(camera, bare({"hatch.drawn=false", "contour.drawn=false"}), small);
+        renderer.draw_strokes(vector_camera, bare({"hatch.drawn=false", "contour.drawn=false"}), vector_page);
     EXPECT_TRUE(none.strokes.empty());
 }
 
 TEST(Vectors, ThePictureIsTheSameBeforeAndAfter)
 {
     Renderer& renderer = test::shared_renderer();
-    renderer.set_scene(still_life());
-    const Image before = renderer.render(camera, {}, small);
-    const VectorDrawing first = renderer.draw_strokes(camera, {}, small);
-    EXPECT_EQ(before, renderer.render(camera, {}, small));
-    const VectorDrawing second = renderer.draw_strokes(camera, {}, small);
+    renderer.set_scene(crowded_still_life());
+    const Image before = renderer.render(vector_camera, {}, vector_page);
+    const VectorDrawing first = renderer.draw_strokes(vector_camera, {}, vector_page);
+    EXPECT_EQ(before, renderer.render(vector_camera, {}, vector_page));
+    const VectorDrawing second = renderer.draw_strokes(vector_camera, {}, vector_page);
     ASSERT_EQ(first.strokes.size(), second.strokes.size());
     for (size_t i = 0; i < first.strokes.size(); ++i) {
         EXPECT_EQ(first.strokes[i].points, second.strokes[i].points);

@@ -11,9 +11,9 @@ namespace estampe::gpu {
 namespace {
 
 /// Builds SPIR-V one instruction at a time.
-class Words {
+class Assembly {
 public:
-    Words& add(uint32_t op, std::initializer_list<uint32_t> operands)
+    Assembly& add(uint32_t op, std::initializer_list<uint32_t> operands)
     {
         words_.push_back(static_cast<uint32_t>(operands.size() + 1) << 16U | op);
         words_.insert(words_.end(), operands);
@@ -42,9 +42,9 @@ constexpr uint32_t vector = 20;
 constexpr uint32_t entry = 30;
 
 /// A shader with a specialization constant whose lowest bit is `is_set`, up to its first block.
-Words begun()
+Assembly begun()
 {
-    Words words;
+    Assembly words;
     words.add(15, {5, entry, 0x6e69616dU, 0}); // OpEntryPoint "main"
     words.add(16, {entry, 17, 8, 4, 2});       // LocalSize
     words.add(71, {variant, 1, 0});            // SpecId 0
@@ -59,14 +59,14 @@ Words begun()
     return words;
 }
 
-uint64_t counted(const Words& words, uint32_t of_variant = 0)
+uint64_t counted(const Assembly& words, uint32_t of_variant = 0)
 {
     return ops_of(words.all(), of_variant).operations;
 }
 
 TEST(ShaderOps, CountsComponentsOfArithmetic)
 {
-    Words words = begun();
+    Assembly words = begun();
     words.add(129, {vec4_type, 50, vector, vector});                // FAdd: 4
     words.add(148, {float_type, 51, vector, vector});               // Dot: 7
     words.add(12, {vec4_type, 52, 99, 50, vector, vector, vector}); // Fma: 8
@@ -80,7 +80,7 @@ TEST(ShaderOps, CountsComponentsOfArithmetic)
 
 TEST(ShaderOps, CountsOfASwitchThatTheVariantDecidesOneSide)
 {
-    Words words = begun();
+    Assembly words = begun();
     words.add(250, {is_set, 41, 42});
     words.add(248, {41}).add(129, {vec4_type, 50, vector, vector}).add(249, {43});
     words.add(248, {42}).add(129, {float_type, 51, 98, 98}).add(249, {43});
@@ -92,7 +92,7 @@ TEST(ShaderOps, CountsOfASwitchThatTheVariantDecidesOneSide)
 
 TEST(ShaderOps, CountsOfABranchThatDataDecidesBothSides)
 {
-    Words words = begun();
+    Assembly words = begun();
     words.add(180, {bool_type, 60, 98, 98}); // FOrdEqual: 1, with an unknown result
     words.add(250, {60, 41, 42});
     words.add(248, {41}).add(129, {vec4_type, 50, vector, vector}).add(249, {43});
@@ -103,7 +103,7 @@ TEST(ShaderOps, CountsOfABranchThatDataDecidesBothSides)
 
 TEST(ShaderOps, CountsALoopOnce)
 {
-    Words words = begun();
+    Assembly words = begun();
     words.add(249, {41});
     words.add(248, {41}).add(180, {bool_type, 60, 98, 98}).add(250, {60, 42, 43});
     words.add(248, {42}).add(129, {vec4_type, 50, vector, vector}).add(249, {41});
@@ -114,7 +114,7 @@ TEST(ShaderOps, CountsALoopOnce)
 TEST(ShaderOps, RefusesWhatIsNoShader)
 {
     EXPECT_THROW(static_cast<void>(ops_of({}, 0)), std::logic_error);
-    Words words = begun();
+    Assembly words = begun();
     std::vector<uint32_t> cut = words.all();
     cut.pop_back();
     EXPECT_THROW(static_cast<void>(ops_of(cut, 0)), std::logic_error);

@@ -22,7 +22,7 @@ namespace {
 constexpr glm::uvec2 size_px(64, 48);
 
 /// A soft ball on paper that moves to the right.
-Image frame_at(uint32_t number, glm::uvec2 size = size_px)
+Image ball_at(uint32_t number, glm::uvec2 size = size_px)
 {
     Image image{.width = size.x, .height = size.y};
     for (uint32_t y = 0; y < size.y; ++y) {
@@ -41,7 +41,7 @@ void write_film(const std::filesystem::path& path, uint32_t count, glm::uvec2 si
 {
     FilmWriter film(path, size.x, size.y, 24.0);
     for (uint32_t number = 0; number < count; ++number) {
-        film.add(frame_at(number, size));
+        film.add(ball_at(number, size));
     }
     film.finish();
 }
@@ -74,7 +74,7 @@ TEST_P(Film, ShowsItsFramesInTheirOrder)
     constexpr size_t frame_bytes = 3ULL * size_px.x * size_px.y;
     ASSERT_EQ(pixels.size(), count * frame_bytes);
     for (uint32_t number = 0; number < count; ++number) {
-        const Image expected = frame_at(number);
+        const Image expected = ball_at(number);
         double difference = 0.0;
         for (size_t i = 0; i < frame_bytes; ++i) {
             const auto shown = static_cast<uint8_t>(pixels[number * frame_bytes + i]);
@@ -127,7 +127,7 @@ TEST(FilmErrors, AreToldInWords)
     EXPECT_NE(message([&] { FilmWriter(path, 8, 8, 0.0); }).find("0.1 to 1000"), std::string::npos);
     EXPECT_NE(message([&] { FilmWriter(path, 8, 8, 24.0).finish(); }).find("without frames"),
               std::string::npos);
-    EXPECT_NE(message([&] { FilmWriter(path, 8, 8, 24.0).add(frame_at(0)); }).find("64 x 48"),
+    EXPECT_NE(message([&] { FilmWriter(path, 8, 8, 24.0).add(ball_at(0)); }).find("64 x 48"),
               std::string::npos);
     EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << "nothing half done stays";
 
@@ -140,7 +140,7 @@ TEST(FilmErrors, AreToldInWords)
     const auto give_up = [&] {
         FilmWriter film(path, size_px.x, size_px.y, 24.0);
         for (uint32_t number = 0; number < 200; ++number) {
-            film.add(frame_at(number));
+            film.add(ball_at(number));
         }
         film.finish();
     };

@@ -25,8 +25,8 @@
 namespace estampe {
 namespace {
 
-constexpr uint32_t width = 300; // Larger than a thumbnail
-constexpr uint32_t height = 90;
+constexpr uint32_t layers_width = 300; // Larger than a thumbnail
+constexpr uint32_t layers_height = 90;
 
 Image picture_of(const LinearImage& linear)
 {
@@ -52,10 +52,11 @@ LayeredImage any_layers(uint32_t seed)
     };
     LayeredImage image;
     for (const char* name : {"paper", "wash", "hatch", "lines"}) {
-        image.layers.push_back({.name = name, .image = {.width = width, .height = height, .pixels = {}}});
+        image.layers.push_back(
+            {.name = name, .image = {.width = layers_width, .height = layers_height, .pixels = {}}});
     }
     image.layers[1].blend = LayerBlend::multiply;
-    for (uint32_t i = 0; i < width * height; ++i) {
+    for (uint32_t i = 0; i < layers_width * layers_height; ++i) {
         const float lightness = share(random) < 0.3F ? 0.05F : 1.04F;
         image.layers[0].image.pixels.emplace_back(lightness * (1.0F - 0.2F * color(1.0F)), 1.0F);
         image.layers[1].image.pixels.emplace_back(share(random) < 0.3F ? glm::vec3(1.0F) : color(0.5F), 1.0F);
@@ -72,9 +73,9 @@ LayeredImage any_layers(uint32_t seed)
     image.masks.push_back({.name = "shadow",
                            .is_object = false,
                            .above = 2,
-                           .width = width,
-                           .height = height,
-                           .cover = std::vector<float>(width * height, 0.25F)});
+                           .width = layers_width,
+                           .height = layers_height,
+                           .cover = std::vector<float>(layers_width * layers_height, 0.25F)});
     image.masks.push_back({.name = "a \"b\" <c> & d",
                            .above = 4,
                            .x = 20,
@@ -106,8 +107,8 @@ TEST(Layers, OpenRasterIsAsTheFormatWantsIt)
     EXPECT_EQ(raster.entries.at(0), "mimetype");
     EXPECT_EQ(raster.mimetype, "image/openraster");
     EXPECT_TRUE(raster.is_mimetype_stored);
-    EXPECT_EQ(raster.width, width);
-    EXPECT_EQ(raster.height, height);
+    EXPECT_EQ(raster.width, layers_width);
+    EXPECT_EQ(raster.height, layers_height);
     EXPECT_EQ(raster.thumbnail.width, 256U);
     EXPECT_EQ(raster.thumbnail.height, 76U);
     std::vector<std::string> told;
@@ -140,7 +141,7 @@ TEST(Layers, InkKeepsItsColour)
 {
     LayeredImage image = any_layers(5);
     const glm::vec3 ink(0.02F, 0.05F, 0.2F);
-    for (uint32_t i = 0; i < width * height; ++i) {
+    for (uint32_t i = 0; i < layers_width * layers_height; ++i) {
         const float cover = static_cast<float>(i % 101) / 100.0F;
         image.layers[0].image.pixels[i] = glm::vec4(0.9F, 0.85F, 0.7F, 1.0F);
         image.layers[1].image.pixels[i] = glm::vec4(1.0F);
@@ -176,9 +177,9 @@ TEST(Layers, FolderListsItsFiles)
         const auto manifest =
             nlohmann::json::parse(reinterpret_cast<const char*>(bytes.data()),
                                   reinterpret_cast<const char*>(bytes.data() + bytes.size()));
-        EXPECT_EQ(manifest.at("width"), width);
+        EXPECT_EQ(manifest.at("width"), layers_width);
         ASSERT_EQ(manifest.at("layers").size(), 7U);
-        test::OpenRaster raster{.width = width, .height = height};
+        test::OpenRaster raster{.width = layers_width, .height = layers_height};
         for (const auto& layer : manifest.at("layers")) {
             raster.layers.push_back(
                 {.name = layer.at("name"),
@@ -225,21 +226,21 @@ TEST(Layers, ExrHoldsAllOfThem)
     const Imf::ChannelList& channels = file.header().channels();
     for (auto channel = channels.begin(); channel != channels.end(); ++channel) {
         std::vector<float>& own = values[channel.name()];
-        own.resize(size_t{width} * height);
+        own.resize(size_t{layers_width} * layers_height);
         slices.insert(channel.name(), Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(own.data()),
-                                                 sizeof(float), sizeof(float) * width));
+                                                 sizeof(float), sizeof(float) * layers_width));
     }
     file.setFrameBuffer(slices);
-    file.readPixels(0, static_cast<int>(height) - 1);
+    file.readPixels(0, static_cast<int>(layers_height) - 1);
     const auto listed =
         nlohmann::json::parse(file.header().typedAttribute<Imf::StringAttribute>("estampe:layers").value());
     ASSERT_EQ(listed.at("layers").size(), 7U);
     EXPECT_EQ(listed["layers"][6]["file"], "a_b");
     EXPECT_EQ(values.at("a_b.Y").back(), 1.0F);
-    EXPECT_EQ(values.at("a \"b\" <c> & d.Y")[size_t{11} * width + 20], 0.5F);
+    EXPECT_EQ(values.at("a \"b\" <c> & d.Y")[size_t{11} * layers_width + 20], 0.5F);
     double worst = 0.0;
     double worst_whole = 0.0;
-    for (size_t i = 0; i < size_t{width} * height; ++i) {
+    for (size_t i = 0; i < size_t{layers_width} * layers_height; ++i) {
         for (int channel = 0; channel < 3; ++channel) {
             const std::string letter(1, "RGB"[channel]);
             double below = 0.0;

@@ -13,7 +13,7 @@
 namespace estampe {
 namespace {
 
-VectorStroke line(const glm::vec2& from, const glm::vec2& to, float width_mm = 0.3F)
+VectorStroke even_line(const glm::vec2& from, const glm::vec2& to, float width_mm = 0.3F)
 {
     VectorStroke stroke;
     for (int i = 0; i <= 20; ++i) {
@@ -40,7 +40,7 @@ VectorDrawing random_page(uint32_t count)
     VectorDrawing drawing = page({});
     for (uint32_t i = 0; i < count; ++i) {
         const glm::vec2 from(place(random), place(random));
-        drawing.strokes.push_back(line(from, from + glm::vec2(reach(random), reach(random))));
+        drawing.strokes.push_back(even_line(from, from + glm::vec2(reach(random), reach(random))));
     }
     return drawing;
 }
@@ -85,8 +85,8 @@ TEST(Plotter, EveryStrokeOnceAndTheWayIsShort)
 
 TEST(Plotter, WhatIsThereTwiceIsDrawnOnce)
 {
-    const VectorStroke first = line({10.0F, 10.0F}, {60.0F, 12.0F});
-    VectorStroke again = line({60.0F, 12.05F}, {10.0F, 10.05F});
+    const VectorStroke first = even_line({10.0F, 10.0F}, {60.0F, 12.0F});
+    VectorStroke again = even_line({60.0F, 12.05F}, {10.0F, 10.05F});
     VectorDrawing drawing = page({first, again, first});
     output::remove_overlaps(drawing);
     ASSERT_EQ(drawing.strokes.size(), 1U);
@@ -96,7 +96,7 @@ TEST(Plotter, WhatIsThereTwiceIsDrawnOnce)
 TEST(Plotter, OnlyTheStretchThatRunsAlongIsLeftOut)
 {
     VectorDrawing drawing =
-        page({line({10.0F, 10.0F}, {50.0F, 10.0F}), line({30.0F, 10.0F}, {80.0F, 10.0F})});
+        page({even_line({10.0F, 10.0F}, {50.0F, 10.0F}), even_line({30.0F, 10.0F}, {80.0F, 10.0F})});
     output::remove_overlaps(drawing);
     ASSERT_EQ(drawing.strokes.size(), 2U);
     EXPECT_NEAR(drawing.strokes[1].points.front().page_mm.x, 50.0, 0.5);
@@ -105,12 +105,12 @@ TEST(Plotter, OnlyTheStretchThatRunsAlongIsLeftOut)
 
 TEST(Plotter, LinesThatCrossOrLieSideBySideStay)
 {
-    std::vector<VectorStroke> strokes{line({10.0F, 50.0F}, {90.0F, 50.0F}),
-                                      line({10.0F, 45.0F}, {90.0F, 55.0F}),
-                                      line({50.0F, 10.0F}, {50.0F, 90.0F})};
+    std::vector<VectorStroke> strokes{even_line({10.0F, 50.0F}, {90.0F, 50.0F}),
+                                      even_line({10.0F, 45.0F}, {90.0F, 55.0F}),
+                                      even_line({50.0F, 10.0F}, {50.0F, 90.0F})};
     for (int i = 0; i < 10; ++i) {
         const float y = 60.0F + 0.31F * static_cast<float>(i);
-        strokes.push_back(line({10.0F, y}, {90.0F, y}));
+        strokes.push_back(even_line({10.0F, y}, {90.0F, y}));
     }
     VectorDrawing drawing = page(strokes);
     output::remove_overlaps(drawing);
@@ -119,12 +119,12 @@ TEST(Plotter, LinesThatCrossOrLieSideBySideStay)
 
 TEST(Plotter, ThinHatchingGoesAndThinLinesStay)
 {
-    VectorStroke hatch = line({10.0F, 10.0F}, {30.0F, 10.0F});
+    VectorStroke hatch = even_line({10.0F, 10.0F}, {30.0F, 10.0F});
     hatch.kind = StrokeKind::hatch;
     for (size_t i = 8; i <= 12; ++i) {
         hatch.points[i].width_mm = 0.1F;
     }
-    VectorDrawing drawing = page({hatch, line({10.0F, 20.0F}, {30.0F, 20.0F}, 0.05F)});
+    VectorDrawing drawing = page({hatch, even_line({10.0F, 20.0F}, {30.0F, 20.0F}, 0.05F)});
     output::remove_thin_hatching(drawing);
     ASSERT_EQ(drawing.strokes.size(), 3U);
     EXPECT_NEAR(drawing.strokes[0].points.back().page_mm.x, 17.0, 1e-3);
@@ -133,7 +133,7 @@ TEST(Plotter, ThinHatchingGoesAndThinLinesStay)
 
 TEST(Plotter, HiddenLinesBecomeDashes)
 {
-    VectorStroke hidden = line({10.0F, 10.0F}, {31.0F, 10.0F});
+    VectorStroke hidden = even_line({10.0F, 10.0F}, {31.0F, 10.0F});
     hidden.is_hidden = true;
     VectorDrawing drawing = page({hidden});
     output::cut_dashes(drawing);

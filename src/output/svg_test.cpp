@@ -16,7 +16,7 @@
 namespace estampe {
 namespace {
 
-VectorStroke line(StrokeKind kind, uint32_t object, float y_mm, float width_mm = 0.3F)
+VectorStroke line_at(StrokeKind kind, uint32_t object, float y_mm, float width_mm = 0.3F)
 {
     VectorStroke stroke{.kind = kind, .object = object};
     for (int i = 0; i <= 10; ++i) {
@@ -32,8 +32,8 @@ VectorDrawing sheet()
                           .hatch_width_mm = 0.3F,
                           .inks_srgb = {{0.0F, 0.0F, 0.0F}, {1.0F, 0.0F, 0.5F}},
                           .objects = {"urn <\"1\"> & lid", "urn <\"1\"> & lid", "caf\xc3\xa9 \xff\x01"}};
-    drawing.strokes = {line(StrokeKind::outline, 0, 5.0F), line(StrokeKind::hatch, 1, 7.0F),
-                       line(StrokeKind::hatch, 0, 9.0F), line(StrokeKind::crease, 2, 11.0F)};
+    drawing.strokes = {line_at(StrokeKind::outline, 0, 5.0F), line_at(StrokeKind::hatch, 1, 7.0F),
+                       line_at(StrokeKind::hatch, 0, 9.0F), line_at(StrokeKind::crease, 2, 11.0F)};
     drawing.strokes[3].is_hidden = true;
     drawing.strokes[2].points[5].width_mm = 0.6F;
     drawing.strokes[0].ink = 1;
@@ -50,7 +50,7 @@ pugi::xml_document parsed(const VectorDrawing& drawing, const SvgSettings& setti
     return document;
 }
 
-std::string text_of(const std::filesystem::path& path)
+std::string svg_text(const std::filesystem::path& path)
 {
     std::stringstream text;
     text << std::ifstream(path).rdbuf();
@@ -140,7 +140,7 @@ TEST(Svg, TheSameBytesAgainAndNoHalfFile)
     const test::Folder folder;
     save_svg(sheet(), folder / "a.svg");
     save_svg(sheet(), folder / "b.svg");
-    EXPECT_EQ(text_of(folder / "a.svg"), text_of(folder / "b.svg"));
+    EXPECT_EQ(svg_text(folder / "a.svg"), svg_text(folder / "b.svg"));
     EXPECT_THROW(save_svg(sheet(), folder / "none" / "a.svg"), Error);
     EXPECT_THROW(save_svg({}, folder / "c.svg"), Error);
     EXPECT_FALSE(std::filesystem::exists(folder / "c.svg"));

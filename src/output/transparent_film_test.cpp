@@ -20,7 +20,7 @@ namespace {
 constexpr uint32_t side_px = 64;
 
 /// A red disc with a soft edge that moves to the right on a transparent background.
-Image frame_at(uint32_t number)
+Image disc_at(uint32_t number)
 {
     Image image{.width = side_px, .height = side_px};
     for (uint32_t y = 0; y < side_px; ++y) {
@@ -33,7 +33,7 @@ Image frame_at(uint32_t number)
     return image;
 }
 
-std::string bytes_of(const std::filesystem::path& path)
+std::string film_bytes(const std::filesystem::path& path)
 {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
@@ -44,7 +44,7 @@ std::string film_of(uint32_t count, const std::filesystem::path& path, const std
 {
     FilmWriter film(path, side_px, side_px, 24.0, true);
     for (uint32_t number = 0; number < count; ++number) {
-        film.add(frame_at(number));
+        film.add(disc_at(number));
     }
     film.finish();
     const std::string scratch = path.string() + ".raw";
@@ -52,7 +52,7 @@ std::string film_of(uint32_t count, const std::filesystem::path& path, const std
         fmt::format("ffmpeg -nostdin -v error -y {} -i '{}' -pix_fmt rgba -f rawvideo '{}'", decoder,
                     path.string(), scratch);
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
-    return bytes_of(scratch);
+    return film_bytes(scratch);
 }
 
 TEST(TransparentFilm, OfVp9HasAPlaneOfAlpha)
@@ -64,7 +64,7 @@ TEST(TransparentFilm, OfVp9HasAPlaneOfAlpha)
     double color_off = 0.0;
     size_t solid = 0;
     for (uint32_t number = 0; number < 5; ++number) {
-        const Image frame = frame_at(number);
+        const Image frame = disc_at(number);
         for (size_t i = 0; i < frame.rgba.size(); i += 4) {
             const size_t at = number * frame.rgba.size() + i;
             alpha_off += std::abs(static_cast<uint8_t>(pixels[at + 3]) - frame.rgba[i + 3]);
@@ -84,7 +84,7 @@ TEST(TransparentFilm, OfGifShowsOrHidesEachPixel)
     const std::string pixels = film_of(5, folder / "a.gif", "");
     ASSERT_EQ(pixels.size(), 5U * 4U * side_px * side_px);
     for (uint32_t number = 0; number < 5; ++number) {
-        const Image frame = frame_at(number);
+        const Image frame = disc_at(number);
         for (size_t i = 0; i < frame.rgba.size(); i += 4) {
             const auto alpha = static_cast<uint8_t>(pixels[number * frame.rgba.size() + i + 3]);
             const bool is_edge = frame.rgba[i + 3] > 100 && frame.rgba[i + 3] < 156;

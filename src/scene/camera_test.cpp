@@ -16,7 +16,7 @@
 namespace estampe {
 namespace {
 
-Scene scene_of(const Primitive& primitive, const glm::dmat4& placed = glm::dmat4(1.0))
+Scene placed_scene(const Primitive& primitive, const glm::dmat4& placed = glm::dmat4(1.0))
 {
     Scene scene;
     scene.materials.emplace_back();
@@ -29,19 +29,19 @@ Scene scene_of(const Primitive& primitive, const glm::dmat4& placed = glm::dmat4
 }
 
 /// Extent of all vertices in the picture, -1 to 1 in both directions, and the depth of the nearest one.
-struct Extent {
+struct DeepExtent {
     glm::dvec2 min{std::numeric_limits<double>::infinity()};
     glm::dvec2 max{-std::numeric_limits<double>::infinity()};
     double nearest = std::numeric_limits<double>::infinity();
 };
 
-Extent extent_of(const Scene& scene, const Camera& camera, double aspect)
+DeepExtent extent_of(const Scene& scene, const Camera& camera, double aspect)
 {
     const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
     const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
     const glm::dvec3 up = glm::cross(right, forward);
     const double half_height = std::tan(0.5 * camera.vertical_fov_rad);
-    Extent extent;
+    DeepExtent extent;
     visit_posed(scene, pose_scene(scene, 0.0), [&](const PosedPrimitive& posed) {
         for (const glm::dvec3& p : posed.positions) {
             const glm::dvec3 v = p - camera.eye;
@@ -60,11 +60,11 @@ constexpr std::array<double, 5> odd_aspects{16.0 / 9.0, 1.0, 0.4, 5.0, 0.1};
 
 void expect_framed(const Primitive& primitive, const glm::dmat4& placed = glm::dmat4(1.0))
 {
-    const Scene scene = scene_of(primitive, placed);
+    const Scene scene = placed_scene(primitive, placed);
     for (const double aspect : odd_aspects) {
         SCOPED_TRACE(aspect);
         const Camera camera = framing_camera(scene, pose_scene(scene, 0.0), aspect);
-        const Extent extent = extent_of(scene, camera, aspect);
+        const DeepExtent extent = extent_of(scene, camera, aspect);
         const glm::dvec2 margin = 0.16 * glm::min(glm::dvec2(1.0 / aspect, aspect), glm::dvec2(1.0));
         for (int axis = 0; axis < 2; ++axis) {
             EXPECT_GT(extent.min[axis], -1.0 + 0.99 * margin[axis]);
@@ -103,7 +103,7 @@ TEST(Framing, SurvivesAPointAndNothing)
     point.topology = Topology::points;
     point.positions = {{3.0F, 4.0F, 5.0F}};
     point.indices = {0};
-    const Scene scene = scene_of(point);
+    const Scene scene = placed_scene(point);
     const Camera camera = framing_camera(scene, pose_scene(scene, 0.0), 1.5);
     EXPECT_TRUE(std::isfinite(camera.eye.x + camera.eye.y + camera.eye.z));
     EXPECT_GT(glm::distance(camera.eye, camera.target), 0.0);
@@ -124,7 +124,7 @@ Primitive room()
 
 TEST(Framing, LooksThroughTheNearWallOfARoom)
 {
-    Scene scene = scene_of(room());
+    Scene scene = placed_scene(room());
     scene.materials[0].double_sided = true;
     const Camera cut = framing_camera(scene, pose_scene(scene, 0.0), 1.3);
     const double wall_m = cut.eye.z - 2.5;
@@ -149,13 +149,13 @@ TEST(Framing, LooksInThroughTheOpenSide)
                         open.indices.begin() + static_cast<std::ptrdiff_t>(i) + 3);
     }
     open.indices = kept;
-    const Scene scene = scene_of(open);
+    const Scene scene = placed_scene(open);
     EXPECT_LT(framing_camera(scene, pose_scene(scene, 0.0), 1.3).eye.z, -2.5);
 }
 
 TEST(SceneCamera, IsFoundByNameAndByNumber)
 {
-    Scene scene = scene_of(shapes::box({1, 1, 1}));
+    Scene scene = placed_scene(shapes::box({1, 1, 1}));
     scene.cameras.push_back({.name = "wide", .vertical_fov_rad = 0.9, .near_m = 0.2});
     scene.cameras.push_back({.name = "plan", .orthographic = true, .half_height_m = 4.0});
     scene.nodes.resize(3);

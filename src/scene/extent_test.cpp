@@ -11,10 +11,10 @@
 namespace estampe {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double inf = std::numeric_limits<double>::infinity();
 
-std::string refusal_of(const Camera& camera)
+std::string extent_refusal(const Camera& camera)
 {
     try {
         check_camera(camera);
@@ -24,7 +24,7 @@ std::string refusal_of(const Camera& camera)
     return {};
 }
 
-std::string refusal_of(const glm::dvec3& min, const glm::dvec3& max)
+std::string extent_refusal(const glm::dvec3& min, const glm::dvec3& max)
 {
     try {
         check_extent({.min = min, .max = max}, "house");
@@ -37,19 +37,19 @@ std::string refusal_of(const glm::dvec3& min, const glm::dvec3& max)
 TEST(Extent, OfWhatCanBeDrawn)
 {
     EXPECT_NO_THROW(check_extent({}, "nothing"));
-    EXPECT_EQ(refusal_of(glm::dvec3(-1.0), glm::dvec3(1.0)), "");
-    EXPECT_EQ(refusal_of(glm::dvec3(7.0), glm::dvec3(7.0)), "") << "one place";
-    EXPECT_EQ(refusal_of(glm::dvec3(-1e12), glm::dvec3(1e12)), "");
-    EXPECT_EQ(refusal_of(glm::dvec3(0.0), glm::dvec3(1e-8)), "");
-    for (const double far : {1e13, 1e20, 1e300, inf, nan}) {
-        EXPECT_NE(refusal_of(glm::dvec3(0.0), glm::dvec3(1.0, far, 1.0)).find("farther from the origin"),
+    EXPECT_EQ(extent_refusal(glm::dvec3(-1.0), glm::dvec3(1.0)), "");
+    EXPECT_EQ(extent_refusal(glm::dvec3(7.0), glm::dvec3(7.0)), "") << "one place";
+    EXPECT_EQ(extent_refusal(glm::dvec3(-1e12), glm::dvec3(1e12)), "");
+    EXPECT_EQ(extent_refusal(glm::dvec3(0.0), glm::dvec3(1e-8)), "");
+    for (const double far : {1e13, 1e20, 1e300, inf, not_a_number}) {
+        EXPECT_NE(extent_refusal(glm::dvec3(0.0), glm::dvec3(1.0, far, 1.0)).find("farther from the origin"),
                   std::string::npos)
             << far;
-        EXPECT_NE(refusal_of(glm::dvec3(1.0, -far, 1.0), glm::dvec3(2.0)).find("farther from the origin"),
+        EXPECT_NE(extent_refusal(glm::dvec3(1.0, -far, 1.0), glm::dvec3(2.0)).find("farther from the origin"),
                   std::string::npos)
             << far;
     }
-    EXPECT_EQ(refusal_of(glm::dvec3(0.0), glm::dvec3(2e-20, 0.0, 0.0)),
+    EXPECT_EQ(extent_refusal(glm::dvec3(0.0), glm::dvec3(2e-20, 0.0, 0.0)),
               "house: the scene has a radius of 1e-20 m, less than 1e-09 m can be drawn with; scale it up");
 }
 
@@ -64,7 +64,7 @@ TEST(Extent, OfPlaces)
     EXPECT_NO_THROW(check_places(scene, pose));
     pose.world_from_node[0][0][0] = inf;
     EXPECT_NO_THROW(check_places(scene, pose)) << "nothing is drawn there";
-    for (const double spoiled : {nan, inf, -inf, 1e39, -1e300}) {
+    for (const double spoiled : {not_a_number, inf, -inf, 1e39, -1e300}) {
         ScenePose other = pose;
         other.world_from_node[1][2][1] = spoiled;
         try {
@@ -83,28 +83,29 @@ TEST(Extent, OfPlaces)
 
 TEST(Extent, OfCameras)
 {
-    EXPECT_EQ(refusal_of(Camera{}), "");
+    EXPECT_EQ(extent_refusal(Camera{}), "");
     const std::pair<const char*, std::function<void(Camera&)>> wrong[] = {
-        {"its eye is at", [](Camera& camera) { camera.eye.x = nan; }},
+        {"its eye is at", [](Camera& camera) { camera.eye.x = not_a_number; }},
         {"its eye is at", [](Camera& camera) { camera.eye.y = 1e30; }},
         {"its target is at", [](Camera& camera) { camera.target.z = -inf; }},
         {"the same point", [](Camera& camera) { camera.target = camera.eye; }},
         {"its up", [](Camera& camera) { camera.up = camera.target - camera.eye; }},
         {"its up", [](Camera& camera) { camera.up = glm::dvec3(0.0); }},
-        {"its up", [](Camera& camera) { camera.up.x = nan; }},
+        {"its up", [](Camera& camera) { camera.up.x = not_a_number; }},
         {"angle of view", [](Camera& camera) { camera.vertical_fov_rad = 0.0; }},
         {"angle of view", [](Camera& camera) { camera.vertical_fov_rad = 3.2; }},
-        {"angle of view", [](Camera& camera) { camera.vertical_fov_rad = nan; }},
+        {"angle of view", [](Camera& camera) { camera.vertical_fov_rad = not_a_number; }},
         {"near plane", [](Camera& camera) { camera.near_m = 0.0; }},
         {"near plane", [](Camera& camera) { camera.near_m = 1e38; }},
         {"half of its height", [](Camera& camera) { camera.orthographic_half_height_m = 0.0; }},
         {"half of its height", [](Camera& camera) { camera.orthographic_half_height_m = 1e38; }},
-        {"half of its height", [](Camera& camera) { camera.orthographic_half_height_m = nan; }},
+        {"half of its height", [](Camera& camera) { camera.orthographic_half_height_m = not_a_number; }},
     };
     for (const auto& [what, spoil] : wrong) {
         Camera camera;
         spoil(camera);
-        EXPECT_NE(refusal_of(camera).find(what), std::string::npos) << what << ": " << refusal_of(camera);
+        EXPECT_NE(extent_refusal(camera).find(what), std::string::npos)
+            << what << ": " << extent_refusal(camera);
     }
 }
 

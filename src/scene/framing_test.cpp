@@ -16,12 +16,12 @@
 namespace estampe {
 namespace {
 
-constexpr double aspect = 16.0 / 9.0;
+constexpr double wide_aspect = 16.0 / 9.0;
 
 /// Projects points to the picture, -1 to 1 in both directions.
-class Page {
+class WidePage {
 public:
-    explicit Page(const Camera& camera)
+    explicit WidePage(const Camera& camera)
         : eye_(camera.eye), forward_(glm::normalize(camera.target - camera.eye)),
           right_(glm::normalize(glm::cross(forward_, camera.up))), up_(glm::cross(right_, forward_)),
           half_height_(std::tan(0.5 * camera.vertical_fov_rad))
@@ -32,7 +32,7 @@ public:
     {
         const glm::dvec3 v = point - eye_;
         const double scale = 1.0 / (glm::dot(v, forward_) * half_height_);
-        return {glm::dot(v, right_) * scale / aspect, glm::dot(v, up_) * scale};
+        return {glm::dot(v, right_) * scale / wide_aspect, glm::dot(v, up_) * scale};
     }
 
 private:
@@ -40,7 +40,7 @@ private:
     double half_height_;
 };
 
-struct Extent {
+struct PictureExtent {
     glm::dvec2 min{std::numeric_limits<double>::infinity()};
     glm::dvec2 max{-std::numeric_limits<double>::infinity()};
 
@@ -58,14 +58,14 @@ bool on_page(const glm::dvec2& at)
 
 /// Positions in the picture of all vertices, and of their shadows on the ground.
 struct Picture {
-    Extent model;
+    PictureExtent model;
     double shadow_share = 0.0; ///< share of the shadow that lies on the page
 };
 
-Picture picture_of(const Scene& scene)
+Picture framed_picture(const Scene& scene)
 {
     const ScenePose pose = pose_scene(scene, 0.0);
-    const Page page(framing_camera(scene, pose, aspect));
+    const WidePage page(framing_camera(scene, pose, wide_aspect));
     const double ground_m = scene_bounds(scene, pose).min.y;
     const glm::dvec3 sun = analyze_view(scene).towards_sun(house_sun_azimuth_deg, house_sun_elevation_deg);
     Picture picture;
@@ -121,8 +121,8 @@ TEST(FramedView, HoldsRandomScenesWithMarginAndMostOfTheirShadow)
     double shadow_sum = 0.0;
     for (int round = 0; round < 50; ++round) {
         SCOPED_TRACE(round);
-        const Picture picture = picture_of(random_scene(random));
-        const glm::dvec2 margin(0.16 / aspect, 0.16);
+        const Picture picture = framed_picture(random_scene(random));
+        const glm::dvec2 margin(0.16 / wide_aspect, 0.16);
         for (int axis = 0; axis < 2; ++axis) {
             EXPECT_GT(picture.model.min[axis], -1.0 + 0.99 * margin[axis]);
             EXPECT_LT(picture.model.max[axis], 1.0 - 0.99 * margin[axis]);
@@ -137,7 +137,7 @@ TEST(FramedView, HoldsRandomScenesWithMarginAndMostOfTheirShadow)
 
 TEST(FramedView, HoldsTheWholeShadowOfAStandingFigure)
 {
-    const Picture figure = picture_of(test::scene_of(shapes::cylinder(0.25F, 1.7F)));
+    const Picture figure = framed_picture(test::scene_of(shapes::cylinder(0.25F, 1.7F)));
     EXPECT_EQ(figure.shadow_share, 1.0);
     EXPECT_GT(figure.model.max.y - figure.model.min.y, 1.3) << "two thirds of the page's height";
     EXPECT_LT(std::abs(figure.model.max.x + figure.model.min.x), 0.75);
@@ -146,11 +146,11 @@ TEST(FramedView, HoldsTheWholeShadowOfAStandingFigure)
 TEST(FramedView, IsAsLargeFarFromTheOriginAsAtIt)
 {
     const Scene home = test::scene_of(shapes::cylinder(0.25F, 1.7F));
-    const Camera near = framing_camera(home, pose_scene(home, 0.0), aspect);
+    const Camera near = framing_camera(home, pose_scene(home, 0.0), wide_aspect);
     for (const double away_m : {1e4, 1e7, 1e9}) {
         Scene scene = home;
         scene.nodes[0].transform.translation = {away_m, 0.0, -away_m};
-        const Camera far = framing_camera(scene, pose_scene(scene, 0.0), aspect);
+        const Camera far = framing_camera(scene, pose_scene(scene, 0.0), wide_aspect);
         EXPECT_NEAR(glm::distance(far.eye, far.target), glm::distance(near.eye, near.target), 1e-3) << away_m;
     }
 }
@@ -171,7 +171,7 @@ TEST(FramedView, LeavesNoRoomForAShadowThatIsNotThrown)
     lit.lights.push_back({.type = LightType::point});
     lit.nodes.push_back({.light = 0});
     lit.roots.push_back(1);
-    const Picture picture = picture_of(lit);
+    const Picture picture = framed_picture(lit);
     EXPECT_NEAR(picture.model.max.x + picture.model.min.x, 0.0, 0.02);
     EXPECT_GT(picture.model.max.y - picture.model.min.y, 1.55);
 }
@@ -181,7 +181,7 @@ TEST(FramedView, FollowsTheSceneOwnSun)
     const auto left_of_middle = [](const glm::dvec3& towards_sun) {
         Scene scene = test::scene_of(shapes::cylinder(0.25F, 1.7F));
         test::add_sun(scene, towards_sun);
-        const Picture picture = picture_of(scene);
+        const Picture picture = framed_picture(scene);
         return 0.5 * (picture.model.max.x + picture.model.min.x);
     };
     // The eye stands between +z and +x, so its right hand is at +x, -z.
@@ -197,7 +197,7 @@ TEST(FramedView, HoldsTheShadowOfTheSunThatItIsTold)
     for (const double azimuth_deg : {-34.0, 0.0, 20.0}) {
         SCOPED_TRACE(azimuth_deg);
         const SunBearing low{.azimuth_deg = azimuth_deg, .elevation_deg = 35.0};
-        const Page page(framing_camera(scene, pose, aspect, low));
+        const WidePage page(framing_camera(scene, pose, wide_aspect, low));
         const glm::dvec3 sun = analyze_view(scene).towards_sun(low.azimuth_deg, low.elevation_deg);
         visit_posed(scene, pose, [&](const PosedPrimitive& posed) {
             for (const glm::dvec3& p : posed.positions) {
@@ -212,9 +212,9 @@ TEST(FramedView, TheSunThatRulesTakesThePlaceOfTheScenes)
     Scene scene = test::scene_of(shapes::cylinder(0.25F, 1.7F));
     const ScenePose pose = pose_scene(scene, 0.0);
     const SunBearing sun{.azimuth_deg = 100.0, .elevation_deg = 30.0, .turns = false, .rules = true};
-    const glm::dvec3 alone = framing_camera(scene, pose, aspect, sun).eye;
+    const glm::dvec3 alone = framing_camera(scene, pose, wide_aspect, sun).eye;
     test::add_sun(scene, {-0.8, 0.7, 0.55});
-    EXPECT_EQ(framing_camera(scene, pose_scene(scene, 0.0), aspect, sun).eye, alone);
+    EXPECT_EQ(framing_camera(scene, pose_scene(scene, 0.0), wide_aspect, sun).eye, alone);
 }
 
 TEST(FramedView, LeavesNoRoomForAShadowThatIsNotDrawn)
@@ -222,8 +222,8 @@ TEST(FramedView, LeavesNoRoomForAShadowThatIsNotDrawn)
     const Scene scene = test::scene_of(shapes::cylinder(0.4F, 1.2F));
     const ScenePose pose = pose_scene(scene, 0.0);
     const auto middle = [&](bool throws) {
-        const Page page(framing_camera(scene, pose, aspect, {.throws = throws}));
-        Extent model;
+        const WidePage page(framing_camera(scene, pose, wide_aspect, {.throws = throws}));
+        PictureExtent model;
         visit_posed(scene, pose, [&](const PosedPrimitive& posed) {
             for (const glm::dvec3& p : posed.positions) {
                 model.extend(page.at(p));
@@ -258,12 +258,12 @@ TEST(FramedView, IgnoresAWideFloor)
 {
     const Primitive thing = shapes::box({1.0F, 1.2F, 0.8F});
     const Scene alone = test::scene_of(thing);
-    const Page page(framing_camera(alone, pose_scene(alone, 0.0), aspect));
+    const WidePage page(framing_camera(alone, pose_scene(alone, 0.0), wide_aspect));
     for (const float side : {4.0F, 10.0F, 100.0F}) {
         SCOPED_TRACE(side);
         Scene scene = test::scene_of(shapes::plane(side, side, 8));
         test::add_object(scene, thing, glm::vec3(1.0F), {0.3, 0.0, 0.2});
-        const Page floored(framing_camera(scene, pose_scene(scene, 0.0), aspect));
+        const WidePage floored(framing_camera(scene, pose_scene(scene, 0.0), wide_aspect));
         for (const glm::vec3& corner : thing.positions) {
             const glm::dvec2 apart =
                 floored.at(glm::dvec3(corner) + glm::dvec3(0.3, 0.0, 0.2)) - page.at(glm::dvec3(corner));

@@ -32,7 +32,7 @@ glm::dvec3 place(const Scene& scene, double time_s)
     return glm::dvec3(pose_scene(scene, time_s).world_from_node[0][3]);
 }
 
-void expect_near(const glm::dvec3& actual, const glm::dvec3& wanted, double tolerance = 1e-6)
+void expect_place(const glm::dvec3& actual, const glm::dvec3& wanted, double tolerance = 1e-6)
 {
     EXPECT_NEAR(actual.x, wanted.x, tolerance);
     EXPECT_NEAR(actual.y, wanted.y, tolerance);
@@ -45,7 +45,7 @@ TEST(Transform, ScalesThenTurnsThenMoves)
     transform.translation = {10.0, 0.0, 0.0};
     transform.rotation = glm::angleAxis(glm::radians(90.0), glm::dvec3(0.0, 0.0, 1.0));
     transform.scale = {2.0, 3.0, 4.0};
-    expect_near(glm::dvec3(transform.matrix() * glm::dvec4(1.0, 1.0, 1.0, 1.0)), {7.0, 2.0, 4.0});
+    expect_place(glm::dvec3(transform.matrix() * glm::dvec4(1.0, 1.0, 1.0, 1.0)), {7.0, 2.0, 4.0});
 }
 
 TEST(Pose, StepHoldsUntilTheNextKey)
@@ -63,9 +63,9 @@ TEST(Pose, StepHoldsUntilTheNextKey)
 TEST(Pose, LinearHoldsBeforeTheFirstKeyAndAfterTheLast)
 {
     const Scene scene = animated({.times_s = {1.0F, 3.0F}, .values = {0, 0, 0, 4, 2, -6}}, 5.0F);
-    expect_near(place(scene, 0.5), {0.0, 0.0, 0.0});
-    expect_near(place(scene, 1.5), {1.0, 0.5, -1.5});
-    expect_near(place(scene, 4.5), {4.0, 2.0, -6.0});
+    expect_place(place(scene, 0.5), {0.0, 0.0, 0.0});
+    expect_place(place(scene, 1.5), {1.0, 0.5, -1.5});
+    expect_place(place(scene, 4.5), {4.0, 2.0, -6.0});
 }
 
 TEST(Pose, LoopsByDurationBothWays)
@@ -85,7 +85,7 @@ TEST(Pose, RotationTakesTheShortWay)
         1.5F);
     const glm::dmat4 world = pose_scene(scene, 1.0 / 3.0).world_from_node[0];
     const double angle = glm::radians(30.0);
-    expect_near(glm::dvec3(world * glm::dvec4(0, 0, 1, 0)), {std::sin(angle), 0.0, std::cos(angle)});
+    expect_place(glm::dvec3(world * glm::dvec4(0, 0, 1, 0)), {std::sin(angle), 0.0, std::cos(angle)});
 }
 
 TEST(Pose, CubicSplineIsHermite)
@@ -121,9 +121,9 @@ TEST(Pose, ChannelsAndParentsCombine)
         {.node = 99, .path = AnimatedPath::scale, .times_s = {0.0F}, .values = {1, 1, 1}},
     };
     const ScenePose pose = pose_scene(scene, 0.5, 1);
-    expect_near(glm::dvec3(pose.world_from_node[0][3]), {1.0, 0.0, 0.0});
-    expect_near(glm::dvec3(pose.world_from_node[1][3]), {0.0, 0.0, 14.0});
-    expect_near(glm::dvec3(pose_scene(scene, 0.5, no_index).world_from_node[0][3]), {0.0, 0.0, 0.0});
+    expect_place(glm::dvec3(pose.world_from_node[0][3]), {1.0, 0.0, 0.0});
+    expect_place(glm::dvec3(pose.world_from_node[1][3]), {0.0, 0.0, 14.0});
+    expect_place(glm::dvec3(pose_scene(scene, 0.5, no_index).world_from_node[0][3]), {0.0, 0.0, 0.0});
 }
 
 Scene with_triangle()
@@ -152,11 +152,11 @@ TEST(Bounds, MorphTargetsAddByWeight)
              {{.node = 0, .path = AnimatedPath::weights, .times_s = {0, 1}, .values = {0, 0, 1, 0.5F}}},
          .duration_s = 2.0F});
     const Bounds rest = scene_bounds(scene, pose_scene(scene, 0.0, no_index));
-    expect_near(rest.min, {0, 0, 0});
-    expect_near(rest.max, {2, 1, 0});
+    expect_place(rest.min, {0, 0, 0});
+    expect_place(rest.max, {2, 1, 0});
     const Bounds moved = scene_bounds(scene, pose_scene(scene, 1.0));
-    expect_near(moved.min, {0, 0, -2});
-    expect_near(moved.max, {3, 1, 0});
+    expect_place(moved.min, {0, 0, -2});
+    expect_place(moved.max, {3, 1, 0});
 }
 
 TEST(Bounds, InstancesEachCount)
@@ -165,7 +165,7 @@ TEST(Bounds, InstancesEachCount)
     scene.nodes[0].transform.scale = glm::dvec3(2.0);
     scene.nodes[0].instances = {glm::mat4(1.0F), glm::translate(glm::mat4(1.0F), {10, 0, 0})};
     const Bounds bounds = scene_bounds(scene, pose_scene(scene, 0.0));
-    expect_near(bounds.max, {22, 2, 0});
+    expect_place(bounds.max, {22, 2, 0});
 }
 
 TEST(Bounds, SkinOfEightInfluencesMovesVerticesAndNotTheNode)
@@ -190,8 +190,8 @@ TEST(Bounds, SkinOfEightInfluencesMovesVerticesAndNotTheNode)
     primitive.weights_1[1] = glm::vec4(0.0F);
     const ScenePose pose = pose_scene(scene, 0.0);
     const Bounds bounds = scene_bounds(scene, pose);
-    expect_near(bounds.min, {0, 0, 2});
-    expect_near(bounds.max, {1, 1, 4.5});
+    expect_place(bounds.min, {0, 0, 2});
+    expect_place(bounds.max, {1, 1, 4.5});
     const std::vector<glm::mat4> matrices = skin_matrices(scene, pose, 0);
     ASSERT_EQ(matrices.size(), 8U);
     EXPECT_FLOAT_EQ(matrices[7][3].z, 8.0F);

@@ -17,9 +17,9 @@ namespace estampe {
 namespace {
 
 /// Axes of a camera, and projection of points to its page, -1 to 1 in both directions.
-class Page {
+class CameraPage {
 public:
-    Page(const Camera& camera, double aspect) : camera_(camera), aspect_(aspect)
+    CameraPage(const Camera& camera, double aspect) : camera_(camera), aspect_(aspect)
     {
         forward = glm::normalize(camera.target - camera.eye);
         right = glm::normalize(glm::cross(forward, camera.up));
@@ -46,7 +46,7 @@ struct Extent {
     glm::dvec2 max{-1e9};
 };
 
-Extent extent_of(const Scene& scene, const Page& page)
+Extent extent_of(const Scene& scene, const CameraPage& page)
 {
     Extent extent;
     visit_posed(scene, pose_scene(scene, 0.0), [&](const PosedPrimitive& posed) {
@@ -73,7 +73,7 @@ void expect_whole(const Scene& scene, const ViewDirection& from)
 {
     for (const double aspect : aspects) {
         SCOPED_TRACE(aspect);
-        const Page page(view_camera(scene, pose_scene(scene, 0.0), aspect, from), aspect);
+        const CameraPage page(view_camera(scene, pose_scene(scene, 0.0), aspect, from), aspect);
         const Extent extent = extent_of(scene, page);
         const glm::dvec2 margin = 0.16 * glm::min(glm::dvec2(1.0 / aspect, aspect), glm::dvec2(1.0));
         double most = 0.0;
@@ -122,14 +122,14 @@ TEST(Views, LookFromWhereTheirNameSays)
     for (const Expected& expected : all) {
         SCOPED_TRACE(view_names()[static_cast<size_t>(expected.view)]);
         const Camera camera = view_camera(scene, pose_scene(scene, 0.0), 1.5, direction_of(expected.view));
-        const Page page(camera, 1.5);
+        const CameraPage page(camera, 1.5);
         EXPECT_LT(glm::length(page.forward + expected.from), 1e-9);
         EXPECT_LT(glm::length(page.right - expected.right), 1e-9);
         EXPECT_EQ(camera.orthographic_half_height_m.has_value(), expected.view == NamedView::isometric);
         EXPECT_GT(camera.near_m, 0.0);
     }
     const ViewDirection quarter = direction_of(NamedView::three_quarter);
-    const Page page(view_camera(scene, pose_scene(scene, 0.0), 1.5, quarter), 1.5);
+    const CameraPage page(view_camera(scene, pose_scene(scene, 0.0), 1.5, quarter), 1.5);
     EXPECT_LT(page.forward.x, -0.3);
     EXPECT_LT(page.forward.y, -0.2);
     EXPECT_LT(page.forward.z, -0.6);
@@ -138,7 +138,8 @@ TEST(Views, LookFromWhereTheirNameSays)
 TEST(Views, IsometricAxesAreEquallyLong)
 {
     const Scene scene = odd_scene();
-    const Page page(view_camera(scene, pose_scene(scene, 0.0), 1.0, direction_of(NamedView::isometric)), 1.0);
+    const CameraPage page(view_camera(scene, pose_scene(scene, 0.0), 1.0, direction_of(NamedView::isometric)),
+                          1.0);
     const double x = glm::length(page.at({1, 0, 0}) - page.at({0, 0, 0}));
     EXPECT_NEAR(glm::length(page.at({0, 1, 0}) - page.at({0, 0, 0})), x, 1e-9);
     EXPECT_NEAR(glm::length(page.at({0, 0, 1}) - page.at({0, 0, 0})), x, 1e-9);
@@ -186,7 +187,7 @@ TEST(Views, ParallelProjectionKeepsTheSizeAtTheFocus)
     const Camera camera{.eye = {0, 0, 10}, .target = {0, 0, 0}, .vertical_fov_rad = 0.5};
     const Camera parallel = with_parallel_projection(camera, {3, 1, 4});
     const glm::dvec3 point(0.5, 0.7, 4.0);
-    EXPECT_LT(glm::length(Page(camera, 1.5).at(point) - Page(parallel, 1.5).at(point)), 1e-9);
+    EXPECT_LT(glm::length(CameraPage(camera, 1.5).at(point) - CameraPage(parallel, 1.5).at(point)), 1e-9);
     EXPECT_NEAR(*with_parallel_projection(camera, {0, 0, 20}).orthographic_half_height_m,
                 10.0 * std::tan(0.25), 1e-9);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "golden.hpp"
+#include "support/image_compare.hpp"
 
 #include <chrono>
 #include <cstdlib>
@@ -11,14 +12,6 @@
 
 namespace estampe::test {
 namespace {
-
-Image flat(uint32_t width, uint32_t height, uint8_t grey)
-{
-    Image image{width, height, std::vector<uint8_t>(size_t{width} * height * 4, grey)};
-    for (size_t i = 3; i < image.rgba.size(); i += 4)
-        image.rgba[i] = 255;
-    return image;
-}
 
 class GoldenTest : public ::testing::Test {
 protected:
@@ -51,77 +44,77 @@ private:
 
 TEST_F(GoldenTest, AMissingPictureFailsAndLeavesTheRender)
 {
-    const std::optional<std::string> failure = check(flat(32, 18, 90));
+    const std::optional<std::string> failure = check(flat_image(32, 18, 90));
     ASSERT_TRUE(failure.has_value());
     EXPECT_NE(failure->find("script/goldens"), std::string::npos);
     EXPECT_NE(failure->find(actual().string()), std::string::npos);
-    EXPECT_EQ(load_image(actual()), flat(32, 18, 90));
+    EXPECT_EQ(load_image(actual()), flat_image(32, 18, 90));
     EXPECT_FALSE(std::filesystem::exists(golden()));
 }
 
 TEST_F(GoldenTest, TheSamePictureMatchesAndLeavesNothing)
 {
-    save_png(flat(32, 18, 90), golden());
-    EXPECT_EQ(check(flat(32, 18, 90)), std::nullopt);
+    save_png(flat_image(32, 18, 90), golden());
+    EXPECT_EQ(check(flat_image(32, 18, 90)), std::nullopt);
     EXPECT_FALSE(std::filesystem::exists(actual().parent_path()));
 }
 
 TEST_F(GoldenTest, RoundingPassesAndADriftOfToneFails)
 {
-    Image rounded = flat(64, 36, 128);
+    Image rounded = flat_image(64, 36, 128);
     for (size_t i = 0; i < rounded.rgba.size(); i += 40)
         rounded.rgba[i] = 129;
-    save_png(flat(64, 36, 128), golden());
+    save_png(flat_image(64, 36, 128), golden());
     EXPECT_EQ(check(rounded), std::nullopt);
-    ASSERT_TRUE(check(flat(64, 36, 125)).has_value());
+    ASSERT_TRUE(check(flat_image(64, 36, 125)).has_value());
     // Below the limit of every channel, but everywhere.
-    ASSERT_TRUE(check(flat(64, 36, 126)).has_value());
+    ASSERT_TRUE(check(flat_image(64, 36, 126)).has_value());
 }
 
 TEST_F(GoldenTest, ADifferenceIsShown)
 {
-    save_png(flat(32, 18, 90), golden());
-    const std::optional<std::string> failure = check(flat(32, 18, 200));
+    save_png(flat_image(32, 18, 90), golden());
+    const std::optional<std::string> failure = check(flat_image(32, 18, 200));
     ASSERT_TRUE(failure.has_value());
     EXPECT_NE(failure->find("110/255"), std::string::npos) << *failure;
     EXPECT_NE(failure->find("================\n"), std::string::npos) << "no heat map in\n" << *failure;
-    EXPECT_EQ(load_image(actual()), flat(32, 18, 200));
+    EXPECT_EQ(load_image(actual()), flat_image(32, 18, 200));
     EXPECT_EQ(load_image(sheet()).height, 18u);
 }
 
 TEST_F(GoldenTest, AnotherSizeFails)
 {
-    save_png(flat(32, 18, 90), golden());
-    const std::optional<std::string> failure = check(flat(33, 18, 90));
+    save_png(flat_image(32, 18, 90), golden());
+    const std::optional<std::string> failure = check(flat_image(33, 18, 90));
     ASSERT_TRUE(failure.has_value());
     EXPECT_NE(failure->find("33 x 18 pixels instead of 32 x 18"), std::string::npos) << *failure;
 }
 
 TEST_F(GoldenTest, ALooserToleranceNeedsAReason)
 {
-    save_png(flat(32, 18, 90), golden());
+    save_png(flat_image(32, 18, 90), golden());
     GoldenTolerance loose{.failing_fraction = 1.0, .delta_e_mean = 5.0, .delta_e_p95 = 5.0};
-    const std::optional<std::string> failure = check(flat(32, 18, 94), loose);
+    const std::optional<std::string> failure = check(flat_image(32, 18, 94), loose);
     ASSERT_TRUE(failure.has_value());
     EXPECT_NE(failure->find("needs a reason"), std::string::npos);
     loose.reason = "the strokes depend on the driver's rounding";
-    EXPECT_EQ(check(flat(32, 18, 94), loose), std::nullopt);
+    EXPECT_EQ(check(flat_image(32, 18, 94), loose), std::nullopt);
 }
 
 TEST_F(GoldenTest, RenewingWrites)
 {
-    EXPECT_EQ(check(flat(32, 18, 90), {}, true), std::nullopt);
-    EXPECT_EQ(load_image(golden()), flat(32, 18, 90));
-    EXPECT_EQ(check(flat(32, 18, 91), {}, true), std::nullopt);
-    EXPECT_EQ(load_image(golden()), flat(32, 18, 91));
+    EXPECT_EQ(check(flat_image(32, 18, 90), {}, true), std::nullopt);
+    EXPECT_EQ(load_image(golden()), flat_image(32, 18, 90));
+    EXPECT_EQ(check(flat_image(32, 18, 91), {}, true), std::nullopt);
+    EXPECT_EQ(load_image(golden()), flat_image(32, 18, 91));
 }
 
 TEST_F(GoldenTest, RenewingLeavesAnEqualPictureAlone)
 {
-    save_png(flat(32, 18, 90), golden());
+    save_png(flat_image(32, 18, 90), golden());
     const auto past = std::filesystem::file_time_type::clock::now() - std::chrono::hours(1);
     std::filesystem::last_write_time(golden(), past);
-    EXPECT_EQ(check(flat(32, 18, 90), {}, true), std::nullopt);
+    EXPECT_EQ(check(flat_image(32, 18, 90), {}, true), std::nullopt);
     EXPECT_EQ(std::filesystem::last_write_time(golden()), past);
 }
 
@@ -129,7 +122,7 @@ TEST_F(GoldenTest, TheRunningTestFails)
 {
     const std::filesystem::path before = std::filesystem::current_path();
     std::filesystem::current_path(golden().parent_path());
-    EXPECT_NONFATAL_FAILURE(expect_matches_golden(flat(4, 4, 0), "no such picture"), "script/goldens");
+    EXPECT_NONFATAL_FAILURE(expect_matches_golden(flat_image(4, 4, 0), "no such picture"), "script/goldens");
     EXPECT_TRUE(std::filesystem::exists("golden-failures/no such picture.actual.png"));
     std::filesystem::current_path(before);
 }

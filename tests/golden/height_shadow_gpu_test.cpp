@@ -14,11 +14,11 @@
 namespace estampe {
 namespace {
 
-constexpr uint32_t side = 256;
+constexpr uint32_t heights_side = 256;
 constexpr float texel_m = 0.5F;
 
 /// Crests that wind, steep to the lee, and a tower.
-float dunes(glm::vec2 p)
+float crests_and_tower(glm::vec2 p)
 {
     const float bent = p.x + 9.0F * std::sin(p.y / 17.0F) + 4.0F * std::sin(p.y / 7.3F + p.x / 31.0F);
     const float phase = bent / 32.0F - std::floor(bent / 32.0F);
@@ -34,9 +34,10 @@ TEST(HeightShadowGolden, DunesInALowSun)
     const double elevation = 0.2;
     const glm::dvec3 towards_sun(std::cos(azimuth) * std::cos(elevation), std::sin(elevation),
                                  std::sin(azimuth) * std::cos(elevation));
-    test::Layer height =
-        test::Layer::depth({side, side}, [](glm::uvec2 texel) { return dunes(texel_m * glm::vec2(texel)); });
-    Image sheet{.width = 3 * side, .height = side};
+    test::Layer height = test::Layer::depth({heights_side, heights_side}, [](glm::uvec2 texel) {
+        return crests_and_tower(texel_m * glm::vec2(texel));
+    });
+    Image sheet{.width = 3 * heights_side, .height = heights_side};
     sheet.rgba.assign(4ULL * sheet.width * sheet.height, 255);
     uint32_t tile = 0;
     for (const auto method :
@@ -49,14 +50,17 @@ TEST(HeightShadowGolden, DunesInALowSun)
                                                              .sun_radius_rad = 0.02},
                                                             {.method = method});
         const std::vector<float> visible = test::run_and_read_coverage(graph, seen);
-        for (uint32_t i = 0; i < side * side; ++i) {
-            const glm::vec2 p = texel_m * glm::vec2(i % side, i / side);
-            const float dx = dunes(p + glm::vec2(0.5F, 0.0F)) - dunes(p - glm::vec2(0.5F, 0.0F));
-            const float dy = dunes(p + glm::vec2(0.0F, 0.5F)) - dunes(p - glm::vec2(0.0F, 0.5F));
+        for (uint32_t i = 0; i < heights_side * heights_side; ++i) {
+            const glm::vec2 p = texel_m * glm::vec2(i % heights_side, i / heights_side);
+            const float dx =
+                crests_and_tower(p + glm::vec2(0.5F, 0.0F)) - crests_and_tower(p - glm::vec2(0.5F, 0.0F));
+            const float dy =
+                crests_and_tower(p + glm::vec2(0.0F, 0.5F)) - crests_and_tower(p - glm::vec2(0.0F, 0.5F));
             const float facing =
                 std::max(glm::dot(glm::normalize(glm::vec3(-dx, 1.0F, -dy)), glm::vec3(towards_sun)), 0.0F);
             const float tone = std::pow(0.12F + 1.6F * visible[i] * facing, 1.0F / 2.2F);
-            const size_t pixel = 4 * (static_cast<size_t>(i / side) * sheet.width + tile * side + i % side);
+            const size_t pixel = 4 * (static_cast<size_t>(i / heights_side) * sheet.width +
+                                      tile * heights_side + i % heights_side);
             std::fill_n(sheet.rgba.begin() + static_cast<std::ptrdiff_t>(pixel), 3,
                         static_cast<uint8_t>(255.0F * std::min(tone, 1.0F)));
         }

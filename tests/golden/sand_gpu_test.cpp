@@ -72,7 +72,7 @@ void add_tile(Image& sheet, int tile, const Ground& ground)
 
 constexpr uint32_t field_side = 256;
 
-Ground dunes(const std::function<double(glm::dvec2)>& start, uint32_t steps)
+Ground settled_dunes(const std::function<double(glm::dvec2)>& start, uint32_t steps)
 {
     constexpr terrain::SlabStyle style{.slides = 4};
     std::vector<float> heights_m;
@@ -89,7 +89,7 @@ Ground dunes(const std::function<double(glm::dvec2)>& start, uint32_t steps)
 }
 
 /// Waves across the wind, which bend and fork.
-double waves(glm::dvec2 p)
+double forked_waves(glm::dvec2 p)
 {
     const glm::dvec2 turn = 2.0 * std::numbers::pi / field_side * p;
     const double bend = 1.3 * std::sin(turn.y + 0.6) + 0.8 * std::sin(3.0 * turn.y + turn.x);
@@ -152,8 +152,8 @@ TEST(SandGolden, DunesAndTrailsInALowSun)
 {
     Image sheet{.width = 3 * tile_px, .height = tile_px};
     sheet.rgba.assign(4ULL * sheet.width * sheet.height, 255);
-    add_tile(sheet, 0, dunes(waves, 300));
-    add_tile(sheet, 1, dunes(heaps, 300));
+    add_tile(sheet, 0, settled_dunes(forked_waves, 300));
+    add_tile(sheet, 1, settled_dunes(heaps, 300));
     add_tile(sheet, 2, trails());
     test::expect_matches_golden(sheet, "sand");
 }

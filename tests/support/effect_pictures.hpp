@@ -39,6 +39,16 @@ namespace estampe::test {
     return shared_renderer().graph_dot().find(name) != std::string::npos;
 }
 
+/// How many pixels differ.
+[[nodiscard]] inline size_t changed_pixels(const Image& a, const Image& b)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < a.rgba.size(); i += 4) {
+        count += std::equal(&a.rgba[i], &a.rgba[i] + 4, &b.rgba[i]) ? 0 : 1;
+    }
+    return count;
+}
+
 /// Most that a byte of a picture of 240 x 180 pixels differs when it is drawn in tiles.
 [[nodiscard]] inline int most_between_tiles(const Camera& camera, const Style& style, uint32_t tile_px)
 {

@@ -139,6 +139,14 @@ Image difference_picture(const Image& expected, const Image& actual)
 
 } // namespace
 
+Image flat_image(uint32_t width, uint32_t height, uint8_t grey)
+{
+    Image image{width, height, std::vector<uint8_t>(size_t{width} * height * 4, grey)};
+    for (size_t i = 3; i < image.rgba.size(); i += 4)
+        image.rgba[i] = 255;
+    return image;
+}
+
 ImageDifference compare_images(const Image& expected, const Image& actual, uint32_t channel_limit)
 {
     require_comparable(expected, actual);

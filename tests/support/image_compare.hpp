@@ -12,6 +12,9 @@
 
 namespace estampe::test {
 
+/// An opaque picture of one grey.
+[[nodiscard]] Image flat_image(uint32_t width, uint32_t height, uint8_t grey);
+
 /// The difference of a pixel is the largest of its four channels' absolute differences, in steps of 1/255.
 struct ImageDifference {
     uint32_t max_abs = 0;          ///< of any pixel, 0 to 255

@@ -20,6 +20,9 @@ void add_sun(Scene& scene, const glm::dvec3& towards_light, float intensity = 1.
 /// A square 400 m long under open sky: arcades along both sides, a tower, a ring. Its floor is at y = 0.
 [[nodiscard]] Scene long_square();
 
+/// Looks down over a corner of what stands at the origin.
+inline const Camera corner_camera{.eye = {3.0, 3.0, 5.0}, .target = {0.0, 0.5, 0.0}};
+
 /// A camera on the +z axis that looks back along it.
 [[nodiscard]] Camera front_camera(double distance_m, double vertical_fov_rad);
 

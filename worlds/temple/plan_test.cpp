@@ -15,7 +15,7 @@
 namespace temple {
 namespace {
 
-constexpr uint64_t seeds = 100;
+constexpr uint64_t seed_count = 100;
 
 /// Distance between two rectangles given by centre and half size; negative if they overlap.
 float gap_m(const glm::vec2& a, const glm::vec2& half_a, const glm::vec2& b, const glm::vec2& half_b)
@@ -26,7 +26,7 @@ float gap_m(const glm::vec2& a, const glm::vec2& half_a, const glm::vec2& b, con
 
 TEST(TemplePlan, EveryModuleIsInOneRoom)
 {
-    for (uint64_t seed = 0; seed < seeds; ++seed) {
+    for (uint64_t seed = 0; seed < seed_count; ++seed) {
         const Plan plan = make_plan(seed);
         for (int z = 0; z < modules_z; ++z) {
             for (int x = 0; x < modules_x; ++x) {
@@ -41,7 +41,7 @@ TEST(TemplePlan, EveryModuleIsInOneRoom)
 
 TEST(TemplePlan, AWalkerComesFromThePortalToTheLastHall)
 {
-    for (uint64_t seed = 0; seed < seeds; ++seed) {
+    for (uint64_t seed = 0; seed < seed_count; ++seed) {
         const Plan plan = make_plan(seed);
         const std::vector<glm::vec2> way = find_way(plan);
         ASSERT_FALSE(way.empty()) << seed;
@@ -70,7 +70,7 @@ TEST(TemplePlan, NoWayLeadsThroughAShutDoor)
 
 TEST(TemplePlan, ColumnsStandClearOfEachOtherAndOfWalls)
 {
-    for (uint64_t seed = 0; seed < seeds; ++seed) {
+    for (uint64_t seed = 0; seed < seed_count; ++seed) {
         const Plan plan = make_plan(seed);
         for (size_t i = 0; i < plan.columns.size(); ++i) {
             const PlacedColumn& column = plan.columns[i];
@@ -116,7 +116,7 @@ TEST(TemplePlan, NoTwoColumnsAreAlike)
 
 TEST(TemplePlan, LampsAreManyAndFewThrowShadows)
 {
-    for (uint64_t seed = 0; seed < seeds; ++seed) {
+    for (uint64_t seed = 0; seed < seed_count; ++seed) {
         const Plan plan = make_plan(seed);
         const std::vector<PlacedLight> lights = hang_lamps(plan, seed).lights;
         EXPECT_GE(lights.size(), 30U) << seed;
@@ -162,7 +162,7 @@ TEST(TempleWalls, NoStoneFloats)
 {
     size_t stones = 0;
     size_t broken = 0;
-    for (uint64_t seed = 0; seed < seeds; ++seed) {
+    for (uint64_t seed = 0; seed < seed_count; ++seed) {
         Dice dice(seed, 99);
         Wall wall{.length_m = 30.0F, .height_m = 8.0F};
         for (float x = 3.0F; x < 28.0F; x += 5.6F) {
@@ -199,7 +199,7 @@ TEST(TempleWalls, NoStoneFloats)
 
 TEST(TempleSand, BuriesTheFeetOfWhatStandsOnIt)
 {
-    for (uint64_t seed = 0; seed < seeds; ++seed) {
+    for (uint64_t seed = 0; seed < seed_count; ++seed) {
         const Plan plan = make_plan(seed);
         for (const StandingColumn& standing : stand_columns(seed)) {
             if (!standing.is_on_floor) {

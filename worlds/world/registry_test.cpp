@@ -10,7 +10,7 @@
 namespace worlds {
 namespace {
 
-std::string refusal(Registry& worlds, Description description)
+std::string registry_refusal(Registry& worlds, Description description)
 {
     const size_t count = worlds.all().size();
     try {
@@ -46,25 +46,25 @@ TEST(WorldRegistry, FindsWorldsByName)
 TEST(WorldRegistry, RefusesWhatCannotBeToldApartOrMade)
 {
     Registry worlds;
-    EXPECT_EQ(refusal(worlds, test::box_description()), "taken");
-    EXPECT_EQ(refusal(worlds, test::box_description()), "box: there are two worlds of this name");
+    EXPECT_EQ(registry_refusal(worlds, test::box_description()), "taken");
+    EXPECT_EQ(registry_refusal(worlds, test::box_description()), "box: there are two worlds of this name");
     for (const char* name : {"", "Box", "box.glb", "a/b", "-o", "two words"}) {
         Description named = test::box_description();
         named.name = name;
-        EXPECT_NE(refusal(worlds, named), "taken") << name;
+        EXPECT_NE(registry_refusal(worlds, named), "taken") << name;
     }
     Description twice = test::box_description();
     twice.name = "twice";
     twice.options.push_back(twice.options.front());
-    EXPECT_NE(refusal(worlds, twice).find("the option \"width\""), std::string::npos);
+    EXPECT_NE(registry_refusal(worlds, twice).find("the option \"width\""), std::string::npos);
     Description outside = test::box_description();
     outside.name = "outside";
     outside.options.front().initial = "99";
-    EXPECT_NE(refusal(worlds, outside).find("width=99: 99 is out of range"), std::string::npos);
+    EXPECT_NE(registry_refusal(worlds, outside).find("width=99: 99 is out of range"), std::string::npos);
     Description unmade = test::box_description();
     unmade.name = "unmade";
     unmade.make = nullptr;
-    EXPECT_NE(refusal(worlds, unmade), "taken");
+    EXPECT_NE(registry_refusal(worlds, unmade), "taken");
 }
 
 TEST(WorldRegistry, HasTheProgramsWorlds)

@@ -6,14 +6,15 @@
 
 #include "core/long_jobs.hpp"
 #include "set_ups.hpp"
+#include "support/effect_pictures.hpp"
 #include "support/gpu_device.hpp"
 
 namespace estampe {
 namespace {
 
-constexpr RenderSettings small{.width = 96, .height = 72};
+constexpr RenderSettings cloth_page{.width = 96, .height = 72};
 
-Style style_of(const ClothScene& set_up, const char* more = nullptr)
+Style settled_style(const ClothScene& set_up, const char* more = nullptr)
 {
     Style style;
     for (const std::string& assignment : set_up.style) {
@@ -26,22 +27,9 @@ Style style_of(const ClothScene& set_up, const char* more = nullptr)
     return style;
 }
 
-size_t differing(const Image& a, const Image& b)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < a.rgba.size(); i += 4) {
-        count += std::equal(a.rgba.begin() + static_cast<ptrdiff_t>(i),
-                            a.rgba.begin() + static_cast<ptrdiff_t>(i) + 4,
-                            b.rgba.begin() + static_cast<ptrdiff_t>(i))
-                     ? 0
-                     : 1;
-    }
-    return count;
-}
-
 Image film_frame(Renderer& renderer, const ClothScene& set_up, const Style& style, uint32_t frame)
 {
-    RenderSettings settings = small;
+    RenderSettings settings = cloth_page;
     settings.time_s = frame / 24.0;
     settings.continuity = frame == 0 ? Continuity::starts : Continuity::follows;
     return renderer.render(set_up.camera, style, settings);
@@ -50,26 +38,26 @@ Image film_frame(Renderer& renderer, const ClothScene& set_up, const Style& styl
 TEST(ClothFrame, StillsHaveTheSameBytesWhateverWasDrawnBefore)
 {
     const ClothScene set_up = make_set_up("flag", 0.5F);
-    const Style style = style_of(set_up);
+    const Style style = settled_style(set_up);
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(set_up.scene);
-    const Image first = renderer.render(set_up.camera, style, small);
-    EXPECT_EQ(renderer.render(set_up.camera, style, small).rgba, first.rgba);
-    RenderSettings later = small;
+    const Image first = renderer.render(set_up.camera, style, cloth_page);
+    EXPECT_EQ(renderer.render(set_up.camera, style, cloth_page).rgba, first.rgba);
+    RenderSettings later = cloth_page;
     later.time_s = 0.7;
-    EXPECT_GT(differing(renderer.render(set_up.camera, style, later), first), 50U); // it blows
+    EXPECT_GT(test::changed_pixels(renderer.render(set_up.camera, style, later), first), 50U); // it blows
     for (uint32_t frame = 0; frame < 3; ++frame) {
         static_cast<void>(film_frame(renderer, set_up, style, frame));
     }
-    EXPECT_EQ(renderer.render(set_up.camera, style, small).rgba, first.rgba);
+    EXPECT_EQ(renderer.render(set_up.camera, style, cloth_page).rgba, first.rgba);
     renderer.set_scene(set_up.scene);
-    EXPECT_EQ(renderer.render(set_up.camera, style, small).rgba, first.rgba);
+    EXPECT_EQ(renderer.render(set_up.camera, style, cloth_page).rgba, first.rgba);
 }
 
 TEST(ClothFrame, FilmsGoOnAndCanBeTakenUp)
 {
     const ClothScene set_up = make_set_up("swing", 0.4F); // held by what an animation moves
-    const Style style = style_of(set_up);
+    const Style style = settled_style(set_up);
     Renderer& renderer = test::shared_renderer();
     const auto film = [&](uint32_t count) {
         renderer.set_scene(set_up.scene);
@@ -80,7 +68,7 @@ TEST(ClothFrame, FilmsGoOnAndCanBeTakenUp)
         return frames;
     };
     const std::vector<Image> whole = film(4);
-    EXPECT_GT(differing(whole[3], whole[0]), 20U);
+    EXPECT_GT(test::changed_pixels(whole[3], whole[0]), 20U);
     static_cast<void>(film(2));
     const auto memory = renderer.film_memory();
     renderer.set_scene(set_up.scene);
@@ -92,13 +80,13 @@ TEST(ClothFrame, FilmsGoOnAndCanBeTakenUp)
 TEST(ClothFrame, AStillThatIsDrawnAgainTakesNoSteps)
 {
     const ClothScene set_up = make_set_up("flag", 0.5F);
-    const Style style = style_of(set_up);
+    const Style style = settled_style(set_up);
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(set_up.scene);
     const auto takes_steps = [&](double time_s, double settle_s) {
         Style settled = style;
         settled.set(fmt::format("cloth.settle_s={}", settle_s));
-        RenderSettings settings = small;
+        RenderSettings settings = cloth_page;
         settings.time_s = time_s;
         static_cast<void>(renderer.render(set_up.camera, settled, settings));
         return std::ranges::any_of(renderer.timings(),
@@ -124,7 +112,7 @@ TEST(ClothFrame, GoesOnWhenSomethingElseIsMadeToMove)
     pebble.primitives.push_back({.material = 0,
                                  .positions = {{0.0F, 0.0F, 0.0F}, {0.1F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.1F}},
                                  .indices = {0, 2, 1}});
-    const Style style = style_of(set_up);
+    const Style style = settled_style(set_up);
     Renderer& renderer = test::shared_renderer();
     const auto film = [&](bool moves_other) {
         renderer.set_scene(set_up.scene);
@@ -138,7 +126,7 @@ TEST(ClothFrame, GoesOnWhenSomethingElseIsMadeToMove)
         return frames;
     };
     const std::vector<Image> whole = film(false);
-    EXPECT_GT(differing(whole[3], whole[2]), 20U);
+    EXPECT_GT(test::changed_pixels(whole[3], whole[2]), 20U);
     const std::vector<Image> other_moves = film(true);
     EXPECT_EQ(other_moves[2].rgba, whole[2].rgba);
     EXPECT_EQ(other_moves[3].rgba, whole[3].rgba);
@@ -147,7 +135,7 @@ TEST(ClothFrame, GoesOnWhenSomethingElseIsMadeToMove)
 TEST(ClothFrame, APictureThatIsGivenUpLosesNoStep)
 {
     const ClothScene set_up = make_set_up("swing", 0.4F);
-    const Style style = style_of(set_up);
+    const Style style = settled_style(set_up);
     Renderer& renderer = test::shared_renderer();
     const auto film = [&](std::optional<uint32_t> given_up) {
         renderer.set_scene(set_up.scene);
@@ -162,7 +150,7 @@ TEST(ClothFrame, APictureThatIsGivenUpLosesNoStep)
         return frames;
     };
     const std::vector<Image> whole = film(std::nullopt);
-    EXPECT_GT(differing(whole[3], whole[2]), 20U);
+    EXPECT_GT(test::changed_pixels(whole[3], whole[2]), 20U);
     for (const uint32_t given_up : {0U, 2U}) {
         const std::vector<Image> other = film(given_up);
         EXPECT_EQ(other[2].rgba, whole[2].rgba) << given_up;
@@ -172,8 +160,8 @@ TEST(ClothFrame, APictureThatIsGivenUpLosesNoStep)
 
 TEST(ClothFrame, APictureOfAFilmTakesStepsAndPosesOnceInItsOwnGraph)
 {
-    const ClothScene set_up = make_set_up("flag", 0.5F);    // nothing of it is animated
-    const Style style = style_of(set_up, "ink.drawn=true"); // which looks back to the picture before
+    const ClothScene set_up = make_set_up("flag", 0.5F);         // nothing of it is animated
+    const Style style = settled_style(set_up, "ink.drawn=true"); // which looks back to the picture before
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(set_up.scene);
     for (uint32_t frame = 0; frame < 3; ++frame) {
@@ -196,7 +184,7 @@ TEST(ClothFrame, TearsAreDrawnAndTakenUpWithTheFilm)
                     })->cloth;
     const ClothScene whole = set_up;
     cloth.tear = 1.08F;
-    const Style style = style_of(set_up);
+    const Style style = settled_style(set_up);
     Renderer& renderer = test::shared_renderer();
     const auto film = [&](const ClothScene& scene, uint32_t count) {
         renderer.set_scene(scene.scene);
@@ -208,7 +196,7 @@ TEST(ClothFrame, TearsAreDrawnAndTakenUpWithTheFilm)
     };
     const std::vector<Image> torn = film(set_up, 4);
     EXPECT_EQ(film_frame(renderer, set_up, style, 0).rgba, torn[0].rgba); // it begins whole
-    EXPECT_GT(differing(torn[3], film(whole, 4)[3]), 50U);
+    EXPECT_GT(test::changed_pixels(torn[3], film(whole, 4)[3]), 50U);
     static_cast<void>(film(set_up, 2));
     const auto memory = renderer.film_memory();
     renderer.set_scene(set_up.scene);
@@ -223,7 +211,7 @@ TEST(ClothFrame, TearsAreDrawnAndTakenUpWithTheFilm)
 TEST(ClothFrame, BodiesThatAreSeenAreTakenUpWithTheFilm)
 {
     const ClothScene set_up = make_set_up("cape", 0.4F);
-    const Style style = style_of(set_up, "cloth.bodies=depth");
+    const Style style = settled_style(set_up, "cloth.bodies=depth");
     Renderer& renderer = test::shared_renderer();
     const auto film = [&](uint32_t first, uint32_t end) {
         std::vector<Image> frames;
@@ -241,7 +229,7 @@ TEST(ClothFrame, BodiesThatAreSeenAreTakenUpWithTheFilm)
     const std::vector<Image> taken_up = film(2, 4);
     EXPECT_EQ(taken_up[0].rgba, whole[2].rgba);
     EXPECT_EQ(taken_up[1].rgba, whole[3].rgba);
-    EXPECT_GT(differing(whole[3], whole[2]), 20U);
+    EXPECT_GT(test::changed_pixels(whole[3], whole[2]), 20U);
 }
 
 /// A flag that is soon at rest where no wind blows.
@@ -258,7 +246,7 @@ ClothScene limp_flag()
 TEST(ClothFrame, WhatRestsIsTakenUpAtRestAndWokenByTheStyle)
 {
     const ClothScene set_up = limp_flag();
-    const Style style = style_of(set_up, "cloth.settle_s=4");
+    const Style style = settled_style(set_up, "cloth.settle_s=4");
     Renderer& renderer = test::shared_renderer();
     const auto film = [&](uint32_t count, bool is_taken_up) {
         std::vector<Image> frames;
@@ -274,15 +262,15 @@ TEST(ClothFrame, WhatRestsIsTakenUpAtRestAndWokenByTheStyle)
     };
     renderer.set_scene(set_up.scene);
     const std::vector<Image> whole = film(3, false);
-    EXPECT_EQ(differing(whole[1], whole[0]), 0U); // it rests
-    const Image blown = film_frame(renderer, set_up, style_of(set_up, "wind.speed_m_s=6"), 8);
-    EXPECT_GT(differing(blown, whole[2]), 20U);
+    EXPECT_EQ(test::changed_pixels(whole[1], whole[0]), 0U); // it rests
+    const Image blown = film_frame(renderer, set_up, settled_style(set_up, "wind.speed_m_s=6"), 8);
+    EXPECT_GT(test::changed_pixels(blown, whole[2]), 20U);
     const std::vector<Image> taken_up = film(3, true);
     EXPECT_EQ(taken_up[1].rgba, whole[1].rgba);
     EXPECT_EQ(taken_up[2].rgba, whole[2].rgba);
-    const Style restless = style_of(set_up, "cloth.rest_mm_s=0");
+    const Style restless = settled_style(set_up, "cloth.rest_mm_s=0");
     static_cast<void>(film_frame(renderer, set_up, restless, 0));
-    const Image still = renderer.render(set_up.camera, style, small);
+    const Image still = renderer.render(set_up.camera, style, cloth_page);
     EXPECT_EQ(still.rgba, whole[0].rgba); // whatever was awake before
 }
 
@@ -301,23 +289,23 @@ TEST(ClothFrame, AirOfSmokeBlowsOnIt)
     }
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(set_up.scene);
-    const Image limp = renderer.render(set_up.camera, style_of(set_up), small);
-    const Style style = style_of(set_up, "wind.from=smoke");
-    const Image blown = renderer.render(set_up.camera, style, small);
-    EXPECT_GT(differing(blown, limp), 100U);
-    EXPECT_EQ(renderer.render(set_up.camera, style, small).rgba, blown.rgba);
+    const Image limp = renderer.render(set_up.camera, settled_style(set_up), cloth_page);
+    const Style style = settled_style(set_up, "wind.from=smoke");
+    const Image blown = renderer.render(set_up.camera, style, cloth_page);
+    EXPECT_GT(test::changed_pixels(blown, limp), 100U);
+    EXPECT_EQ(renderer.render(set_up.camera, style, cloth_page).rgba, blown.rgba);
     EXPECT_EQ(film_frame(renderer, set_up, style, 0).rgba, blown.rgba);
-    EXPECT_GT(differing(film_frame(renderer, set_up, style, 3), blown), 20U);
-    EXPECT_EQ(renderer.render(set_up.camera, style_of(set_up), small).rgba, limp.rgba);
+    EXPECT_GT(test::changed_pixels(film_frame(renderer, set_up, style, 3), blown), 20U);
+    EXPECT_EQ(renderer.render(set_up.camera, settled_style(set_up), cloth_page).rgba, limp.rgba);
 }
 
 TEST(ClothFrame, MotionIsOfTheSheetToo)
 {
     const ClothScene set_up = make_set_up("flag", 0.5F);
-    const Style style = style_of(set_up);
+    const Style style = settled_style(set_up);
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(set_up.scene);
-    RenderSettings settings = small;
+    RenderSettings settings = cloth_page;
     settings.time_s = 1.0;
     settings.motion_since = Moment{.camera = set_up.camera, .time_s = 0.95};
     static_cast<void>(renderer.render(set_up.camera, style, settings));
@@ -352,7 +340,7 @@ TEST(ClothFrame, BothSidesHaveTheirMaterial)
         for (const std::string& assignment : set_up.style) {
             style.set(assignment);
         }
-        const Image image = renderer.render(camera, style, small);
+        const Image image = renderer.render(camera, style, cloth_page);
         size_t count = 0;
         for (size_t i = 0; i < image.rgba.size(); i += 4) {
             count += image.rgba[i] > 2 * image.rgba[i + 1] ? 1 : 0;
@@ -373,10 +361,10 @@ TEST(ClothFrame, ScenesWithoutClothHaveNoPassesOfIt)
         node.cloth.reset();
     }
     renderer.set_scene(set_up.scene);
-    static_cast<void>(renderer.render(set_up.camera, style_of(set_up), small));
+    static_cast<void>(renderer.render(set_up.camera, settled_style(set_up), cloth_page));
     EXPECT_EQ(renderer.graph_dot().find("cloth"), std::string::npos);
     renderer.set_scene(make_set_up("flag", 0.5F).scene);
-    static_cast<void>(renderer.render(set_up.camera, style_of(set_up), small));
+    static_cast<void>(renderer.render(set_up.camera, settled_style(set_up), cloth_page));
     EXPECT_NE(renderer.graph_dot().find("cloth"), std::string::npos);
 }
 

@@ -14,7 +14,7 @@ Scene on_ground(const char* height)
     return scene;
 }
 
-const std::vector<SheetPlace> box{{.box = {.min = {-2.0, 0.0, -1.0}, .max = {1.0, 1.0, 2.5}}}};
+const std::vector<SheetPlace> one_box{{.box = {.min = {-2.0, 0.0, -1.0}, .max = {1.0, 1.0, 2.5}}}};
 
 TEST(SolidGrids, GroundIsTheTerrainsBelowTheSheets)
 {
@@ -22,7 +22,7 @@ TEST(SolidGrids, GroundIsTheTerrainsBelowTheSheets)
     const glm::dvec3 anchor(128.0, 0.5, -64.0);
     SolidGrids grids(scene);
     EXPECT_FALSE(grids.ground());
-    ASSERT_TRUE(grids.follow_ground(scene, box, anchor, 0.0));
+    ASSERT_TRUE(grids.follow_ground(scene, one_box, anchor, 0.0));
     ASSERT_TRUE(grids.ground());
     const cloth::SolidGrid& grid = grids.grids().at(grids.ground()->grid);
     EXPECT_LE(grid.centre_m.x - grid.half_m.x, -3.0F);
@@ -42,14 +42,14 @@ TEST(SolidGrids, GroundIsSampledAnewWhereItIsAnother)
 {
     Scene scene = on_ground("time + x");
     SolidGrids grids(scene);
-    EXPECT_TRUE(grids.follow_ground(scene, box, {}, 0.0));
-    EXPECT_FALSE(grids.follow_ground(scene, box, {}, 0.3)); // within the same half second
-    EXPECT_TRUE(grids.follow_ground(scene, box, {}, 0.6));
-    EXPECT_TRUE(grids.follow_ground(scene, box, {64.0, 0.0, 0.0}, 0.6));
-    EXPECT_FALSE(grids.follow_ground(scene, box, {64.0, 0.0, 0.0}, 0.6));
+    EXPECT_TRUE(grids.follow_ground(scene, one_box, {}, 0.0));
+    EXPECT_FALSE(grids.follow_ground(scene, one_box, {}, 0.3)); // within the same half second
+    EXPECT_TRUE(grids.follow_ground(scene, one_box, {}, 0.6));
+    EXPECT_TRUE(grids.follow_ground(scene, one_box, {64.0, 0.0, 0.0}, 0.6));
+    EXPECT_FALSE(grids.follow_ground(scene, one_box, {64.0, 0.0, 0.0}, 0.6));
     scene.terrain = on_ground("time + x").terrain;
-    EXPECT_TRUE(grids.follow_ground(scene, box, {64.0, 0.0, 0.0}, 0.6));
-    EXPECT_FALSE(SolidGrids().follow_ground(Scene{}, box, {}, 0.0));
+    EXPECT_TRUE(grids.follow_ground(scene, one_box, {64.0, 0.0, 0.0}, 0.6));
+    EXPECT_FALSE(SolidGrids().follow_ground(Scene{}, one_box, {}, 0.0));
 }
 
 /// What hangs high above the ground does not meet it, and so nobody asks how high that is.

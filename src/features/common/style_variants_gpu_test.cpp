@@ -13,11 +13,10 @@
 namespace estampe {
 namespace {
 
-const Camera camera{.eye = {3.0, 3.0, 5.0}, .target = {0.0, 0.5, 0.0}};
-constexpr RenderSettings small{.width = 160, .height = 120};
+constexpr RenderSettings variants_page{.width = 160, .height = 120};
 
 /// A box and a ball apart on a floor, in the sun.
-Scene still_life()
+Scene named_still_life()
 {
     Scene scene = test::scene_of(shapes::plane(6.0F, 6.0F));
     scene.nodes[0].name = "floor";
@@ -32,7 +31,7 @@ Scene still_life()
     return scene;
 }
 
-Style style_with(const std::vector<std::string>& assignments)
+Style style_of_all(const std::vector<std::string>& assignments)
 {
     Style style;
     for (const std::string& assignment : assignments) {
@@ -41,19 +40,19 @@ Style style_with(const std::vector<std::string>& assignments)
     return style;
 }
 
-Image draw(const Style& style)
+Image draw_variants(const Style& style)
 {
     Renderer& renderer = test::shared_renderer();
-    renderer.set_scene(still_life());
-    return renderer.render(camera, style, small);
+    renderer.set_scene(named_still_life());
+    return renderer.render(test::corner_camera, style, variants_page);
 }
 
 /// Where the only thing that is painted has colour.
 std::vector<bool> pixels_of(const std::string& object)
 {
-    const Image image =
-        draw(style_with({"hatch.drawn=false", "contour.drawn=false", "paper.grain=0", "paper.granulation=0",
-                         "paper.color=#fff", "wash.strength=0", "object." + object + ".wash.strength=1"}));
+    const Image image = draw_variants(
+        style_of_all({"hatch.drawn=false", "contour.drawn=false", "paper.grain=0", "paper.granulation=0",
+                      "paper.color=#fff", "wash.strength=0", "object." + object + ".wash.strength=1"}));
     std::vector<bool> pixels;
     for (size_t i = 0; i < image.rgba.size(); i += 4) {
         pixels.push_back(image.rgba[i] != image.rgba[i + 2]);
@@ -88,9 +87,9 @@ TEST_P(OtherStyles, OfAThingAreThoseOfThePictureThere)
         of_ball.push_back("object.ball." + key);
     }
     const std::vector<bool> is_ball = pixels_of("ball");
-    const Image plain = draw(style_with(base));
-    const Image other = draw(style_with(all));
-    const Image mixed = draw(style_with(of_ball));
+    const Image plain = draw_variants(style_of_all(base));
+    const Image other = draw_variants(style_of_all(all));
+    const Image mixed = draw_variants(style_of_all(of_ball));
     size_t wrong = 0;
     size_t changed = 0;
     for (size_t i = 0; i < is_ball.size(); ++i) {
@@ -149,14 +148,15 @@ Outlines outlines_of(const VectorDrawing& drawing, const std::string& object)
 TEST(StyleVariantPictures, LinesHaveTheInkAndTheWidthOfTheirObject)
 {
     Renderer& renderer = test::shared_renderer();
-    renderer.set_scene(still_life());
+    renderer.set_scene(named_still_life());
     const Assignments even{"contour.pressure=0", "contour.distance_thinning=0", "contour.outline_mm=0.4",
                            "contour.ink=#000000"};
     Assignments mixed = even;
     mixed.insert(mixed.end(), {"object.ball.contour.outline_mm=1.2", "object.ball.contour.ink=#ff0000",
                                "object.box.contour.drawn=false", "object.box.hatch.drawn=false"});
-    const VectorDrawing plain = renderer.draw_strokes(camera, style_with(even), small);
-    const VectorDrawing drawing = renderer.draw_strokes(camera, style_with(mixed), small);
+    const VectorDrawing plain = renderer.draw_strokes(test::corner_camera, style_of_all(even), variants_page);
+    const VectorDrawing drawing =
+        renderer.draw_strokes(test::corner_camera, style_of_all(mixed), variants_page);
     EXPECT_NEAR(outlines_of(plain, "ball").widest_mm, 0.4F, 0.01F);
     EXPECT_NEAR(outlines_of(drawing, "ball").widest_mm, 1.2F, 0.01F);
     EXPECT_EQ(outlines_of(drawing, "ball").ink_srgb, glm::vec3(1.0F, 0.0F, 0.0F));
@@ -171,9 +171,9 @@ TEST(StyleVariantPictures, LinesHaveTheInkAndTheWidthOfTheirObject)
 
 TEST(StyleVariantPictures, LinesInThePictureHaveTheInkOfTheirObject)
 {
-    const Image image =
-        draw(style_with({"hatch.drawn=false", "wash.strength=0", "paper.grain=0", "contour.ink=#000000",
-                         "contour.outline_mm=4", "object.ball.contour.ink=#ff0000"}));
+    const Image image = draw_variants(
+        style_of_all({"hatch.drawn=false", "wash.strength=0", "paper.grain=0", "contour.ink=#000000",
+                      "contour.outline_mm=4", "object.ball.contour.ink=#ff0000"}));
     size_t red = 0;
     size_t black = 0;
     for (size_t i = 0; i < image.rgba.size(); i += 4) {
@@ -187,11 +187,12 @@ TEST(StyleVariantPictures, LinesInThePictureHaveTheInkOfTheirObject)
 TEST(StyleVariantPictures, PathsOfAMapAreAnErrorWhicheverVariantHasIt)
 {
     Renderer& renderer = test::shared_renderer();
-    renderer.set_scene(still_life());
-    EXPECT_THROW((void)renderer.draw_strokes(camera, style_with({"object.ball.hatch.strokes=map"}), small),
+    renderer.set_scene(named_still_life());
+    EXPECT_THROW((void)renderer.draw_strokes(test::corner_camera,
+                                             style_of_all({"object.ball.hatch.strokes=map"}), variants_page),
                  Error);
-    EXPECT_NO_THROW(
-        (void)renderer.draw_strokes(camera, style_with({"object.bell.hatch.strokes=map"}), small));
+    EXPECT_NO_THROW((void)renderer.draw_strokes(
+        test::corner_camera, style_of_all({"object.bell.hatch.strokes=map"}), variants_page));
     EXPECT_NE(renderer.notes().front().find("\"bell\""), std::string::npos);
 }
 

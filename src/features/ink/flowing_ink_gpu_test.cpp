@@ -9,13 +9,12 @@
 #include <estampe/error.hpp>
 #include <estampe/shapes.hpp>
 
+#include "support/effect_pictures.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
 
 namespace estampe {
 namespace {
-
-const Camera camera{.eye = {3.0, 3.0, 5.0}, .target = {0.0, 0.5, 0.0}};
 
 /// A box on a floor, in the sun, that slides along it during a second.
 Scene sliding_box()
@@ -50,15 +49,15 @@ Style flowing(const std::vector<std::string>& more = {})
     return style;
 }
 
-constexpr RenderSettings still{.width = 96, .height = 72, .time_s = 0.25};
+constexpr RenderSettings ink_still{.width = 96, .height = 72, .time_s = 0.25};
 
-std::vector<Image> film(Renderer& renderer, const Style& style)
+std::vector<Image> ink_film(Renderer& renderer, const Style& style)
 {
     std::vector<Image> images;
     for (int number = 0; number < 4; ++number) {
-        Camera moving = camera;
+        Camera moving = test::corner_camera;
         moving.eye.x += 0.05 * number;
-        RenderSettings settings = still;
+        RenderSettings settings = ink_still;
         settings.time_s = number / 24.0;
         settings.continuity = number == 0 ? Continuity::starts : Continuity::follows;
         images.push_back(renderer.render(moving, style, settings));
@@ -66,28 +65,19 @@ std::vector<Image> film(Renderer& renderer, const Style& style)
     return images;
 }
 
-/// How many pixels differ.
-size_t changed(const Image& a, const Image& b)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < a.rgba.size(); i += 4) {
-        count += std::equal(&a.rgba[i], &a.rgba[i] + 4, &b.rgba[i]) ? 0 : 1;
-    }
-    return count;
-}
-
 TEST(FlowingInk, CostsNothingWhereItIsOff)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(sliding_box());
-    static_cast<void>(renderer.render(camera, {}, still)); // poses the scene, draws shadow maps
-    const Image plain = renderer.render(camera, {}, still);
+    static_cast<void>(
+        renderer.render(test::corner_camera, {}, ink_still)); // poses the scene, draws shadow maps
+    const Image plain = renderer.render(test::corner_camera, {}, ink_still);
     const std::string graph = renderer.graph_dot();
     Style off;
     off.set("ink.source=things");
     off.set("ink.zones=nobody=give:1");
     off.set("ink.granulation=1");
-    EXPECT_EQ(renderer.render(camera, off, still), plain);
+    EXPECT_EQ(renderer.render(test::corner_camera, off, ink_still), plain);
     EXPECT_EQ(renderer.graph_dot(), graph);
     EXPECT_EQ(graph.find("ink/"), std::string::npos);
 }
@@ -96,12 +86,13 @@ TEST(FlowingInk, IsTheSameEachTimeAndLeavesNothingBehind)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(sliding_box());
-    const Image plain = renderer.render(camera, {}, still);
-    const Image first = renderer.render(camera, flowing(), still);
-    EXPECT_GT(changed(first, plain), 100U);
-    static_cast<void>(film(renderer, flowing()));
-    EXPECT_EQ(renderer.render(camera, flowing(), still), first) << "a still stands for itself";
-    EXPECT_EQ(renderer.render(camera, {}, still), plain);
+    const Image plain = renderer.render(test::corner_camera, {}, ink_still);
+    const Image first = renderer.render(test::corner_camera, flowing(), ink_still);
+    EXPECT_GT(test::changed_pixels(first, plain), 100U);
+    static_cast<void>(ink_film(renderer, flowing()));
+    EXPECT_EQ(renderer.render(test::corner_camera, flowing(), ink_still), first)
+        << "a still stands for itself";
+    EXPECT_EQ(renderer.render(test::corner_camera, {}, ink_still), plain);
 }
 
 TEST(FlowingInk, FlowsOnInFilms)
@@ -110,10 +101,10 @@ TEST(FlowingInk, FlowsOnInFilms)
     renderer.set_scene(sliding_box());
     for (const char* follow : {"page", "turn", "advance", "around", "surface"}) {
         const Style style = flowing({std::string("ink.follow=") + follow, "ink.cell_mm=3"});
-        const std::vector<Image> once = film(renderer, style);
+        const std::vector<Image> once = ink_film(renderer, style);
         renderer.set_scene(sliding_box());
-        EXPECT_EQ(film(renderer, style), once) << follow << ", of the scene loaded anew";
-        EXPECT_GT(changed(once[2], once[3]), 20U) << follow;
+        EXPECT_EQ(ink_film(renderer, style), once) << follow << ", of the scene loaded anew";
+        EXPECT_GT(test::changed_pixels(once[2], once[3]), 20U) << follow;
     }
 }
 
@@ -121,13 +112,15 @@ TEST(FlowingInk, ComesFromChosenObjectsAlone)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(sliding_box());
-    const Image plain = renderer.render(camera, {}, still);
-    const size_t of_all = changed(renderer.render(camera, flowing({"ink.source=things"}), still), plain);
-    const size_t of_box =
-        changed(renderer.render(camera, flowing({"ink.source=things", "ink.objects=b*"}), still), plain);
+    const Image plain = renderer.render(test::corner_camera, {}, ink_still);
+    const size_t of_all = test::changed_pixels(
+        renderer.render(test::corner_camera, flowing({"ink.source=things"}), ink_still), plain);
+    const size_t of_box = test::changed_pixels(
+        renderer.render(test::corner_camera, flowing({"ink.source=things", "ink.objects=b*"}), ink_still),
+        plain);
     EXPECT_GT(of_box, 50U);
     EXPECT_LT(of_box, of_all);
-    const Image of_none = renderer.render(camera, flowing({"ink.objects=nobody"}), still);
+    const Image of_none = renderer.render(test::corner_camera, flowing({"ink.objects=nobody"}), ink_still);
     EXPECT_EQ(of_none, plain);
     ASSERT_FALSE(renderer.notes().empty());
     EXPECT_NE(renderer.notes().back().find("nobody"), std::string::npos);
@@ -137,13 +130,14 @@ TEST(FlowingInk, TellsWhatItCannotRead)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(sliding_box());
-    EXPECT_THROW(
-        static_cast<void>(renderer.render(camera, flowing({"ink.flow_map=/nowhere/flow.png"}), still)),
-        Error);
-    EXPECT_THROW(static_cast<void>(renderer.render(camera, flowing({"ink.zones=box=shine:1"}), still)),
+    EXPECT_THROW(static_cast<void>(renderer.render(test::corner_camera,
+                                                   flowing({"ink.flow_map=/nowhere/flow.png"}), ink_still)),
+                 Error);
+    EXPECT_THROW(static_cast<void>(
+                     renderer.render(test::corner_camera, flowing({"ink.zones=box=shine:1"}), ink_still)),
                  Error);
     const RenderSettings tiled{.width = 200, .height = 120, .tile_px = 120};
-    static_cast<void>(renderer.render(camera, flowing({"ink.objects=nobody"}), tiled));
+    static_cast<void>(renderer.render(test::corner_camera, flowing({"ink.objects=nobody"}), tiled));
     ASSERT_EQ(renderer.notes().size(), 1U);
     EXPECT_NE(renderer.notes().back().find("nobody"), std::string::npos);
 }

@@ -10,7 +10,7 @@
 namespace estampe::features {
 namespace {
 
-constexpr uint32_t side = shared::ink_map_side;
+constexpr uint32_t water_side = shared::ink_map_side;
 const ink::Page page{.size_px = {200, 150}, .pixels_per_mm = 1.0F};
 
 ink::InkStyle solved(float share)
@@ -37,32 +37,33 @@ std::vector<float> fresh(const ink::InkStyle& style, const std::vector<shared::I
 glm::dvec2 velocity(const std::vector<float>& stream, uint32_t x, uint32_t y)
 {
     const auto psi = [&](uint32_t right, uint32_t down) {
-        return static_cast<double>(stream[(y + down) * side + x + right]);
+        return static_cast<double>(stream[(y + down) * water_side + x + right]);
     };
-    const glm::dvec2 apart_mm = glm::dvec2(page.size_mm()) / static_cast<double>(side - 1);
+    const glm::dvec2 apart_mm = glm::dvec2(page.size_mm()) / static_cast<double>(water_side - 1);
     return {(psi(0, 1) - psi(0, 0)) / apart_mm.y, -(psi(1, 0) - psi(0, 0)) / apart_mm.x};
 }
 
 double rms(const std::vector<float>& stream)
 {
     double sum = 0.0;
-    for (uint32_t i = 0; i < (side - 1) * (side - 1); ++i) {
-        const glm::dvec2 v = velocity(stream, i % (side - 1), i / (side - 1));
+    for (uint32_t i = 0; i < (water_side - 1) * (water_side - 1); ++i) {
+        const glm::dvec2 v = velocity(stream, i % (water_side - 1), i / (water_side - 1));
         sum += glm::dot(v, v);
     }
-    return std::sqrt(sum / ((side - 1) * (side - 1)));
+    return std::sqrt(sum / ((water_side - 1) * (water_side - 1)));
 }
 
 TEST(InkWater, StaysOnThePageAndFlowsAboutAsFastAsWhatStirsIt)
 {
     const ink::InkStyle style = solved(1.0F);
     const std::vector<float> stream = fresh(style);
-    ASSERT_EQ(stream.size(), size_t{side} * side);
-    for (uint32_t i = 0; i < side; ++i) {
+    ASSERT_EQ(stream.size(), size_t{water_side} * water_side);
+    for (uint32_t i = 0; i < water_side; ++i) {
         EXPECT_NEAR(stream[i], 0.0F, 1e-3F);
-        EXPECT_NEAR(stream[(side - 1) * side + i], 0.0F, 1e-1F) << "what flows down has come from there";
-        EXPECT_NEAR(stream[i * side], 0.0F, 1e-3F);
-        EXPECT_NEAR(stream[i * side + side - 1], 0.0F, 1e-3F);
+        EXPECT_NEAR(stream[(water_side - 1) * water_side + i], 0.0F, 1e-1F)
+            << "what flows down has come from there";
+        EXPECT_NEAR(stream[i * water_side], 0.0F, 1e-3F);
+        EXPECT_NEAR(stream[i * water_side + water_side - 1], 0.0F, 1e-3F);
     }
     const auto swirl_mm_s = static_cast<double>(style.swirl_mm_s);
     EXPECT_NEAR(rms(stream), swirl_mm_s, 0.4 * swirl_mm_s);

@@ -20,7 +20,7 @@ constexpr glm::uvec2 size_px(200, 100);
 
 /// A box that hangs on a post, and two things without a mesh: one in the middle of the page, turned to the
 /// right, and one behind the eye.
-Scene named_scene()
+Scene hung_box()
 {
     Scene scene = test::scene_of(shapes::box(glm::vec3(1.0F)));
     scene.nodes[0].name = "post";
@@ -44,7 +44,7 @@ Scene named_scene()
 
 std::vector<shared::InkZone> zones_of(const std::string& text, std::vector<std::string>& notes)
 {
-    const Scene scene = named_scene();
+    const Scene scene = hung_box();
     const Camera camera{.eye = {0.0, 0.0, 10.0}, .target = {0.0, 0.0, 0.0}};
     const auto page =
         frame_globals(camera, {}, glm::dvec3(0.0), {.size_px = size_px, .page_height_mm = 50.0});
@@ -55,7 +55,7 @@ std::vector<shared::InkZone> zones_of(const std::string& text, std::vector<std::
 
 TEST(InkMask, NamesObjectsAndWhatHangsOnThem)
 {
-    const Scene scene = named_scene();
+    const Scene scene = hung_box();
     const pose::MeshData meshes = pose::build_meshes(scene, 0);
     std::vector<std::string> notes;
     EXPECT_TRUE(ink_mask(meshes, scene, "*", notes).empty()) << "all give ink";

@@ -18,7 +18,7 @@
 namespace estampe {
 namespace {
 
-constexpr RenderSettings small{.width = 192, .height = 144};
+constexpr RenderSettings lit_page{.width = 192, .height = 144};
 constexpr double aspect = 192.0 / 144.0;
 
 /// How much of a picture is paper, ink, and between.
@@ -42,10 +42,10 @@ Tones tones_of(const Image& image)
     return tones;
 }
 
-Image draw(const Scene& scene, const Camera& camera, const Style& style = {})
+Image draw_lit(const Scene& scene, const Camera& camera, const Style& style = {})
 {
     test::shared_renderer().set_scene(scene);
-    return test::shared_renderer().render(camera, style, small);
+    return test::shared_renderer().render(camera, style, lit_page);
 }
 
 Camera framed(const Scene& scene)
@@ -113,15 +113,15 @@ TEST(DefaultLightPictures, ARoomIsLitWhetherItIsOpenOrClosed)
     for (const bool open : {true, false}) {
         SCOPED_TRACE(open);
         const Scene scene = thin_room(open);
-        expect_light_half_tone_and_dark(draw(scene, framed(scene)));
+        expect_light_half_tone_and_dark(draw_lit(scene, framed(scene)));
         EXPECT_EQ(test::shared_renderer().notes().size(), 1U);
     }
     const Scene closed = thin_room(false);
     Style sun;
     sun.set("light.source=sun");
-    const Tones in_the_sun = tones_of(draw(closed, framed(closed), sun));
+    const Tones in_the_sun = tones_of(draw_lit(closed, framed(closed), sun));
     EXPECT_TRUE(test::shared_renderer().notes().empty());
-    EXPECT_GT(in_the_sun.mean_ink, tones_of(draw(closed, framed(closed))).mean_ink + 0.1);
+    EXPECT_GT(in_the_sun.mean_ink, tones_of(draw_lit(closed, framed(closed))).mean_ink + 0.1);
 }
 
 TEST(DefaultLightPictures, DaylightThrowsNoEdgeOfTheOpeningThroughARoom)
@@ -144,7 +144,7 @@ TEST(DefaultLightPictures, TheGroundStaysBlankHoweverLowTheSun)
         style.set("light.turn_sun=false");
         style.set("light.sun_azimuth_deg=-150"); // from behind: the shadow comes towards the eye
         style.set(fmt::format("light.sun_elevation_deg={}", elevation_deg));
-        const Image image = draw(scene, framed(scene), style);
+        const Image image = draw_lit(scene, framed(scene), style);
         Image corner{.width = image.width / 6, .height = image.height / 6};
         for (uint32_t y = 0; y < corner.height; ++y) {
             const auto row = image.rgba.begin() + static_cast<std::ptrdiff_t>(4) * y * image.width;
@@ -157,16 +157,16 @@ TEST(DefaultLightPictures, TheGroundStaysBlankHoweverLowTheSun)
 TEST(DefaultLightPictures, AClosedHouseIsSeenFromItsCorner)
 {
     const Scene scene = thick_room();
-    expect_light_half_tone_and_dark(draw(scene, framed(scene)));
+    expect_light_half_tone_and_dark(draw_lit(scene, framed(scene)));
 }
 
 TEST(DefaultLightPictures, ACameraInsideOfAHouseHasALampAndOneOutsideTheSun)
 {
     Scene scene = thick_room();
     test::add_object(scene, shapes::cone(1.5F, 4.0F), glm::vec3(0.7F), {9.0, -0.3, 0.0});
-    expect_light_half_tone_and_dark(draw(scene, {.eye = {2.4, 1.6, 2.0}, .target = {-1.0, 0.8, -1.0}}));
+    expect_light_half_tone_and_dark(draw_lit(scene, {.eye = {2.4, 1.6, 2.0}, .target = {-1.0, 0.8, -1.0}}));
     EXPECT_EQ(test::shared_renderer().notes().size(), 1U);
-    std::ignore = draw(scene, {.eye = {14.0, 5.0, 16.0}, .target = {3.0, 1.0, 0.0}});
+    std::ignore = draw_lit(scene, {.eye = {14.0, 5.0, 16.0}, .target = {3.0, 1.0, 0.0}});
     EXPECT_TRUE(test::shared_renderer().notes().empty());
 }
 
@@ -183,9 +183,9 @@ TEST(DefaultLightPictures, TheSunTurnsWithTheFront)
         add(shapes::box({0.5F, 0.7F, 0.15F}), {0.0F, 0.0F, z});
     }
     Scene scene = test::scene_of(beast);
-    const Tones forward = tones_of(draw(scene, framed(scene)));
+    const Tones forward = tones_of(draw_lit(scene, framed(scene)));
     scene.nodes[0].transform.rotation = glm::angleAxis(3.14159265, glm::dvec3(0, 1, 0));
-    const Tones turned = tones_of(draw(scene, framed(scene)));
+    const Tones turned = tones_of(draw_lit(scene, framed(scene)));
     EXPECT_NEAR(forward.mean_ink, turned.mean_ink, 0.01);
     EXPECT_NEAR(forward.blank, turned.blank, 0.02);
     EXPECT_NEAR(forward.dark, turned.dark, 0.01);

@@ -15,7 +15,7 @@
 namespace estampe::features {
 namespace {
 
-light::Lighting lighting_of(const Scene& scene, float azimuth_deg, float elevation_deg)
+light::Lighting sun_lighting(const Scene& scene, float azimuth_deg, float elevation_deg)
 {
     const light::LightStyle style{.sun_azimuth_deg = azimuth_deg, .sun_elevation_deg = elevation_deg};
     DefaultLight house;
@@ -40,16 +40,16 @@ TEST(DefaultLight, StandsLowAndUpwindOverGroundThatNothingStandsOn)
     bare.materials.emplace_back();
     bare.terrain = ground;
     // The wind comes from the bearing of -110 degrees.
-    expect_sun(bare, lighting_of(bare, -34.0F, 45.0F), -75.0, 16.0);
+    expect_sun(bare, sun_lighting(bare, -34.0F, 45.0F), -75.0, 16.0);
     const Scene as_drawn = with_terrain_node(bare);
-    expect_sun(as_drawn, lighting_of(as_drawn, -34.0F, 45.0F), -75.0, 16.0);
-    expect_sun(bare, lighting_of(bare, -34.0F, 21.0F), -75.0, 21.0);
-    expect_sun(bare, lighting_of(bare, 215.0F, 45.0F), 215.0, 16.0);
-    expect_sun(bare, lighting_of(bare, 215.0F, 60.0F), 215.0, 60.0);
+    expect_sun(as_drawn, sun_lighting(as_drawn, -34.0F, 45.0F), -75.0, 16.0);
+    expect_sun(bare, sun_lighting(bare, -34.0F, 21.0F), -75.0, 21.0);
+    expect_sun(bare, sun_lighting(bare, 215.0F, 45.0F), 215.0, 16.0);
+    expect_sun(bare, sun_lighting(bare, 215.0F, 60.0F), 215.0, 60.0);
     Scene built_on = test::scene_of(shapes::box({2.0F, 2.0F, 2.0F}));
-    const glm::dvec3 without_ground = lighting_of(built_on, -34.0F, 45.0F).towards_sun;
+    const glm::dvec3 without_ground = sun_lighting(built_on, -34.0F, 45.0F).towards_sun;
     built_on.terrain = ground;
-    EXPECT_EQ(lighting_of(built_on, -34.0F, 45.0F).towards_sun, without_ground);
+    EXPECT_EQ(sun_lighting(built_on, -34.0F, 45.0F).towards_sun, without_ground);
 }
 
 } // namespace

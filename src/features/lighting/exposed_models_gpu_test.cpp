@@ -16,7 +16,7 @@
 namespace estampe {
 namespace {
 
-constexpr RenderSettings page{.width = 320, .height = 180};
+constexpr RenderSettings model_page{.width = 320, .height = 180};
 constexpr uint32_t sample_count = 8; // of the picture that is compared: its edges are as smooth as their mean
 
 Style flat(std::initializer_list<std::string> more)
@@ -65,12 +65,12 @@ void compare_lens(const char* name, bool has_ink)
         Camera moved = camera;
         moved.eye += away_m * (std::cos(turn) * right + std::sin(turn) * above);
         moved.target = camera.eye + focus_m * ahead;
-        return renderer.render(test::shifted_in_pixel(moved, i * 7 % count, page.height),
-                               flat({drawn, lined}), page);
+        return renderer.render(test::shifted_in_pixel(moved, i * 7 % count, model_page.height),
+                               flat({drawn, lined}), model_page);
     });
     const auto decibels = [&](const char* mode) {
         const Style style = flat({drawn, lined, mode, focal, stop, "lens.largest_mm=60"});
-        RenderSettings smooth = page;
+        RenderSettings smooth = model_page;
         smooth.samples = sample_count;
         return test::psnr_db(test::exposure_of(renderer.render(camera, style, smooth)), truth);
     };
@@ -101,7 +101,7 @@ TEST(ExposedModels, AreBlurredAsByAShutter)
     constexpr double exposure_s = 0.5 / 24.0;
     const Camera camera = framing_camera(*scene, pose_scene(*scene, middle_s, running), 16.0 / 9.0);
     const auto at = [](double time_s) {
-        RenderSettings settings = page;
+        RenderSettings settings = model_page;
         settings.time_s = time_s;
         settings.animation = running;
         return settings;
@@ -111,7 +111,7 @@ TEST(ExposedModels, AreBlurredAsByAShutter)
         const std::string lined = has_ink ? "contour.drawn=true" : "contour.drawn=false";
         constexpr int count = 64;
         const test::Exposure truth = test::mean_of(count, [&](int i) {
-            return renderer.render(test::shifted_in_pixel(camera, i * 7 % count, page.height),
+            return renderer.render(test::shifted_in_pixel(camera, i * 7 % count, model_page.height),
                                    flat({drawn, lined}),
                                    at(middle_s + exposure_s * ((i + 0.5) / count - 0.5)));
         });

@@ -15,7 +15,7 @@ namespace estampe::features {
 namespace {
 
 /// Two panels of one mesh side by side, 2 x 2 m each, with the same UVs in both sets.
-Scene two_panels()
+Scene two_mapped_panels()
 {
     Primitive panel = shapes::quad(2.0F, 2.0F);
     panel.uvs[1] = panel.uvs[0];
@@ -55,7 +55,7 @@ protected:
 
 TEST_F(NamedLightmaps, AnEvenPictureIsDrawnAsTheSameAmbientLight)
 {
-    const Scene scene = two_panels();
+    const Scene scene = two_mapped_panels();
     Lightmap map{.pictures = {even(0.5F)}, .of_scene = WornPicture{}};
     EXPECT_EQ(draw(scene, &map, bare(0.9F)), draw(scene, nullptr, bare(0.5F)));
     map.of_scene->intensity = 0.5F;
@@ -68,7 +68,7 @@ TEST_F(NamedLightmaps, AnEvenPictureIsDrawnAsTheSameAmbientLight)
 
 TEST_F(NamedLightmaps, TheNodesWordCountsBeforeTheMaterialsAndThatBeforeTheScenes)
 {
-    const Scene scene = two_panels();
+    const Scene scene = two_mapped_panels();
     Lightmap map{.pictures = {even(0.75F), even(0.5F), even(0.25F)}};
     map.of_scene = WornPicture{.picture = 0};
     const Image bright = draw(scene, nullptr, bare(0.75F));
@@ -85,7 +85,7 @@ TEST_F(NamedLightmaps, TheNodesWordCountsBeforeTheMaterialsAndThatBeforeTheScene
 
 TEST_F(NamedLightmaps, PicturesLieAsTheUvsSay)
 {
-    Scene scene = two_panels();
+    Scene scene = two_mapped_panels();
     // Only the upper right quarter of the picture is worn: rows run from the top, as in glTF.
     for (glm::vec2& uv : scene.meshes[0].primitives[0].uvs[1]) {
         uv = glm::vec2(0.75F, 0.15F) + 0.1F * uv;
@@ -100,7 +100,7 @@ TEST_F(NamedLightmaps, PicturesLieAsTheUvsSay)
 
 TEST_F(NamedLightmaps, WhatNothingCanWearIsAnError)
 {
-    Scene scene = two_panels();
+    Scene scene = two_mapped_panels();
     scene.meshes[0].primitives[0].uvs[1].clear();
     Lightmap map{.pictures = {even(0.5F)}, .of_scene = WornPicture{}};
     EXPECT_THROW(renderer_.set_scene(scene, &map), Error);

@@ -6,7 +6,7 @@
 namespace estampe::features {
 namespace {
 
-const paper::Window page{{0.0F, 0.0F}, {20.0F, 10.0F}};
+const paper::Window clip_window{{0.0F, 0.0F}, {20.0F, 10.0F}};
 
 VectorStroke stroke_of(std::vector<VectorPoint> points)
 {
@@ -17,7 +17,7 @@ TEST(PageClip, WhatLiesOnThePageIsLeftAlone)
 {
     VectorStroke ring = stroke_of({{{1, 1}, 1}, {{5, 1}, 1}, {{5, 5}, 1}, {{1, 1}, 1}});
     ring.is_closed = true;
-    const auto parts = clipped(ring, page);
+    const auto parts = clipped(ring, clip_window);
     ASSERT_EQ(parts.size(), 1U);
     EXPECT_TRUE(parts[0].is_closed);
     EXPECT_EQ(parts[0].points, ring.points);
@@ -27,7 +27,7 @@ TEST(PageClip, AStrokeThatLeavesAndComesBackFallsApart)
 {
     const auto parts = clipped(
         stroke_of({{{-10, 5}, 0}, {{10, 5}, 1}, {{10, 15}, 1}, {{15, 15}, 1}, {{15, 5}, 1}, {{30, 5}, 2}}),
-        page);
+        clip_window);
     ASSERT_EQ(parts.size(), 2U);
     EXPECT_EQ(parts[0].points, (std::vector<VectorPoint>{{{0, 5}, 0.5F}, {{10, 5}, 1}, {{10, 10}, 1}}));
     ASSERT_EQ(parts[1].points.size(), 3U);
@@ -38,7 +38,7 @@ TEST(PageClip, AStrokeThatLeavesAndComesBackFallsApart)
 
 TEST(PageClip, APieceMayCrossThePageWhole)
 {
-    const auto parts = clipped(stroke_of({{{-10, -10}, 1}, {{30, 30}, 1}}), page);
+    const auto parts = clipped(stroke_of({{{-10, -10}, 1}, {{30, 30}, 1}}), clip_window);
     ASSERT_EQ(parts.size(), 1U);
     EXPECT_EQ(parts[0].points.front().page_mm, glm::vec2(0, 0));
     EXPECT_EQ(parts[0].points.back().page_mm, glm::vec2(10, 10));
@@ -56,9 +56,9 @@ TEST(PageClip, AMarginIsLeftBlank)
 
 TEST(PageClip, NothingIsLeftBesideThePage)
 {
-    EXPECT_TRUE(clipped(stroke_of({{{-10, 5}, 1}, {{-1, 5}, 1}}), page).empty());
-    EXPECT_TRUE(clipped(stroke_of({{{-5, 5}, 1}, {{10, 20}, 1}}), page).empty());
-    EXPECT_TRUE(clipped(stroke_of({{{5, 5}, 1}, {{5, 5}, 1}}), page).empty());
+    EXPECT_TRUE(clipped(stroke_of({{{-10, 5}, 1}, {{-1, 5}, 1}}), clip_window).empty());
+    EXPECT_TRUE(clipped(stroke_of({{{-5, 5}, 1}, {{10, 20}, 1}}), clip_window).empty());
+    EXPECT_TRUE(clipped(stroke_of({{{5, 5}, 1}, {{5, 5}, 1}}), clip_window).empty());
 }
 
 } // namespace

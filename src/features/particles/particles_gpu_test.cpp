@@ -7,14 +7,15 @@
 #include <estampe/error.hpp>
 #include <estampe/shapes.hpp>
 
+#include "support/effect_pictures.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
 
 namespace estampe::features {
 namespace {
 
-const Camera camera{.eye = {2.0, 1.5, 7.0}, .target = {0.0, 1.5, 0.0}, .vertical_fov_rad = 0.7};
-constexpr RenderSettings small{.width = 120, .height = 80};
+const Camera particle_camera{.eye = {2.0, 1.5, 7.0}, .target = {0.0, 1.5, 0.0}, .vertical_fov_rad = 0.7};
+constexpr RenderSettings particle_page{.width = 120, .height = 80};
 
 Scene with_empty(const std::string& name)
 {
@@ -28,14 +29,9 @@ Scene with_empty(const std::string& name)
 
 RenderSettings moment(double time_s)
 {
-    RenderSettings settings = small;
+    RenderSettings settings = particle_page;
     settings.time_s = time_s;
     return settings;
-}
-
-bool has_pass(const std::string& name)
-{
-    return test::shared_renderer().graph_dot().find(name) != std::string::npos;
 }
 
 TEST(ParticlesInFrame, ComeFromNodesThatArePatternsSay)
@@ -54,14 +50,14 @@ TEST(ParticlesInFrame, AreTheSameWhateverWasDrawnBefore)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(with_empty("stand"));
-    const Image bare = renderer.render(camera, {}, moment(2.0));
-    EXPECT_FALSE(has_pass("particles"));
+    const Image bare = renderer.render(particle_camera, {}, moment(2.0));
+    EXPECT_FALSE(test::has_pass("particles"));
     renderer.set_scene(with_empty("emitter"));
-    const Image first = renderer.render(camera, {}, moment(2.0));
-    EXPECT_TRUE(has_pass("particles"));
+    const Image first = renderer.render(particle_camera, {}, moment(2.0));
+    EXPECT_TRUE(test::has_pass("particles"));
     EXPECT_NE(first.rgba, bare.rgba);
-    EXPECT_NE(renderer.render(camera, {}, moment(9.0)).rgba, first.rgba);
-    EXPECT_EQ(renderer.render(camera, {}, moment(2.0)).rgba, first.rgba);
+    EXPECT_NE(renderer.render(particle_camera, {}, moment(9.0)).rgba, first.rgba);
+    EXPECT_EQ(renderer.render(particle_camera, {}, moment(2.0)).rgba, first.rgba);
 }
 
 TEST(ParticlesInFrame, SmokeRisesAndThinsFromFrameToFrame)
@@ -107,10 +103,10 @@ TEST(ParticlesInFrame, DifferByTheObjectThatGivesThem)
     Style style;
     style.set("particles.wind_mps=0");
     style.set("particles.swirl_mps=0");
-    const Image alike = renderer.render(camera, style, moment(3.0));
+    const Image alike = renderer.render(particle_camera, style, moment(3.0));
     style.set("object.emitter of ink.particles.look=blots");
     style.set("object.emitter of ink.particles.ink=#c00000");
-    const Image apart = renderer.render(camera, style, moment(3.0));
+    const Image apart = renderer.render(particle_camera, style, moment(3.0));
     const auto red_in = [](const Image& image, uint32_t from, uint32_t to) {
         size_t red = 0;
         for (uint32_t y = 0; y < image.height; ++y) {
@@ -135,11 +131,11 @@ TEST(PlacedNodesInFrame, AreDrawnAsIfTheSceneHadThemThere)
     Scene moved = scene;
     moved.nodes[0].transform = place.transform;
     renderer.set_scene(moved);
-    const Image wanted = renderer.render(camera, {}, moment(2.0));
+    const Image wanted = renderer.render(particle_camera, {}, moment(2.0));
     renderer.set_scene(scene);
-    const Image before = renderer.render(camera, {}, moment(1.0));
+    const Image before = renderer.render(particle_camera, {}, moment(1.0));
     renderer.place(std::span(&place, 1), 2.0);
-    const Image after = renderer.render(camera, {}, moment(2.0));
+    const Image after = renderer.render(particle_camera, {}, moment(2.0));
     EXPECT_NE(before.rgba, after.rgba);
     size_t different = 0; // bounds, by which depths are rounded, may differ
     for (size_t i = 0; i < wanted.rgba.size(); ++i) {
@@ -157,15 +153,15 @@ TEST(CloudsInFrame, AreTheSameInTilesAndCostNothingUnasked)
     Style style;
     style.set("sky.mode=drawn");
     style.set("hatch.width_mm=0.5");
-    std::ignore = renderer.render(camera, style, moment(2.0));
-    EXPECT_FALSE(has_pass("clouds"));
+    std::ignore = renderer.render(particle_camera, style, moment(2.0));
+    EXPECT_FALSE(test::has_pass("clouds"));
     style.set("clouds.coverage=0.5");
-    const Camera up{.eye = camera.eye, .target = {0.0, 3.5, 0.0}, .vertical_fov_rad = 0.9};
+    const Camera up{.eye = particle_camera.eye, .target = {0.0, 3.5, 0.0}, .vertical_fov_rad = 0.9};
     RenderSettings settings = moment(2.0);
     settings.width = 320;
     settings.height = 220;
     const Image whole = renderer.render(up, style, settings);
-    EXPECT_TRUE(has_pass("clouds"));
+    EXPECT_TRUE(test::has_pass("clouds"));
     settings.tile_px = 200;
     const Image tiled = renderer.render(up, style, settings);
     ASSERT_EQ(whole.rgba.size(), tiled.rgba.size());

@@ -43,7 +43,7 @@ Scene two_lamps()
     return scene;
 }
 
-const Camera camera{.eye = {0.0, 5.0, 12.0}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.7};
+const Camera lamp_camera{.eye = {0.0, 5.0, 12.0}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.7};
 
 bool drew(const Renderer& renderer, const std::string& pass)
 {
@@ -61,9 +61,9 @@ TEST(LocalShadowMaps, AStillSceneDrawsNoMap)
     Renderer renderer(test::validated());
     renderer.set_scene(two_lamps());
     const Style style;
-    const Image first = renderer.render(camera, style, small_page);
+    const Image first = renderer.render(lamp_camera, style, small_page);
     EXPECT_TRUE(drew_maps(renderer));
-    const Image second = renderer.render(camera, style, small_page);
+    const Image second = renderer.render(lamp_camera, style, small_page);
     EXPECT_FALSE(drew_maps(renderer));
     EXPECT_EQ(first.rgba, second.rgba);
 }
@@ -75,12 +75,12 @@ TEST(LocalShadowMaps, WhatMovesWithinReachIsDrawnAfresh)
     const Style style;
     RenderSettings later = small_page;
     later.time_s = 0.5;
-    (void)renderer.render(camera, style, small_page);
-    const Image kept = renderer.render(camera, style, later);
+    (void)renderer.render(lamp_camera, style, small_page);
+    const Image kept = renderer.render(lamp_camera, style, later);
     EXPECT_TRUE(drew_maps(renderer));
     Renderer fresh(test::validated());
     fresh.set_scene(two_lamps());
-    EXPECT_EQ(kept.rgba, fresh.render(camera, style, later).rgba);
+    EXPECT_EQ(kept.rgba, fresh.render(lamp_camera, style, later).rgba);
 }
 
 TEST(LocalShadowMaps, OnlyWhatMovesIsDrawnAgain)
@@ -92,16 +92,16 @@ TEST(LocalShadowMaps, OnlyWhatMovesIsDrawnAgain)
         renderer.set_scene(two_lamps());
         const Style style;
         RenderSettings moment = small_page;
-        (void)renderer.render(camera, style, moment);
+        (void)renderer.render(lamp_camera, style, moment);
         EXPECT_FALSE(drew(renderer, "local shadows/moving"));
         for (const double time_s : {0.2, 0.4, 0.6}) {
             moment.time_s = time_s;
-            const Image kept = renderer.render(camera, style, moment);
+            const Image kept = renderer.render(lamp_camera, style, moment);
             EXPECT_TRUE(drew(renderer, "local shadows/moving"));
             EXPECT_EQ(drew(renderer, "local shadows/still"), time_s == 0.2);
             Renderer fresh(options);
             fresh.set_scene(two_lamps());
-            EXPECT_EQ(kept.rgba, fresh.render(camera, style, moment).rgba) << time_s;
+            EXPECT_EQ(kept.rgba, fresh.render(lamp_camera, style, moment).rgba) << time_s;
         }
     }
 }
@@ -135,7 +135,7 @@ TEST(LocalShadowMaps, MapsInLayersAreThoseDrawnWholeBitForBit)
 {
     constexpr uint32_t size = 128;
     const Scene scene = half_moving();
-    test::Drawing drawing(scene, camera, {96, 64}, 0.3);
+    test::Drawing drawing(scene, lamp_camera, {96, 64}, 0.3);
     shared::LightRecord record{};
     record.type = shared::light_point;
     record.position = glm::vec3(glm::dvec3(1.0, 2.5, 1.0) - drawing.layout.anchor);

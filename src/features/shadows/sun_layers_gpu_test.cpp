@@ -33,7 +33,7 @@ Scene pillars()
     return scene;
 }
 
-struct Moment {
+struct RiderMoment {
     double eye_x = 0.0;
     glm::dvec3 rider{-3.0, 1.5, 3.0};
     glm::dvec3 bird{30.0, 9.0, -20.0};
@@ -49,7 +49,7 @@ Style clipmapped(double hour)
     return style;
 }
 
-Image draw(Renderer& renderer, const Moment& moment)
+Image draw(Renderer& renderer, const RiderMoment& moment)
 {
     const std::vector<NodePlace> places{{rider, {.translation = moment.rider}},
                                         {bird, {.translation = moment.bird}}};
@@ -58,7 +58,7 @@ Image draw(Renderer& renderer, const Moment& moment)
                            clipmapped(moment.hour), settings);
 }
 
-bool has_pass(const Renderer& renderer, const std::string& name)
+bool has_pass_of(const Renderer& renderer, const std::string& name)
 {
     return std::ranges::any_of(renderer.timings(),
                                [&](const PassTiming& timing) { return timing.name.starts_with(name); });
@@ -72,7 +72,7 @@ RendererOptions by_compute()
 }
 
 /// The rider goes to and fro and stands still in between; the eye goes along, turns back and jumps.
-std::vector<Moment> moments()
+std::vector<RiderMoment> rider_moments()
 {
     return {{0.0},
             {0.0, {-2.5, 1.5, 3.0}},
@@ -94,12 +94,12 @@ TEST(SunLayers, GiveThePicturesOfAMapDrawnAfresh)
     kept.set_scene(scene);
     size_t mixed = 0;
     size_t at = 0;
-    for (const Moment& moment : moments()) {
+    for (const RiderMoment& moment : rider_moments()) {
         fresh.set_scene(scene);
         const Image wanted = draw(fresh, moment);
-        EXPECT_FALSE(has_pass(fresh, "shadow/mix")) << at;
+        EXPECT_FALSE(has_pass_of(fresh, "shadow/mix")) << at;
         EXPECT_EQ(test::compare_images(draw(kept, moment), wanted).failing_fraction, 0.0) << at;
-        mixed += has_pass(kept, "shadow/mix") ? 1 : 0;
+        mixed += has_pass_of(kept, "shadow/mix") ? 1 : 0;
         ++at;
     }
     EXPECT_EQ(mixed, 8U); // but for the first, and the one before which nothing moved
@@ -109,21 +109,21 @@ TEST(SunLayers, WhatStandsStillIsNotDrawnAgain)
 {
     Renderer renderer(by_compute());
     renderer.set_scene(pillars());
-    const auto draws_still = [&](const Moment& moment) {
+    const auto draws_still = [&](const RiderMoment& moment) {
         (void)draw(renderer, moment);
-        return has_pass(renderer, "shadow/small") || has_pass(renderer, "shadow/draw");
+        return has_pass_of(renderer, "shadow/small") || has_pass_of(renderer, "shadow/draw");
     };
     EXPECT_TRUE(draws_still({0.0}));
     EXPECT_TRUE(draws_still({0.0, {-2.5, 1.5, 3.0}})); // into a map of its own
     EXPECT_FALSE(draws_still({0.0, {-2.0, 1.5, 3.0}}));
     EXPECT_FALSE(draws_still({0.0, {-1.5, 1.5, 3.0}}));
-    EXPECT_FALSE(has_pass((draw(renderer, {0.0, {-1.5, 1.5, 3.0}}), renderer), "shadow/"));
+    EXPECT_FALSE(has_pass_of((draw(renderer, {0.0, {-1.5, 1.5, 3.0}}), renderer), "shadow/"));
 }
 
 /// The rider goes on all the while; the sun stands, goes on, and stands again.
-std::vector<Moment> evening()
+std::vector<RiderMoment> evening()
 {
-    std::vector<Moment> moments;
+    std::vector<RiderMoment> moments;
     for (const double hour : {16.0, 16.0, 16.0, 16.004, 16.004, 16.004, 16.3, 16.3, 16.31, 16.32, 16.32}) {
         const double x = -3.0 + 0.3 * static_cast<double>(moments.size());
         moments.push_back({.rider = {x, 1.5, 3.0}, .hour = hour});
@@ -139,11 +139,11 @@ TEST(SunLayers, FollowASunThatGoesOnInSteps)
     kept.set_scene(scene);
     std::vector<size_t> still_drawn; // moments
     size_t at = 0;
-    for (const Moment& moment : evening()) {
+    for (const RiderMoment& moment : evening()) {
         fresh.set_scene(scene);
         const Image wanted = draw(fresh, moment);
         EXPECT_EQ(test::compare_images(draw(kept, moment), wanted).failing_fraction, 0.0) << at;
-        if (has_pass(kept, "shadow/small")) {
+        if (has_pass_of(kept, "shadow/small")) {
             still_drawn.push_back(at);
         }
         ++at;

@@ -65,19 +65,19 @@ Scene walkers()
     return scene;
 }
 
-struct Moment {
+struct EyeMoment {
     double time_s = 0.0;
     double eye_x = 0.0;
 };
 
 /// The eye goes along, jumps, or goes while nothing moves; in the end all go back to where they began.
-std::vector<Moment> moments()
+std::vector<EyeMoment> eye_moments()
 {
     return {{0.0},       {1.0},       {2.0},      {2.0, 2.0}, {3.0, 2.0}, {3.5, 3.0}, {4.0, 3.0},
             {5.0, 41.0}, {5.5, 40.0}, {6.0, 0.5}, {7.0, 1.0}, {0.0, 0.0}, {0.5, 0.0}};
 }
 
-SunMapPlan plan_about(const test::Drawing& drawing, const Moment& moment)
+SunMapPlan plan_about(const test::Drawing& drawing, const EyeMoment& moment)
 {
     SunMapPlan plan{.size = level_size};
     plan.view = shadow::sun_view(casters, drawing.layout.anchor, towards_sun, level_size);
@@ -133,7 +133,7 @@ TEST(SunTiles, GiveTheMapDrawnAfresh)
     KeptMap kept(true);
     std::optional<pose::PoseData> before;
     size_t few = 0;
-    for (const Moment& moment : moments()) {
+    for (const EyeMoment& moment : eye_moments()) {
         test::Drawing drawing(scene, test::front_camera(5.0, 0.6), {64, 64}, moment.time_s);
         const SunMapPlan plan = plan_about(drawing, moment);
         if (before) {

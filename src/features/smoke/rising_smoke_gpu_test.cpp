@@ -7,13 +7,14 @@
 
 #include <gtest/gtest.h>
 
+#include "support/effect_pictures.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
 
 namespace estampe {
 namespace {
 
-const Camera camera{.eye = {3.0, 3.0, 5.0}, .target = {0.0, 1.0, 0.0}};
+const Camera smoke_camera{.eye = {3.0, 3.0, 5.0}, .target = {0.0, 1.0, 0.0}};
 
 /// A box on a floor, in the sun, with a place on it from which smoke may rise.
 Scene smoking_box()
@@ -42,41 +43,31 @@ Style smoking(const std::vector<std::string>& more = {})
     return style;
 }
 
-constexpr RenderSettings still{.width = 96, .height = 72, .time_s = 0.25};
+constexpr RenderSettings smoke_still{.width = 96, .height = 72, .time_s = 0.25};
 
-std::vector<Image> film(Renderer& renderer, const Style& style, bool is_measured = false)
+std::vector<Image> smoke_film(Renderer& renderer, const Style& style, bool is_measured = false)
 {
     std::vector<Image> images;
     for (int number = 0; number < 4; ++number) {
-        RenderSettings settings = still;
+        RenderSettings settings = smoke_still;
         settings.measure_solvers = is_measured;
         settings.time_s = number / 12.0;
         settings.continuity = number == 0 ? Continuity::starts : Continuity::follows;
-        images.push_back(renderer.render(camera, style, settings));
+        images.push_back(renderer.render(smoke_camera, style, settings));
     }
     return images;
-}
-
-/// How many pixels differ.
-size_t changed(const Image& a, const Image& b)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < a.rgba.size(); i += 4) {
-        count += std::equal(&a.rgba[i], &a.rgba[i] + 4, &b.rgba[i]) ? 0 : 1;
-    }
-    return count;
 }
 
 TEST(RisingSmoke, CostsNothingWhereItIsOff)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(smoking_box());
-    static_cast<void>(renderer.render(camera, {}, still)); // poses the scene, draws shadow maps
-    const Image plain = renderer.render(camera, {}, still);
+    static_cast<void>(renderer.render(smoke_camera, {}, smoke_still)); // poses the scene, draws shadow maps
+    const Image plain = renderer.render(smoke_camera, {}, smoke_still);
     const std::string graph = renderer.graph_dot();
     Style off;
     off.set("smoke.cells=256");
-    EXPECT_EQ(renderer.render(camera, off, still), plain);
+    EXPECT_EQ(renderer.render(smoke_camera, off, smoke_still), plain);
     EXPECT_EQ(renderer.graph_dot(), graph);
     EXPECT_EQ(graph.find("smoke"), std::string::npos);
 }
@@ -85,8 +76,8 @@ TEST(RisingSmoke, WantsAnObjectToRiseFrom)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(smoking_box());
-    const Image plain = renderer.render(camera, {}, still);
-    EXPECT_EQ(renderer.render(camera, smoking({"smoke.objects=fog*"}), still), plain);
+    const Image plain = renderer.render(smoke_camera, {}, smoke_still);
+    EXPECT_EQ(renderer.render(smoke_camera, smoking({"smoke.objects=fog*"}), smoke_still), plain);
     ASSERT_FALSE(renderer.notes().empty());
     EXPECT_NE(renderer.notes().back().find("fog*"), std::string::npos);
 }
@@ -95,29 +86,30 @@ TEST(RisingSmoke, AStillStandsForItselfAndAFilmFlowsOn)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(smoking_box());
-    const Image plain = renderer.render(camera, {}, still);
-    const Image first = renderer.render(camera, smoking(), still);
-    EXPECT_GT(changed(first, plain), 100U);
-    const std::vector<Image> once = film(renderer, smoking());
-    EXPECT_GT(changed(once[2], once[3]), 20U);
-    EXPECT_EQ(renderer.render(camera, smoking(), still), first);
-    EXPECT_EQ(renderer.render(camera, {}, still), plain);
+    const Image plain = renderer.render(smoke_camera, {}, smoke_still);
+    const Image first = renderer.render(smoke_camera, smoking(), smoke_still);
+    EXPECT_GT(test::changed_pixels(first, plain), 100U);
+    const std::vector<Image> once = smoke_film(renderer, smoking());
+    EXPECT_GT(test::changed_pixels(once[2], once[3]), 20U);
+    EXPECT_EQ(renderer.render(smoke_camera, smoking(), smoke_still), first);
+    EXPECT_EQ(renderer.render(smoke_camera, {}, smoke_still), plain);
     renderer.set_scene(smoking_box());
-    EXPECT_EQ(film(renderer, smoking()), once) << "of the scene loaded anew";
+    EXPECT_EQ(smoke_film(renderer, smoking()), once) << "of the scene loaded anew";
 }
 
 TEST(RisingSmoke, BegunWithinAFilmItIsCaughtUpWithPictureByPicture)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(smoking_box());
-    const Image plain = renderer.render(camera, {}, still);
-    const size_t grown = changed(renderer.render(camera, smoking(), still), plain);
+    const Image plain = renderer.render(smoke_camera, {}, smoke_still);
+    const size_t grown = test::changed_pixels(renderer.render(smoke_camera, smoking(), smoke_still), plain);
     std::vector<size_t> seen;
     for (int number = 0; number < 6; ++number) {
-        RenderSettings settings = still;
+        RenderSettings settings = smoke_still;
         settings.time_s = number / 12.0;
         settings.continuity = number == 0 ? Continuity::starts : Continuity::follows;
-        seen.push_back(changed(renderer.render(camera, number == 0 ? Style() : smoking(), settings), plain));
+        seen.push_back(test::changed_pixels(
+            renderer.render(smoke_camera, number == 0 ? Style() : smoking(), settings), plain));
     }
     EXPECT_EQ(seen[0], 0U);
     EXPECT_GT(seen[1], 0U);
@@ -147,10 +139,10 @@ TEST(RisingSmoke, TakesItsLastStepsBesideThePictureAsItWouldBefore)
     scene.nodes.push_back(other);
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(scene);
-    const std::vector<Image> beside = film(renderer, smoking());
+    const std::vector<Image> beside = smoke_film(renderer, smoking());
     EXPECT_GT(steps_within(renderer), 0U);
     renderer.set_scene(scene);
-    EXPECT_EQ(film(renderer, smoking(), true), beside); // each step by itself, to be measured
+    EXPECT_EQ(smoke_film(renderer, smoking(), true), beside); // each step by itself, to be measured
     EXPECT_EQ(steps_within(renderer), 0U);
 }
 
@@ -158,26 +150,31 @@ TEST(RisingSmoke, RisesByEachSolverAndAdvectionAsTheStyleSays)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(smoking_box());
-    const Image usual = renderer.render(camera, smoking(), still);
+    const Image usual = renderer.render(smoke_camera, smoking(), smoke_still);
     // What is the same by name or by nature.
-    EXPECT_EQ(
-        renderer.render(camera, smoking({"smoke.solver=spectral", "smoke.advection=maccormack"}), still),
-        usual);
-    EXPECT_LT(changed(renderer.render(camera, smoking({"smoke.solver=multigrid"}), still), usual), 60U);
+    EXPECT_EQ(renderer.render(smoke_camera, smoking({"smoke.solver=spectral", "smoke.advection=maccormack"}),
+                              smoke_still),
+              usual);
+    EXPECT_LT(test::changed_pixels(
+                  renderer.render(smoke_camera, smoking({"smoke.solver=multigrid"}), smoke_still), usual),
+              60U);
     for (const char* other : {"smoke.solver=jacobi", "smoke.advection=linear", "smoke.advection=cubic",
                               "smoke.stepping=reflect"}) {
-        EXPECT_GT(changed(renderer.render(camera, smoking({other}), still), usual), 10U) << other;
+        EXPECT_GT(test::changed_pixels(renderer.render(smoke_camera, smoking({other}), smoke_still), usual),
+                  10U)
+            << other;
     }
     // While it rises.
-    std::vector<Image> images = film(renderer, smoking());
-    RenderSettings settings = still;
+    std::vector<Image> images = smoke_film(renderer, smoking());
+    RenderSettings settings = smoke_still;
     settings.time_s = 4.0 / 12.0;
     settings.continuity = Continuity::follows;
-    const Image by_other = renderer.render(camera, smoking({"smoke.solver=multigrid"}), settings);
-    EXPECT_LT(changed(by_other, images.back()), changed(by_other, renderer.render(camera, {}, still)))
+    const Image by_other = renderer.render(smoke_camera, smoking({"smoke.solver=multigrid"}), settings);
+    EXPECT_LT(test::changed_pixels(by_other, images.back()),
+              test::changed_pixels(by_other, renderer.render(smoke_camera, {}, smoke_still)))
         << "it goes on";
-    EXPECT_NO_THROW(
-        renderer.render(camera, smoking({"smoke.solver=spectral", "smoke.obstacles=true"}), still));
+    EXPECT_NO_THROW(renderer.render(smoke_camera, smoking({"smoke.solver=spectral", "smoke.obstacles=true"}),
+                                    smoke_still));
 }
 
 TEST(RisingSmoke, ATiledPageIsTheSame)
@@ -185,9 +182,9 @@ TEST(RisingSmoke, ATiledPageIsTheSame)
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(smoking_box());
     RenderSettings settings{.width = 200, .height = 120};
-    const Image whole = renderer.render(camera, smoking(), settings);
+    const Image whole = renderer.render(smoke_camera, smoking(), settings);
     settings.tile_px = 120;
-    EXPECT_LT(changed(renderer.render(camera, smoking(), settings), whole), 20U);
+    EXPECT_LT(test::changed_pixels(renderer.render(smoke_camera, smoking(), settings), whole), 20U);
 }
 
 TEST(RisingSmoke, HasALayerOfItsOwn)
@@ -195,11 +192,11 @@ TEST(RisingSmoke, HasALayerOfItsOwn)
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(smoking_box());
     const Style style = smoking({"smoke.shadow=0"}); // which the other layers would show
-    const LayeredImage with = renderer.render_layers(camera, style, still);
+    const LayeredImage with = renderer.render_layers(smoke_camera, style, smoke_still);
     ASSERT_FALSE(with.layers.empty());
     EXPECT_EQ(with.layers.back().name, "smoke");
-    EXPECT_EQ(with.picture, renderer.render(camera, style, still));
-    const LayeredImage without = renderer.render_layers(camera, {}, still);
+    EXPECT_EQ(with.picture, renderer.render(smoke_camera, style, smoke_still));
+    const LayeredImage without = renderer.render_layers(smoke_camera, {}, smoke_still);
     ASSERT_EQ(with.layers.size(), without.layers.size() + 1);
     EXPECT_EQ(with.layers[with.layers.size() - 2].image.pixels, without.layers.back().image.pixels);
 }
@@ -210,9 +207,9 @@ TEST(RisingSmoke, FlowsAroundWhatStandsInItsBox)
     test::add_object(scene, shapes::box({0.9F, 0.1F, 0.9F}), {0.5F, 0.5F, 0.5F}, {0.0, 1.2, 0.0});
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(scene);
-    const Image through = renderer.render(camera, smoking(), still);
-    const Image around = renderer.render(camera, smoking({"smoke.obstacles=true"}), still);
-    EXPECT_GT(changed(through, around), 50U);
+    const Image through = renderer.render(smoke_camera, smoking(), smoke_still);
+    const Image around = renderer.render(smoke_camera, smoking({"smoke.obstacles=true"}), smoke_still);
+    EXPECT_GT(test::changed_pixels(through, around), 50U);
 }
 
 TEST(RisingSmoke, RisesInSeveralBoxesEachItsOwnWay)
@@ -227,7 +224,7 @@ TEST(RisingSmoke, RisesInSeveralBoxesEachItsOwnWay)
         test::add_sun(scene, {1.0, 2.0, 1.5});
         test::shared_renderer().set_scene(scene);
         return test::shared_renderer().render({.eye = {0.0, 1.0, 6.0}, .target = {0.0, 0.5, 0.0}}, smoking(),
-                                              still);
+                                              smoke_still);
     };
     const Image none = render({});
     const Image left = render({{-1.5, 0.0, 0.0}});
@@ -237,11 +234,11 @@ TEST(RisingSmoke, RisesInSeveralBoxesEachItsOwnWay)
     size_t in_left = 0;
     size_t in_right = 0;
     size_t otherwise = 0;
-    for (uint32_t i = 0; i < still.width * still.height; ++i) {
+    for (uint32_t i = 0; i < smoke_still.width * smoke_still.height; ++i) {
         const auto differ = [&](const Image& a, const Image& b) {
             return !std::equal(&a.rgba[4 * i], &a.rgba[4 * i] + 4, &b.rgba[4 * i]);
         };
-        const bool is_left = i % still.width < still.width / 2;
+        const bool is_left = i % smoke_still.width < smoke_still.width / 2;
         in_left += is_left && differ(left, none) ? 1 : 0;
         as_left += is_left && differ(left, none) && !differ(left, both) ? 1 : 0;
         in_right += !is_left && differ(both, none) ? 1 : 0;
@@ -262,7 +259,7 @@ TEST(RisingSmoke, SaysHowManyBoxesAreTooMany)
     }
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(scene);
-    static_cast<void>(renderer.render(camera, smoking({"smoke.age_s=0"}), still));
+    static_cast<void>(renderer.render(smoke_camera, smoking({"smoke.age_s=0"}), smoke_still));
     ASSERT_FALSE(renderer.notes().empty());
     EXPECT_EQ(renderer.notes().back(), "smoke rises from the first 8 of 9 objects");
 }
@@ -296,18 +293,19 @@ TEST(RisingSmoke, ThrowsItsShadowOnTheSceneAndLiesInTheScenes)
     const auto render = [&](const std::vector<std::string>& more) {
         std::vector<std::string> all = flat;
         all.insert(all.end(), more.begin(), more.end());
-        return renderer.render({.eye = {-2.6, 3.0, 2.2}, .target = {-0.5, 0.3, -0.5}}, smoking(all), still);
+        return renderer.render({.eye = {-2.6, 3.0, 2.2}, .target = {-0.5, 0.3, -0.5}}, smoking(all),
+                               smoke_still);
     };
     renderer.set_scene(plain_with_smoke(false));
     const Image with = render({});
     const Image without = render({"smoke.shadow=0"});
-    EXPECT_GT(changed(with, without), 100U);
+    EXPECT_GT(test::changed_pixels(with, without), 100U);
     EXPECT_GT(darkness(with), darkness(without));
     EXPECT_EQ(without, render({"smoke.shadow=0", "smoke.shaded=false"})) << "nothing stands in the sun's way";
     renderer.set_scene(plain_with_smoke(true));
     const Image in_shade = render({"smoke.shadow=0"});
     const Image unshaded = render({"smoke.shadow=0", "smoke.shaded=false"});
-    EXPECT_GT(changed(in_shade, unshaded), 100U);
+    EXPECT_GT(test::changed_pixels(in_shade, unshaded), 100U);
     EXPECT_GT(darkness(in_shade), darkness(unshaded));
 }
 
@@ -322,7 +320,7 @@ TEST(RisingSmoke, BeginsWhereItRisesFrom)
                                         "paper.margin_mm=0"};
     Style bare;
     bare.set(flat.back());
-    RenderSettings settings = still;
+    RenderSettings settings = smoke_still;
     for (const double time_s : {0.0, 0.06, 0.12, 0.18}) {
         settings.time_s = time_s;
         const Image with = renderer.render(level, smoking(flat), settings);
@@ -342,18 +340,18 @@ TEST(RisingSmoke, TellsWhatItsSolverLeft)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(smoking_box());
-    const Image usual = renderer.render(camera, smoking(), still);
+    const Image usual = renderer.render(smoke_camera, smoking(), smoke_still);
     EXPECT_TRUE(renderer.solver_reports().empty());
     EXPECT_EQ(renderer.timings().end(),
               std::ranges::find(renderer.timings(), "fluid/measure", &PassTiming::name));
-    RenderSettings measured = still;
+    RenderSettings measured = smoke_still;
     measured.measure_solvers = true;
     const auto report_of = [&](const std::vector<std::string>& more) {
-        static_cast<void>(renderer.render(camera, smoking(more), measured));
+        static_cast<void>(renderer.render(smoke_camera, smoking(more), measured));
         const std::vector<SolverReport> reports = renderer.solver_reports();
         return reports.size() == 1 ? reports.front() : SolverReport{};
     };
-    EXPECT_EQ(renderer.render(camera, smoking(), measured), usual) << "the picture is the same";
+    EXPECT_EQ(renderer.render(smoke_camera, smoking(), measured), usual) << "the picture is the same";
     const SolverReport direct = report_of({});
     EXPECT_EQ(direct.fluid, "smoke");
     EXPECT_EQ(direct.solver, "spectral");
@@ -374,8 +372,8 @@ TEST(RisingSmoke, TellsWhatItsSolverLeft)
     EXPECT_GT(rounds.divergence_left, 10.0 * direct.divergence_left);
     // A page in tiles is prepared twice, where ink flows too.
     measured.tile_px = 64;
-    static_cast<void>(
-        renderer.render(camera, smoking({"ink.drawn=true", "ink.age_s=0.2", "ink.solved=1"}), measured));
+    static_cast<void>(renderer.render(
+        smoke_camera, smoking({"ink.drawn=true", "ink.age_s=0.2", "ink.solved=1"}), measured));
     const std::vector<SolverReport> both = renderer.solver_reports();
     ASSERT_EQ(both.size(), 2U);
     EXPECT_EQ(both[0].divergence_left, direct.divergence_left);
@@ -383,7 +381,7 @@ TEST(RisingSmoke, TellsWhatItsSolverLeft)
     EXPECT_EQ(both[1].fluid, "ink");
     EXPECT_GT(both[1].divergence_left, 0.0);
     EXPECT_LT(both[1].divergence_left, 1e-2);
-    static_cast<void>(renderer.render(camera, {}, still));
+    static_cast<void>(renderer.render(smoke_camera, {}, smoke_still));
     EXPECT_TRUE(renderer.solver_reports().empty());
 }
 
@@ -408,15 +406,15 @@ TEST(RisingSmoke, KeysOfFireAndWaterDoNothingWhereThereIsNone)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(smoking_box());
-    const Image usual = renderer.render(camera, smoking(), still);
+    const Image usual = renderer.render(smoke_camera, smoking(), smoke_still);
     EXPECT_EQ(renderer.graph_dot().find("smoke/seen"), std::string::npos);
-    EXPECT_EQ(renderer.render(camera,
+    EXPECT_EQ(renderer.render(smoke_camera,
                               smoking({"smoke.burn_s=3", "smoke.burn_heat=9", "smoke.soot=7", "smoke.flame=9",
                                        "smoke.cloud_base=0", "smoke.humidity_outside=1",
                                        "smoke.latent_heat=9", "smoke.flame_color=#000000"}),
-                              still),
+                              smoke_still),
               usual);
-    EXPECT_NE(renderer.render(camera, smoking({"smoke.fuel_per_s=8"}), still), usual);
+    EXPECT_NE(renderer.render(smoke_camera, smoking({"smoke.fuel_per_s=8"}), smoke_still), usual);
     EXPECT_NE(renderer.graph_dot().find("smoke/seen"), std::string::npos);
 }
 
@@ -429,12 +427,12 @@ TEST(RisingSmoke, WhatBurnsIsSeenAsFlamesAboveItsSource)
     const auto red_rows = [&](const std::vector<std::string>& more) {
         std::vector<std::string> all = fire;
         all.insert(all.end(), more.begin(), more.end());
-        const Image image = renderer.render(SideView().camera, smoking(all), still);
+        const Image image = renderer.render(SideView().camera, smoking(all), smoke_still);
         std::array<size_t, 2> count{}; // in the upper half of the box, in the lower
-        for (uint32_t i = 0; i < still.width * 66; ++i) {
+        for (uint32_t i = 0; i < smoke_still.width * 66; ++i) {
             const uint8_t* const texel = &image.rgba[size_t{4} * i];
             const bool is_red = texel[0] > 150 && texel[1] < 70 && texel[2] < 70;
-            count.at(i / still.width < 36 ? 0 : 1) += is_red ? 1 : 0;
+            count.at(i / smoke_still.width < 36 ? 0 : 1) += is_red ? 1 : 0;
         }
         return count;
     };
@@ -454,7 +452,7 @@ TEST(RisingSmoke, AMoistPlumeIsUnseenUpToItsCloud)
     const auto render = [&](const std::vector<std::string>& more) {
         std::vector<std::string> all = flat;
         all.insert(all.end(), more.begin(), more.end());
-        return renderer.render(SideView().camera, smoking(all), still);
+        return renderer.render(SideView().camera, smoking(all), smoke_still);
     };
     const Image dry = render({});
     const Image high = render({"smoke.humidity=2", "smoke.cloud_base=0.5"});
@@ -470,9 +468,9 @@ TEST(RisingSmoke, ItsFireIsALamp)
     renderer.set_scene(plain_with_smoke(true));
     const Camera above{.eye = {-3.0, 3.0, 5.0}, .target = {0.0, 0.3, 0.0}};
     const std::string exposed = "tone.curve=linear";
-    const Image dark = renderer.render(above, smoking({exposed}), still);
-    const Image lit = renderer.render(above, smoking({exposed, "smoke.glow=3"}), still);
-    EXPECT_GT(changed(dark, lit), 200U);
+    const Image dark = renderer.render(above, smoking({exposed}), smoke_still);
+    const Image lit = renderer.render(above, smoking({exposed, "smoke.glow=3"}), smoke_still);
+    EXPECT_GT(test::changed_pixels(dark, lit), 200U);
     EXPECT_LT(darkness(lit), darkness(dark));
 }
 

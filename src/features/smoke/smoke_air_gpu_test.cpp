@@ -16,13 +16,13 @@
 namespace estampe::features {
 namespace {
 
-constexpr uint32_t side = 16;
+constexpr uint32_t air_side = 16;
 constexpr double step_s = 1.0 / 24.0;
 
 smoke::Box box_of(float width_m)
 {
-    const float cell_m = width_m / side;
-    return {.cells = glm::uvec3(side),
+    const float cell_m = width_m / air_side;
+    return {.cells = glm::uvec3(air_side),
             .cell_m = cell_m,
             .grid_from_anchor = glm::scale(glm::mat4(1.0F), glm::vec3(1.0F / cell_m))};
 }
@@ -66,14 +66,14 @@ std::vector<float> even(const std::vector<float>& amounts)
 
 double at(const std::vector<float>& numbers, int channel, uint32_t y)
 {
-    const auto of_channel = static_cast<size_t>(channel) * side * side * side;
-    return static_cast<double>(numbers[of_channel + (size_t{5} * side + y) * side + 7]);
+    const auto of_channel = static_cast<size_t>(channel) * air_side * air_side * air_side;
+    return static_cast<double>(numbers[of_channel + (size_t{5} * air_side + y) * air_side + 7]);
 }
 
 double sum_of(const std::vector<float>& numbers, int channel)
 {
-    const auto first = numbers.begin() + channel * static_cast<ptrdiff_t>(side * side * side);
-    return std::accumulate(first, first + static_cast<ptrdiff_t>(side * side * side), 0.0);
+    const auto first = numbers.begin() + channel * static_cast<ptrdiff_t>(air_side * air_side * air_side);
+    return std::accumulate(first, first + static_cast<ptrdiff_t>(air_side * air_side * air_side), 0.0);
 }
 
 TEST(SmokeAir, CarriesNoMoreThanItIsAskedFor)
@@ -90,11 +90,11 @@ TEST(SmokeAir, WaterIsKeptAndBecomesCloudAboveItsBase)
     const smoke::SmokeStyle style{.humidity = 2.0F, .cloud_base = 0.4F};
     fluid::Fluid fluid(test::shared_device(), grid_of(box), 5, {}, even({0.0F, 0.0F, 0.0F, 2.0F, 0.0F}));
     const std::vector<float> end = quantities_after(fluid, closed(style), 96);
-    for (uint32_t y = 0; y < side; ++y) {
+    for (uint32_t y = 0; y < air_side; ++y) {
         const double cloud = at(end, shared::fluid_cloud, y);
         EXPECT_NEAR(at(end, shared::fluid_vapour, y) + cloud, 2.0, 1e-5) << y;
         EXPECT_NEAR(at(end, shared::fluid_temperature, y), cloud, 1e-5) << "latent heat, " << y;
-        const double height = (y + 0.5) / side;
+        const double height = (y + 0.5) / air_side;
         if (height < 0.4) {
             EXPECT_EQ(cloud, 0.0) << y;
         } else {
@@ -108,8 +108,8 @@ TEST(SmokeAir, MovingAirKeepsItsWater)
 {
     const smoke::SmokeStyle style{.humidity = 2.0F, .cloud_base = 0.3F};
     std::vector<float> start = clean_air(box, style);
-    for (uint32_t i = 0; i < 4 * side * side; ++i) { // a moist layer
-        start[shared::fluid_vapour * side * side * side + side * side * 6 + i] = 2.0F;
+    for (uint32_t i = 0; i < 4 * air_side * air_side; ++i) { // a moist layer
+        start[shared::fluid_vapour * air_side * air_side * air_side + air_side * air_side * 6 + i] = 2.0F;
     }
     fluid::Fluid fluid(test::shared_device(), grid_of(box), 5, stirred_air(box, style), start);
     const double before = sum_of(start, shared::fluid_vapour);
@@ -137,7 +137,7 @@ TEST(SmokeAir, OutsideAirMakesNoCloud)
     const std::vector<float> end = quantities_after(fluid, solving(box, style, step_s), 24);
     EXPECT_LT(sum_of(end, shared::fluid_cloud), 1e-6 * sum_of(end, shared::fluid_vapour));
     EXPECT_NEAR(at(end, shared::fluid_vapour, 0), 2.0, 1e-5);
-    EXPECT_NEAR(at(end, shared::fluid_vapour, side - 1), 2.0 * std::exp(2.0 * (0.2 - 15.5 / 16.0)), 1e-5);
+    EXPECT_NEAR(at(end, shared::fluid_vapour, air_side - 1), 2.0 * std::exp(2.0 * (0.2 - 15.5 / 16.0)), 1e-5);
 }
 
 TEST(SmokeAir, WindBlowsItOutByTheLeeSideAndNoneComesBack)
@@ -149,13 +149,13 @@ TEST(SmokeAir, WindBlowsItOutByTheLeeSideAndNoneComesBack)
         fluid.set_shapes({}, std::vector{source_of(small, style)});
         const std::vector<float> end = quantities_after(fluid, solving(small, style, 1.0 / steps_a_second),
                                                         static_cast<uint32_t>(1.5 * steps_a_second));
-        std::array<double, side> amounts{}; // along x, which the wind goes along
-        for (uint32_t i = 0; i < side * side * side; ++i) {
-            amounts.at(i % side) += static_cast<double>(end[i]);
+        std::array<double, air_side> amounts{}; // along x, which the wind goes along
+        for (uint32_t i = 0; i < air_side * air_side * air_side; ++i) {
+            amounts.at(i % air_side) += static_cast<double>(end[i]);
         }
         return amounts;
     };
-    const auto share = [](const std::array<double, side>& amounts, uint32_t first, uint32_t last) {
+    const auto share = [](const std::array<double, air_side>& amounts, uint32_t first, uint32_t last) {
         return std::accumulate(amounts.begin() + first, amounts.begin() + last, 0.0) /
                std::accumulate(amounts.begin(), amounts.end(), 0.0);
     };

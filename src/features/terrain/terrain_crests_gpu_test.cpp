@@ -11,13 +11,13 @@
 namespace estampe {
 namespace {
 
-constexpr RenderSettings small{.width = 320, .height = 240};
-constexpr double wind_deg = 25.0;
+constexpr RenderSettings crest_page{.width = 320, .height = 240};
+constexpr double crest_wind_deg = 25.0;
 constexpr double cell_m = 0.25;
-const glm::dvec2 along_wind(std::cos(wind_deg* std::numbers::pi / 180.0),
-                            std::sin(wind_deg* std::numbers::pi / 180.0));
+const glm::dvec2 along_wind(std::cos(crest_wind_deg* std::numbers::pi / 180.0),
+                            std::sin(crest_wind_deg* std::numbers::pi / 180.0));
 
-Scene dunes()
+Scene crested_dunes()
 {
     Scene scene{.materials = {Material{}}};
     scene.terrain = Terrain(parse_terrain("[terrain]\nheight = 'dunes(6, 0.8, meander = 0.2)'\n"
@@ -28,15 +28,15 @@ Scene dunes()
 }
 
 /// All of what it sees lies in the ground's finest ring.
-const Camera from_above{.eye = {1.0, 9.0, 2.0}, .target = {5.0, 0.0, 5.0}, .vertical_fov_rad = 0.87};
+const Camera crest_camera{.eye = {1.0, 9.0, 2.0}, .target = {5.0, 0.0, 5.0}, .vertical_fov_rad = 0.87};
 
 /// The way from the eye through a place of the page.
-glm::dvec3 ray_through(const glm::vec2& page_mm, const VectorDrawing& drawing)
+glm::dvec3 crest_ray(const glm::vec2& page_mm, const VectorDrawing& drawing)
 {
-    const glm::dvec3 forward = glm::normalize(from_above.target - from_above.eye);
+    const glm::dvec3 forward = glm::normalize(crest_camera.target - crest_camera.eye);
     const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0.0, 1.0, 0.0)));
     const glm::dvec3 up = glm::cross(right, forward);
-    const double half = std::tan(0.5 * from_above.vertical_fov_rad);
+    const double half = std::tan(0.5 * crest_camera.vertical_fov_rad);
     const double x = (page_mm.x - 0.5 * drawing.width_mm) / (0.5 * drawing.height_mm);
     const double y = (page_mm.y - 0.5 * drawing.height_mm) / (0.5 * drawing.height_mm);
     return glm::normalize(forward + half * (x * right - y * up));
@@ -48,7 +48,7 @@ double fall(const Terrain& terrain, const glm::dvec2& place)
     return -glm::dot(terrain.sample(place.x, place.y).slope, along_wind);
 }
 
-VectorDrawing drawn(const Scene& scene, const std::vector<std::string>& assignments)
+VectorDrawing drawn_crests(const Scene& scene, const std::vector<std::string>& assignments)
 {
     Style style;
     for (const char* const setting : {"hatch.drawn=false", "paper.margin_mm=0", "contour.wobble_mm=0"}) {
@@ -59,7 +59,7 @@ VectorDrawing drawn(const Scene& scene, const std::vector<std::string>& assignme
     }
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(scene);
-    return renderer.draw_strokes(from_above, style, small);
+    return renderer.draw_strokes(crest_camera, style, crest_page);
 }
 
 std::vector<glm::dvec2> crest_places(const Scene& scene, const VectorDrawing& drawing)
@@ -68,7 +68,7 @@ std::vector<glm::dvec2> crest_places(const Scene& scene, const VectorDrawing& dr
     for (const VectorStroke& stroke : drawing.strokes) {
         for (size_t i = 0; stroke.kind == StrokeKind::crest && i < stroke.points.size(); ++i) {
             const auto hit =
-                scene.terrain->hit(from_above.eye, ray_through(stroke.points[i].page_mm, drawing), 60.0);
+                scene.terrain->hit(crest_camera.eye, crest_ray(stroke.points[i].page_mm, drawing), 60.0);
             if (hit) {
                 places.emplace_back(hit->x, hit->z);
             }
@@ -79,8 +79,8 @@ std::vector<glm::dvec2> crest_places(const Scene& scene, const VectorDrawing& dr
 
 TEST(TerrainCrests, LieWhereTheSlopeBreaks)
 {
-    const Scene scene = dunes();
-    const std::vector<glm::dvec2> places = crest_places(scene, drawn(scene, {}));
+    const Scene scene = crested_dunes();
+    const std::vector<glm::dvec2> places = crest_places(scene, drawn_crests(scene, {}));
     ASSERT_GT(places.size(), 50U);
     size_t astray = 0;
     for (const glm::dvec2& place : places) {
@@ -93,8 +93,8 @@ TEST(TerrainCrests, LieWhereTheSlopeBreaks)
 
 TEST(TerrainCrests, MissNoBrink)
 {
-    const Scene scene = dunes();
-    const std::vector<glm::dvec2> places = crest_places(scene, drawn(scene, {}));
+    const Scene scene = crested_dunes();
+    const std::vector<glm::dvec2> places = crest_places(scene, drawn_crests(scene, {}));
     const glm::dvec2 across(-along_wind.y, along_wind.x);
     size_t brinks = 0;
     size_t missed = 0;
@@ -117,9 +117,9 @@ TEST(TerrainCrests, MissNoBrink)
 
 TEST(TerrainCrests, AreLeftToTheStyle)
 {
-    const Scene scene = dunes();
-    EXPECT_TRUE(crest_places(scene, drawn(scene, {"contour.crest_mm=0"})).empty());
-    EXPECT_TRUE(crest_places(scene, drawn(scene, {"contour.crest_deg=60"})).empty());
+    const Scene scene = crested_dunes();
+    EXPECT_TRUE(crest_places(scene, drawn_crests(scene, {"contour.crest_mm=0"})).empty());
+    EXPECT_TRUE(crest_places(scene, drawn_crests(scene, {"contour.crest_deg=60"})).empty());
 }
 
 } // namespace

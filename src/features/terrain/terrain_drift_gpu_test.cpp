@@ -12,7 +12,7 @@
 namespace estampe {
 namespace {
 
-constexpr RenderSettings small{.width = 192, .height = 96};
+constexpr RenderSettings drift_page{.width = 192, .height = 96};
 
 /// A ridge along z, 24 m long: a gentle rise for 40 m, a brink at x = 0, a slip face.
 Scene ridge(const std::string& rest)
@@ -50,7 +50,7 @@ Camera from_the_side(double z_m)
 
 double place_of(uint32_t column)
 {
-    return 24.0 - (column + 0.5) * 48.0 / small.width; // +x is to the left of who looks along +z
+    return 24.0 - (column + 0.5) * 48.0 / drift_page.width; // +x is to the left of who looks along +z
 }
 
 struct Difference {
@@ -72,11 +72,11 @@ Difference between(const Image& a, const Image& b)
     return result;
 }
 
-Image drawn(const Scene& scene, const Camera& camera, const Style& style, double time_s = 0.0)
+Image drawn_drift(const Scene& scene, const Camera& camera, const Style& style, double time_s = 0.0)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(scene);
-    RenderSettings settings = small;
+    RenderSettings settings = drift_page;
     settings.time_s = time_s;
     return renderer.render(camera, style, settings);
 }
@@ -86,26 +86,27 @@ Image drawn(const Scene& scene, const Camera& camera, const Style& style, double
 TEST(Drift, FliesOffTheBrinkWithTheWind)
 {
     const Scene windy = ridge("[wind]\nspeed_m_s = 9\n");
-    const Image none = drawn(windy, from_the_side(-30.0), plain("drift.mode=none"));
-    const Image with = drawn(windy, from_the_side(-30.0), plain());
+    const Image none = drawn_drift(windy, from_the_side(-30.0), plain("drift.mode=none"));
+    const Image with = drawn_drift(windy, from_the_side(-30.0), plain());
     const Difference sand = between(with, none);
     EXPECT_GT(sand.pixels, 150U);
     EXPECT_GT(sand.least_x_m, -3.0);
     EXPECT_GT(sand.most_x_m, 8.0);
-    EXPECT_TRUE(with == drawn(windy, from_the_side(-30.0), plain()));
-    EXPECT_GT(between(with, drawn(windy, from_the_side(-30.0), plain(), 0.3)).pixels, 100U);
-    const Image still = drawn(ridge("[wind]\nspeed_m_s = 5\n"), from_the_side(-30.0), plain());
+    EXPECT_TRUE(with == drawn_drift(windy, from_the_side(-30.0), plain()));
+    EXPECT_GT(between(with, drawn_drift(windy, from_the_side(-30.0), plain(), 0.3)).pixels, 100U);
+    const Image still = drawn_drift(ridge("[wind]\nspeed_m_s = 5\n"), from_the_side(-30.0), plain());
     EXPECT_TRUE(still == none);
     const Scene wanted = ridge("[wind]\nspeed_m_s = 5\n");
-    EXPECT_GT(between(drawn(wanted, from_the_side(-30.0), plain("drift.mode=drawn")), none).pixels, 100U);
+    EXPECT_GT(between(drawn_drift(wanted, from_the_side(-30.0), plain("drift.mode=drawn")), none).pixels,
+              100U);
     const Scene level = [] {
         Scene scene{.materials = {Material{}}};
         scene.terrain =
             Terrain(parse_terrain("[terrain]\nheight = 'x * 0'\n[wind]\nspeed_m_s = 9\n", "level.toml"));
         return scene;
     }();
-    EXPECT_TRUE(drawn(level, from_the_side(-30.0), plain()) ==
-                drawn(level, from_the_side(-30.0), plain("drift.mode=none")));
+    EXPECT_TRUE(drawn_drift(level, from_the_side(-30.0), plain()) ==
+                drawn_drift(level, from_the_side(-30.0), plain("drift.mode=none")));
 }
 
 /// What stands before it hides it: from under the slip face, which the eye is in, none is seen.
@@ -114,8 +115,8 @@ TEST(Drift, IsHiddenByWhatStandsBefore)
     const Scene windy = ridge("[wind]\nspeed_m_s = 9\n");
     Camera from_windward{.eye = {-60.0, 3.0, 0.0}, .target = {0.0, 3.0, 0.0}};
     from_windward.orthographic_half_height_m = 2.5; // ground all over: the rise
-    EXPECT_TRUE(drawn(windy, from_windward, plain()) ==
-                drawn(windy, from_windward, plain("drift.mode=none")));
+    EXPECT_TRUE(drawn_drift(windy, from_windward, plain()) ==
+                drawn_drift(windy, from_windward, plain("drift.mode=none")));
 }
 
 /// Streaks stay where they are when the eye goes by a whole number of cells of their field. One in parallel
@@ -124,9 +125,9 @@ TEST(Drift, StaysInItsPlace)
 {
     const Scene windy = ridge("[wind]\nspeed_m_s = 9\n");
     const auto sand_seen = [&](double z_m, double time_s) {
-        const Image with = drawn(windy, from_the_side(z_m), plain("drift.width_mm=0.8"), time_s);
-        const Image none = drawn(windy, from_the_side(z_m), plain("drift.mode=none"), time_s);
-        std::vector<bool> seen(size_t{small.width} * small.height);
+        const Image with = drawn_drift(windy, from_the_side(z_m), plain("drift.width_mm=0.8"), time_s);
+        const Image none = drawn_drift(windy, from_the_side(z_m), plain("drift.mode=none"), time_s);
+        std::vector<bool> seen(size_t{drift_page.width} * drift_page.height);
         for (size_t i = 0; i < seen.size(); ++i) {
             seen[i] = std::abs(with.rgba[4 * i] - none.rgba[4 * i]) > 8;
         }
@@ -161,7 +162,7 @@ TEST(TrailPictures, AreSeenAndFilled)
     style.set("light.turn_sun=false");
     Renderer& renderer = test::shared_renderer();
     const auto picture = [&](double time_s, Continuity continuity = Continuity::still) {
-        RenderSettings settings = small;
+        RenderSettings settings = drift_page;
         settings.time_s = time_s;
         settings.continuity = continuity;
         return renderer.render(camera, style, settings);

@@ -15,10 +15,11 @@
 namespace estampe {
 namespace {
 
-constexpr RenderSettings small{.width = 160, .height = 90};
-const std::string waves = "[terrain]\nheight = '2 * sine(32) + rotate(sine(16), 90)'\n[mesh]\ncells = 32\n";
+constexpr RenderSettings terrain_page{.width = 160, .height = 90};
+const std::string wave_ground =
+    "[terrain]\nheight = '2 * sine(32) + rotate(sine(16), 90)'\n[mesh]\ncells = 32\n";
 
-Scene ground(const std::string& toml)
+Scene ground_of(const std::string& toml)
 {
     Scene scene{.materials = {Material{}}};
     scene.terrain = Terrain(parse_terrain(toml, "test.toml"));
@@ -31,7 +32,7 @@ Camera looking(const glm::dvec3& eye, double yaw_rad, double pitch)
 }
 
 /// Ground that lies in shade or in the sun, and nothing else on the page.
-Style light_alone(float elevation_deg)
+Style sunlight_alone(float elevation_deg)
 {
     Style style;
     for (const char* const setting :
@@ -43,7 +44,7 @@ Style light_alone(float elevation_deg)
     return style;
 }
 
-double brightness(const Image& image, uint32_t x, uint32_t y)
+double brightness_at(const Image& image, uint32_t x, uint32_t y)
 {
     return image.rgba[(size_t{y} * image.width + x) * 4] / 255.0;
 }
@@ -52,7 +53,7 @@ double brightness(const Image& image, uint32_t x, uint32_t y)
 /// here. Eyes and where they look are such that doubles hold them alike there.
 TEST(TerrainPictures, DoNotShakeAMillionMetresAway)
 {
-    const Scene scene = ground(waves + "[ripples]\nheight_m = 0\n"); // which do not repeat
+    const Scene scene = ground_of(wave_ground + "[ripples]\nheight_m = 0\n"); // which do not repeat
     const glm::dvec3 far(1048576.0, 0.0, -2097152.0);
     Renderer here(test::validated());
     Renderer there(test::validated());
@@ -61,9 +62,9 @@ TEST(TerrainPictures, DoNotShakeAMillionMetresAway)
     for (int step = 0; step < 3; ++step) {
         const glm::dvec3 eye(3.0 + step / 1024.0, 5.0, step / 1024.0);
         const glm::dvec3 ahead(0.9375, -0.3125, 0.28125);
-        const Image near_by = here.render({.eye = eye, .target = eye + ahead}, {}, small);
+        const Image near_by = here.render({.eye = eye, .target = eye + ahead}, {}, terrain_page);
         const Camera as_far{.eye = eye + far, .target = eye + far + ahead};
-        EXPECT_TRUE(near_by == there.render(as_far, {}, small)) << step;
+        EXPECT_TRUE(near_by == there.render(as_far, {}, terrain_page)) << step;
     }
 }
 
@@ -71,18 +72,19 @@ TEST(TerrainPictures, DoNotShakeAMillionMetresAway)
 TEST(TerrainPictures, HaveNoGaps)
 {
     const Scene scene =
-        ground("[terrain]\nheight = '8 * fbm(60) + dunes(40, 5)'\ncolor = '#000000'\n[mesh]\ncells = 32\n"
-               "reach_m = 4000\n");
+        ground_of("[terrain]\nheight = '8 * fbm(60) + dunes(40, 5)'\ncolor = '#000000'\n[mesh]\ncells = 32\n"
+                  "reach_m = 4000\n");
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(scene);
     for (int i = 0; i < 12; ++i) {
         const glm::dvec3 at(37.3 * i, 0.0, -91.7 * i);
         const double ground_m = scene.terrain->sample(at.x, at.z).height_m;
-        const Image image =
-            renderer.render(looking({at.x, ground_m + 30.0, at.z}, 0.7 * i, -1.2), light_alone(60.0F), small);
+        const Image image = renderer.render(looking({at.x, ground_m + 30.0, at.z}, 0.7 * i, -1.2),
+                                            sunlight_alone(60.0F), terrain_page);
         double brightest = 0.0;
-        for (uint32_t pixel = 0; pixel < small.width * small.height; ++pixel) {
-            brightest = std::max(brightest, brightness(image, pixel % small.width, pixel / small.width));
+        for (uint32_t pixel = 0; pixel < terrain_page.width * terrain_page.height; ++pixel) {
+            brightest = std::max(
+                brightest, brightness_at(image, pixel % terrain_page.width, pixel / terrain_page.width));
         }
         EXPECT_LT(brightest, 0.7) << i; // the page is 0.95
     }
@@ -93,22 +95,23 @@ TEST(TerrainPictures, RidgesThrowTheirShadow)
 {
     // A wall along z, 8 m high, with a foot of 1 m either way; the sun comes from +x.
     Scene scene =
-        ground("[terrain]\nheight = '8 * smoothstep(2, 1, abs(x))'\n[mesh]\ncell_m = 0.25\ncells = 128\n");
+        ground_of("[terrain]\nheight = '8 * smoothstep(2, 1, abs(x))'\n[mesh]\ncell_m = 0.25\ncells = 128\n");
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(scene);
     const double elevation_deg = 30.0;
     const double end_m = -1.0 - 8.0 / std::tan(elevation_deg * std::numbers::pi / 180.0);
     Camera above{.eye = {-10.0, 60.0, 0.0}, .target = {-10.0, 0.0, 0.0}, .up = {0.0, 0.0, -1.0}};
     above.orthographic_half_height_m = 9.0;
-    const Image image = renderer.render(above, light_alone(static_cast<float>(elevation_deg)), small);
+    const Image image =
+        renderer.render(above, sunlight_alone(static_cast<float>(elevation_deg)), terrain_page);
     // Across the picture lie 32 m, from x = -26 to 6.
     const auto column = [](double x_m) { return static_cast<uint32_t>((x_m + 26.0) / 32.0 * 160.0); };
-    const double lit = brightness(image, column(end_m - 1.5), 45);
-    const double dark = brightness(image, column(end_m + 1.5), 45);
+    const double lit = brightness_at(image, column(end_m - 1.5), 45);
+    const double dark = brightness_at(image, column(end_m + 1.5), 45);
     EXPECT_LT(dark, 0.85 * lit);
     for (double x_m = -3.0; x_m > -24.0; x_m -= 0.2) {
         if (std::abs(x_m - end_m) > 0.6) {
-            EXPECT_NEAR(brightness(image, column(x_m), 20), x_m > end_m ? dark : lit, 0.05) << x_m;
+            EXPECT_NEAR(brightness_at(image, column(x_m), 20), x_m > end_m ? dark : lit, 0.05) << x_m;
         }
     }
 }
@@ -116,15 +119,15 @@ TEST(TerrainPictures, RidgesThrowTheirShadow)
 /// A million metres in one stride: what was kept from picture to picture is not what is seen there.
 TEST(TerrainPictures, NothingIsLeftOfWhereTheEyeWas)
 {
-    const Scene scene = ground(waves);
+    const Scene scene = ground_of(wave_ground);
     Renderer walked(test::validated());
     walked.set_scene(scene);
     const glm::dvec3 far(1048576.0 + 7.0, 6.0, 11.0);
-    const Image before = walked.render(looking({3.0, 6.0, 0.0}, 0.3, -0.2), {}, small);
-    const Image after = walked.render(looking(far, 0.9, -0.2), {}, small);
+    const Image before = walked.render(looking({3.0, 6.0, 0.0}, 0.3, -0.2), {}, terrain_page);
+    const Image after = walked.render(looking(far, 0.9, -0.2), {}, terrain_page);
     Renderer fresh(test::validated());
     fresh.set_scene(scene);
-    EXPECT_TRUE(after == fresh.render(looking(far, 0.9, -0.2), {}, small));
+    EXPECT_TRUE(after == fresh.render(looking(far, 0.9, -0.2), {}, terrain_page));
     EXPECT_FALSE(before == after);
 }
 
@@ -132,26 +135,26 @@ TEST(TerrainPictures, NothingIsLeftOfWhereTheEyeWas)
 TEST(TerrainPictures, GraphsAreSwapped)
 {
     Renderer swapped(test::validated());
-    swapped.set_scene(ground(waves));
+    swapped.set_scene(ground_of(wave_ground));
     const Camera camera = looking({3.0, 6.0, 0.0}, 0.3, -0.2);
-    const Image first = swapped.render(camera, {}, small);
+    const Image first = swapped.render(camera, {}, terrain_page);
     const std::string other = "[terrain]\nheight = '1.5 * sine(20) + x * 0'\n[mesh]\ncells = 32\n";
     const Terrain terrain(parse_terrain(other, "other.toml"));
     swapped.set_terrain(terrain, true);
-    const Image at_once = swapped.render(camera, {}, small);
+    const Image at_once = swapped.render(camera, {}, terrain_page);
     while (swapped.is_terrain_compiling()) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    const Image meanwhile = swapped.render(camera, {}, small);
+    const Image meanwhile = swapped.render(camera, {}, terrain_page);
     swapped.set_terrain(terrain);
-    const Image compiled = swapped.render(camera, {}, small);
+    const Image compiled = swapped.render(camera, {}, terrain_page);
     EXPECT_FALSE(first == at_once);
     EXPECT_TRUE(meanwhile == compiled);
     size_t differing = 0;
     for (size_t i = 0; i < compiled.rgba.size(); i += 4) {
         differing += std::abs(compiled.rgba[i] - at_once.rgba[i]) > 8 ? 1U : 0U;
     }
-    EXPECT_LE(differing, small.width * small.height / 200);
+    EXPECT_LE(differing, terrain_page.width * terrain_page.height / 200);
     swapped.set_scene(test::scene_of(shapes::box({1.0F, 1.0F, 1.0F})));
     EXPECT_THROW(swapped.set_terrain(terrain), Error);
 }
@@ -173,16 +176,16 @@ TEST(TerrainPictures, WhatIsSwappedIsAsIfDrawnAfresh)
         head + "[mesh]\ncells = 32\n[ripples]\nwavelength_m = 3\nheight_m = 1\n",
         "[terrain]\nheight = '70 + 2 * sine(32)'\n[mesh]\ncells = 32\n",
         "[terrain]\nheight = '3'\n[mesh]\nmethod = 'object'\nobject = 'Field'\n",
-        waves};
+        wave_ground};
     Scene scene = test::scene_of(shapes::box({6.0F, 0.1F, 6.0F}));
     scene.nodes[0].name = "Field";
     Renderer swapped(test::validated());
     Renderer fresh(test::validated());
-    RenderSettings settings = small;
+    RenderSettings settings = terrain_page;
     settings.time_s = 1.25;
     for (const bool has_object : {true, false}) {
-        scene.terrain = Terrain(parse_terrain(waves, "first.toml"));
-        swapped.set_scene(has_object ? scene : ground(waves));
+        scene.terrain = Terrain(parse_terrain(wave_ground, "first.toml"));
+        swapped.set_scene(has_object ? scene : ground_of(wave_ground));
         std::optional<Image> before;
         for (const std::string& file : files) {
             const Terrain terrain(parse_terrain(file, "other.toml"));
@@ -198,7 +201,7 @@ TEST(TerrainPictures, WhatIsSwappedIsAsIfDrawnAfresh)
             const Camera camera = looking({3.0, height_m + 6.0, 0.0}, 0.3, -0.3);
             const Image image = swapped.render(camera, {}, settings);
             EXPECT_TRUE(image == fresh.render(camera, {}, settings)) << file << has_object;
-            EXPECT_TRUE(!before || file == waves || (is_raised && !has_object) || !(image == *before))
+            EXPECT_TRUE(!before || file == wave_ground || (is_raised && !has_object) || !(image == *before))
                 << file << " shows";
             before = image;
         }
@@ -209,22 +212,22 @@ TEST(TerrainPictures, WhatIsSwappedIsAsIfDrawnAfresh)
 TEST(TerrainPictures, SandIsBlown)
 {
     const Scene scene =
-        ground("[terrain]\nheight = 'sand(64, depth = 3, start = 30, rate = 2)'\n[mesh]\ncells = 32\n");
+        ground_of("[terrain]\nheight = 'sand(64, depth = 3, start = 30, rate = 2)'\n[mesh]\ncells = 32\n");
     Renderer once(test::validated());
     once.set_scene(scene);
     const Camera camera = looking({3.0, 14.0, 0.0}, 0.3, -0.4);
-    const Style raking = light_alone(6.0F);
-    RenderSettings at = small;
+    const Style raking = sunlight_alone(6.0F);
+    RenderSettings at = terrain_page;
     at.time_s = 10.25;
     const Image later = once.render(camera, raking, at);
     Renderer again(test::validated());
     again.set_scene(scene);
-    const Image first = again.render(camera, raking, small);
+    const Image first = again.render(camera, raking, terrain_page);
     at.time_s = 4.0;
     EXPECT_FALSE(first == again.render(camera, raking, at));
     at.time_s = 10.25;
     EXPECT_TRUE(later == again.render(camera, raking, at));
-    EXPECT_TRUE(first == again.render(camera, raking, small)) << "back again";
+    EXPECT_TRUE(first == again.render(camera, raking, terrain_page)) << "back again";
 }
 
 /// An object of the scene is raised where it stands, and is not drawn besides.
@@ -239,14 +242,14 @@ TEST(TerrainPictures, AnObjectIsRaised)
     lifted.materials[0].base_color = glm::vec4(scene.terrain->description().look.color, 1.0F);
     lifted.nodes[0].transform.translation.y = 3.0;
     const Camera camera{.eye = {12.0, 9.0, 14.0}, .target = {0.0, 3.0, 0.0}};
-    Style style = light_alone(60.0F);
+    Style style = sunlight_alone(60.0F);
     style.set("picture.ground=none");
     style.set("light.shadows=false");
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(scene);
-    const Image raised = renderer.render(camera, style, small);
+    const Image raised = renderer.render(camera, style, terrain_page);
     renderer.set_scene(lifted);
-    const Image expected = renderer.render(camera, style, small);
+    const Image expected = renderer.render(camera, style, terrain_page);
     size_t differing = 0;
     for (size_t i = 0; i < raised.rgba.size(); i += 4) {
         differing += std::abs(raised.rgba[i] - expected.rgba[i]) > 60 ? 1U : 0U;

@@ -9,10 +9,10 @@
 namespace estampe {
 namespace {
 
-constexpr uint32_t width = 160;
-constexpr uint32_t height = 90;
+constexpr uint32_t motion_width_px = 160;
+constexpr uint32_t motion_height_px = 90;
 
-Scene dunes()
+Scene wandering_dunes()
 {
     Scene scene{.materials = {Material{}}};
     scene.terrain = Terrain(parse_terrain(
@@ -23,7 +23,7 @@ Scene dunes()
 }
 
 /// Light on the ground and nothing else.
-Style light_alone()
+Style unshadowed_light_alone()
 {
     Style style;
     for (const char* const setting :
@@ -35,7 +35,7 @@ Style light_alone()
     return style;
 }
 
-double tone(const Image& image, int x, int y)
+double tone_at(const Image& image, int x, int y)
 {
     const auto column = static_cast<size_t>(std::clamp(x, 0, static_cast<int>(image.width) - 1));
     const auto row = static_cast<size_t>(std::clamp(y, 0, static_cast<int>(image.height) - 1));
@@ -49,7 +49,7 @@ double beyond(const Image& image, const glm::dvec2& place_px, double wanted)
     double least = 1.0;
     double most = 0.0;
     for (int i = 0; i < 4; ++i) {
-        const double found = tone(image, corner.x + (i & 1), corner.y + (i >> 1));
+        const double found = tone_at(image, corner.x + (i & 1), corner.y + (i >> 1));
         least = std::min(least, found);
         most = std::max(most, found);
     }
@@ -60,37 +60,38 @@ double beyond(const Image& image, const glm::dvec2& place_px, double wanted)
 /// was hidden.
 TEST(TerrainMotion, GroundDoesNotSwimUnderAMovingEye)
 {
-    const Scene scene = dunes();
+    const Scene scene = wandering_dunes();
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(scene);
-    RenderSettings settings{.width = width, .height = height};
+    RenderSettings settings{.width = motion_width_px, .height = motion_height_px};
     const auto camera_at = [&](int step) {
         const glm::dvec2 at(0.31 * step, 0.17 * step);
         const double eye_m = 9.0 + 0.02 * step;
         return Camera{.eye = {at.x, eye_m, at.y}, .target = {at.x + 8.0, eye_m - 1.5, at.y + 3.0}};
     };
-    Image before = renderer.render(camera_at(0), light_alone(), settings);
+    Image before = renderer.render(camera_at(0), unshadowed_light_alone(), settings);
     double most = 0.0;
     for (int step = 1; step <= 25; ++step) {
         settings.motion_since = Moment{camera_at(step - 1), 0.0};
-        const Image now = renderer.render(camera_at(step), light_alone(), settings);
+        const Image now = renderer.render(camera_at(step), unshadowed_light_alone(), settings);
         const Motion& motion = renderer.motion();
         size_t seen = 0;
         size_t swimming = 0;
-        for (uint32_t y = 0; y < height; ++y) {
-            for (uint32_t x = 0; x < width; ++x) {
-                const glm::dvec4 moved(motion.pixels[size_t{y} * width + x]);
+        for (uint32_t y = 0; y < motion_height_px; ++y) {
+            for (uint32_t x = 0; x < motion_width_px; ++x) {
+                const glm::dvec4 moved(motion.pixels[size_t{y} * motion_width_px + x]);
                 const glm::dvec2 then = glm::dvec2(x + 0.5, y + 0.5) - glm::dvec2(moved);
                 if (moved.w == 0.0 || moved.z == 0.0 || glm::any(glm::lessThan(then, glm::dvec2(1.0))) ||
-                    glm::any(glm::greaterThan(then, glm::dvec2(width - 1.0, height - 1.0)))) {
+                    glm::any(
+                        glm::greaterThan(then, glm::dvec2(motion_width_px - 1.0, motion_height_px - 1.0)))) {
                     continue;
                 }
                 ++seen;
-                const double wanted = tone(now, static_cast<int>(x), static_cast<int>(y));
+                const double wanted = tone_at(now, static_cast<int>(x), static_cast<int>(y));
                 swimming += beyond(before, then, wanted) > 0.05 ? 1U : 0U;
             }
         }
-        EXPECT_GT(seen, width * height / 3) << step;
+        EXPECT_GT(seen, motion_width_px * motion_height_px / 3) << step;
         EXPECT_LT(static_cast<double>(swimming), 0.005 * static_cast<double>(seen)) << step;
         most = std::max(most, static_cast<double>(swimming) / static_cast<double>(seen));
         before = now;
@@ -105,50 +106,52 @@ glm::dvec2 projected(const Camera& camera, const glm::dvec3& place)
     const glm::dvec3 right = glm::normalize(glm::cross(ahead, camera.up));
     const glm::dvec3 up = glm::cross(right, ahead);
     const glm::dvec3 away = place - camera.eye;
-    const double scale = 0.5 * height / (std::tan(0.5 * camera.vertical_fov_rad) * glm::dot(away, ahead));
-    return {0.5 * width + scale * glm::dot(away, right), 0.5 * height - scale * glm::dot(away, up)};
+    const double scale =
+        0.5 * motion_height_px / (std::tan(0.5 * camera.vertical_fov_rad) * glm::dot(away, ahead));
+    return {0.5 * motion_width_px + scale * glm::dot(away, right),
+            0.5 * motion_height_px - scale * glm::dot(away, up)};
 }
 
-glm::dvec3 ray_through(const Camera& camera, const glm::dvec2& place_px)
+glm::dvec3 ground_ray(const Camera& camera, const glm::dvec2& place_px)
 {
     const glm::dvec3 ahead = glm::normalize(camera.target - camera.eye);
     const glm::dvec3 right = glm::normalize(glm::cross(ahead, camera.up));
-    const double span = std::tan(0.5 * camera.vertical_fov_rad) / (0.5 * height);
-    return glm::normalize(ahead + right * (span * (place_px.x - 0.5 * width)) -
-                          glm::cross(right, ahead) * (span * (place_px.y - 0.5 * height)));
+    const double span = std::tan(0.5 * camera.vertical_fov_rad) / (0.5 * motion_height_px);
+    return glm::normalize(ahead + right * (span * (place_px.x - 0.5 * motion_width_px)) -
+                          glm::cross(right, ahead) * (span * (place_px.y - 0.5 * motion_height_px)));
 }
 
 /// Dunes that the wind moves, seen by an eye that moves too: every place of the page tells how far it went as
 /// the graph has it.
 TEST(TerrainMotion, IsThatOfTheGraph)
 {
-    const Scene scene = dunes();
+    const Scene scene = wandering_dunes();
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(scene);
     const Camera then{.eye = {0.0, 10.0, 0.0}, .target = {8.0, 8.0, 3.0}};
     const Camera now{.eye = {0.1, 10.05, 0.2}, .target = {8.1, 8.0, 3.2}};
     const double time_s = 4.0;
     const double passed_s = 1.0;
-    static_cast<void>(renderer.render(now, light_alone(),
-                                      {.width = width,
-                                       .height = height,
+    static_cast<void>(renderer.render(now, unshadowed_light_alone(),
+                                      {.width = motion_width_px,
+                                       .height = motion_height_px,
                                        .time_s = time_s,
                                        .motion_since = Moment{then, time_s - passed_s}}));
     const Motion& motion = renderer.motion();
     size_t seen = 0;
     size_t wrong = 0;
     double moved_most = 0.0;
-    for (uint32_t y = 0; y < height; y += 3) {
-        for (uint32_t x = 0; x < width; x += 3) {
+    for (uint32_t y = 0; y < motion_height_px; y += 3) {
+        for (uint32_t x = 0; x < motion_width_px; x += 3) {
             const glm::dvec2 pixel(x + 0.5, y + 0.5);
-            const auto hit = scene.terrain->hit(now.eye, ray_through(now, pixel), 60.0, time_s);
+            const auto hit = scene.terrain->hit(now.eye, ground_ray(now, pixel), 60.0, time_s);
             if (!hit) {
                 continue;
             }
             const HeightSample sample = scene.terrain->sample(hit->x, hit->z, time_s);
             const glm::dvec3 was = *hit - glm::dvec3(0.0, passed_s * sample.rate_m_per_s, 0.0);
             const glm::dvec2 expected = pixel - projected(then, was);
-            const glm::dvec2 found(motion.pixels[size_t{y} * width + x]);
+            const glm::dvec2 found(motion.pixels[size_t{y} * motion_width_px + x]);
             const double still = glm::length(pixel - projected(then, *hit) - expected);
             moved_most = std::max(moved_most, still);
             ++seen;

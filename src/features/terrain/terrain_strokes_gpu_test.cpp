@@ -10,9 +10,9 @@
 namespace estampe {
 namespace {
 
-constexpr RenderSettings small{.width = 128, .height = 128, .samples = 4};
+constexpr RenderSettings stroke_page{.width = 128, .height = 128, .samples = 4};
 
-Scene ground(const char* height, float wind_deg)
+Scene windy_ground(const char* height, float wind_deg)
 {
     Scene scene{.materials = {Material{}}};
     Terrain terrain(parse_terrain("[terrain]\nheight = '" + std::string(height) +
@@ -25,7 +25,7 @@ Scene ground(const char* height, float wind_deg)
 }
 
 /// One layer of strokes alone, in the shade, seen from above with +x to the right and +z below.
-Image from_above(const Scene& scene, const char* coordinates)
+Image strokes_from_above(const Scene& scene, const char* coordinates)
 {
     Style style;
     for (const char* const each :
@@ -40,7 +40,7 @@ Image from_above(const Scene& scene, const char* coordinates)
     camera.orthographic_half_height_m = 8.0;
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(scene);
-    return renderer.render(camera, style, small);
+    return renderer.render(camera, style, stroke_page);
 }
 
 struct Direction {
@@ -85,7 +85,7 @@ double between_deg(double a_deg, double b_deg)
 TEST(TerrainStrokes, LieAcrossTheWindOnLevelGround)
 {
     for (const float wind_deg : {0.0F, 35.0F, 90.0F}) {
-        const Direction direction = direction_of(from_above(ground("0 * x", wind_deg), "auto"));
+        const Direction direction = direction_of(strokes_from_above(windy_ground("0 * x", wind_deg), "auto"));
         EXPECT_LT(between_deg(direction.degrees, wind_deg + 90.0), 3.0) << "wind " << wind_deg;
         EXPECT_GT(direction.coherence, 0.7) << "wind " << wind_deg;
     }
@@ -95,7 +95,7 @@ TEST(TerrainStrokes, LieAcrossTheWindOnLevelGround)
 /// a stroke runs along (w, a) = (-s, 0.3).
 TEST(TerrainStrokes, BendWithSlopes)
 {
-    const Direction direction = direction_of(from_above(ground("-0.15 * z", 0.0F), "auto"));
+    const Direction direction = direction_of(strokes_from_above(windy_ground("-0.15 * z", 0.0F), "auto"));
     EXPECT_LT(between_deg(direction.degrees, std::atan2(0.3, -0.15) * 180.0 / std::numbers::pi), 3.0);
     EXPECT_GT(direction.coherence, 0.7);
 }
@@ -103,8 +103,8 @@ TEST(TerrainStrokes, BendWithSlopes)
 /// Where a slice through the solid is wanted the wind does not count.
 TEST(TerrainStrokes, KeepToTheSolidWhereThatIsWanted)
 {
-    const Image north = from_above(ground("0 * x", 0.0F), "solid");
-    EXPECT_TRUE(north == from_above(ground("0 * x", 70.0F), "solid"));
+    const Image north = strokes_from_above(windy_ground("0 * x", 0.0F), "solid");
+    EXPECT_TRUE(north == strokes_from_above(windy_ground("0 * x", 70.0F), "solid"));
 }
 
 } // namespace

@@ -8,10 +8,7 @@
 namespace estampe::gpu {
 namespace {
 
-using Barriers = std::vector<Barrier>;
 using enum Access;
-
-constexpr BufferDesc small_buffer{.size_bytes = 64};
 
 struct Frame {
     Graph graph;

@@ -238,13 +238,13 @@ private:
     std::vector<BufferId> buffers_;
 };
 
-constexpr uint32_t graph_count = 1500;
+constexpr uint32_t compiled_graphs = 1500;
 
 TEST(CompilePropertyTest, RandomGraphsHaveNoHazards)
 {
     size_t barrier_count = 0;
     size_t shared_count = 0;
-    for (uint32_t seed = 0; seed < graph_count; ++seed) {
+    for (uint32_t seed = 0; seed < compiled_graphs; ++seed) {
         const Graph graph = GraphMaker(seed).make();
         const CompiledGraph compiled = compile(graph);
         const std::vector<std::string> complaints = Simulator(graph, compiled).run();
@@ -256,15 +256,15 @@ TEST(CompilePropertyTest, RandomGraphsHaveNoHazards)
         shared_count += static_cast<size_t>(in_slots) - compiled.slots.size();
     }
     // The random graphs must contain enough barriers and shared slots.
-    EXPECT_GT(barrier_count, 5 * graph_count);
-    EXPECT_GT(shared_count, graph_count / 2);
+    EXPECT_GT(barrier_count, 5 * compiled_graphs);
+    EXPECT_GT(shared_count, compiled_graphs / 2);
 }
 
 TEST(CompilePropertyTest, ACompilerThatHasSeenOtherGraphsDoesTheSame)
 {
     Compiler compiler;
     CompiledGraph kept;
-    for (uint32_t seed = 0; seed < graph_count; ++seed) {
+    for (uint32_t seed = 0; seed < compiled_graphs; ++seed) {
         const Graph graph = GraphMaker(seed).make();
         compiler.compile(graph, kept);
         const CompiledGraph fresh = compile(graph);
@@ -317,19 +317,19 @@ void for_each_weakened(const CompiledGraph& compiled, Check&& check)
 TEST(CompilePropertyTest, NoPartOfABarrierCanBeSpared)
 {
     size_t weakened_count = 0;
-    for (uint32_t seed = 0; seed < graph_count / 5; ++seed) {
+    for (uint32_t seed = 0; seed < compiled_graphs / 5; ++seed) {
         const Graph graph = GraphMaker(seed).make();
         for_each_weakened(compile(graph), [&](const CompiledGraph& weakened, const Barrier& barrier) {
             ++weakened_count;
             EXPECT_FALSE(Simulator(graph, weakened).run().empty()) << "seed " << seed << ", " << barrier;
         });
     }
-    EXPECT_GT(weakened_count, 3 * graph_count);
+    EXPECT_GT(weakened_count, 3 * compiled_graphs);
 }
 
 TEST(CompilePropertyTest, SlotsHoldOneResourceAtATime)
 {
-    for (uint32_t seed = 0; seed < graph_count; ++seed) {
+    for (uint32_t seed = 0; seed < compiled_graphs; ++seed) {
         const Graph graph = GraphMaker(seed).make();
         const CompiledGraph compiled = compile(graph);
         std::map<uint32_t, std::vector<uint32_t>> holders; // By slot, one entry per use, in order
@@ -396,7 +396,7 @@ std::vector<bool> wanted_passes(const Graph& graph)
 TEST(CompilePropertyTest, ExactlyTheUnwantedPassesAreCulled)
 {
     size_t culled_count = 0;
-    for (uint32_t seed = 0; seed < graph_count; ++seed) {
+    for (uint32_t seed = 0; seed < compiled_graphs; ++seed) {
         const Graph graph = GraphMaker(seed).make();
         std::vector<bool> kept(graph.passes().size());
         for (const CompiledPass& pass : compile(graph).passes)
@@ -404,7 +404,7 @@ TEST(CompilePropertyTest, ExactlyTheUnwantedPassesAreCulled)
         ASSERT_EQ(kept, wanted_passes(graph)) << "seed " << seed;
         culled_count += static_cast<size_t>(std::ranges::count(kept, false));
     }
-    EXPECT_GT(culled_count, graph_count);
+    EXPECT_GT(culled_count, compiled_graphs);
 }
 
 } // namespace

@@ -8,8 +8,6 @@
 namespace estampe::gpu {
 namespace {
 
-using Names = std::vector<std::string>;
-
 ImageId made_image(Graph& graph, const std::string& name, const ImageDesc& desc = small_image)
 {
     return graph.compute("make " + name, fake_shader).write(graph.image(name, desc));

@@ -31,7 +31,11 @@ inline Buffer& fake_buffer(size_t number = 0)
 }
 
 inline constexpr Shader fake_shader{"fake.comp", {}};
+inline constexpr BufferDesc small_buffer{.size_bytes = 64};
 inline constexpr ImageDesc small_image{.width = 32, .height = 16};
+
+using Barriers = std::vector<Barrier>;
+using Names = std::vector<std::string>;
 
 inline std::ostream& operator<<(std::ostream& out, AccessSet set)
 {

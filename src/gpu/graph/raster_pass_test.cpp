@@ -9,22 +9,20 @@
 namespace estampe::gpu {
 namespace {
 
-using Barriers = std::vector<Barrier>;
 using enum Access;
 
-constexpr BufferDesc small_buffer{.size_bytes = 64};
 constexpr ImageDesc small_ids{.width = 32, .height = 16, .format = Format::r32ui};
 constexpr ImageDesc small_depth{.width = 32, .height = 16, .format = Format::depth32f};
 constexpr Shader vertex_shader{"fake.vert", {}};
 constexpr Shader fragment_shader{"fake.frag", {}};
 
-struct Frame {
+struct RasterFrame {
     Graph graph;
     BufferId points;
     ImageId ids;
     ImageId depth;
 
-    Frame()
+    RasterFrame()
         : points(graph.compute("points", fake_shader).write(graph.buffer("points", small_buffer))),
           ids(graph.image("ids", small_ids)), depth(graph.image("depth", small_depth))
     {
@@ -47,7 +45,7 @@ struct Frame {
 
 TEST(RasterPassTest, TheFirstClearsAndTheNextDrawsOver)
 {
-    Frame frame;
+    RasterFrame frame;
     frame.draw("first");
     frame.draw("next");
     frame.show("show", frame.ids);
@@ -74,7 +72,7 @@ TEST(RasterPassTest, TheFirstClearsAndTheNextDrawsOver)
 
 TEST(RasterPassTest, DrawingGoesOnAfterAReadInBetween)
 {
-    Frame frame;
+    RasterFrame frame;
     frame.draw("first");
     frame.show("look", frame.ids);
     frame.graph.custom("copy").keep().touch(frame.depth, transfer_read);
@@ -94,7 +92,7 @@ TEST(RasterPassTest, DrawingGoesOnAfterAReadInBetween)
 
 TEST(RasterPassTest, WritersWaitForItsReads)
 {
-    Frame frame;
+    RasterFrame frame;
     const ImageId tone =
         frame.graph.compute("tone", fake_shader).write(frame.graph.image("tone", small_image));
     auto pass = frame.graph.raster("draw", vertex_shader, fragment_shader);
@@ -113,7 +111,7 @@ TEST(RasterPassTest, WritersWaitForItsReads)
 
 TEST(RasterPassTest, ComputeAndRasterReadersWaitEachForThemselves)
 {
-    Frame frame;
+    RasterFrame frame;
     frame.graph.compute("compute", fake_shader).read(frame.points).keep();
     frame.graph.raster("draw", vertex_shader).read(frame.points).keep();
     frame.graph.raster("draw again", vertex_shader).read(frame.points).keep();
@@ -124,7 +122,7 @@ TEST(RasterPassTest, ComputeAndRasterReadersWaitEachForThemselves)
 
 TEST(RasterPassTest, TheNextHolderOfAnAttachmentWaitsForItAndStartsUndefined)
 {
-    Frame frame;
+    RasterFrame frame;
     frame.draw("first");
     frame.show("show", frame.ids);
     auto pass = frame.graph.raster("reuse", vertex_shader);
@@ -151,13 +149,13 @@ TEST(RasterPassTest, ImportedImagesAreDrawnOver)
 
 TEST(RasterPassTest, WhatIsDrawnOverIsKeptAndWhatNobodySeesIsNot)
 {
-    Frame seen;
+    RasterFrame seen;
     seen.draw("under");
     seen.draw("over");
     seen.show("show", seen.depth);
     EXPECT_EQ(kept_names(seen.graph, compile(seen.graph)),
               (std::vector<std::string>{"points", "under", "over", "show"}));
-    Frame unseen;
+    RasterFrame unseen;
     unseen.draw("under");
     unseen.draw("over");
     EXPECT_TRUE(compile(unseen.graph).passes.empty());
@@ -192,7 +190,7 @@ TEST(RasterPassTest, StagesAndMasksOfItsAccesses)
 
 TEST(RasterPassTest, MisuseNamesPassAndResource)
 {
-    Frame frame;
+    RasterFrame frame;
     auto raster = frame.graph.raster("draw", vertex_shader, fragment_shader);
     EXPECT_EQ(logic_error_of([&] { (void)raster.write(frame.ids); }),
               "pass 'draw': a raster pass writes attachments only: use color or depth for 'ids'");
@@ -209,7 +207,7 @@ TEST(RasterPassTest, MisuseNamesPassAndResource)
 
 TEST(RasterPassTest, HasItsPlaceInThePicture)
 {
-    Frame frame;
+    RasterFrame frame;
     frame.draw("draw helmet");
     frame.show("show", frame.ids);
     const std::string dot = to_dot(frame.graph, compile(frame.graph));

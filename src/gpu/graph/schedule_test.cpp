@@ -14,8 +14,6 @@
 namespace estampe::gpu {
 namespace {
 
-using Names = std::vector<std::string>;
-
 Schedule schedule_of(const Graph& graph)
 {
     Schedule schedule;

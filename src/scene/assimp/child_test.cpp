@@ -18,7 +18,7 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-std::string error_of(const std::function<Bytes()>& work, const ChildLimits& limits = {})
+std::string error_of_child(const std::function<Bytes()>& work, const ChildLimits& limits = {})
 {
     try {
         (void)run_in_child(work, limits, "somewhere.obj");
@@ -52,31 +52,32 @@ TEST(Child, ChangesNothingHere)
 
 TEST(Child, CrashIsAnError)
 {
-    EXPECT_NE(error_of([]() -> Bytes {
+    EXPECT_NE(error_of_child([]() -> Bytes {
                   (void)raise(SIGSEGV);
                   return {};
               }).find("crashed (signal 11)"),
               std::string::npos);
-    EXPECT_NE(error_of([]() -> Bytes { std::abort(); }).find("crashed"), std::string::npos);
+    EXPECT_NE(error_of_child([]() -> Bytes { std::abort(); }).find("crashed"), std::string::npos);
 }
 
 TEST(Child, SilentEndIsAnError)
 {
-    EXPECT_NE(error_of([]() -> Bytes { _exit(0); }).find("without a word"), std::string::npos);
-    EXPECT_NE(error_of([]() -> Bytes { _exit(7); }).find("without a word"), std::string::npos);
+    EXPECT_NE(error_of_child([]() -> Bytes { _exit(0); }).find("without a word"), std::string::npos);
+    EXPECT_NE(error_of_child([]() -> Bytes { _exit(7); }).find("without a word"), std::string::npos);
 }
 
 TEST(Child, ExceptionKeepsItsWordsInOneLine)
 {
-    EXPECT_NE(error_of([]() -> Bytes { throw std::runtime_error("too\nodd"); }).find("too odd"),
+    EXPECT_NE(error_of_child([]() -> Bytes { throw std::runtime_error("too\nodd"); }).find("too odd"),
               std::string::npos);
-    EXPECT_NE(error_of([]() -> Bytes { throw std::bad_alloc(); }).find("more memory"), std::string::npos);
+    EXPECT_NE(error_of_child([]() -> Bytes { throw std::bad_alloc(); }).find("more memory"),
+              std::string::npos);
 }
 
 TEST(Child, HangIsEnded)
 {
     const auto start = std::chrono::steady_clock::now();
-    const std::string error = error_of(
+    const std::string error = error_of_child(
         []() -> Bytes {
             while (true)
                 std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -88,7 +89,7 @@ TEST(Child, HangIsEnded)
 
 TEST(Child, BusyHangIsEndedByItsProcessorTime)
 {
-    const std::string error = error_of(
+    const std::string error = error_of_child(
         []() -> Bytes {
             for (volatile int spin = 0;;)
                 spin = 1 - spin;

@@ -18,7 +18,7 @@ namespace estampe {
 namespace {
 
 /// The parts of a file with one tetrahedron of size 1, 2 and 3 along x, y and z.
-struct File {
+struct DaeFile {
     std::string asset = "<unit name=\"meter\" meter=\"1\"/><up_axis>Y_UP</up_axis>";
     std::string places = "0 0 0 1 0 0 0 2 0 0 0 3";
     std::string indices = "0 2 1 0 1 3 0 3 2 1 2 3";
@@ -55,11 +55,11 @@ protected:
         return load_with_assimp(folder_ / "test.dae");
     }
 
-    Scene load(const File& file) { return load(file.text()); }
+    Scene load(const DaeFile& file) { return load(file.text()); }
 
-    Camera camera(const std::string& optics, const std::string& asset = File().asset)
+    Camera camera(const std::string& optics, const std::string& asset = DaeFile().asset)
     {
-        File file;
+        DaeFile file;
         file.asset = asset;
         file.optics = optics;
         file.nodes += R"(<node id="eye"><translate>0 0 9</translate><instance_camera url="#cam"/></node>)";
@@ -70,7 +70,8 @@ protected:
     test::Folder folder_;
 };
 
-void expect_bounds(const Scene& scene, const glm::dvec3& min, const glm::dvec3& max, double tolerance = 1e-5)
+void expect_dae_bounds(const Scene& scene, const glm::dvec3& min, const glm::dvec3& max,
+                       double tolerance = 1e-5)
 {
     const Bounds bounds = scene_bounds(scene, pose_scene(scene, 0.0));
     EXPECT_NEAR(glm::distance(bounds.min, min), 0.0, tolerance)
@@ -81,19 +82,19 @@ void expect_bounds(const Scene& scene, const glm::dvec3& min, const glm::dvec3& 
 
 TEST_F(DaeScene, AxesAndUnit)
 {
-    File file;
-    expect_bounds(load(file), {0, 0, 0}, {1, 2, 3});
+    DaeFile file;
+    expect_dae_bounds(load(file), {0, 0, 0}, {1, 2, 3});
     file.asset = "<unit meter=\"0.0254\"/><up_axis>Z_UP</up_axis>";
-    expect_bounds(load(file), {0, 0, -0.0508}, {0.0254, 0.0762, 0});
+    expect_dae_bounds(load(file), {0, 0, -0.0508}, {0.0254, 0.0762, 0});
     file.asset = "<unit meter=\"10\"/><up_axis>X_UP</up_axis>";
-    expect_bounds(load(file), {-20, 0, 0}, {0, 10, 30});
+    expect_dae_bounds(load(file), {-20, 0, 0}, {0, 10, 30});
     file.asset = "";
-    expect_bounds(load(file), {0, 0, 0}, {1, 2, 3});
+    expect_dae_bounds(load(file), {0, 0, 0}, {1, 2, 3});
 }
 
 TEST_F(DaeScene, CamerasLightsAndKeysTurnWithTheScene)
 {
-    File file;
+    DaeFile file;
     file.asset = "<unit meter=\"0.01\"/><up_axis>Z_UP</up_axis>";
     file.optics = "<perspective><yfov>40</yfov><znear>10</znear></perspective>";
     file.nodes = R"(<node id="body"><translate sid="t">0 0 0</translate><instance_geometry url="#g"/></node>
@@ -154,12 +155,12 @@ TEST_F(DaeScene, ParallelProjectionsAndNearPlanesAreInMetres)
 
 TEST_F(DaeScene, SlackWritingIsRead)
 {
-    const File plain;
+    const DaeFile plain;
     const auto same = [this](const std::string& text, const char* what) {
         SCOPED_TRACE(what);
-        expect_bounds(load(text), {0, 0, 0}, {1, 2, 3});
+        expect_dae_bounds(load(text), {0, 0, 0}, {1, 2, 3});
     };
-    File blanks = plain;
+    DaeFile blanks = plain;
     blanks.places = "\n\t 0 0  0\r\n 1 0 0\t0 2 0 0 0 3 \n ";
     blanks.indices = "  0 2 1\n 0 1 3 0 3 2 1 2 3 \n";
     same(blanks.text(), "blanks");
@@ -172,14 +173,14 @@ TEST_F(DaeScene, SlackWritingIsRead)
         wide += static_cast<char16_t>(letter);
     const std::string utf_16(reinterpret_cast<const char*>(wide.data()), 2 * wide.size());
     same(utf_16, "UTF-16");
-    File empty = plain;
+    DaeFile empty = plain;
     empty.extra =
         R"(<library_geometries><geometry id="n"><mesh><source id="np"><float_array id="npa" count="0"> </float_array>
 <technique_common><accessor source="#npa" count="0" stride="3"><param name="X" type="float"/></accessor>
 </technique_common></source><vertices id="nv"><input semantic="POSITION" source="#np"/></vertices></mesh></geometry>
 </library_geometries>)";
     same(empty.text(), "an empty array");
-    File nan = plain;
+    DaeFile nan = plain;
     nan.places = "0 -1.#IND00 0 1 0 0 0 2 0 0 0 3";
     same(nan.text(), "not a number as Windows writes it");
 }
@@ -200,7 +201,7 @@ TEST_F(DaeScene, WhatIsNoColladaIsSaid)
 
 TEST_F(DaeScene, FarVerticesKeepAllTheirDigits)
 {
-    File file;
+    DaeFile file;
     file.places = "6378137.125 4.25 0 6378137.25 4.25 0 6378137.125 4.375 0 6378137.125 4.25 0.0625";
     file.nodes = R"(<node id="body" name="body"><rotate>0 1 0 180</rotate><instance_geometry url="#g"/>
 <node id="child"><translate>1 0 0</translate></node></node>)";
@@ -221,7 +222,7 @@ TEST_F(DaeScene, FarVerticesKeepAllTheirDigits)
 TEST_F(DaeScene, NodesFarFromTheOriginAreWarnedOf)
 {
     const auto two_at = [](const std::string& place) {
-        File file;
+        DaeFile file;
         file.nodes =
             fmt::format(R"(<node id="a"><translate>{0}</translate><instance_geometry url="#g"/></node>
 <node id="b"><translate>{0}</translate><instance_geometry url="#g"/></node>)",
@@ -236,7 +237,7 @@ TEST_F(DaeScene, NodesFarFromTheOriginAreWarnedOf)
 
 TEST_F(DaeScene, ACameraWithoutANameHasItsId)
 {
-    File file;
+    DaeFile file;
     file.optics = "<perspective><yfov>40</yfov></perspective>";
     file.nodes += R"(<node id="eye"><translate>0 0 9</translate><instance_camera url="#cam"/></node>)";
     for (const char* const attribute : {"", R"( name="")"}) {

@@ -10,7 +10,7 @@
 namespace estampe::gltf {
 namespace {
 
-constexpr auto extension = "EXT_mesh_primitive_edge_visibility";
+constexpr auto marks_extension = "EXT_mesh_primitive_edge_visibility";
 
 /// Five points around the point 0, four triangles between them, as indices of glTF `mode`.
 TestFile fan_file(const std::vector<uint16_t>& indices, int mode = 4)
@@ -26,13 +26,13 @@ TestFile fan_file(const std::vector<uint16_t>& indices, int mode = 4)
     file.document["nodes"] = json::array({{{"mesh", 0}}});
     file.document["scenes"] = json::array({{{"nodes", json::array({0})}}});
     file.document["scene"] = 0;
-    file.document["extensionsUsed"] = json::array({extension});
+    file.document["extensionsUsed"] = json::array({marks_extension});
     return file;
 }
 
 json& marks_of(TestFile& file)
 {
-    return file.primitive()["extensions"][extension];
+    return file.primitive()["extensions"][marks_extension];
 }
 
 using Marks = std::vector<uint8_t>;
@@ -94,14 +94,14 @@ TEST(GltfEdgeMarks, HoldWhereVerticesAreMadeAnew)
     EXPECT_EQ(loaded_marks(file), (Marks{0b101, 0b011}));
 }
 
-void expect_error(const TestFile& file, const std::string& where, const std::string& what)
+void expect_marks_error(const TestFile& file, const std::string& where, const std::string& what)
 {
     try {
         (void)file.load();
         ADD_FAILURE() << where << ": no error";
     } catch (const Error& error) {
         EXPECT_EQ(error.where(),
-                  "test.glb#/meshes/0/primitives/0/extensions/" + std::string(extension) + where)
+                  "test.glb#/meshes/0/primitives/0/extensions/" + std::string(marks_extension) + where)
             << error.what();
         EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what();
     }
@@ -114,28 +114,31 @@ TEST(GltfEdgeMarks, ThatDoNotFitAreErrorsWithTheirPlace)
         marks_of(file)["visibility"] = file.add(values, type);
         return file;
     };
-    expect_error(with_visibility(std::vector<uint8_t>{1, 2, 3}), "/visibility", "2 triangles need 2");
-    expect_error(with_visibility(std::vector<uint16_t>{1, 2}), "/visibility", "not of unsigned bytes");
-    expect_error(with_visibility(std::vector<uint8_t>{1, 2, 3, 4}, "VEC2"), "/visibility", "2 components");
+    expect_marks_error(with_visibility(std::vector<uint8_t>{1, 2, 3}), "/visibility", "2 triangles need 2");
+    expect_marks_error(with_visibility(std::vector<uint16_t>{1, 2}), "/visibility", "not of unsigned bytes");
+    expect_marks_error(with_visibility(std::vector<uint8_t>{1, 2, 3, 4}, "VEC2"), "/visibility",
+                       "2 components");
     const auto with_string = [](auto values) {
         TestFile file = fan_file({0, 1, 2, 0, 2, 3});
         marks_of(file)["lineStrings"][0]["indices"] = file.add(values, "SCALAR");
         return file;
     };
-    expect_error(with_string(std::vector<uint8_t>{0, 6}), "/lineStrings/0/indices", "past the 6 vertices");
-    expect_error(with_string(std::vector<uint8_t>{0, 1, 255}), "/lineStrings/0/indices", "no two points");
-    expect_error(with_string(std::vector<uint16_t>{0, 0xffff, 1, 2}), "/lineStrings/0/indices",
-                 "no two points");
+    expect_marks_error(with_string(std::vector<uint8_t>{0, 6}), "/lineStrings/0/indices",
+                       "past the 6 vertices");
+    expect_marks_error(with_string(std::vector<uint8_t>{0, 1, 255}), "/lineStrings/0/indices",
+                       "no two points");
+    expect_marks_error(with_string(std::vector<uint16_t>{0, 0xffff, 1, 2}), "/lineStrings/0/indices",
+                       "no two points");
     TestFile neither = fan_file({0, 1, 2});
     marks_of(neither)["material"] = 0;
     neither.document["materials"] = json::parse("[{}]");
-    expect_error(neither, "", "lacks both");
+    expect_marks_error(neither, "", "lacks both");
     TestFile no_accessor = fan_file({0, 1, 2});
     marks_of(no_accessor)["visibility"] = 7;
-    expect_error(no_accessor, "/visibility", "outside");
+    expect_marks_error(no_accessor, "/visibility", "outside");
     TestFile no_indices = fan_file({0, 1, 2});
     marks_of(no_indices)["lineStrings"] = json::parse("[{}]");
-    expect_error(no_indices, "/lineStrings/0", "lacks \"indices\"");
+    expect_marks_error(no_indices, "/lineStrings/0", "lacks \"indices\"");
 }
 
 TEST(GltfEdgeMarks, AlongNoTriangleAreCountedAndLeftOut)

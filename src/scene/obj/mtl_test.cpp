@@ -97,7 +97,7 @@ protected:
     test::Folder folder_;
 };
 
-const Material& material_of(const Scene& scene)
+const Material& first_material(const Scene& scene)
 {
     return scene.materials.at(scene.meshes.at(0).primitives.at(0).material);
 }
@@ -109,17 +109,17 @@ const Image& picture(const Scene& scene, const TextureRef& texture)
 
 TEST_F(MtlImport, MaterialsAsTheyWereBefore)
 {
-    EXPECT_EQ(material_of(load_material("Kd 0.2 0.4 0.6\nd 0.5\n")).alpha_mode, AlphaMode::blend);
-    EXPECT_EQ(material_of(load_material("Kd 0.2 0.4 0.6\nd 0.5\n")).base_color,
+    EXPECT_EQ(first_material(load_material("Kd 0.2 0.4 0.6\nd 0.5\n")).alpha_mode, AlphaMode::blend);
+    EXPECT_EQ(first_material(load_material("Kd 0.2 0.4 0.6\nd 0.5\n")).base_color,
               glm::vec4(0.2F, 0.4F, 0.6F, 0.5F));
-    EXPECT_EQ(material_of(load_material("Kd 1 1 1\nTr 0.75\n")).base_color.w, 0.25F);
-    EXPECT_EQ(material_of(load_material("Kd 1 1 1\nTr 1\nd 1\n")).alpha_mode, AlphaMode::opaque);
-    EXPECT_EQ(material_of(load_material("Ns 5\n")).base_color, glm::vec4(0.6F, 0.6F, 0.6F, 1.0F));
-    EXPECT_EQ(material_of(load_material("Ns 5\n")).metallic, 0.0F);
-    EXPECT_EQ(material_of(load_material("Ns 5\n")).roughness, 1.0F);
-    EXPECT_EQ(material_of(load_material("Pr 0.25\nPm 0.5\n")).roughness, 0.25F);
+    EXPECT_EQ(first_material(load_material("Kd 1 1 1\nTr 0.75\n")).base_color.w, 0.25F);
+    EXPECT_EQ(first_material(load_material("Kd 1 1 1\nTr 1\nd 1\n")).alpha_mode, AlphaMode::opaque);
+    EXPECT_EQ(first_material(load_material("Ns 5\n")).base_color, glm::vec4(0.6F, 0.6F, 0.6F, 1.0F));
+    EXPECT_EQ(first_material(load_material("Ns 5\n")).metallic, 0.0F);
+    EXPECT_EQ(first_material(load_material("Ns 5\n")).roughness, 1.0F);
+    EXPECT_EQ(first_material(load_material("Pr 0.25\nPm 0.5\n")).roughness, 0.25F);
     const Scene hidden = load_material("d 0\n");
-    EXPECT_EQ(material_of(hidden).base_color.w, 1.0F);
+    EXPECT_EQ(first_material(hidden).base_color.w, 1.0F);
     EXPECT_NE(all_warnings(hidden).find("opacity 0 would hide it"), std::string::npos);
 }
 
@@ -129,7 +129,7 @@ TEST_F(MtlImport, MissingLibrariesAndMaterialsAreNamed)
     EXPECT_NE(all_warnings(scene).find("\"nowhere.mtl\" is not there"), std::string::npos);
     EXPECT_EQ(scene.missing_files, std::vector<std::string>{"nowhere.mtl"});
     EXPECT_EQ(scene.warnings.size(), 1U);
-    EXPECT_EQ(material_of(scene).name, "m") << "styles address it all the same";
+    EXPECT_EQ(first_material(scene).name, "m") << "styles address it all the same";
     write("other.mtl", "newmtl other\n");
     EXPECT_NE(
         all_warnings(load("mtllib other.mtl", "oak")).find("material \"oak\" is in no material library"),
@@ -146,11 +146,11 @@ TEST_F(MtlImport, LibrariesAreFoundAsTheyAreNamed)
           "mtllib Materials/My Wood.MTL second.mtl", "mtllib second.mtl materials/my wood.mtl",
           "mtllib second.mtl\nmtllib ./Materials/My Wood.MTL"}) {
         const Scene scene = load(line);
-        EXPECT_EQ(material_of(scene).base_color, glm::vec4(0, 0, 1, 1)) << line;
+        EXPECT_EQ(first_material(scene).base_color, glm::vec4(0, 0, 1, 1)) << line;
         EXPECT_EQ(all_warnings(scene), "") << line;
     }
     write("test.mtl", "newmtl m\nKd 1 0 0\n");
-    EXPECT_EQ(material_of(load("mtllib renamed.mtl")).base_color, glm::vec4(1, 0, 0, 1))
+    EXPECT_EQ(first_material(load("mtllib renamed.mtl")).base_color, glm::vec4(1, 0, 0, 1))
         << "the library of the file's own name";
 }
 
@@ -163,7 +163,7 @@ TEST_F(MtlImport, TexturesAreFoundBesideEitherFile)
         write("library/l.mtl", "newmtl m\nmap_Kd " + name + "\n");
         const Scene scene = load("mtllib library/l.mtl");
         EXPECT_EQ(all_warnings(scene), "") << name;
-        return picture(scene, material_of(scene).base_color_texture).width;
+        return picture(scene, first_material(scene).base_color_texture).width;
     };
     EXPECT_EQ(side("maps/leaf.png"), 2U);
     EXPECT_EQ(side("bark.png"), 3U);
@@ -175,12 +175,12 @@ TEST_F(MtlImport, TexturesAreFoundBesideEitherFile)
 TEST_F(MtlImport, AMissingTextureIsNamedOnceAndLeftWhite)
 {
     const Scene scene = load_material("Kd 0 0 0\nmap_Kd C:\\old\\wood.png\nmap_d C:\\old\\wood.png\n");
-    EXPECT_EQ(material_of(scene).base_color, glm::vec4(1.0F));
-    EXPECT_EQ(picture(scene, material_of(scene).base_color_texture),
+    EXPECT_EQ(first_material(scene).base_color, glm::vec4(1.0F));
+    EXPECT_EQ(picture(scene, first_material(scene).base_color_texture),
               (Image{.width = 1, .height = 1, .rgba = {255, 255, 255, 255}}));
     ASSERT_EQ(scene.warnings.size(), 1U);
     EXPECT_NE(scene.warnings[0].find("wood.png"), std::string::npos);
-    EXPECT_EQ(material_of(scene).alpha_mode, AlphaMode::opaque);
+    EXPECT_EQ(first_material(scene).alpha_mode, AlphaMode::opaque);
 }
 
 TEST_F(MtlImport, OpacityGoesIntoTheAlphaOfTheColors)
@@ -189,22 +189,22 @@ TEST_F(MtlImport, OpacityGoesIntoTheAlphaOfTheColors)
     paint("hole.png", 4, {0, 0, 0, 255});
     paint("alpha.png", 2, {10, 10, 10, 128});
     const Scene holes = load_material("map_Kd color.png\nmap_d hole.png\n");
-    EXPECT_EQ(material_of(holes).alpha_mode, AlphaMode::mask);
-    const Image& image = picture(holes, material_of(holes).base_color_texture);
+    EXPECT_EQ(first_material(holes).alpha_mode, AlphaMode::mask);
+    const Image& image = picture(holes, first_material(holes).base_color_texture);
     EXPECT_EQ(image.width, 4U);
     EXPECT_EQ(image.rgba.at(0), 200);
     EXPECT_EQ(image.rgba.at(3), 0) << "black is a hole";
     const Scene alpha = load_material("map_d alpha.png\n");
-    EXPECT_EQ(picture(alpha, material_of(alpha).base_color_texture).rgba.at(3), 128) << "alpha goes first";
-    EXPECT_EQ(picture(alpha, material_of(alpha).base_color_texture).rgba.at(0), 255);
+    EXPECT_EQ(picture(alpha, first_material(alpha).base_color_texture).rgba.at(3), 128) << "alpha goes first";
+    EXPECT_EQ(picture(alpha, first_material(alpha).base_color_texture).rgba.at(0), 255);
 }
 
 TEST_F(MtlImport, NormalsAndHeights)
 {
     paint("normal.png", 2, {128, 128, 255, 255});
     const Scene normals = load_material("map_Bump -bm 0.5 normal.png\n");
-    EXPECT_EQ(picture(normals, material_of(normals).normal_texture).rgba.at(2), 255);
-    EXPECT_EQ(material_of(normals).normal_scale, 0.5F);
+    EXPECT_EQ(picture(normals, first_material(normals).normal_texture).rgba.at(2), 255);
+    EXPECT_EQ(first_material(normals).normal_scale, 0.5F);
     EXPECT_FALSE(normals.meshes.at(0).primitives.at(0).tangents.empty());
     // A ramp that rises to the right.
     Image ramp{.width = 4, .height = 1, .rgba = {}};
@@ -212,18 +212,18 @@ TEST_F(MtlImport, NormalsAndHeights)
         ramp.rgba.insert(ramp.rgba.end(), {height, height, height, 255});
     save_png(ramp, folder_ / "ramp.png");
     const Scene heights = load_material("bump -clamp on ramp.png\n");
-    const Image& made = picture(heights, material_of(heights).normal_texture);
+    const Image& made = picture(heights, first_material(heights).normal_texture);
     EXPECT_LT(made.rgba.at(4), 100) << "leans to the left";
     EXPECT_NEAR(made.rgba.at(5), 128, 1);
     EXPECT_GT(made.rgba.at(6), 200);
-    EXPECT_EQ(material_of(load_material("bump nowhere.png\n")).normal_texture.texture, no_index);
+    EXPECT_EQ(first_material(load_material("bump nowhere.png\n")).normal_texture.texture, no_index);
 }
 
 TEST_F(MtlImport, TexturesAreScaledAndMovedFromTheBottom)
 {
     paint("wood.png", 2, {1, 2, 3, 255});
     const Scene scene = load_material("map_Kd -s 2 4 -o 0.25 0.125 wood.png\n");
-    const glm::mat3& transform = material_of(scene).base_color_texture.uv_transform;
+    const glm::mat3& transform = first_material(scene).base_color_texture.uv_transform;
     const glm::vec2 in_file(0.3F, 0.6F);
     const glm::vec3 turned_over = transform * glm::vec3(in_file.x, 1.0F - in_file.y, 1.0F);
     EXPECT_NEAR(turned_over.x, 2.0F * in_file.x + 0.25F, 1e-6F);
@@ -234,11 +234,11 @@ TEST_F(MtlImport, TexturesAreScaledAndMovedFromTheBottom)
 TEST_F(MtlImport, EmissionIsRead)
 {
     paint("glow.png", 2, {255, 200, 0, 255});
-    EXPECT_EQ(material_of(load_material("Ke 0.5 0 0\n")).emissive, glm::vec3(0.5F, 0, 0));
+    EXPECT_EQ(first_material(load_material("Ke 0.5 0 0\n")).emissive, glm::vec3(0.5F, 0, 0));
     const Scene scene = load_material("map_Ke glow.png\n");
-    EXPECT_EQ(material_of(scene).emissive, glm::vec3(1.0F));
-    EXPECT_EQ(picture(scene, material_of(scene).emissive_texture).width, 2U);
-    EXPECT_EQ(material_of(load_material("map_Ke nowhere.png\n")).emissive, glm::vec3(0.0F))
+    EXPECT_EQ(first_material(scene).emissive, glm::vec3(1.0F));
+    EXPECT_EQ(picture(scene, first_material(scene).emissive_texture).width, 2U);
+    EXPECT_EQ(first_material(load_material("map_Ke nowhere.png\n")).emissive, glm::vec3(0.0F))
         << "a white picture would make it glow all over";
 }
 
@@ -249,7 +249,7 @@ TEST_F(MtlImport, OnePictureServesSeveralTextures)
     ASSERT_EQ(scene.textures.size(), 3U);
     EXPECT_EQ(scene.textures[0].image, scene.textures[1].image);
     EXPECT_EQ(scene.textures[1].wrap_v, Wrap::clamp);
-    EXPECT_EQ(picture(scene, material_of(scene).normal_texture).rgba.at(2), 255) << "flat";
+    EXPECT_EQ(picture(scene, first_material(scene).normal_texture).rgba.at(2), 255) << "flat";
     write("test.mtl", "newmtl m\nmap_Kd wood.png\nnewmtl n\nmap_Kd Wood.png\n");
     EXPECT_EQ(load("mtllib test.mtl").textures.size(), 1U);
 }
@@ -264,7 +264,7 @@ TEST_F(MtlImport, PipesAndDevicesAreNotWaitedFor)
         std::filesystem::remove(folder_ / "test.mtl"); // it would be read in place of the missing library
         EXPECT_NE(all_warnings(load("mtllib " + name)).find("is not there"), std::string::npos) << name;
         const Scene painted = load_material("map_Kd " + name + "\n");
-        EXPECT_EQ(picture(painted, material_of(painted).base_color_texture).width, 1U) << name;
+        EXPECT_EQ(picture(painted, first_material(painted).base_color_texture).width, 1U) << name;
         EXPECT_EQ(painted.warnings.size(), 1U) << name;
     }
 }

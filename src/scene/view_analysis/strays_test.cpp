@@ -15,11 +15,11 @@
 namespace estampe {
 namespace {
 
-constexpr double aspect = 1.5;
+constexpr double strays_aspect = 1.5;
 
 Camera framed(const Scene& scene)
 {
-    return framing_camera(scene, pose_scene(scene, 0.0), aspect);
+    return framing_camera(scene, pose_scene(scene, 0.0), strays_aspect);
 }
 
 Bounds kept(const Scene& scene)

@@ -22,7 +22,7 @@ SurfaceCloud cloud_of(const Scene& scene)
     return surface_cloud(scene, pose_scene(scene, 0.0));
 }
 
-glm::mat4 at(float x, float y, float z)
+glm::mat4 moved_to(float x, float y, float z)
 {
     return glm::translate(glm::mat4(1.0F), {x, y, z});
 }
@@ -31,14 +31,14 @@ glm::mat4 at(float x, float y, float z)
 Primitive beast()
 {
     Primitive body;
-    shapes::append(body, shapes::box({0.6F, 0.6F, 1.6F}), at(0.0F, 0.6F, 0.0F));
+    shapes::append(body, shapes::box({0.6F, 0.6F, 1.6F}), moved_to(0.0F, 0.6F, 0.0F));
     for (const float x : {-0.2F, 0.2F}) {
         for (const float z : {-0.7F, 0.7F})
-            shapes::append(body, shapes::cylinder(0.08F, 0.7F), at(x, 0.0F, z));
-        shapes::append(body, shapes::sphere(0.06F), at(x, 1.65F, 1.25F));
+            shapes::append(body, shapes::cylinder(0.08F, 0.7F), moved_to(x, 0.0F, z));
+        shapes::append(body, shapes::sphere(0.06F), moved_to(x, 1.65F, 1.25F));
     }
-    shapes::append(body, shapes::box({0.5F, 0.5F, 0.5F}), at(0.0F, 1.2F, 1.0F));
-    shapes::append(body, shapes::box({0.3F, 0.2F, 0.3F}), at(0.0F, 1.25F, 1.35F));
+    shapes::append(body, shapes::box({0.5F, 0.5F, 0.5F}), moved_to(0.0F, 1.2F, 1.0F));
+    shapes::append(body, shapes::box({0.3F, 0.2F, 0.3F}), moved_to(0.0F, 1.25F, 1.35F));
     return body;
 }
 
@@ -46,11 +46,11 @@ Primitive beast()
 Primitive chair()
 {
     Primitive whole;
-    shapes::append(whole, shapes::box({0.5F, 0.06F, 0.5F}), at(0.0F, 0.4F, 0.0F));
-    shapes::append(whole, shapes::box({0.5F, 0.6F, 0.05F}), at(0.0F, 0.4F, -0.24F));
+    shapes::append(whole, shapes::box({0.5F, 0.06F, 0.5F}), moved_to(0.0F, 0.4F, 0.0F));
+    shapes::append(whole, shapes::box({0.5F, 0.6F, 0.05F}), moved_to(0.0F, 0.4F, -0.24F));
     for (const float x : {-0.22F, 0.22F})
         for (const float z : {-0.22F, 0.22F})
-            shapes::append(whole, shapes::box({0.05F, 0.4F, 0.05F}), at(x, 0.0F, z));
+            shapes::append(whole, shapes::box({0.05F, 0.4F, 0.05F}), moved_to(x, 0.0F, z));
     return whole;
 }
 
@@ -61,14 +61,14 @@ Primitive cabinet()
     shapes::append(whole, shapes::box({2.0F, 2.0F, 0.2F}), glm::mat4(1.0F));
     for (int shelf = 0; shelf < 5; ++shelf) {
         const auto height = 0.1F + 0.4F * static_cast<float>(shelf);
-        shapes::append(whole, shapes::box({1.9F, 0.05F, 0.5F}), at(0.0F, height, -0.3F));
+        shapes::append(whole, shapes::box({1.9F, 0.05F, 0.5F}), moved_to(0.0F, height, -0.3F));
         for (const float x : {-0.8F, -0.3F, 0.3F, 0.8F})
-            shapes::append(whole, shapes::sphere(0.13F), at(x, height + 0.18F, -0.35F));
+            shapes::append(whole, shapes::sphere(0.13F), moved_to(x, height + 0.18F, -0.35F));
     }
     return whole;
 }
 
-Scene turned(const Primitive& primitive, double angle_rad)
+Scene turned_scene(const Primitive& primitive, double angle_rad)
 {
     Scene scene = test::scene_of(primitive);
     scene.nodes[0].transform.rotation = glm::angleAxis(angle_rad, glm::dvec3(0, 1, 0));
@@ -84,11 +84,11 @@ bool from_front(const Scene& scene)
 Scene thick_room()
 {
     Primitive slabs;
-    shapes::append(slabs, shapes::box({6.6F, 0.3F, 5.6F}), at(0.0F, -0.3F, 0.0F));
-    shapes::append(slabs, shapes::box({6.6F, 0.3F, 5.6F}), at(0.0F, 3.0F, 0.0F));
+    shapes::append(slabs, shapes::box({6.6F, 0.3F, 5.6F}), moved_to(0.0F, -0.3F, 0.0F));
+    shapes::append(slabs, shapes::box({6.6F, 0.3F, 5.6F}), moved_to(0.0F, 3.0F, 0.0F));
     for (const float side : {-1.0F, 1.0F}) {
-        shapes::append(slabs, shapes::box({6.6F, 3.0F, 0.3F}), at(0.0F, 0.0F, 2.65F * side));
-        shapes::append(slabs, shapes::box({0.3F, 3.0F, 5.0F}), at(3.15F * side, 0.0F, 0.0F));
+        shapes::append(slabs, shapes::box({6.6F, 3.0F, 0.3F}), moved_to(0.0F, 0.0F, 2.65F * side));
+        shapes::append(slabs, shapes::box({0.3F, 3.0F, 5.0F}), moved_to(3.15F * side, 0.0F, 0.0F));
     }
     Scene scene = test::scene_of(slabs);
     test::add_object(scene, shapes::box({1.5F, 0.8F, 0.9F}), glm::vec3(1.0F));
@@ -114,29 +114,29 @@ TEST(SurfaceCloud, SpreadsPointsByAreaAndPrimitive)
 
 TEST(ViewAnalysis, ShowsTheFaceOfABeastWhicheverWayItLooks)
 {
-    EXPECT_TRUE(from_front(turned(beast(), 0.0)));
-    EXPECT_FALSE(from_front(turned(beast(), 3.14159265)));
+    EXPECT_TRUE(from_front(turned_scene(beast(), 0.0)));
+    EXPECT_FALSE(from_front(turned_scene(beast(), 3.14159265)));
 }
 
 TEST(ViewAnalysis, TakesAModelsFrontAtItsWord)
 {
-    EXPECT_NEAR(analyze_view(turned(chair(), 0.0)).azimuth_rad, 0.61, 1e-9);
+    EXPECT_NEAR(analyze_view(turned_scene(chair(), 0.0)).azimuth_rad, 0.61, 1e-9);
     EXPECT_NEAR(analyze_view(test::scene_of(shapes::torus(1.0F, 0.3F))).azimuth_rad, 0.61, 1e-9);
     EXPECT_NEAR(analyze_view(test::scene_of(shapes::box({1.0F, 2.0F, 1.0F}))).azimuth_rad, 0.61, 1e-9);
 }
 
 TEST(ViewAnalysis, TurnsABlankBackAway)
 {
-    EXPECT_FALSE(from_front(turned(cabinet(), 0.0)));
-    EXPECT_TRUE(from_front(turned(cabinet(), 3.14159265)));
+    EXPECT_FALSE(from_front(turned_scene(cabinet(), 0.0)));
+    EXPECT_TRUE(from_front(turned_scene(cabinet(), 3.14159265)));
 }
 
 TEST(ViewAnalysis, LeavesAFairPartOfTheModelInTheSun)
 {
-    const std::pair<Scene, const char*> scenes[] = {{turned(beast(), 0.0), "beast"},
-                                                    {turned(beast(), 3.14159265), "turned beast"},
-                                                    {turned(chair(), 0.0), "chair"},
-                                                    {turned(cabinet(), 0.0), "cabinet"},
+    const std::pair<Scene, const char*> scenes[] = {{turned_scene(beast(), 0.0), "beast"},
+                                                    {turned_scene(beast(), 3.14159265), "turned beast"},
+                                                    {turned_scene(chair(), 0.0), "chair"},
+                                                    {turned_scene(cabinet(), 0.0), "cabinet"},
                                                     {test::scene_of(shapes::sphere(1.0F)), "sphere"},
                                                     {test::scene_of(shapes::cylinder(0.3F, 2.0F)), "post"}};
     for (const auto& [scene, name] : scenes) {
@@ -272,12 +272,12 @@ Primitive hollow_box(const glm::vec3& size)
     const glm::vec3 wall = 0.05F * size;
     for (const float side : {0.0F, 1.0F}) {
         shapes::append(slabs, shapes::box({size.x, wall.y, size.z}),
-                       at(0.0F, side * (size.y - wall.y), 0.0F));
+                       moved_to(0.0F, side * (size.y - wall.y), 0.0F));
         const float sign = 2.0F * side - 1.0F;
         shapes::append(slabs, shapes::box({size.x, size.y, wall.z}),
-                       at(0.0F, 0.0F, 0.5F * sign * (size.z - wall.z)));
+                       moved_to(0.0F, 0.0F, 0.5F * sign * (size.z - wall.z)));
         shapes::append(slabs, shapes::box({wall.x, size.y, size.z}),
-                       at(0.5F * sign * (size.x - wall.x), 0.0F, 0.0F));
+                       moved_to(0.5F * sign * (size.x - wall.x), 0.0F, 0.0F));
     }
     return slabs;
 }

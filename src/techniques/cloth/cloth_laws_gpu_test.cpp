@@ -12,8 +12,6 @@
 namespace estampe::cloth {
 namespace {
 
-constexpr double gravity_m_s2 = 9.81;
-
 /// A thread of so many points along x, held at both ends where `held_last`, and at the first anyway.
 Sheet thread_of(uint32_t points, float length_m, float compliance_m_n, bool held_last)
 {

@@ -15,6 +15,8 @@
 
 namespace estampe::cloth {
 
+inline constexpr double gravity_m_s2 = 9.81;
+
 struct State {
     std::vector<glm::dvec3> places_m;
     std::vector<glm::dvec3> speeds_m_s;

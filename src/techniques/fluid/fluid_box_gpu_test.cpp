@@ -7,16 +7,16 @@
 namespace estampe::fluid {
 namespace {
 
-constexpr uint32_t side = 16;
+constexpr uint32_t box_side = 16;
 
 Grid room(Edge edge)
 {
-    return {.cells = {side, side, side}, .cell_m = 0.1F, .edges = {edge, edge, edge}};
+    return {.cells = {box_side, box_side, box_side}, .cell_m = 0.1F, .edges = {edge, edge, edge}};
 }
 
 float number_at(const std::vector<float>& numbers, uint32_t channel, glm::uvec3 cell)
 {
-    return numbers[((channel * side + cell.z) * side + cell.y) * side + cell.x];
+    return numbers[((channel * box_side + cell.z) * box_side + cell.y) * box_side + cell.x];
 }
 
 double energy(std::span<const float> velocity)
@@ -103,7 +103,7 @@ TEST(FluidBox, WhatStandsIsAnObstacleLikeAnyOther)
     by_shape.set_shapes(std::vector{box({0.8F, 0.6F, 0.7F}, {0.2F, 0.3F, 0.1F})}, {});
     std::vector<uint8_t> cells;
     for (uint32_t i = 0; i < grid.cell_count(); ++i) {
-        const glm::uvec3 cell(i % side, i / side % side, i / (side * side));
+        const glm::uvec3 cell(i % box_side, i / box_side % box_side, i / (box_side * box_side));
         const bool is_in = glm::all(glm::greaterThanEqual(cell, glm::uvec3(6, 3, 6))) &&
                            glm::all(glm::lessThan(cell, glm::uvec3(10, 9, 8)));
         cells.push_back(is_in ? 1 : 0);

@@ -39,6 +39,17 @@ template <class Value>
     return numbers;
 }
 
+/// Square root of the sum of squares.
+template <class Number>
+[[nodiscard]] double norm(const std::vector<Number>& numbers)
+{
+    double sum = 0.0;
+    for (const Number number : numbers) {
+        sum += static_cast<double>(number) * static_cast<double>(number);
+    }
+    return std::sqrt(sum);
+}
+
 /// On the faces of the grid.
 [[nodiscard]] inline std::vector<float> velocity_of(const Grid& grid, const Flow& flow)
 {

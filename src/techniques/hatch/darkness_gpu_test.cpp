@@ -11,20 +11,20 @@
 namespace estampe::hatch {
 namespace {
 
-constexpr glm::uvec2 size_px(32, 16);
+constexpr glm::uvec2 darkness_px(32, 16);
 constexpr float dark_open = 102.0F / 255.0F; // what occlusion lets by on the left half
 
 /// Darkness of a white wall in a light of 0.8 whose left half is occluded.
 std::vector<float> darkness_of(const shared::ToneConstants& tone)
 {
-    const auto globals = features::frame_globals({}, {}, glm::dvec3(0.0), {.size_px = size_px});
+    const auto globals = features::frame_globals({}, {}, glm::dvec3(0.0), {.size_px = darkness_px});
     gpu::Buffer frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{globals});
-    auto draw = test::Layer::words(size_px, [](glm::uvec2) { return 1U; });
-    auto depth = test::Layer::depth(size_px, [](glm::uvec2) { return 0.01F; });
-    auto color = test::Layer::root_color(size_px, [](glm::uvec2 pixel) {
-        return glm::vec4(1.0F, 1.0F, 1.0F, pixel.x < size_px.x / 2 ? dark_open : 1.0F);
+    auto draw = test::Layer::words(darkness_px, [](glm::uvec2) { return 1U; });
+    auto depth = test::Layer::depth(darkness_px, [](glm::uvec2) { return 0.01F; });
+    auto color = test::Layer::root_color(darkness_px, [](glm::uvec2 pixel) {
+        return glm::vec4(1.0F, 1.0F, 1.0F, pixel.x < darkness_px.x / 2 ? dark_open : 1.0F);
     });
-    auto light = test::Layer::color(size_px, [](glm::uvec2) { return glm::vec4(0.8F); });
+    auto light = test::Layer::color(darkness_px, [](glm::uvec2) { return glm::vec4(0.8F); });
     auto screen = test::Layer::root_color(glm::uvec2(1), [](glm::uvec2) { return glm::vec4(0.0F); });
     gpu::Graph graph;
     const auto drawn = draw.in(graph);
@@ -39,7 +39,7 @@ std::vector<float> darkness_of(const shared::ToneConstants& tone)
                                         .light = light.in(graph),
                                         .screen = screen.in(graph),
                                         .tone = tone,
-                                        .size_px = size_px},
+                                        .size_px = darkness_px},
                                        {});
     return test::run_and_read_coverage(graph, darkness.image);
 }
@@ -47,7 +47,7 @@ std::vector<float> darkness_of(const shared::ToneConstants& tone)
 void expect_halves(const std::vector<float>& darkness, float left, float right)
 {
     for (uint32_t i = 0; i < darkness.size(); ++i) {
-        EXPECT_NEAR(darkness[i], i % size_px.x < size_px.x / 2 ? left : right, 1e-3F) << i;
+        EXPECT_NEAR(darkness[i], i % darkness_px.x < darkness_px.x / 2 ? left : right, 1e-3F) << i;
     }
 }
 

@@ -17,24 +17,24 @@
 namespace estampe {
 namespace {
 
-constexpr glm::uvec2 size_px(192, 96);
+constexpr glm::uvec2 dots_px(192, 96);
 constexpr float pixels_per_mm = 4.0F;
 
 /// A page of one darkness, on an object whose place is seen at `object_px`.
-std::vector<float> ink_of(const hatch::HatchStyle& style, const test::Painter<float>& dark,
-                          const glm::vec2& object_px)
+std::vector<float> dots_ink(const hatch::HatchStyle& style, const test::Painter<float>& dark,
+                            const glm::vec2& object_px)
 {
-    shared::FrameGlobals globals = features::frame_globals({}, {}, glm::dvec3(0.0), {.size_px = size_px});
+    shared::FrameGlobals globals = features::frame_globals({}, {}, glm::dvec3(0.0), {.size_px = dots_px});
     globals.clip_from_anchor = glm::mat4(1.0F);
     gpu::Buffer frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{globals});
-    const glm::vec2 ndc = 2.0F * object_px / glm::vec2(size_px) - 1.0F;
+    const glm::vec2 ndc = 2.0F * object_px / glm::vec2(dots_px) - 1.0F;
     shared::DrawRecord draw{};
     draw.anchor_from_object = glm::translate(glm::mat4(1.0F), glm::vec3(ndc, 0.5F));
     gpu::Buffer draws = gpu::upload_buffer(test::shared_device(), "draws", std::vector{draw});
-    auto seen = test::Layer::words(size_px, [](glm::uvec2) { return 1U; });
+    auto seen = test::Layer::words(dots_px, [](glm::uvec2) { return 1U; });
     auto unread = test::Layer::words(glm::uvec2(1), [](glm::uvec2) { return 1U; });
-    auto darkness = test::Layer::coverage(size_px, dark);
-    test::PaperToInk paper(size_px);
+    auto darkness = test::Layer::coverage(dots_px, dark);
+    test::PaperToInk paper(dots_px);
     gpu::Graph graph;
     const gpu::ImageId none = unread.in(graph);
     const hatch::HatchInputs in{.frame = gpu::import_whole(graph, "frame", frame),
@@ -47,7 +47,7 @@ std::vector<float> ink_of(const hatch::HatchStyle& style, const test::Painter<fl
                                 .light = none,
                                 .screen = none,
                                 .pixels_per_mm = pixels_per_mm,
-                                .size_px = size_px,
+                                .size_px = dots_px,
                                 .draws = gpu::import_whole(graph, "draws", draws)};
     return test::run_and_read_coverage(
         graph, hatch::add_dots(graph, in, paper.in(graph, darkness.in(graph)), style));
@@ -82,7 +82,8 @@ TEST(HatchDots, InkIsTheDarknessAtEveryPitchAndTurn)
                 if (dark > 0.9F && pitch_mm < 1.0F) {
                     continue; // gaps of less than half a pixel
                 }
-                const double mean = mean_of(ink_of(style, [&](glm::uvec2) { return dark; }, {40.3F, 20.7F}));
+                const double mean =
+                    mean_of(dots_ink(style, [&](glm::uvec2) { return dark; }, {40.3F, 20.7F}));
                 EXPECT_NEAR(mean, dark, 0.025) << pitch_mm << " mm, " << turn_deg << " deg";
             }
         }
@@ -93,7 +94,7 @@ TEST(HatchDots, AreCutFromAFewSheets)
 {
     const hatch::HatchStyle style = dots(1.0F, 4);
     const auto mean = [&](float dark) {
-        return mean_of(ink_of(style, [&](glm::uvec2) { return dark; }, {40.0F, 20.0F}));
+        return mean_of(dots_ink(style, [&](glm::uvec2) { return dark; }, {40.0F, 20.0F}));
     };
     EXPECT_EQ(mean(0.12F), 0.0);
     EXPECT_EQ(mean(0.13F), mean(0.37F));
@@ -106,11 +107,11 @@ TEST(HatchDots, GoAlongWithTheirObject)
 {
     const hatch::HatchStyle style = dots(1.7F, 0);
     const auto dark = [](glm::uvec2) { return 0.4F; };
-    const std::vector<float> ink = ink_of(style, dark, {40.0F, 20.0F});
-    const std::vector<float> moved = ink_of(style, dark, {47.0F, 25.0F});
-    for (uint32_t y = 5; y < size_px.y; ++y) {
-        for (uint32_t x = 7; x < size_px.x; ++x) {
-            ASSERT_NEAR(moved[y * size_px.x + x], ink[(y - 5) * size_px.x + x - 7], 0.01F) << x << ' ' << y;
+    const std::vector<float> ink = dots_ink(style, dark, {40.0F, 20.0F});
+    const std::vector<float> moved = dots_ink(style, dark, {47.0F, 25.0F});
+    for (uint32_t y = 5; y < dots_px.y; ++y) {
+        for (uint32_t x = 7; x < dots_px.x; ++x) {
+            ASSERT_NEAR(moved[y * dots_px.x + x], ink[(y - 5) * dots_px.x + x - 7], 0.01F) << x << ' ' << y;
         }
     }
 }
@@ -119,10 +120,10 @@ TEST(HatchDots, LeaveWhatIsPaleAndCoverWhatIsBlack)
 {
     hatch::HatchStyle style = dots(1.0F, 0);
     style.black_above = 0.7F;
-    const auto ink = ink_of(style, [](glm::uvec2 pixel) { return pixel.x < size_px.x / 2 ? 0.0F : 0.75F; },
-                            {40.0F, 20.0F});
+    const auto ink = dots_ink(style, [](glm::uvec2 pixel) { return pixel.x < dots_px.x / 2 ? 0.0F : 0.75F; },
+                              {40.0F, 20.0F});
     for (uint32_t i = 0; i < ink.size(); ++i) {
-        ASSERT_EQ(ink[i], i % size_px.x < size_px.x / 2 ? 0.0F : 1.0F) << i;
+        ASSERT_EQ(ink[i], i % dots_px.x < dots_px.x / 2 ? 0.0F : 1.0F) << i;
     }
 }
 

@@ -69,7 +69,7 @@ double mean_ink(const Image& image)
     return sum / static_cast<double>(pixels);
 }
 
-double ink_of(Style style, double darkness, double distance_m)
+double hatched_ink(Style style, double darkness, double distance_m)
 {
     style.set(fmt::format("tone.exposure={}", std::max(1.0 - darkness, 0.05)));
     if (darkness > 0.95) {
@@ -92,7 +92,7 @@ TEST_P(HatchTone, MeanInkIsTheDarknessAskedFor)
         double previous = -1.0;
         for (int step = 0; step <= 10; ++step) {
             const double darkness = 0.1 * step;
-            const double ink = ink_of(style, darkness, distance_m);
+            const double ink = hatched_ink(style, darkness, distance_m);
             EXPECT_NEAR(ink, darkness, 0.03) << "at " << distance_m << " m";
             EXPECT_GT(ink, previous) << "darkness " << darkness << " at " << distance_m << " m";
             previous = ink;

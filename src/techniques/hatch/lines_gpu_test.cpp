@@ -21,10 +21,10 @@ using test::Patch;
 using test::pen;
 using test::Surface;
 
-constexpr uint32_t tone_count = 19;
+constexpr uint32_t line_tones = 19;
 
 /// Darkness of the i-th tone.
-double tone(uint32_t i)
+double tone_of(uint32_t i)
 {
     return 0.05 * (i + 1);
 }
@@ -35,20 +35,20 @@ public:
     ToneSheet(uint32_t kind, uint32_t patch_px) : patch_px_(patch_px), canvas_(size_px(), kind)
     {
         canvas_.paint_darkness(
-            [this](glm::uvec2 pixel) { return static_cast<float>(tone(patch_at(pixel))); });
+            [this](glm::uvec2 pixel) { return static_cast<float>(tone_of(patch_at(pixel))); });
     }
 
     /// Mean ink of each patch.
-    std::array<double, tone_count> ink(double unit_per_px, const hatch::HatchStyle& style)
+    std::array<double, line_tones> ink(double unit_per_px, const hatch::HatchStyle& style)
     {
         canvas_.paint_surface(flat_patch(unit_per_px));
         const std::vector<float> ink = canvas_.ink(style);
-        std::array<double, tone_count + 1> sums{};
+        std::array<double, line_tones + 1> sums{};
         for (uint32_t i = 0; i < ink.size(); ++i) {
             sums.at(patch_at({i % size_px().x, i / size_px().x})) += ink[i];
         }
-        std::array<double, tone_count> means{};
-        for (uint32_t i = 0; i < tone_count; ++i) {
+        std::array<double, line_tones> means{};
+        for (uint32_t i = 0; i < line_tones; ++i) {
             means.at(i) = sums.at(i) / (patch_px_ * patch_px_);
         }
         return means;
@@ -71,18 +71,18 @@ private:
 std::pair<double, double> worst_errors(ToneSheet& sheet, const hatch::HatchStyle& style, int zooms)
 {
     double worst_patch = 0.0;
-    std::array<double, tone_count> means{};
+    std::array<double, line_tones> means{};
     for (int zoom = 0; zoom < zooms; ++zoom) {
         const auto ink = sheet.ink(0.01 * std::exp2(8.0 * zoom / zooms), style);
-        for (uint32_t i = 0; i < tone_count; ++i) {
-            worst_patch = std::max(worst_patch, std::abs(ink.at(i) - tone(i)));
+        for (uint32_t i = 0; i < line_tones; ++i) {
+            worst_patch = std::max(worst_patch, std::abs(ink.at(i) - tone_of(i)));
             means.at(i) += ink.at(i) / zooms;
-            EXPECT_TRUE(i == 0 || ink.at(i) > ink.at(i - 1)) << "tone " << tone(i) << ", zoom " << zoom;
+            EXPECT_TRUE(i == 0 || ink.at(i) > ink.at(i - 1)) << "tone " << tone_of(i) << ", zoom " << zoom;
         }
     }
     double worst_tone = 0.0;
-    for (uint32_t i = 0; i < tone_count; ++i) {
-        worst_tone = std::max(worst_tone, std::abs(means.at(i) - tone(i)));
+    for (uint32_t i = 0; i < line_tones; ++i) {
+        worst_tone = std::max(worst_tone, std::abs(means.at(i) - tone_of(i)));
     }
     fmt::print("worst patch {:.4f}, worst tone over all zooms {:.4f}\n", worst_patch, worst_tone);
     return {worst_patch, worst_tone};
@@ -100,8 +100,8 @@ TEST(HatchLines, RuledLinesAreExactAtEveryZoom)
 TEST(HatchLines, DrawnLinesKeepTheToneAtEveryZoom)
 {
     ToneSheet sheet(shared::strokes_uv, 256);
-    const auto [patch, tone] = worst_errors(sheet, pen(), 29);
-    EXPECT_LE(tone, 0.003);
+    const auto [patch, tone_of] = worst_errors(sheet, pen(), 29);
+    EXPECT_LE(tone_of, 0.003);
     EXPECT_LE(patch, 0.012); // a patch holds few strokes, each with ends and pressure of its own
 }
 
@@ -117,8 +117,8 @@ TEST(HatchLines, ShortStrokesKeepTheToneAtEveryZoom)
     ToneSheet sheet(shared::strokes_uv, 256);
     hatch::HatchStyle style = pen();
     style.growth = 1.0F;
-    const auto [patch, tone] = worst_errors(sheet, style, 15);
-    EXPECT_LE(tone, 0.005);
+    const auto [patch, tone_of] = worst_errors(sheet, style, 15);
+    EXPECT_LE(tone_of, 0.005);
     EXPECT_LE(patch, 0.03);
 }
 
@@ -150,7 +150,7 @@ std::pair<double, double> window_errors(const std::vector<float>& ink, const tes
     return {sum / std::max(windows, 1), worst};
 }
 
-constexpr glm::uvec2 page_px{640, 480};
+constexpr glm::uvec2 lines_page_px{640, 480};
 
 /// A floor to the horizon, seen from 1.6 m above.
 Patch floor_at(glm::dvec2 p)
@@ -182,13 +182,13 @@ void expect_tone_in_windows(const Surface& surface, uint32_t kind)
 {
     const auto darkness = [&](glm::uvec2 pixel) {
         const bool seen = surface(glm::dvec2(pixel) + 0.5).seen;
-        return seen ? 0.1F + 0.8F * static_cast<float>(pixel.x) / static_cast<float>(page_px.x) : 0.0F;
+        return seen ? 0.1F + 0.8F * static_cast<float>(pixel.x) / static_cast<float>(lines_page_px.x) : 0.0F;
     };
-    Canvas canvas(page_px, kind);
+    Canvas canvas(lines_page_px, kind);
     canvas.paint_darkness(darkness);
     canvas.paint_surface(surface);
     canvas.paint_normals([&](glm::uvec2 pixel) { return surface(glm::dvec2(pixel) + 0.5).normal; });
-    const auto [mean, worst] = window_errors(canvas.ink(pen()), darkness, surface, page_px);
+    const auto [mean, worst] = window_errors(canvas.ink(pen()), darkness, surface, lines_page_px);
     fmt::print("windows of 64 pixels: mean error {:.4f}, worst {:.4f}\n", mean, worst);
     EXPECT_LE(mean, 0.01);
     EXPECT_LE(worst, 0.05);

@@ -10,7 +10,7 @@
 namespace estampe::hatch {
 namespace {
 
-constexpr glm::uvec2 size_px(192, 96);
+constexpr glm::uvec2 local_light_px(192, 96);
 
 /// Octahedral, of directions in the upper half.
 uint32_t packed(const glm::vec3& direction)
@@ -23,21 +23,22 @@ uint32_t packed(const glm::vec3& direction)
 /// third, and the sun, which stands at the right, over the last.
 std::vector<float> strokes_under_lamps()
 {
-    auto draw = test::Layer::words(size_px, [](glm::uvec2) { return shared::strokes_light << 26U | 1U; });
-    auto darkness = test::Layer::coverage(size_px, [](glm::uvec2) { return 0.35F; });
-    auto normal = test::Layer::normals(size_px, [](glm::uvec2) { return glm::vec3(0, 0, 1); });
+    auto draw =
+        test::Layer::words(local_light_px, [](glm::uvec2) { return shared::strokes_light << 26U | 1U; });
+    auto darkness = test::Layer::coverage(local_light_px, [](glm::uvec2) { return 0.35F; });
+    auto normal = test::Layer::normals(local_light_px, [](glm::uvec2) { return glm::vec3(0, 0, 1); });
     auto coordinate = test::Layer::places(
-        size_px, [](glm::uvec2 pixel) { return glm::vec4(0.01F * glm::vec2(pixel), 0.0F, 0.0F); });
-    auto footprint = test::Layer::footprints(size_px, [](glm::uvec2) {
+        local_light_px, [](glm::uvec2 pixel) { return glm::vec4(0.01F * glm::vec2(pixel), 0.0F, 0.0F); });
+    auto footprint = test::Layer::footprints(local_light_px, [](glm::uvec2) {
         return std::pair(glm::vec3(0.01F, 0.0F, 0.0F), glm::vec3(0.0F, 0.01F, 0.0F));
     });
-    auto strongest = test::Layer::words(size_px, [](glm::uvec2 pixel) {
-        const uint32_t third = 3 * pixel.x / size_px.x;
+    auto strongest = test::Layer::words(local_light_px, [](glm::uvec2 pixel) {
+        const uint32_t third = 3 * pixel.x / local_light_px.x;
         return third == 0 ? packed({0.9F, 0.2F, 0.1F}) : third == 1 ? packed({0.1F, 0.9F, 0.2F}) : 0U;
     });
-    test::PaperToInk paper(size_px);
+    test::PaperToInk paper(local_light_px);
     gpu::Graph graph;
-    HatchInputs in = test::stroke_inputs(graph, size_px, draw, normal, coordinate, footprint);
+    HatchInputs in = test::stroke_inputs(graph, local_light_px, draw, normal, coordinate, footprint);
     in.strongest_light = strongest.in(graph);
     in.towards_light = {1.0F, 0.0F, 0.0F};
     const HatchStyle style{.width_mm = 1.6F, .overrun_mm = 0.0F, .black_above = 2.0F};
@@ -50,11 +51,11 @@ double lie(const std::vector<float>& ink, uint32_t third)
 {
     double across = 0.0;
     double down = 0.0;
-    for (uint32_t y = 8; y + 8 < size_px.y; ++y) {
-        for (uint32_t x = third * size_px.x / 3 + 8; x + 8 < (third + 1) * size_px.x / 3; ++x) {
-            const float here = ink[y * size_px.x + x];
-            across += static_cast<double>(std::abs(ink[y * size_px.x + x + 1] - here));
-            down += static_cast<double>(std::abs(ink[(y + 1) * size_px.x + x] - here));
+    for (uint32_t y = 8; y + 8 < local_light_px.y; ++y) {
+        for (uint32_t x = third * local_light_px.x / 3 + 8; x + 8 < (third + 1) * local_light_px.x / 3; ++x) {
+            const float here = ink[y * local_light_px.x + x];
+            across += static_cast<double>(std::abs(ink[y * local_light_px.x + x + 1] - here));
+            down += static_cast<double>(std::abs(ink[(y + 1) * local_light_px.x + x] - here));
         }
     }
     return down / across;

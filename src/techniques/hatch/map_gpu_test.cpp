@@ -17,9 +17,9 @@ namespace {
 using test::Canvas;
 using test::Patch;
 
-constexpr uint32_t tone_count = 33;
+constexpr uint32_t patch_tones = 33;
 constexpr uint32_t patch_px = 144;
-constexpr glm::uvec2 size_px{11 * patch_px, 3 * patch_px};
+constexpr glm::uvec2 patches_px{11 * patch_px, 3 * patch_px};
 
 uint32_t tone_at(glm::uvec2 pixel)
 {
@@ -28,7 +28,7 @@ uint32_t tone_at(glm::uvec2 pixel)
 
 double darkness_of(uint32_t tone)
 {
-    return static_cast<double>(tone) / (tone_count - 1);
+    return static_cast<double>(tone) / (patch_tones - 1);
 }
 
 class HatchMap : public testing::TestWithParam<hatch::MapTone> {};
@@ -43,11 +43,11 @@ TEST_P(HatchMap, InkIsTheDarknessAtEveryDistanceAndTilt)
     hatch::MapImages map = hatch::upload_map(
         test::shared_device(), features::load_map(features::map_choice(features::StyleTables())),
         style.map_tone, style.map_contrast);
-    Canvas canvas(size_px, shared::strokes_uv);
+    Canvas canvas(patches_px, shared::strokes_uv);
     canvas.paint_darkness([](glm::uvec2 pixel) { return static_cast<float>(darkness_of(tone_at(pixel))); });
     double worst = 0.0;
     int views = 0;
-    std::array<double, tone_count> means{};
+    std::array<double, patch_tones> means{};
     for (int octave = 0; octave <= 6; ++octave) {
         for (const double tilt_deg : {0.0, 25.0, 50.0, 75.0}) {
             const double g = 0.9 / 512.0 * std::exp2(octave);
@@ -58,11 +58,11 @@ TEST_P(HatchMap, InkIsTheDarknessAtEveryDistanceAndTilt)
                              .dy = {0, static_cast<float>(g * stretch), 0}};
             });
             const std::vector<float> ink = canvas.ink(style, &map);
-            std::array<double, tone_count> sums{};
+            std::array<double, patch_tones> sums{};
             for (uint32_t i = 0; i < ink.size(); ++i) {
-                sums.at(tone_at({i % size_px.x, i / size_px.x})) += ink[i];
+                sums.at(tone_at({i % patches_px.x, i / patches_px.x})) += ink[i];
             }
-            for (uint32_t tone = 0; tone < tone_count; ++tone) {
+            for (uint32_t tone = 0; tone < patch_tones; ++tone) {
                 const double mean = sums.at(tone) / (patch_px * patch_px);
                 means.at(tone) += mean;
                 worst = std::max(worst, std::abs(mean - darkness_of(tone)));
@@ -71,7 +71,7 @@ TEST_P(HatchMap, InkIsTheDarknessAtEveryDistanceAndTilt)
         }
     }
     double worst_mean = 0.0;
-    for (uint32_t tone = 0; tone < tone_count; ++tone) {
+    for (uint32_t tone = 0; tone < patch_tones; ++tone) {
         worst_mean = std::max(worst_mean, std::abs(means.at(tone) / views - darkness_of(tone)));
         EXPECT_TRUE(tone == 0 || means.at(tone) > means.at(tone - 1)) << "tone " << tone;
     }

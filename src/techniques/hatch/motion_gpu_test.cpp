@@ -19,10 +19,10 @@ using test::Patch;
 using test::pen;
 using test::Surface;
 
-constexpr glm::uvec2 size_px{320, 240};
+constexpr glm::uvec2 moving_page_px{320, 240};
 constexpr int frames = 71; // an octave of zoom, 1 % a frame
 
-struct Motion {
+struct StrokeMotion {
     double mean_change = 0.0;
     double jumps = 0.0; ///< share of pixels that change by more than a half, over all frames
     double worst_frame = 0.0;
@@ -32,11 +32,11 @@ struct Motion {
 /// Ink of one frame: `unit_per_px` is how large a pixel is on the wall.
 using Frame = std::function<std::vector<float>(double unit_per_px)>;
 
-Motion measure(const Frame& ink_at)
+StrokeMotion measure(const Frame& ink_at)
 {
     std::vector<double> jumps;
     std::vector<float> before;
-    Motion motion;
+    StrokeMotion motion;
     double unit_per_px = 0.013;
     for (int frame = 0; frame < frames; ++frame, unit_per_px /= 1.01) {
         std::vector<float> now = ink_at(unit_per_px);
@@ -61,7 +61,7 @@ Motion measure(const Frame& ink_at)
     return motion;
 }
 
-void report(const char* name, const Motion& motion)
+void report(const char* name, const StrokeMotion& motion)
 {
     fmt::print("{:28} warp error {:.4f}; jumps {:.4f} %, worst frame {:.4f} %, median {:.4f} %\n", name,
                motion.mean_change, 100.0 * motion.jumps, 100.0 * motion.worst_frame,
@@ -79,12 +79,12 @@ Surface same_points(double unit_per_px)
 
 float darkness_at(glm::uvec2 pixel)
 {
-    return 0.1F + 0.8F * static_cast<float>(pixel.x) / static_cast<float>(size_px.x);
+    return 0.1F + 0.8F * static_cast<float>(pixel.x) / static_cast<float>(moving_page_px.x);
 }
 
 class HatchMotion : public testing::Test {
 protected:
-    Motion of_lines(const hatch::HatchStyle& style)
+    StrokeMotion of_lines(const hatch::HatchStyle& style)
     {
         return measure([&](double unit_per_px) {
             canvas_.paint_surface(same_points(unit_per_px));
@@ -92,7 +92,7 @@ protected:
         });
     }
 
-    Motion of_map(const hatch::HatchStyle& style)
+    StrokeMotion of_map(const hatch::HatchStyle& style)
     {
         const features::StyleTables tables;
         hatch::MapImages map =
@@ -106,12 +106,12 @@ protected:
 
     void SetUp() override { canvas_.paint_darkness(darkness_at); }
 
-    Canvas canvas_{size_px, shared::strokes_uv};
+    Canvas canvas_{moving_page_px, shared::strokes_uv};
 };
 
 TEST_F(HatchMotion, LinesHoldStill)
 {
-    const Motion lines = of_lines(pen());
+    const StrokeMotion lines = of_lines(pen());
     report("lines", lines);
     EXPECT_LE(lines.mean_change, 0.02);
     EXPECT_LE(lines.jumps, 0.001);
@@ -122,7 +122,7 @@ TEST_F(HatchMotion, MapsHoldStill)
 {
     hatch::HatchStyle style;
     style.map_texel_mm = 1.0F;
-    const Motion ordered = of_map(style);
+    const StrokeMotion ordered = of_map(style);
     report("map, stroke by stroke", ordered);
     style.map_tone = hatch::MapTone::blend;
     style.map_contrast = 1.0F;
@@ -136,7 +136,7 @@ TEST_F(HatchMotion, LinesThatAreLockedToThePageDoNot)
 {
     // The checker checked: the same measure sees a shower door for what it is.
     const hatch::HatchStyle style = pen();
-    const Motion page = measure([&](double unit_per_px) {
+    const StrokeMotion page = measure([&](double unit_per_px) {
         const double zoom = 0.013 / unit_per_px;
         canvas_.paint_surface([=](glm::dvec2 p) {
             return Patch{

@@ -11,7 +11,7 @@ namespace {
 
 using test::Canvas;
 
-constexpr glm::uvec2 size_px{160, 120};
+constexpr glm::uvec2 overrun_page_px{160, 120};
 constexpr uint32_t edge_px = 100; // what is seen ends here
 constexpr float overrun_px = 20.0F;
 
@@ -22,7 +22,7 @@ std::vector<float> ink(bool ends, float overrun_mm, hatch::MapImages* map)
     hatch::HatchStyle style = test::pen();
     style.overrun_mm = overrun_mm;
     style.map_texel_mm = 1.0F;
-    Canvas canvas(size_px, shared::strokes_uv);
+    Canvas canvas(overrun_page_px, shared::strokes_uv);
     canvas.paint_seen(seen);
     canvas.paint_darkness([=](glm::uvec2 pixel) { return seen(pixel) ? 0.5F : 0.0F; });
     canvas.paint_surface(test::flat_patch(map == nullptr ? 1.0 / 64.0 : 0.9 / 512.0));
@@ -46,7 +46,7 @@ TEST_P(HatchOverrun, StrokesGoOnBeyondTheEdgeAndEnd)
     double farther = 0.0;
     double beyond = 0.0;
     for (uint32_t i = 0; i < over.size(); ++i) {
-        const auto past_px = static_cast<int>(i % size_px.x) - static_cast<int>(edge_px) + 1;
+        const auto past_px = static_cast<int>(i % overrun_page_px.x) - static_cast<int>(edge_px) + 1;
         if (past_px <= 0) {
             ASSERT_EQ(over[i], cut[i]);
         } else if (static_cast<float>(past_px) < 0.3F * overrun_px) {
@@ -58,9 +58,9 @@ TEST_P(HatchOverrun, StrokesGoOnBeyondTheEdgeAndEnd)
             farther += over[i];
         }
     }
-    EXPECT_GT(beyond, 0.4 * 5.0 * size_px.y);
-    EXPECT_GT(farther, 0.1 * 14.0 * size_px.y);
-    EXPECT_LT(farther, 0.4 * 14.0 * size_px.y);
+    EXPECT_GT(beyond, 0.4 * 5.0 * overrun_page_px.y);
+    EXPECT_GT(farther, 0.1 * 14.0 * overrun_page_px.y);
+    EXPECT_LT(farther, 0.4 * 14.0 * overrun_page_px.y);
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, HatchOverrun, testing::Values(hatch::Strokes::lines, hatch::Strokes::map));

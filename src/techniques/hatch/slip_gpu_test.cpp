@@ -18,7 +18,7 @@
 namespace estampe {
 namespace {
 
-constexpr glm::uvec2 size_px{320, 240};
+constexpr glm::uvec2 slip_page_px{320, 240};
 
 /// An arm of 4 m that bends at its middle by 80 degrees within a second.
 Scene bending_arm()
@@ -63,7 +63,7 @@ double slip_px(const Scene& scene, const Camera& camera)
     size_t looked_at = 0;
     for (int moment = 0; moment < 10; ++moment) {
         const double time_s = static_cast<double>(scene.animations[0].duration_s) * moment / 9.0;
-        test::Drawing drawing(scene, camera, size_px, time_s);
+        test::Drawing drawing(scene, camera, slip_page_px, time_s);
         const auto surface = drawing.surface();
         const auto page = drawing.visibility();
         const auto posed = drawing.posed();
@@ -72,10 +72,10 @@ double slip_px(const Scene& scene, const Camera& camera)
                 continue; // nothing, or strokes that follow UVs
             }
             const glm::uvec4 corners = drawing.layout.triangles[static_cast<uint32_t>(page[i])];
-            const size_t row = i / size_px.x;
-            const glm::dvec3 from =
-                drawing.point_at({static_cast<double>(i % size_px.x) + 0.5, static_cast<double>(row) + 0.5},
-                                 static_cast<double>(surface.depth[i]));
+            const size_t row = i / slip_page_px.x;
+            const glm::dvec3 from = drawing.point_at(
+                {static_cast<double>(i % slip_page_px.x) + 0.5, static_cast<double>(row) + 0.5},
+                static_cast<double>(surface.depth[i]));
             const glm::dvec3 a(posed[corners.x].position);
             const glm::dvec3 e1 = glm::dvec3(posed[corners.y].position) - a;
             const glm::dvec3 e2 = glm::dvec3(posed[corners.z].position) - a;

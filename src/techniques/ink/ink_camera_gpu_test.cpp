@@ -13,10 +13,11 @@
 namespace estampe::ink {
 namespace {
 
-constexpr uint32_t side = 96;
+constexpr uint32_t camera_side = 96;
 
 /// A wall that faces the eye, 4 m away.
-const Camera start{.eye = {0.0, 0.0, 4.0}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 1.0, .near_m = 0.1};
+const Camera start_camera{
+    .eye = {0.0, 0.0, 4.0}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 1.0, .near_m = 0.1};
 
 /// The point of the wall that is seen at a place of the page.
 glm::dvec3 wall_at(const shared::FrameGlobals& seen, glm::dvec2 page_px)
@@ -51,25 +52,25 @@ using Path = std::function<Camera(double share)>;
 const std::map<std::string, Path> paths{
     {"turns",
      [](double share) {
-         Camera camera = start;
+         Camera camera = start_camera;
          camera.target = {4.0 * std::tan(0.12 * share), 4.0 * std::tan(0.05 * share), 0.0};
          return camera;
      }},
     {"rolls",
      [](double share) {
-         Camera camera = start;
+         Camera camera = start_camera;
          camera.up = {std::sin(0.4 * share), std::cos(0.4 * share), 0.0};
          return camera;
      }},
     {"advances",
      [](double share) {
-         Camera camera = start;
+         Camera camera = start_camera;
          camera.eye.z -= share;
          return camera;
      }},
     {"steps aside",
      [](double share) {
-         Camera camera = start;
+         Camera camera = start_camera;
          camera.eye.x += 0.6 * share;
          camera.target.x += 0.6 * share;
          return camera;
@@ -87,7 +88,7 @@ double drift_px(Follow follow, const Path& path)
     style.spacing_mm = 8.0F;
     style.spot_mm = 4.0F;
     style.age_s = 0.5F;
-    Bench bench({side, side}, path(0.0));
+    Bench bench({camera_side, camera_side}, path(0.0));
     shared::FrameGlobals seen = bench.globals();
     bench.depth_at = [&](glm::uvec2 pixel) {
         return static_cast<float>(ndc_of(seen, wall_at(seen, glm::dvec2(pixel) + 0.5)).z);
@@ -149,7 +150,7 @@ TEST(InkCamera, LeavesNoInkOnWhatWasHidden)
     style.spacing_mm = 4.0F;
     style.spot_mm = 2.0F;
     style.age_s = 0.5F;
-    Bench bench({side, side}, start);
+    Bench bench({camera_side, camera_side}, start_camera);
     const auto near_depth = static_cast<float>(ndc_of(bench.globals(), {0.0, 0.0, 2.0}).z);
     const auto far_depth = static_cast<float>(ndc_of(bench.globals(), {0.0, 0.0, -40.0}).z);
     uint32_t edge_px = 48;
@@ -165,7 +166,7 @@ TEST(InkCamera, LeavesNoInkOnWhatWasHidden)
     size_t inked = 0;
     size_t wrong = 0;
     for (uint32_t i = 0; i < after.size(); ++i) {
-        const uint32_t column = i % side;
+        const uint32_t column = i % camera_side;
         const bool came_into_sight = column >= beyond_halo && column < 48;
         inked += came_into_sight && before[i].x > 0.5F ? 1 : 0;
         wrong += came_into_sight && after[i].x != 0.0F ? 1 : 0;
@@ -179,7 +180,7 @@ TEST(InkCamera, StaysOnWhatMovesByItself)
 {
     InkStyle style = still_ink();
     style.follow = Follow::surface;
-    Bench bench({64, 64}, start);
+    Bench bench({64, 64}, start_camera);
     bench.fill(style, [](glm::uvec2 cell) {
         return glm::vec2(std::exp(-0.08F * glm::dot(glm::vec2(cell) - 23.5F, glm::vec2(cell) - 23.5F)), 0.0F);
     });
@@ -270,7 +271,7 @@ TEST(InkCamera, HasNoSeamsAroundTheEye)
     style.wind_mm_s = 12.0F;
     style.swirl_mm = 60.0F;
     style.swirl_mm_s = 10.0F;
-    Bench bench({side, side}, start);
+    Bench bench({camera_side, camera_side}, start_camera);
     const Grid grid = grid_of(style, bench.page());
     ASSERT_GT(grid.face_side, 60U);
     // Bands along great circles that cross all twelve edges.

@@ -10,7 +10,7 @@
 namespace estampe::light {
 namespace {
 
-constexpr glm::uvec2 size_px(96, 72);
+constexpr glm::uvec2 energy_px(96, 72);
 
 /// A sphere seen from within, all of it facing its centre.
 test::Drawing inside_of_sphere(float radius_m)
@@ -24,7 +24,7 @@ test::Drawing inside_of_sphere(float radius_m)
     }
     const Camera camera{
         .eye = {0.0, 0.0, 0.1}, .target = {0.3, 0.2, -1.0}, .vertical_fov_rad = 1.8, .near_m = 1e-3};
-    return {test::scene_of(std::move(sphere)), camera, size_px};
+    return {test::scene_of(std::move(sphere)), camera, energy_px};
 }
 
 TEST(LightEnergy, ALampInTheMiddleOfASphereGivesIntensityOverRadiusSquared)

@@ -10,8 +10,8 @@
 namespace estampe::light {
 namespace {
 
-constexpr glm::uvec2 size_px(192, 128);
-const Camera from_above{.eye = {0.0, 12.0, 0.1}, .vertical_fov_rad = 0.7};
+constexpr glm::uvec2 groups_px(192, 128);
+const Camera high_camera{.eye = {0.0, 12.0, 0.1}, .vertical_fov_rad = 0.7};
 
 /// Two floors side by side, each below a slab.
 Scene two_stages()
@@ -38,7 +38,7 @@ struct Floors {
 /// Light on the two floors, under a sun that stands aslant.
 Floors light_floors(const Scene& scene, const test::LightSetup& setup)
 {
-    test::Drawing drawing(scene, from_above, size_px);
+    test::Drawing drawing(scene, high_camera, groups_px);
     const auto light = drawing.light(setup);
     const auto surface = drawing.surface();
     Floors floors;

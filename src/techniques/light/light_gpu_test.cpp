@@ -14,7 +14,7 @@
 namespace estampe::light {
 namespace {
 
-constexpr glm::uvec2 size_px(120, 90);
+constexpr glm::uvec2 lit_px(120, 90);
 const Camera from_above{.eye = {0.0, 9.0, 5.0}, .vertical_fov_rad = 0.9};
 
 Scene floor_scene()
@@ -45,7 +45,7 @@ double arriving(const shared::LightRecord& light, const glm::dvec3& point, const
 
 glm::dvec2 centre_of(size_t i)
 {
-    return {static_cast<double>(i % size_px.x) + 0.5, static_cast<double>(i / size_px.x) + 0.5};
+    return {static_cast<double>(i % lit_px.x) + 0.5, static_cast<double>(i / lit_px.x) + 0.5};
 }
 
 /// Calls `expected` with the place of each pixel on the floor y = 0, and compares to within a half float's
@@ -68,7 +68,7 @@ void expect_on_floor(const test::Drawing& drawing, const std::vector<glm::vec4>&
 
 TEST(Light, APointLightFallsOffWithSquareAndCosine)
 {
-    test::Drawing drawing(floor_scene(), from_above, size_px);
+    test::Drawing drawing(floor_scene(), from_above, lit_px);
     const auto record = point_light({1.0F, 2.0F, -0.5F}, 3.0F);
     const auto light = drawing.light({.records = {record}});
     expect_on_floor(drawing, light, [&](const glm::dvec3& p) { return arriving(record, p, {0, 1, 0}); });
@@ -81,7 +81,7 @@ TEST(Light, APointLightFallsOffWithSquareAndCosine)
 
 TEST(Light, ARangeEndsALightSmoothly)
 {
-    test::Drawing drawing(floor_scene(), from_above, size_px);
+    test::Drawing drawing(floor_scene(), from_above, lit_px);
     const auto record = point_light({0.0F, 1.5F, 0.0F}, 3.0F, 3.0F);
     expect_on_floor(drawing, drawing.light({.records = {record}}), [&](const glm::dvec3& p) {
         return arriving(record, p, {0, 1, 0});
@@ -99,7 +99,7 @@ TEST(Light, ASpotLightsACone)
         {.transform = {.translation = place, .rotation = glm::quatLookAt(beam, glm::dvec3(0, 0, 1))},
          .light = 0});
     scene.roots.push_back(1);
-    test::Drawing drawing(scene, from_above, size_px);
+    test::Drawing drawing(scene, from_above, lit_px);
     LightStyle style;
     style.source = LightSource::scene;
     auto lighting =
@@ -122,7 +122,7 @@ TEST(Light, ManyLightsInTilesAreTheSumOfAll)
     Scene scene = test::scene_of(shapes::torus(2.0F, 0.7F));
     test::add_object(scene, shapes::plane(12.0F, 12.0F), glm::vec3(1.0F), {0.0, -1.0, 0.0});
     test::add_object(scene, shapes::sphere(0.6F), glm::vec3(1.0F), {0.0, 3.0, 0.0});
-    test::Drawing drawing(scene, from_above, size_px);
+    test::Drawing drawing(scene, from_above, lit_px);
     std::mt19937 random(5);
     const auto between = [&random](float low, float high) {
         return std::uniform_real_distribution<float>(low, high)(random);
@@ -155,7 +155,7 @@ TEST(Light, ManyLightsInTilesAreTheSumOfAll)
 
 TEST(Light, TheSunFollowsTheCosine)
 {
-    test::Drawing drawing(test::scene_of(shapes::sphere(2.0F, 64, 32)), from_above, size_px);
+    test::Drawing drawing(test::scene_of(shapes::sphere(2.0F, 64, 32)), from_above, lit_px);
     shared::LightRecord sun{};
     sun.type = shared::light_directional;
     sun.direction = glm::normalize(glm::vec3(1, 1, 0.3));
@@ -174,7 +174,7 @@ TEST(Light, TheSunFollowsTheCosine)
 
 TEST(Light, ALightBehindTheSurfaceLeavesTheAmbient)
 {
-    test::Drawing drawing(floor_scene(), from_above, size_px);
+    test::Drawing drawing(floor_scene(), from_above, lit_px);
     shared::LightRecord sun{};
     sun.type = shared::light_directional;
     sun.direction = glm::normalize(glm::vec3(0.2, -1, 0.1));
@@ -193,13 +193,13 @@ TEST(Light, UnlitIsOneAndEmissiveIsAdded)
     Scene scene = floor_scene();
     scene.materials[0].unlit = true;
     for (const glm::vec4& pixel :
-         test::Drawing(scene, from_above, size_px).light({.ambient = glm::vec3(0.25F)})) {
+         test::Drawing(scene, from_above, lit_px).light({.ambient = glm::vec3(0.25F)})) {
         EXPECT_EQ(pixel.x, 1.0F);
     }
     scene.materials[0].unlit = false;
     scene.materials[0].emissive = {0.5F, 2.0F, 0.0F};
     for (const glm::vec4& pixel :
-         test::Drawing(scene, from_above, size_px).light({.ambient = glm::vec3(0.25F)})) {
+         test::Drawing(scene, from_above, lit_px).light({.ambient = glm::vec3(0.25F)})) {
         EXPECT_NEAR(pixel.x, 0.75F, 1e-3F);
         EXPECT_NEAR(pixel.y, 2.25F, 2e-3F);
         EXPECT_NEAR(pixel.z, 0.25F, 1e-3F);

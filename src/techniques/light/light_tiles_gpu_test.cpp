@@ -14,8 +14,8 @@
 namespace estampe::light {
 namespace {
 
-constexpr glm::uvec2 size_px(160, 120);
-const Camera from_above{.eye = {0.0, 9.0, 5.0}, .vertical_fov_rad = 0.9};
+constexpr glm::uvec2 tiled_px(160, 120);
+const Camera tiled_camera{.eye = {0.0, 9.0, 5.0}, .vertical_fov_rad = 0.9};
 
 /// Things at several depths before a far floor, so that tiles hold gaps.
 Scene deep_scene()
@@ -76,7 +76,8 @@ double cone_share(const shared::LightRecord& light, const glm::dvec3& beam)
 }
 
 /// What one light gives to a point, by the formulas.
-double arriving(const shared::LightRecord& light, const glm::dvec3& point, const glm::dvec3& normal)
+double arriving_by_formulas(const shared::LightRecord& light, const glm::dvec3& point,
+                            const glm::dvec3& normal)
 {
     const glm::dvec3 to_light = glm::dvec3(light.position) - point;
     const double distance = glm::length(to_light);
@@ -106,7 +107,7 @@ Verdict compare_with_sum(test::Drawing& drawing, const std::vector<shared::Light
         const glm::dvec3 point = drawing.point_seen(i, surface.depth[i]);
         double wanted = 0.0;
         for (const shared::LightRecord& record : records) {
-            wanted += arriving(record, point, glm::dvec3(surface.shading_normal[i]));
+            wanted += arriving_by_formulas(record, point, glm::dvec3(surface.shading_normal[i]));
         }
         verdict.mean += wanted / static_cast<double>(light.size());
         const double error = std::min(wanted, 1.0) - std::min(static_cast<double>(light[i].x), 1.0);
@@ -117,7 +118,7 @@ Verdict compare_with_sum(test::Drawing& drawing, const std::vector<shared::Light
 
 TEST(LightTiles, AThousandLightsAreTheSumOfAll)
 {
-    test::Drawing drawing(deep_scene(), from_above, size_px);
+    test::Drawing drawing(deep_scene(), tiled_camera, tiled_px);
     const Verdict verdict = compare_with_sum(drawing, random_lights(1000, 3.0F, 0.2F));
     EXPECT_LT(verdict.worst, 1.0 / 255.0);
     EXPECT_GT(verdict.mean, 0.03);
@@ -126,11 +127,11 @@ TEST(LightTiles, AThousandLightsAreTheSumOfAll)
 TEST(LightTiles, TheSameWithoutListsAndInParallelProjection)
 {
     const auto records = random_lights(60, 6.0F, 1.0F);
-    test::Drawing few(deep_scene(), from_above, size_px);
+    test::Drawing few(deep_scene(), tiled_camera, tiled_px);
     EXPECT_LT(compare_with_sum(few, records).worst, 1.0 / 255.0);
-    Camera parallel = from_above;
+    Camera parallel = tiled_camera;
     parallel.orthographic_half_height_m = 5.0;
-    test::Drawing flat(deep_scene(), parallel, size_px);
+    test::Drawing flat(deep_scene(), parallel, tiled_px);
     const Verdict verdict = compare_with_sum(flat, random_lights(300, 3.0F, 0.4F));
     EXPECT_LT(verdict.worst, 1.0 / 255.0);
     EXPECT_GT(verdict.mean, 0.02);
@@ -138,10 +139,10 @@ TEST(LightTiles, TheSameWithoutListsAndInParallelProjection)
 
 TEST(LightTiles, TilesChangeNothing)
 {
-    Camera parallel = from_above;
+    Camera parallel = tiled_camera;
     parallel.orthographic_half_height_m = 5.0;
-    for (const Camera& camera : {from_above, parallel}) {
-        test::Drawing drawing(deep_scene(), camera, size_px);
+    for (const Camera& camera : {tiled_camera, parallel}) {
+        test::Drawing drawing(deep_scene(), camera, tiled_px);
         for (const size_t count : {50U, 1000U}) {
             const auto records = random_lights(count, 3.0F, 1.5F);
             const auto in_tiles = drawing.light({.records = records});
@@ -157,7 +158,7 @@ TEST(LightTiles, TilesChangeNothing)
 
 TEST(LightTiles, FewAreLookedAtThatDoNotReach)
 {
-    test::Drawing drawing(deep_scene(), from_above, size_px);
+    test::Drawing drawing(deep_scene(), tiled_camera, tiled_px);
     const auto visits = drawing.light({.records = random_lights(1000, 4.0F, 0.2F), .counts_visits = true});
     double looked_at = 0.0;
     double reach = 0.0;
@@ -182,7 +183,7 @@ TEST(LightTiles, AGapInDepthLetsLightsThrough)
                          {0.2 * i - 4.0, 20.0, 0.0});
     }
     const Camera camera{.eye = {0.0, 25.0, 0.1}, .vertical_fov_rad = 0.8};
-    test::Drawing drawing(scene, camera, size_px);
+    test::Drawing drawing(scene, camera, tiled_px);
     std::vector<shared::LightRecord> records = random_lights(100, 1.0F, 1.0F);
     for (shared::LightRecord& record : records) {
         record.position.y = 10.0F - static_cast<float>(drawing.layout.anchor.y);
@@ -196,7 +197,7 @@ TEST(LightTiles, AGapInDepthLetsLightsThrough)
 
 TEST(LightTiles, LightBeyondWhatHalfFloatsHoldIsCutNotInfinite)
 {
-    test::Drawing drawing(deep_scene(), from_above, size_px);
+    test::Drawing drawing(deep_scene(), tiled_camera, tiled_px);
     const auto light = drawing.light({.records = random_lights(1000, 30.0F, 1e5F)});
     const float brightest = std::max_element(light.begin(), light.end(), [](const auto& a, const auto& b) {
                                 return a.w < b.w;
@@ -208,7 +209,7 @@ TEST(LightTiles, LightBeyondWhatHalfFloatsHoldIsCutNotInfinite)
 
 TEST(LightTiles, TheStrongestLightIsKept)
 {
-    test::Drawing drawing(deep_scene(), from_above, size_px);
+    test::Drawing drawing(deep_scene(), tiled_camera, tiled_px);
     auto records = random_lights(90, 12.0F, 2.0F);
     shared::LightRecord sun{};
     sun.type = shared::light_directional;
@@ -229,7 +230,7 @@ TEST(LightTiles, TheStrongestLightIsKept)
         double most = 0.3 * std::max(0.0, normal.y);
         glm::dvec3 towards(0.0);
         for (size_t k = 1; k < records.size(); ++k) {
-            const double light = arriving(records[k], point, normal);
+            const double light = arriving_by_formulas(records[k], point, normal);
             towards = light > most ? glm::normalize(glm::dvec3(records[k].position) - point) : towards;
             most = std::max(most, light);
         }

@@ -24,14 +24,14 @@
 namespace estampe {
 namespace {
 
-constexpr uint32_t width = 96;
-constexpr uint32_t height = 64;
-constexpr double fov_rad = 0.7;
-constexpr glm::uvec2 small_px(width, height);
+constexpr uint32_t page_width_px = 96;
+constexpr uint32_t page_height_px = 64;
+constexpr double page_fov_rad = 0.7;
+constexpr glm::uvec2 small_px(page_width_px, page_height_px);
 
 Camera camera_at(const glm::dvec3& eye, const glm::dvec3& target)
 {
-    Camera camera{.eye = eye, .target = target, .vertical_fov_rad = fov_rad};
+    Camera camera{.eye = eye, .target = target, .vertical_fov_rad = page_fov_rad};
     camera.near_m = 0.1;
     return camera;
 }
@@ -48,35 +48,36 @@ glm::dmat3 axes_of(const Camera& camera)
 glm::dvec2 page_of(const Camera& camera, const glm::dvec3& from_eye)
 {
     const glm::dvec3 view = glm::transpose(axes_of(camera)) * from_eye;
-    const double scale = 0.5 * height / std::tan(0.5 * fov_rad);
-    return glm::dvec2(0.5 * width, 0.5 * height) + scale * glm::dvec2(view) / view.z;
+    const double scale = 0.5 * page_height_px / std::tan(0.5 * page_fov_rad);
+    return glm::dvec2(0.5 * page_width_px, 0.5 * page_height_px) + scale * glm::dvec2(view) / view.z;
 }
 
-glm::dvec3 ray_through(const Camera& camera, const glm::dvec2& page_px)
+glm::dvec3 page_ray(const Camera& camera, const glm::dvec2& page_px)
 {
-    const double scale = 0.5 * height / std::tan(0.5 * fov_rad);
-    return axes_of(camera) * glm::dvec3((page_px - glm::dvec2(0.5 * width, 0.5 * height)) / scale, 1.0);
+    const double scale = 0.5 * page_height_px / std::tan(0.5 * page_fov_rad);
+    return axes_of(camera) *
+           glm::dvec3((page_px - glm::dvec2(0.5 * page_width_px, 0.5 * page_height_px)) / scale, 1.0);
 }
 
 glm::dvec2 centre_of(size_t pixel)
 {
-    const size_t column = pixel % width;
-    const size_t row = pixel / width;
+    const size_t column = pixel % page_width_px;
+    const size_t row = pixel / page_width_px;
     return {static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
 }
 
-RenderSettings settings(double time_s, const std::optional<Moment>& since, glm::uvec2 size_px = small_px)
+RenderSettings settings_at(double time_s, const std::optional<Moment>& since, glm::uvec2 size_px = small_px)
 {
     return {.width = size_px.x, .height = size_px.y, .time_s = time_s, .motion_since = since};
 }
 
 /// Motion from one moment to another.
-const Motion& draw(const Moment& since, const Moment& now)
+const Motion& draw_motion(const Moment& since, const Moment& now)
 {
     Style bare;
     bare.set("picture.ground=none");
     bare.set("paper.margin_mm=0");
-    static_cast<void>(test::shared_renderer().render(now.camera, bare, settings(now.time_s, since)));
+    static_cast<void>(test::shared_renderer().render(now.camera, bare, settings_at(now.time_s, since)));
     return test::shared_renderer().motion();
 }
 
@@ -115,14 +116,14 @@ TEST(Motion, BetweenEqualMomentsNothingMoves)
     test::shared_renderer().set_scene(Wall::scene());
     const Moment moment{camera_at({0.5, 0.3, 3.0}, {0.0, 0.0, 0.0}), 0.4};
     for (int frame = 0; frame < 2; ++frame) {
-        const Motion& motion = draw(moment, moment);
-        ASSERT_EQ(motion.pixels.size(), size_t{width} * height);
+        const Motion& motion = draw_motion(moment, moment);
+        ASSERT_EQ(motion.pixels.size(), size_t{page_width_px} * page_height_px);
         for (const glm::vec4& pixel : motion.pixels) {
             ASSERT_EQ(glm::vec2(pixel), glm::vec2(0.0F));
             ASSERT_EQ(pixel.w, 1.0F);
         }
     }
-    static_cast<void>(test::shared_renderer().render(moment.camera, {}, settings(0.4, std::nullopt)));
+    static_cast<void>(test::shared_renderer().render(moment.camera, {}, settings_at(0.4, std::nullopt)));
     EXPECT_TRUE(test::shared_renderer().motion().pixels.empty());
 }
 
@@ -131,12 +132,12 @@ TEST(Motion, IsThatOfTheWallAndTheCamera)
     test::shared_renderer().set_scene(Wall::scene());
     const Camera first = camera_at({0.5, 0.3, 3.0}, {0.0, 0.0, 0.0});
     const Camera second = camera_at({0.3, 0.35, 2.8}, {0.05, 0.05, 0.0});
-    const std::vector<glm::vec4> motion = draw({first, 0.2}, {second, 0.6}).pixels;
+    const std::vector<glm::vec4> motion = draw_motion({first, 0.2}, {second, 0.6}).pixels;
     const glm::dvec3 wall_moved = glm::dvec3(Wall::place(0.6)[3] - Wall::place(0.2)[3]);
     const double wall_z = Wall::place(0.6)[3].z;
     size_t on_wall = 0;
     for (size_t i = 0; i < motion.size(); ++i) {
-        const glm::dvec3 ray = ray_through(second, centre_of(i));
+        const glm::dvec3 ray = page_ray(second, centre_of(i));
         glm::dvec3 before = ray; // infinitely far
         if (motion[i].z > 0.0F) {
             const glm::dvec3 seen = second.eye + ray * ((wall_z - second.eye.z) / ray.z);
@@ -152,8 +153,8 @@ TEST(Motion, IsThatOfTheWallAndTheCamera)
     EXPECT_GT(on_wall, motion.size() / 4);
     EXPECT_LT(on_wall, motion.size() - 100);
     // What was drawn in between does not matter, nor which way time runs.
-    EXPECT_NE(draw({second, 0.6}, {first, 0.1}).pixels, motion);
-    EXPECT_EQ(draw({first, 0.2}, {second, 0.6}).pixels, motion);
+    EXPECT_NE(draw_motion({second, 0.6}, {first, 0.1}).pixels, motion);
+    EXPECT_EQ(draw_motion({first, 0.2}, {second, 0.6}).pixels, motion);
 }
 
 /// A ball that morphs, a tube that bends by its skin, and a box that turns.
@@ -215,14 +216,14 @@ TEST(Motion, IsThatOfEachVertexOfWhatMorphsBendsAndTurns)
     const Moment since{camera_at({0.4, 0.5, 3.6}, {0.0, 0.05, 0.0}), 0.3};
     const Moment now{camera_at({0.1, 0.3, 3.4}, {0.05, 0.0, 0.0}), 0.7};
     test::shared_renderer().set_scene(scene);
-    const std::vector<glm::vec4> motion = draw(since, now).pixels;
+    const std::vector<glm::vec4> motion = draw_motion(since, now).pixels;
     const test::EmbreeScene rays(scene, now.time_s);
     const auto before = posed_at(scene, since.time_s);
     std::map<Index, size_t> compared;
     size_t elsewhere = 0; // another triangle was seen, as may be at an outline
     double worst_px = 0.0;
     for (size_t i = 0; i < motion.size(); ++i) {
-        const glm::dvec3 ray = glm::normalize(ray_through(now.camera, centre_of(i)));
+        const glm::dvec3 ray = glm::normalize(page_ray(now.camera, centre_of(i)));
         const auto hit = rays.first_hit(now.camera.eye, ray);
         if (!hit) {
             continue;
@@ -265,7 +266,7 @@ TEST(Motion, LeavesThePictureAsItIs)
         for (const double time_s : {0.1, 0.2}) {
             const Moment since{camera_at({0.0, 0.0, 9.0}, {0.0, 0.0, 0.0}), time_s - 0.07};
             image = renderer.render(camera, adapting,
-                                    settings(time_s, with_motion ? std::optional(since) : std::nullopt));
+                                    settings_at(time_s, with_motion ? std::optional(since) : std::nullopt));
         }
         return image.rgba;
     };
@@ -278,12 +279,12 @@ TEST(Motion, WhatWasBehindTheEyeIsNotKnown)
     test::add_object(scene, shapes::quad(40.0F, 40.0F), glm::vec3(0.5F), {0.0, -20.0, 0.0});
     test::shared_renderer().set_scene(scene);
     const Moment since{camera_at({0.0, 0.0, -3.0}, {0.0, 0.0, -6.0})};
-    for (const glm::vec4& pixel : draw(since, {camera_at({0.0, 0.0, 3.0}, {0.0, 0.0, 0.0})}).pixels) {
+    for (const glm::vec4& pixel : draw_motion(since, {camera_at({0.0, 0.0, 3.0}, {0.0, 0.0, 0.0})}).pixels) {
         ASSERT_EQ(pixel, glm::vec4(0.0F));
     }
 }
 
-double brightness(const Image& image, const glm::dvec2& page_px)
+double smooth_brightness(const Image& image, const glm::dvec2& page_px)
 {
     const glm::dvec2 corner = page_px - 0.5;
     const auto x = static_cast<size_t>(corner.x);
@@ -316,7 +317,7 @@ TEST(Motion, HatchingHoldsStillUnderIt)
         return camera_at({0.0, distance_m, 0.6 * distance_m}, {0.0, 0.0, 0.0});
     };
     const auto frame = [&](int step) {
-        RenderSettings how = settings(0.0, Moment{camera(step - 1)}, large);
+        RenderSettings how = settings_at(0.0, Moment{camera(step - 1)}, large);
         how.samples = 4;
         return test::shared_renderer().render(camera(step), ink, how);
     };
@@ -334,7 +335,7 @@ TEST(Motion, HatchingHoldsStillUnderIt)
             const glm::dvec2 there = here - glm::dvec2(motion[i]);
             if (there.x > 1.0 && there.y > 1.0 && there.x < large.x - 1.0 && there.y < large.y - 1.0) {
                 const double tone = now.rgba[4 * i] / 255.0;
-                warped += std::abs(tone - brightness(before, there));
+                warped += std::abs(tone - smooth_brightness(before, there));
                 still += std::abs(tone - before.rgba[4 * i] / 255.0);
                 count += 1.0;
             }

@@ -13,6 +13,7 @@
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
 #include "techniques/raster/paths.hpp"
+#include "techniques/raster/raster_test_support.hpp"
 
 namespace estampe::raster {
 namespace {
@@ -69,9 +70,9 @@ Scene mixed_scene()
     return scene;
 }
 
-const Camera camera{.eye = {0.4, 1.5, 5.0}, .target = {0.0, 0.9, 0.0}};
+const Camera paths_camera{.eye = {0.4, 1.5, 5.0}, .target = {0.0, 0.9, 0.0}};
 
-test::Drawing drawing_of(const Scene& scene, RasterPath path, const Camera& from = camera)
+test::Drawing drawing_of(const Scene& scene, RasterPath path, const Camera& from = paths_camera)
 {
     test::Drawing drawing(scene, from, page_px);
     drawing.path = path;
@@ -134,7 +135,7 @@ TEST(RasterPathsAgree, OnBodiesWithinSight)
 {
     Scene scene = test::scene_of(shapes::sphere(0.8F, 600, 300));
     test::add_object(scene, shapes::torus(1.3F, 0.3F), {0.5F, 0.5F, 0.5F});
-    const Agreement found = expect_agreement(scene, camera, "bodies");
+    const Agreement found = expect_agreement(scene, paths_camera, "bodies");
     EXPECT_LE(found.ulps_at(0.5), 16);
     EXPECT_LE(found.ulps_at(0.99), 256);
 }
@@ -143,7 +144,7 @@ TEST(RasterPathsAgree, OnPlainTriangles)
 {
     const Scene scene = plain_scene();
     ASSERT_TRUE(drawing_of(scene, RasterPath::compute).layout.opaque.plain);
-    const Agreement found = expect_agreement(scene, camera, "plain");
+    const Agreement found = expect_agreement(scene, paths_camera, "plain");
     EXPECT_LE(found.ulps_at(0.999), 512);
 }
 
@@ -152,7 +153,7 @@ TEST(RasterPathsAgree, OnTwoSidedMirroredAndMaskedOnes)
     const Scene scene = mixed_scene();
     test::Drawing drawing = drawing_of(scene, RasterPath::hardware);
     ASSERT_FALSE(drawing.layout.opaque.plain);
-    const Agreement found = expect_agreement(scene, camera, "mixed");
+    const Agreement found = expect_agreement(scene, paths_camera, "mixed");
     EXPECT_LE(found.ulps_at(0.999), 512);
     // All that the scene is meant to test is in sight: of the eight walls those that do not turn away.
     std::vector<bool> seen(drawing.layout.triangles.size(), false);
@@ -175,7 +176,7 @@ TEST(RasterPathsAgree, OnAMirroredNodeAlone)
     Scene scene = test::scene_of(shapes::sphere(0.8F, 60, 30));
     scene.materials[0].double_sided = false;
     scene.nodes[0].transform.scale = {-1.0, 1.0, 1.0};
-    (void)expect_agreement(scene, camera, "mirrored");
+    (void)expect_agreement(scene, paths_camera, "mirrored");
     for (const RasterPath path : {RasterPath::compute, RasterPath::hardware}) {
         test::Drawing drawing = drawing_of(scene, path);
         EXPECT_FALSE(drawing.layout.opaque.plain);
@@ -194,7 +195,7 @@ TEST(RasterPathsAgree, OnAMirroredNodeAlone)
 
 TEST(RasterPathsAgree, InParallelProjection)
 {
-    Camera parallel = camera;
+    Camera parallel = paths_camera;
     parallel.orthographic_half_height_m = 1.5;
     const Agreement found = expect_agreement(mixed_scene(), parallel, "parallel");
     EXPECT_LE(found.ulps_at(0.999), 4);
@@ -228,11 +229,6 @@ TEST_P(RasterPathDepth, IsTheSameEachTime)
 {
     test::Drawing drawing = drawing_of(mixed_scene(), GetParam());
     EXPECT_EQ(drawing.visibility(), drawing.visibility());
-}
-
-std::string path_name(const testing::TestParamInfo<RasterPath>& info)
-{
-    return name_of(info.param);
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, RasterPathDepth, testing::Values(RasterPath::compute, RasterPath::hardware),

@@ -288,11 +288,6 @@ TEST_P(RasterPaths, PeelsEverySecondPixel)
     }
 }
 
-std::string path_name(const testing::TestParamInfo<RasterPath>& info)
-{
-    return name_of(info.param);
-}
-
 /// More threads than one row of workgroups holds: each has an item of its own.
 TEST(Raster, ClearsALargePageToItsEnd)
 {

@@ -36,6 +36,11 @@ struct Way {
     Tuning tuning = {};
 };
 
+inline std::string path_name(const testing::TestParamInfo<RasterPath>& info)
+{
+    return name_of(info.param);
+}
+
 /// Corners, and triangles of them, on the device.
 struct SoupBuffers {
     gpu::Buffer vertices;

@@ -9,45 +9,37 @@
 #include "support/drawing.hpp"
 #include "support/embree_scene.hpp"
 #include "support/scenes.hpp"
+#include "techniques/shadow/shadow_test_support.hpp"
 
 namespace estampe::shadow {
 namespace {
 
-constexpr glm::uvec2 size_px(160, 120);
-constexpr uint32_t map_size = 512;
+constexpr glm::uvec2 shadow_page_px(160, 120);
+constexpr uint32_t shadow_map_size = 512;
 
-struct Verdict {
+struct SunVerdict {
     size_t compared = 0;
     size_t shadowed = 0;
     size_t wrong = 0;
 };
 
-shared::LightRecord sun_record(const glm::dvec3& towards_sun)
-{
-    shared::LightRecord sun{};
-    sun.type = shared::light_directional;
-    sun.direction = glm::vec3(towards_sun);
-    sun.color = glm::vec3(1.0F);
-    return sun;
-}
-
 glm::dvec2 centre_of(size_t i)
 {
-    return {static_cast<double>(i % size_px.x) + 0.5, static_cast<double>(i / size_px.x) + 0.5};
+    return {static_cast<double>(i % shadow_page_px.x) + 0.5, static_cast<double>(i / shadow_page_px.x) + 0.5};
 }
 
 /// Asks rays about every pixel that faces the sun, but for a band of two texels about the shadow's edge.
-Verdict compare(const Scene& scene, const Camera& camera, const glm::dvec3& towards_sun)
+SunVerdict compare_sun(const Scene& scene, const Camera& camera, const glm::dvec3& towards_sun)
 {
-    test::Drawing drawing(scene, camera, size_px);
+    test::Drawing drawing(scene, camera, shadow_page_px);
     const auto light = drawing.light(
-        {.records = {sun_record(towards_sun)}, .directional_count = 1, .shadow_size = map_size});
+        {.records = {sun_record(towards_sun)}, .directional_count = 1, .shadow_size = shadow_map_size});
     const auto surface = drawing.surface();
-    const double texel_m = static_cast<double>(drawing.sun(towards_sun, map_size).texel_m);
+    const double texel_m = static_cast<double>(drawing.sun(towards_sun, shadow_map_size).texel_m);
     const glm::dvec3 right = glm::normalize(glm::cross(towards_sun, glm::dvec3(0.1, 0.2, 0.9)));
     const glm::dvec3 up = glm::cross(right, towards_sun);
     const test::EmbreeScene rays(scene);
-    Verdict verdict;
+    SunVerdict verdict;
     for (size_t i = 0; i < light.size(); ++i) {
         const glm::dvec3 normal(surface.smooth_normal[i]);
         const double cosine = glm::dot(normal, towards_sun);
@@ -82,7 +74,7 @@ TEST(Shadow, AgreesWithRays)
     const Camera camera{.eye = {4.0, 6.0, 8.0}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.8};
     for (const glm::dvec3 sun :
          {glm::dvec3(0.5, 0.8, 0.3), glm::dvec3(-0.9, 0.35, 0.2), glm::dvec3(0.05, 1.0, 0.02)}) {
-        const Verdict verdict = compare(scene, camera, glm::normalize(sun));
+        const SunVerdict verdict = compare_sun(scene, camera, glm::normalize(sun));
         EXPECT_LT(static_cast<double>(verdict.wrong), 0.01 * static_cast<double>(verdict.compared))
             << verdict.wrong << " of " << verdict.compared;
         EXPECT_GT(verdict.shadowed, 200U);
@@ -95,9 +87,9 @@ TEST(Shadow, ARoundFormDoesNotShadowItself)
     const Scene scene = test::scene_of(shapes::sphere(1.0F, 96, 48));
     for (const glm::dvec3 sun : {glm::dvec3(1, 0.1, 0), glm::dvec3(0.3, 1, 0.2), glm::dvec3(-1, 0.5, -1)}) {
         const glm::dvec3 towards_sun = glm::normalize(sun);
-        test::Drawing drawing(scene, test::front_camera(4.0, 0.6), size_px);
+        test::Drawing drawing(scene, test::front_camera(4.0, 0.6), shadow_page_px);
         const auto light = drawing.light(
-            {.records = {sun_record(towards_sun)}, .directional_count = 1, .shadow_size = map_size});
+            {.records = {sun_record(towards_sun)}, .directional_count = 1, .shadow_size = shadow_map_size});
         const auto surface = drawing.surface();
         size_t dark = 0;
         for (size_t i = 0; i < light.size(); ++i) {
@@ -116,11 +108,11 @@ TEST(Shadow, BeginsWhereTheBoxStandsAndEndsWhereItsTopFalls)
     test::add_object(scene, shapes::box({1.0F, 1.0F, 1.0F}), glm::vec3(1.0F));
     const glm::dvec3 towards_sun = glm::normalize(glm::dvec3(1, 1, 0));
     const Camera camera{.eye = {-1.4, 1.6, 0.1}, .target = {-1.0, 0.0, 0.0}, .vertical_fov_rad = 0.8};
-    test::Drawing drawing(scene, camera, size_px);
+    test::Drawing drawing(scene, camera, shadow_page_px);
     const auto light = drawing.light(
-        {.records = {sun_record(towards_sun)}, .directional_count = 1, .shadow_size = map_size});
+        {.records = {sun_record(towards_sun)}, .directional_count = 1, .shadow_size = shadow_map_size});
     const auto surface = drawing.surface();
-    const double texel_m = static_cast<double>(drawing.sun(towards_sun, map_size).texel_m);
+    const double texel_m = static_cast<double>(drawing.sun(towards_sun, shadow_map_size).texel_m);
     size_t looked_at = 0;
     size_t lit = 0;
     for (size_t i = 0; i < light.size(); ++i) {

@@ -24,7 +24,7 @@ struct SkyPixels {
     std::vector<float> ink;
 };
 
-SkyPixels paint(const View& view, SkyStyle style)
+SkyPixels paint_sky(const View& view, SkyStyle style)
 {
     style.horizon = horizon;
     style.zenith = zenith;
@@ -63,9 +63,9 @@ double zenith_share(const glm::vec4& wash)
 TEST(Sky, IsBlankBehindWhatIsNear)
 {
     View view{.camera = looking(20.0, 25.0, 1.2)};
-    const SkyPixels all = paint(view, {});
+    const SkyPixels all = paint_sky(view, {});
     view.far_m = 100.0F;
-    const SkyPixels seen = paint(view, {});
+    const SkyPixels seen = paint_sky(view, {});
     for (size_t i = 0; i < all.wash.size(); ++i) {
         EXPECT_EQ(seen.wash[i], view.is_covered(i) ? glm::vec4(1.0F) : all.wash[i]) << i;
         EXPECT_EQ(seen.ink[i], view.is_covered(i) ? 0.0F : all.ink[i]) << i;
@@ -75,7 +75,7 @@ TEST(Sky, IsBlankBehindWhatIsNear)
 TEST(Sky, WashGoesFromHorizonToZenithByItsEquation)
 {
     const View view{.camera = looking(10.0, 25.0, 1.2)};
-    const auto wash = paint(view, {}).wash;
+    const auto wash = paint_sky(view, {}).wash;
     size_t below = 0;
     for (size_t i = 0; i < wash.size(); ++i) {
         const glm::dvec3 d = view.direction(centre_of(i, view.size_px));
@@ -91,7 +91,7 @@ TEST(Sky, WashGoesFromHorizonToZenithByItsEquation)
                 << "never back towards the horizon on the way up";
         }
     }
-    for (const glm::vec4& color : paint({.camera = looking(80.0, 0.0, 0.5)}, {}).wash) {
+    for (const glm::vec4& color : paint_sky({.camera = looking(80.0, 0.0, 0.5)}, {}).wash) {
         EXPECT_NEAR(zenith_share(color), 1.0, 1e-3);
     }
 }
@@ -100,8 +100,8 @@ TEST(Sky, WashDoesNotDependOnThePicturesSize)
 {
     const View small{.camera = looking(20.0, -40.0, 1.0), .size_px = {40, 30}, .pixels_per_mm = 1.0F};
     const View large{.camera = small.camera, .size_px = {120, 90}, .pixels_per_mm = 3.0F};
-    const auto few = paint(small, {}).wash;
-    const auto many = paint(large, {}).wash;
+    const auto few = paint_sky(small, {}).wash;
+    const auto many = paint_sky(large, {}).wash;
     for (size_t y = 0; y < 30; ++y) {
         for (size_t x = 0; x < 40; ++x) {
             // The middle one of nine small pixels has the centre of the large one.
@@ -135,7 +135,7 @@ TEST(Sky, KeepsItsColoursUnlessTheSunStandsByTheHour)
     SkyStyle style;
     style.noon_zenith = {0.4F, 0.4F, 0.4F};
     style.night_zenith = {0.0F, 0.0F, 0.1F};
-    const auto top = [&] { return glm::vec3(paint(view, style).wash.front()); };
+    const auto top = [&] { return glm::vec3(paint_sky(view, style).wash.front()); };
     const auto is = [](const glm::vec3& a, const glm::vec3& b) { return glm::distance(a, b) < 2e-3F; };
     EXPECT_TRUE(is(top(), zenith)) << "by direction";
     view.daylight_rad = 1.0F;
@@ -166,7 +166,7 @@ TEST(Sky, StrokesHaveTheDarknessOfTheirPlace)
                             .size_px = size_px,
                             .towards_sun = glm::vec3(sunwards) + glm::vec3(0.0F, 0.7F, 0.0F),
                             .pixels_per_mm = 8.0F};
-            const auto ink = paint(view, style).ink;
+            const auto ink = paint_sky(view, style).ink;
             for (size_t i = 0; i < ink.size(); ++i) {
                 const glm::dvec3 d = view.direction(centre_of(i, size_px));
                 const double height = std::clamp(1.9 * d.y, 0.0, 1.0);
@@ -193,7 +193,7 @@ TEST(Sky, StrokesLieLevelAndHaveTheirWidth)
                     .size_px = {200, 200},
                     .towards_sun = {0.0F, 0.0F, 1.0F},
                     .pixels_per_mm = 8.0F};
-    const auto ink = paint(view, style).ink;
+    const auto ink = paint_sky(view, style).ink;
     const auto at = [&](size_t x, size_t y) { return static_cast<double>(ink[y * 200 + x]); };
     double along = 0.0;
     double across = 0.0;
@@ -221,7 +221,7 @@ TEST(Sky, StrokesHaveNoSeamBehind)
                     .size_px = {200, 200},
                     .towards_sun = {0.0F, 0.0F, -1.0F},
                     .pixels_per_mm = 8.0F};
-    const auto ink = paint(view, style).ink;
+    const auto ink = paint_sky(view, style).ink;
     const auto step = [&](size_t x) {
         double sum = 0.0;
         for (size_t y = 0; y < 200; ++y) {
@@ -254,7 +254,7 @@ TEST(Sky, DiscStandsWhereTheSunDoesAndIsAsWide)
         style.low_band_deg = 90.0F;
         double solid_angle = 0.0;
         glm::dvec3 sum(0.0);
-        const auto wash = paint(view, style).wash;
+        const auto wash = paint_sky(view, style).wash;
         for (size_t i = 0; i < wash.size(); ++i) {
             const glm::dvec2 px = centre_of(i, view.size_px);
             const glm::dvec3 d = view.direction(px);
@@ -289,7 +289,7 @@ TEST(Sky, NothingOfADiscIsUnderTheHorizon)
     style.disc_deg = 20.0F;
     style.sun_color = {1.0F, 0.0F, 0.0F};
     View view{.camera = looking(0.0, 0.0, 0.6), .size_px = {60, 60}, .towards_sun = {0.0F, 0.0F, -1.0F}};
-    const auto wash = paint(view, style).wash;
+    const auto wash = paint_sky(view, style).wash;
     EXPECT_EQ(glm::vec3(wash[27 * 60 + 30]), style.sun_color);
     EXPECT_NEAR(wash[32 * 60 + 30].y, horizon.y, 1e-3F);
 }
@@ -298,12 +298,12 @@ TEST(Sky, BandsAreWipedInFromAboveAndBelow)
 {
     SkyStyle style;
     const View view{.camera = looking(30.0, 25.0, 1.2)};
-    const auto plain = paint(view, style).wash;
+    const auto plain = paint_sky(view, style).wash;
     style.high_band = {0.0F, 1.0F, 0.0F};
     style.high_band_deg = 40.0F;
     style.low_band = {1.0F, 0.0F, 0.0F};
     style.low_band_deg = 5.0F;
-    const auto banded = paint(view, style).wash;
+    const auto banded = paint_sky(view, style).wash;
     for (size_t i = 0; i < banded.size(); ++i) {
         const double deg = std::asin(view.direction(centre_of(i, view.size_px)).y) * 180.0 / std::numbers::pi;
         if (deg > 52.5) {
@@ -317,7 +317,7 @@ TEST(Sky, BandsAreWipedInFromAboveAndBelow)
     style = {};
     style.steps = 3;
     std::vector<float> shares;
-    for (const glm::vec4& color : paint(view, style).wash) {
+    for (const glm::vec4& color : paint_sky(view, style).wash) {
         shares.push_back(static_cast<float>(zenith_share(color)));
     }
     const auto flat = [&](float share) {
@@ -333,12 +333,12 @@ TEST(Sky, NoDarknessIsNoInkAndNoSkyIsOneBlankTexel)
     SkyStyle style;
     style.darkness = 0.0F;
     const View view{.camera = looking(40.0, 0.0, 0.9)};
-    for (const float ink : paint(view, style).ink) {
+    for (const float ink : paint_sky(view, style).ink) {
         EXPECT_EQ(ink, 0.0F);
     }
     View bare = view;
     bare.drawn = false;
-    const auto blank = paint(bare, {});
+    const auto blank = paint_sky(bare, {});
     EXPECT_EQ(blank.wash, std::vector{glm::vec4(1.0F)});
     EXPECT_EQ(blank.ink, std::vector{0.0F});
 }
@@ -347,7 +347,7 @@ TEST(Sky, ParallelProjectionGivesOneEvenTone)
 {
     View view{.camera = looking(30.0, 10.0, 0.9)};
     view.camera.orthographic_half_height_m = 5.0;
-    const auto sky = paint(view, {});
+    const auto sky = paint_sky(view, {});
     for (size_t i = 1; i < sky.wash.size(); ++i) {
         EXPECT_EQ(sky.wash[i], sky.wash[0]);
         EXPECT_EQ(sky.ink[i], sky.ink[0]);

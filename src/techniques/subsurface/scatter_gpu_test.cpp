@@ -12,20 +12,21 @@
 #include "gpu/resources.hpp"
 #include "support/gpu_device.hpp"
 #include "support/layers.hpp"
+#include "techniques/subsurface/subsurface_test_support.hpp"
 
 namespace estampe::subsurface {
 namespace {
 
-constexpr glm::uvec2 size_px(160, 96);
+constexpr glm::uvec2 sheet_px(160, 96);
 constexpr double near_m = 0.1;
 constexpr double away_m = 5.0;
-const Camera camera{
+const Camera sheet_camera{
     .eye = {0.0, 0.0, away_m}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.5, .near_m = near_m};
 
 /// What a pixel spans on a sheet that faces the camera.
 double pixel_m()
 {
-    return 2.0 * away_m * std::tan(0.25) / size_px.y;
+    return 2.0 * away_m * std::tan(0.25) / sheet_px.y;
 }
 
 struct Painted {
@@ -45,7 +46,7 @@ SubsurfaceStyle spreading(double scatter_px, const glm::vec3& color = glm::vec3(
 
 /// Of a part of the page, or of all.
 std::vector<glm::vec4> spread(const Painted& page, const SubsurfaceStyle& style, glm::uvec2 from_px = {0, 0},
-                              glm::uvec2 part_px = size_px, bool on_processor = false)
+                              glm::uvec2 part_px = sheet_px, bool on_processor = false)
 {
     const auto shifted = [&](const auto& painter) {
         return [&painter, from_px](glm::uvec2 pixel) { return painter(pixel + from_px); };
@@ -53,7 +54,7 @@ std::vector<glm::vec4> spread(const Painted& page, const SubsurfaceStyle& style,
     auto light = test::Layer::color(part_px, shifted(page.light));
     auto depth = test::Layer::depth(part_px, shifted(page.depth));
     auto draw = test::Layer::words(part_px, shifted(page.draw));
-    auto globals = features::frame_globals(camera, {}, {}, {.size_px = size_px});
+    auto globals = features::frame_globals(sheet_camera, {}, {}, {.size_px = sheet_px});
     globals.size_px = part_px;
     globals.tile_from_px = from_px;
     auto frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{globals});
@@ -77,20 +78,6 @@ std::vector<glm::vec4> spread(const Painted& page, const SubsurfaceStyle& style,
     return test::run_and_read_colors(graph, result);
 }
 
-/// Share of Burley's profile within `x` times d of a line through its middle, to one side: his profile
-/// integrated along lines, which gives modified Bessel functions, and then across, by x = s^2.
-double beside_line(double x)
-{
-    constexpr int steps = 4000;
-    double sum = 0.0;
-    for (int i = 0; i < steps; ++i) {
-        const double s = (i + 0.5) * std::sqrt(x) / steps;
-        const double t = s * s;
-        sum += (std::cyl_bessel_k(0.0, t) + std::cyl_bessel_k(0.0, t / 3.0)) * 2.0 * s;
-    }
-    return sum * std::sqrt(x) / steps / (4.0 * std::numbers::pi);
-}
-
 TEST(Scatter, IntegratesTheProfileOnce)
 {
     EXPECT_NEAR(beside_line(60.0), 0.5, 1e-4);
@@ -103,13 +90,13 @@ glm::dvec3 worst_of_step(double scatter_px, const glm::vec3& color)
         spread({.light = [](glm::uvec2 pixel) { return glm::vec4(pixel.x < 80 ? 1.0F : 0.0F); }},
                spreading(scatter_px, color));
     glm::dvec3 worst(0.0);
-    for (uint32_t x = 0; x < size_px.x; ++x) {
+    for (uint32_t x = 0; x < sheet_px.x; ++x) {
         for (int channel = 0; channel < 3; ++channel) {
             const double off_px = x + 0.5 - 80.0;
             const double beside =
                 beside_line(std::abs(off_px) / (scatter_px * static_cast<double>(color[channel])));
             const double wanted = off_px < 0.0 ? 0.5 + beside : 0.5 - beside;
-            const double got = static_cast<double>(result[size_t{48} * size_px.x + x][channel]);
+            const double got = static_cast<double>(result[size_t{48} * sheet_px.x + x][channel]);
             worst[channel] = std::max(worst[channel], std::abs(got - wanted));
         }
     }
@@ -166,8 +153,8 @@ TEST(Scatter, LeavesWhatSpreadsWithinPixelsToTheBit)
 {
     const auto stripes = [](glm::uvec2 pixel) { return glm::vec4(pixel.x % 3 == 0 ? 1.0F : 0.25F); };
     const std::vector<glm::vec4> result = spread({.light = stripes}, spreading(0.04));
-    for (uint32_t x = 0; x < size_px.x; ++x) {
-        EXPECT_EQ(result[size_t{48} * size_px.x + x].x, stripes({x, 48}).x) << x;
+    for (uint32_t x = 0; x < sheet_px.x; ++x) {
+        EXPECT_EQ(result[size_t{48} * sheet_px.x + x].x, stripes({x, 48}).x) << x;
     }
 }
 
@@ -182,10 +169,10 @@ TEST(Scatter, DoesNotCrossAGap)
     };
     page.draw = [](glm::uvec2 pixel) { return pixel.x < 120 ? 1U : 0U; };
     const std::vector<glm::vec4> result = spread(page, spreading(5.0));
-    for (uint32_t y = 0; y < size_px.y; ++y) {
-        for (uint32_t x = 0; x < size_px.x; ++x) {
+    for (uint32_t y = 0; y < sheet_px.y; ++y) {
+        for (uint32_t x = 0; x < sheet_px.x; ++x) {
             const float wanted = x < 60 ? 1.0F : x < 120 ? 0.0F : 5.0F;
-            EXPECT_NEAR(result[size_t{y} * size_px.x + x].x, wanted, 2e-3F) << x;
+            EXPECT_NEAR(result[size_t{y} * sheet_px.x + x].x, wanted, 2e-3F) << x;
         }
     }
 }
@@ -202,7 +189,7 @@ TEST(Scatter, IsOnAProcessorWhatItIsOnAGpu)
         return static_cast<float>(near_m / (away_m + 0.01 * (pixel.x % 9) + 0.03 * (pixel.y % 5)));
     };
     page.draw = [](glm::uvec2 pixel) { return pixel.x % 23 < 20 ? 1U : 0U; };
-    for (const glm::uvec2 part_px : {size_px, glm::uvec2(113, 71)}) {
+    for (const glm::uvec2 part_px : {sheet_px, glm::uvec2(113, 71)}) {
         for (const double scatter_px : {2.0, 36.0}) {
             const SubsurfaceStyle style = spreading(scatter_px);
             const auto by_threads = spread(page, style, {0, 0}, part_px, true);
@@ -228,7 +215,7 @@ TEST(Scatter, IsInTilesWhatItIsOnTheWholePage)
         int count = 0;
         for (uint32_t y = reach; y < part_px.y - reach; ++y) {
             for (uint32_t x = reach; x < part_px.x - reach; ++x) {
-                const glm::vec4 wanted = whole[size_t{y + from_px.y} * size_px.x + x + from_px.x];
+                const glm::vec4 wanted = whole[size_t{y + from_px.y} * sheet_px.x + x + from_px.x];
                 EXPECT_EQ(part[size_t{y} * part_px.x + x], wanted) << x << ", " << y;
                 ++count;
             }

@@ -17,7 +17,7 @@
 namespace estampe::subsurface {
 namespace {
 
-const Camera camera{.eye = {0.0, 0.5, 4.0}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.6};
+const Camera body_camera{.eye = {0.0, 0.5, 4.0}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.6};
 constexpr RenderSettings small{.width = 120, .height = 90};
 
 /// Two slabs against the sun; in the one of skin there is a thin one of stone.
@@ -57,7 +57,7 @@ protected:
 
     [[nodiscard]] Image draw(const std::vector<std::string>& assignments)
     {
-        return renderer.render(camera, with(assignments), small);
+        return renderer.render(body_camera, with(assignments), small);
     }
 
     Renderer& renderer = test::shared_renderer();
@@ -97,7 +97,7 @@ TEST_F(SubsurfaceInPictures, LightInThingsHasNoSeamsBetweenTiles)
 {
     const Style style = with({"subsurface.drawn=true", "subsurface.depth_m=0.1", "subsurface.scatter_m=0.2",
                               "subsurface.reach_mm=18"});
-    EXPECT_LE(test::most_between_tiles(camera, style, 130), 2);
+    EXPECT_LE(test::most_between_tiles(body_camera, style, 130), 2);
 }
 
 /// A clear slab of some thickness before a wall whose left half is bright.

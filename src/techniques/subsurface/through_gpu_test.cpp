@@ -18,8 +18,8 @@
 namespace estampe::subsurface {
 namespace {
 
-constexpr glm::uvec2 size_px(120, 96);
-constexpr glm::uvec2 half_px = size_px / 2U;
+constexpr glm::uvec2 through_px(120, 96);
+constexpr glm::uvec2 half_px = through_px / 2U;
 
 /// Of every second pixel each way.
 struct Far {
@@ -44,13 +44,13 @@ size_t half_at(glm::uvec2 pixel)
 Far far_side_of(const Scene& scene, const Camera& camera, const SubsurfaceStyle& style,
                 RasterPath path = RasterPath::compute)
 {
-    test::Drawing drawing(scene, camera, size_px);
+    test::Drawing drawing(scene, camera, through_px);
     drawing.path = path;
     const test::SurfacePixels seen = drawing.surface();
-    const auto at = [](glm::uvec2 pixel) { return size_t{pixel.y} * size_px.x + pixel.x; };
-    auto draw = test::Layer::words(size_px, [&](glm::uvec2 p) { return seen.draw[at(p)]; });
-    auto depth = test::Layer::depth(size_px, [&](glm::uvec2 p) { return seen.depth[at(p)]; });
-    auto normal = test::Layer::normals(size_px, [&](glm::uvec2 p) {
+    const auto at = [](glm::uvec2 pixel) { return size_t{pixel.y} * through_px.x + pixel.x; };
+    auto draw = test::Layer::words(through_px, [&](glm::uvec2 p) { return seen.draw[at(p)]; });
+    auto depth = test::Layer::depth(through_px, [&](glm::uvec2 p) { return seen.depth[at(p)]; });
+    auto normal = test::Layer::normals(through_px, [&](glm::uvec2 p) {
         return seen.depth[at(p)] > 0.0F ? seen.smooth_normal[at(p)] : glm::vec3(0.0F, 0.0F, 1.0F);
     });
     auto far_light = test::Layer::color(half_px, [](glm::uvec2) { return glm::vec4(1.0F); });
@@ -61,7 +61,7 @@ Far far_side_of(const Scene& scene, const Camera& camera, const SubsurfaceStyle&
     auto visibility = gpu::upload_buffer(test::shared_device(), "visibility", words);
     Far result;
     for (int wanted = 0; wanted < 3; ++wanted) {
-        auto light = test::Layer::color(size_px, [](glm::uvec2) { return glm::vec4(0.0F); });
+        auto light = test::Layer::color(through_px, [](glm::uvec2) { return glm::vec4(0.0F); });
         gpu::Graph graph;
         const raster::RasterInputs meshes = drawing.raster_inputs(graph);
         const raster::Batch body{.first_triangle = drawing.layout.opaque.first,
@@ -69,7 +69,7 @@ Far far_side_of(const Scene& scene, const Camera& camera, const SubsurfaceStyle&
         const gpu::BufferId behind =
             raster::add_visibility(graph, "behind", meshes, {&body, 1},
                                    {.clip_from_anchor = drawing.globals.clip_from_anchor,
-                                    .size_px = size_px,
+                                    .size_px = through_px,
                                     .cull_back_faces = false,
                                     .path = path,
                                     .behind = gpu::import_whole(graph, "visibility", visibility),
@@ -80,7 +80,7 @@ Far far_side_of(const Scene& scene, const Camera& camera, const SubsurfaceStyle&
                                       .normal = normal.in(graph),
                                       .looks = gpu::import_whole(graph, "looks", looks),
                                       .look_of_draw = std::nullopt,
-                                      .size_px = size_px};
+                                      .size_px = through_px};
         const FarSide far_side = add_far_side(graph, inputs, behind, meshes.triangles, meshes.posed_vertices);
         if (wanted == 0) {
             result.draw = test::run_and_read_as<uint32_t>(graph, far_side.draw);
@@ -106,8 +106,8 @@ Far far_side_of(const Scene& scene, const Camera& camera, const SubsurfaceStyle&
 /// How long the eye's ray through a pixel is within a sphere about the origin.
 double chord_m(const Camera& camera, glm::uvec2 pixel, double radius_m)
 {
-    const auto globals = features::frame_globals(camera, {}, camera.eye, {.size_px = size_px});
-    const glm::dvec2 ndc = 2.0 * (glm::dvec2(pixel) + 0.5) / glm::dvec2(size_px) - 1.0;
+    const auto globals = features::frame_globals(camera, {}, camera.eye, {.size_px = through_px});
+    const glm::dvec2 ndc = 2.0 * (glm::dvec2(pixel) + 0.5) / glm::dvec2(through_px) - 1.0;
     const glm::dvec4 p = glm::inverse(glm::dmat4(globals.clip_from_anchor)) * glm::dvec4(ndc, 0.5, 1.0);
     const glm::dvec3 way = glm::normalize(glm::dvec3(p) / p.w);
     const double nearest = glm::dot(-camera.eye, way);
@@ -152,7 +152,7 @@ TEST(Through, AbsorbsAsBeerAndLambertSay)
         const SubsurfaceStyle style{
             .drawn = true, .depth_m = 0.1F, .tint = {0.8F, 0.5F, 0.1F}, .strength = 0.75F};
         const Far far = far_side_of(scene, camera, style);
-        const glm::vec4 through = far.light[half_at(size_px / 2U)];
+        const glm::vec4 through = far.light[half_at(through_px / 2U)];
         for (int channel = 0; channel < 3; ++channel) {
             const double wanted = 0.75 * std::pow(static_cast<double>(style.tint[channel]),
                                                   static_cast<double>(thickness_m) / 0.1);

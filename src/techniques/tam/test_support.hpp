@@ -25,6 +25,13 @@ inline TamStyle small_style(Tool tool = Tool::pen, int size_px = 128)
     return style;
 }
 
+/// One that is quickest.
+inline const TonalArtMap& small_map()
+{
+    static const TonalArtMap map = make_map(small_style(Tool::pen, 32));
+    return map;
+}
+
 /// The message of the Error that `job` throws; empty when it throws none.
 template <typename Job>
 std::string message_of(Job job)

@@ -72,7 +72,7 @@ double farthest_apart_m(const State& a, const State& b)
     return most_m;
 }
 
-constexpr glm::vec3 middle_m{0.4F, -0.5F, 0.2F};
+constexpr glm::vec3 box_middle_m{0.4F, -0.5F, 0.2F};
 
 TEST(ClothFlow, EvenAirInABoxIsAsEvenWind)
 {
@@ -87,7 +87,8 @@ TEST(ClothFlow, EvenAirInABoxIsAsEvenWind)
         const glm::mat3 turned_back(glm::rotate(glm::mat4(1.0F), -turn_rad, glm::vec3(0.0F, 1.0F, 0.0F)));
         Lab stirred_lab(sheet);
         stirred_lab.air.air_kg_m3 = 1.2F;
-        fill(stirred_lab, box_about(middle_m, turn_rad), [&](glm::vec3) { return turned_back * wind_m_s; });
+        fill(stirred_lab, box_about(box_middle_m, turn_rad),
+             [&](glm::vec3) { return turned_back * wind_m_s; });
         const double seconds = side == 12 ? 0.25 : 0.1;
         const State hung = Lab(sheet).run(seconds);
         const State wanted = blown.run(seconds);
@@ -103,7 +104,7 @@ TEST(ClothFlow, IsReadWhereTheSheetIs)
     Lab lab(sheet);
     lab.air.air_kg_m3 = 1.2F;
     lab.air.gravity_m_s2 = {};
-    fill(lab, box_about(middle_m, 0.0F), [&](glm::vec3 at) {
+    fill(lab, box_about(box_middle_m, 0.0F), [&](glm::vec3 at) {
         return glm::vec3(0.0F, 0.0F, 3.0F * (at.y - 0.5F * static_cast<float>(cells.y)) * cell_m);
     });
     const State state = lab.run(1.0 / 120.0);
@@ -138,9 +139,9 @@ TEST(ClothFlow, WakesASheetThatRests)
         sheet.cloth.self_m = self_m;
         Lab lab(sheet);
         lab.air.air_kg_m3 = 1.2F;
-        fill(lab, box_about(middle_m, 0.0F), [](glm::vec3) { return glm::vec3(0.0F, 0.0F, 0.02F); });
+        fill(lab, box_about(box_middle_m, 0.0F), [](glm::vec3) { return glm::vec3(0.0F, 0.0F, 0.02F); });
         ASSERT_EQ(lab.run(2.0).calm_s, shared::cloth_rest_s);
-        fill(lab, box_about(middle_m, 0.0F), [](glm::vec3) { return glm::vec3(0.0F, 0.0F, 0.5F); });
+        fill(lab, box_about(box_middle_m, 0.0F), [](glm::vec3) { return glm::vec3(0.0F, 0.0F, 0.5F); });
         EXPECT_EQ(lab.run(0.1).calm_s, 0.0F);
     }
 }

@@ -12,8 +12,6 @@
 namespace estampe::cloth {
 namespace {
 
-constexpr double gravity_m_s2 = 9.81;
-
 std::vector<glm::uvec2> torn_of(Lab& lab)
 {
     gpu::Graph graph;

@@ -26,13 +26,6 @@ namespace {
 
 using shared::ChainPoint;
 
-constexpr glm::uvec2 page_px{320, 240};
-
-bool bit(const std::vector<uint32_t>& words, size_t i)
-{
-    return (words[i / 32] >> (i % 32) & 1U) != 0;
-}
-
 /// Which triangles face an eye, computed on the CPU with the same rounding as in the shaders.
 class Facing {
 public:
@@ -75,7 +68,7 @@ private:
 /// Expects outlines exactly at the edges between a front and a back.
 void expect_edges_as_searched(const Scene& scene, const Camera& camera, const std::string& name)
 {
-    test::Drawing drawing(scene, camera, page_px);
+    test::Drawing drawing(scene, camera, small_page_px);
     const EdgeMesh mesh = features::edge_mesh_of(drawing.layout);
     const auto lists =
         drawing.chains({.silhouettes = Silhouettes::edges, .crease_deg = 180.0F, .intersection_mm = 0.0F});
@@ -115,7 +108,7 @@ void expect_edges_as_searched(const Scene& scene, const Camera& camera, const st
 /// Expects smooth outlines exactly in the triangles whose corners do not all face the same way.
 void expect_triangles_as_searched(const Scene& scene, const Camera& camera, const std::string& name)
 {
-    test::Drawing drawing(scene, camera, page_px);
+    test::Drawing drawing(scene, camera, small_page_px);
     const EdgeMesh mesh = features::edge_mesh_of(drawing.layout);
     const auto lists = drawing.chains({});
     const Facing facing(drawing, mesh);
@@ -143,7 +136,7 @@ Primitive faceted_vase()
 /// same way, except for edges with a front only in the middle.
 void expect_hard_edges_as_searched(const Primitive& thing)
 {
-    test::Drawing drawing(test::scene_of(thing), view_from_above(), page_px);
+    test::Drawing drawing(test::scene_of(thing), view_from_above(), small_page_px);
     const EdgeMesh mesh = features::edge_mesh_of(drawing.layout);
     const ContourStyle style{.crease_deg = 180.0F};
     const auto lists = drawing.chains(style);
@@ -239,7 +232,7 @@ TEST(ContourChains, ASphereHasOneClosedLoopOfTheRightRadiusAndLength)
     constexpr double distance_m = 3.0;
     // 10,000 triangles, of which none has a corner on the outline by chance.
     const Scene scene = test::scene_of(subdivided(shapes::sphere(1.0F, 100, 51), 0));
-    test::Drawing drawing(scene, test::front_camera(distance_m, 0.8), page_px);
+    test::Drawing drawing(scene, test::front_camera(distance_m, 0.8), small_page_px);
     const std::vector<Chain> chains = chains_of(drawing.chains({}));
     ASSERT_EQ(chains.size(), 1U);
     EXPECT_TRUE(chains[0].is_closed);
@@ -269,7 +262,7 @@ double longest_edge_m(const EdgeMesh& mesh, const std::vector<shared::PosedVerte
 /// Expects complete chains: consecutive pieces meet, and none is longer than a triangle.
 void expect_whole_chains(const Scene& scene, const Camera& camera, const ContourStyle& style)
 {
-    test::Drawing drawing(scene, camera, page_px);
+    test::Drawing drawing(scene, camera, small_page_px);
     const double longest_m = longest_edge_m(features::edge_mesh_of(drawing.layout), drawing.posed());
     const auto lists = drawing.chains(style);
     const std::vector<Chain> chains = chains_of(lists);
@@ -316,7 +309,7 @@ TEST(ContourChains, OnAClosedManifoldEveryOutlineCloses)
 {
     const Scene scene = test::scene_of(subdivided(shapes::torus(1.0F, 0.45F, 30, 14), 1));
     for (const double height : {0.3, 1.1, 2.7}) {
-        test::Drawing drawing(scene, {.eye = {0.4, height, 4.0}, .target = {0.0, 0.0, 0.0}}, page_px);
+        test::Drawing drawing(scene, {.eye = {0.4, height, 4.0}, .target = {0.0, 0.0, 0.0}}, small_page_px);
         for (const Silhouettes kind : {Silhouettes::smooth, Silhouettes::edges}) {
             const std::vector<Chain> chains =
                 chains_of(drawing.chains({.silhouettes = kind, .crease_deg = 180.0F}));
@@ -335,7 +328,7 @@ TEST(ContourChains, OutlinesCloseWhereTheyPassFromSmoothPartsToHardEdges)
           shapes::cylinder(1.0F, 2.0F, 24), shapes::box({1.0F, 1.4F, 0.8F})}) {
         for (const double height : {-0.7, 0.2, 1.1, 2.7}) {
             test::Drawing drawing(test::scene_of(thing),
-                                  {.eye = {0.4, height, 4.0}, .target = {0.0, 0.0, 0.0}}, page_px);
+                                  {.eye = {0.4, height, 4.0}, .target = {0.0, 0.0, 0.0}}, small_page_px);
             const std::vector<Chain> chains = chains_of(drawing.chains({.crease_deg = 180.0F}));
             EXPECT_GE(chains.size(), 1U);
             EXPECT_LE(chains.size(), 4U);
@@ -348,12 +341,12 @@ TEST(ContourChains, OutlinesCloseWhereTheyPassFromSmoothPartsToHardEdges)
 
 TEST(ContourChains, ArcLengthsAreThoseOfASerialSum)
 {
-    test::Drawing drawing(shapes_scene(), view_from_above(), page_px);
+    test::Drawing drawing(shapes_scene(), view_from_above(), small_page_px);
     const auto lists = drawing.chains({});
     const glm::dmat4 clip_from_anchor(drawing.globals.clip_from_anchor);
     const auto page = [&](const glm::vec3& anchor) {
         const glm::dvec4 clip = clip_from_anchor * glm::dvec4(anchor, 1.0);
-        return (0.5 * glm::dvec2(clip) / clip.w + 0.5) * glm::dvec2(page_px);
+        return (0.5 * glm::dvec2(clip) / clip.w + 0.5) * glm::dvec2(small_page_px);
     };
     double worst = 0.0;
     size_t compared = 0;
@@ -363,7 +356,7 @@ TEST(ContourChains, ArcLengthsAreThoseOfASerialSum)
         const bool is_on_page = std::all_of(
             lists.points.begin() + begin, lists.points.begin() + end, [&](const ChainPoint& point) {
                 const glm::dvec2 at = page(point.anchor);
-                return at.x > 0.0 && at.y > 0.0 && at.x < page_px.x && at.y < page_px.y;
+                return at.x > 0.0 && at.y > 0.0 && at.x < small_page_px.x && at.y < small_page_px.y;
             });
         double serial = 0.0;
         for (uint32_t i = begin; is_on_page && i + 1 < end; ++i, ++compared) {
@@ -390,7 +383,7 @@ void expect_stable_count(const Scene& cage, const std::vector<Camera>& views, ui
         }
         size_t count = 0;
         for (const Camera& view : views) {
-            const auto lists = test::Drawing(scene, view, page_px).chains({});
+            const auto lists = test::Drawing(scene, view, small_page_px).chains({});
             for (size_t slot = 0; slot + 1 < lists.points_before.size(); ++slot) {
                 const uint32_t first = lists.points_before[slot];
                 const uint32_t end = lists.points_before[slot + 1];

@@ -13,13 +13,11 @@
 namespace estampe::fluid {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// A flow with divergence and vortices, still at walls.
-glm::dvec3 stirred(glm::dvec3 p)
+glm::dvec3 stirred_flow(glm::dvec3 p)
 {
-    const double x = 2.0 * pi * p.x / 32.0;
-    const double y = 2.0 * pi * p.y / 32.0;
+    const double x = 2.0 * std::numbers::pi * p.x / 32.0;
+    const double y = 2.0 * std::numbers::pi * p.y / 32.0;
     return {std::sin(x) * (1.0 + std::cos(2.0 * y)),
             0.8 * std::sin(y) * std::cos(x) + 0.3 * std::sin(2.0 * y), 0.0};
 }
@@ -65,7 +63,7 @@ struct Carrying {
     MassField field;
 };
 
-uint64_t sum_of(const std::vector<uint32_t>& units)
+uint64_t sum_of_units(const std::vector<uint32_t>& units)
 {
     return std::accumulate(units.begin(), units.end(), uint64_t{0});
 }
@@ -74,13 +72,13 @@ TEST(FluidMass, IsKeptToTheUnitInTenThousandStepsAndNeverNegative)
 {
     const Grid grid{.cells = {32, 32, 1}, .edges = {Edge::no_slip, Edge::periodic, Edge::no_slip}};
     for (const MassAdvection advection : {MassAdvection::forward, MassAdvection::both_ways}) {
-        Carrying carrying(grid, stirred, lumps(grid));
-        const uint64_t before = sum_of(carrying.after(advection, 0, 0.0F));
+        Carrying carrying(grid, stirred_flow, lumps(grid));
+        const uint64_t before = sum_of_units(carrying.after(advection, 0, 0.0F));
         EXPECT_GT(before, 0U);
         for (const float step_s : {0.9F, 6.1F}) {
             const std::vector<uint32_t> units =
                 carrying.after(advection, advection == MassAdvection::forward ? 200 : 5000, step_s);
-            ASSERT_EQ(sum_of(units), before);
+            ASSERT_EQ(sum_of_units(units), before);
             // One below zero would be a huge one.
             ASSERT_LE(*std::max_element(units.begin(), units.end()), before);
         }
@@ -91,7 +89,7 @@ TEST(FluidMass, PlainAdvectionLosesOrMakesIt)
 {
     const Grid grid{.cells = {32, 32, 1}, .edges = {Edge::no_slip, Edge::periodic, Edge::no_slip}};
     const std::vector<float> start = lumps(grid);
-    Fluid fluid(test::shared_device(), grid, 1, velocity_of(grid, stirred), start);
+    Fluid fluid(test::shared_device(), grid, 1, velocity_of(grid, stirred_flow), start);
     gpu::Graph graph;
     const FluidFields fields =
         fluid.add_steps(graph, {.step_s = 0.9F, .quantity_advection = Advection::linear}, 2);
@@ -127,7 +125,7 @@ TEST(FluidMass, MovesAsFarAsTheFlow)
         for (size_t i = 0; i < units.size(); ++i) {
             moment += static_cast<double>(units[i]) * static_cast<double>(i % 64);
         }
-        EXPECT_NEAR(moment / static_cast<double>(sum_of(units)), 16.0 + 22.0, 0.02);
+        EXPECT_NEAR(moment / static_cast<double>(sum_of_units(units)), 16.0 + 22.0, 0.02);
     }
 }
 

@@ -39,19 +39,10 @@ double at(const std::vector<float>& numbers, const Grid& grid, uint32_t channel,
     return static_cast<double>(numbers[channel * grid.cell_count() + y * grid.cells.x + x]);
 }
 
-double sum_of(const std::vector<float>& numbers, const Grid& grid, uint32_t channel)
+double sum_of_channel(const std::vector<float>& numbers, const Grid& grid, uint32_t channel)
 {
     const auto first = numbers.begin() + static_cast<ptrdiff_t>(channel * grid.cell_count());
     return std::accumulate(first, first + static_cast<ptrdiff_t>(grid.cell_count()), 0.0);
-}
-
-double norm(const std::vector<float>& numbers)
-{
-    double sum = 0.0;
-    for (const float number : numbers) {
-        sum += static_cast<double>(number) * static_cast<double>(number);
-    }
-    return std::sqrt(sum);
 }
 
 /// Divergence that the last projection of some steps left, over what it was given.
@@ -136,9 +127,9 @@ TEST(FluidMatter, SourcesBringWhatTheySay)
     fluid.set_shapes({}, std::vector{source});
     const Seen seen = after(fluid, {.step_s = 0.02F}, 25);
     const double cells = std::numbers::pi * 1.0 / (0.1 * 0.1);
-    EXPECT_NEAR(sum_of(seen.quantities, meadow, 0) / (0.25 * cells), 1.0, 0.01);
-    EXPECT_NEAR(sum_of(seen.quantities, meadow, 1) / (1.0 * cells), 1.0, 0.01);
-    EXPECT_EQ(sum_of(seen.quantities, meadow, 2), 0.0);
+    EXPECT_NEAR(sum_of_channel(seen.quantities, meadow, 0) / (0.25 * cells), 1.0, 0.01);
+    EXPECT_NEAR(sum_of_channel(seen.quantities, meadow, 1) / (1.0 * cells), 1.0, 0.01);
+    EXPECT_EQ(sum_of_channel(seen.quantities, meadow, 2), 0.0);
     EXPECT_NEAR(at(seen.quantities, meadow, 4, 32, 32), 1.5, 1e-4);
 }
 
@@ -177,7 +168,7 @@ TEST(FluidMatter, HeatRisesAndWeightFalls)
                 moment += y * at(quantities, meadow, 1, x, y);
             }
         }
-        return moment / sum_of(quantities, meadow, 1);
+        return moment / sum_of_channel(quantities, meadow, 1);
     };
     const FluidStyle warm{.step_s = 0.02F, .forces = {.lift_m_s2 = 2.0F}};
     Fluid rising(test::shared_device(), meadow, 2, {}, blob);
@@ -297,7 +288,7 @@ TEST(FluidMatter, ConfinementFeedsVortices)
 }
 
 /// All that there is to stir: fire, clouds, friction, vortices that are fed.
-FluidStyle stirred()
+FluidStyle all_that_stirs()
 {
     return {.step_s = 0.5F,
             .projection = {.projections = 1},
@@ -339,7 +330,7 @@ void stir(const Grid& grid, uint32_t seconds)
         stone.velocity_m_s = anywhere(-1.0, 1.0);
         // Now and then without an obstacle, so that solvers change.
         fluid.set_shapes(i % 3 == 0 ? std::vector{stone} : std::vector<Shape>{}, std::vector{spoon});
-        const std::vector<float> speeds = velocity_after(fluid, stirred(), 2 * stir_s);
+        const std::vector<float> speeds = velocity_after(fluid, all_that_stirs(), 2 * stir_s);
         ASSERT_TRUE(std::ranges::all_of(speeds, finite)) << "after " << (i + 1) * stir_s << " s";
         for (const float speed : speeds) {
             fastest = std::max(fastest, static_cast<double>(std::abs(speed)));
@@ -348,7 +339,8 @@ void stir(const Grid& grid, uint32_t seconds)
     EXPECT_GT(fastest, 1.0);
     EXPECT_LT(fastest, 12.0);
     gpu::Graph graph;
-    for (const float amount : run_and_read_layers(graph, *fluid.add_steps(graph, stirred(), 0).quantities)) {
+    for (const float amount :
+         run_and_read_layers(graph, *fluid.add_steps(graph, all_that_stirs(), 0).quantities)) {
         ASSERT_TRUE(std::isfinite(amount) && std::abs(amount) < 1e4F);
     }
 }

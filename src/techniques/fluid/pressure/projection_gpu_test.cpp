@@ -55,16 +55,6 @@ std::vector<double> outflow_of(const Grid& grid, const std::vector<float>& veloc
     return outflow;
 }
 
-template <class T>
-double norm(const std::vector<T>& numbers)
-{
-    double sum = 0.0;
-    for (const T number : numbers) {
-        sum += static_cast<double>(number) * static_cast<double>(number);
-    }
-    return std::sqrt(sum);
-}
-
 std::vector<float> projected(const Grid& grid, const ProjectionStyle& style,
                              const std::vector<float>& velocity)
 {

@@ -12,7 +12,7 @@
 namespace estampe::light {
 namespace {
 
-constexpr glm::uvec2 size_px(64, 40);
+constexpr glm::uvec2 exposed_px(64, 40);
 
 /// A page whose light grows from left to right over `stops`, about `middle`; the upper half shows nothing.
 struct Page {
@@ -22,7 +22,7 @@ struct Page {
 
 float light_at(const Page& page, glm::uvec2 pixel)
 {
-    const float along = static_cast<float>(pixel.x) / static_cast<float>(size_px.x - 1) - 0.5F;
+    const float along = static_cast<float>(pixel.x) / static_cast<float>(exposed_px.x - 1) - 0.5F;
     return page.middle * std::exp2(along * page.stops);
 }
 
@@ -39,10 +39,10 @@ public:
     /// How many stops brighter the page came out.
     float look_at(const Page& page, const Metering& how = {})
     {
-        auto light =
-            test::Layer::color(size_px, [&](glm::uvec2 pixel) { return glm::vec4(light_at(page, pixel)); });
-        auto draw =
-            test::Layer::words(size_px, [](glm::uvec2 pixel) { return pixel.y < size_px.y / 2 ? 0U : 1U; });
+        auto light = test::Layer::color(exposed_px,
+                                        [&](glm::uvec2 pixel) { return glm::vec4(light_at(page, pixel)); });
+        auto draw = test::Layer::words(exposed_px,
+                                       [](glm::uvec2 pixel) { return pixel.y < exposed_px.y / 2 ? 0U : 1U; });
         gpu::Graph graph;
         const ExposureInputs in{.light = light.in(graph),
                                 .draw = draw.in(graph),
@@ -50,12 +50,12 @@ public:
                                 .adapts = how.adapts,
                                 .compensation_stops = how.compensation_stops,
                                 .most_change_stops = how.most_change_stops,
-                                .size_px = size_px};
+                                .size_px = exposed_px};
         const auto exposed = test::run_and_read_colors(graph, add_exposure(graph, in).light);
-        const glm::uvec2 lit(size_px.x / 2, size_px.y - 1);
-        const glm::uvec2 empty(size_px.x / 2, 0);
+        const glm::uvec2 lit(exposed_px.x / 2, exposed_px.y - 1);
+        const glm::uvec2 empty(exposed_px.x / 2, 0);
         EXPECT_NEAR(exposed[lit.x].x, light_at(page, empty), 2e-3F * light_at(page, empty));
-        return std::log2(exposed[lit.y * size_px.x + lit.x].x / light_at(page, lit));
+        return std::log2(exposed[lit.y * exposed_px.x + lit.x].x / light_at(page, lit));
     }
 
 private:

@@ -25,7 +25,7 @@ namespace estampe::occlusion {
 namespace {
 
 /// A ball and a ring over a floor.
-Scene still_life(uint32_t cells)
+Scene ball_and_ring(uint32_t cells)
 {
     Scene scene = test::scene_of(shapes::plane(4.0F, 4.0F, cells));
     test::add_object(scene, shapes::sphere(0.5F, cells + 4, cells / 2 + 2), glm::vec3(0.9F, 0.2F, 0.1F),
@@ -147,7 +147,7 @@ public:
 TEST(MappedDiscs, SumTheFormulaAtTexels)
 {
     for (const float radius_m : {1e6F, 1.0F}) {
-        MappedDiscs discs(still_life(12));
+        MappedDiscs discs(ball_and_ring(12));
         const std::vector<glm::vec4> found = discs.texels(radius_m, true);
         double worst = 0.0;
         double least = 1.0;
@@ -176,7 +176,7 @@ TEST(MappedDiscs, SumTheFormulaAtTexels)
 
 TEST(MappedDiscs, AreKeptUntilSomethingMoves)
 {
-    MappedDiscs discs(still_life(12));
+    MappedDiscs discs(ball_and_ring(12));
     const std::vector<glm::vec4> first = discs.texels(1.0F);
     for (shared::PosedVertex& vertex : discs.posed) {
         vertex.position *= 2.0F;
@@ -191,7 +191,7 @@ TEST(MappedDiscs, AreKeptUntilSomethingMoves)
 
 TEST(MappedDiscs, ComeNearWhatRaysTell)
 {
-    const Scene scene = still_life(24);
+    const Scene scene = ball_and_ring(24);
     const test::EmbreeScene rays(scene);
     MappedDiscs discs(scene);
     constexpr double radius_m = 1.0;
@@ -259,7 +259,7 @@ double rms_between(const std::vector<float>& a, const std::vector<float>& b)
 
 TEST(MappedDiscs, ShowOnThePageWhatPixelsFindThemselves)
 {
-    test::shared_renderer().set_scene(still_life(24));
+    test::shared_renderer().set_scene(ball_and_ring(24));
     const std::vector<float> pixels = mask_by("splats");
     const std::vector<float> fine = mask_by("uv");
     ASSERT_EQ(fine.size(), pixels.size());
@@ -274,7 +274,7 @@ TEST(MappedDiscs, ShowOnThePageWhatPixelsFindThemselves)
 TEST(MappedDiscs, SayWhoseCoordinatesDoNotServe)
 {
     Renderer& renderer = test::shared_renderer();
-    Scene scene = still_life(12);
+    Scene scene = ball_and_ring(12);
     scene.meshes.front().primitives.front().uvs[0].clear();
     renderer.set_scene(scene);
     EXPECT_FALSE(mask_by("uv", 128).empty());
@@ -297,14 +297,14 @@ TEST(MappedDiscs, FollowWhatMovedWhileNobodyLooked)
         renderer.place(std::span(&place, 1), 0.0);
     };
     for (const char* method : {"discs", "uv"}) {
-        renderer.set_scene(still_life(12));
+        renderer.set_scene(ball_and_ring(12));
         place_ball(0.55);
         const std::vector<float> before = mask_by(method, 128);
         place_ball(1.6);
         (void)mask_by("unsharp");
         const std::vector<float> after = mask_by(method, 128);
         EXPECT_GT(rms_between(after, before), 0.02) << method;
-        renderer.set_scene(still_life(12));
+        renderer.set_scene(ball_and_ring(12));
         place_ball(1.6);
         EXPECT_EQ(mask_by(method, 128), after) << method;
     }

@@ -73,7 +73,7 @@ TEST(Occlusion, IsInACornerWhatTheFormulaGives)
 }
 
 /// A floor, a wall, a step, a table, a ball, a pole and a ring.
-Scene still_life()
+Scene furnished_corner()
 {
     Scene scene = test::scene_of(shapes::plane(40.0F, 40.0F));
     test::add_object(scene, shapes::box({40.0F, 8.0F, 1.0F}), glm::vec3(1.0F), {0.0, 0.0, -3.5});
@@ -88,7 +88,7 @@ Scene still_life()
 
 TEST(Occlusion, IsWhatRaysTell)
 {
-    const Scene scene = still_life();
+    const Scene scene = furnished_corner();
     const test::EmbreeScene rays(scene);
     const Camera camera{.eye = {1.2, 3.2, 6.0}, .target = {0.0, 0.5, -1.0}, .vertical_fov_rad = 0.65};
     const SeenPage page(scene, camera, size_px);
@@ -124,7 +124,7 @@ TEST(Occlusion, IsWhatRaysTell)
 TEST(Occlusion, IsInTilesWhatItIsOnTheWholePage)
 {
     const Camera camera{.eye = {1.2, 3.2, 6.0}, .target = {0.0, 0.5, -1.0}, .vertical_fov_rad = 0.65};
-    const SeenPage page(still_life(), camera, size_px);
+    const SeenPage page(furnished_corner(), camera, size_px);
     OcclusionStyle style = far_reaching;
     style.reach_mm = 12.0F;
     const std::vector<float> whole = page.open(style, 0.7F);
@@ -202,7 +202,7 @@ TEST(Occlusion, HasNoGrain)
 TEST(Occlusion, PutsDarknessUnderThings)
 {
     const Camera camera{.eye = {1.2, 3.2, 6.0}, .target = {0.0, 0.5, -1.0}, .vertical_fov_rad = 0.65};
-    const SeenPage page(still_life(), camera, size_px);
+    const SeenPage page(furnished_corner(), camera, size_px);
     const std::vector<float> open = page.open(far_reaching, 1.0F);
     const auto at = [&](const glm::dvec3& place) {
         const glm::dvec4 clip = glm::dmat4(page.drawing.globals.clip_from_anchor) *

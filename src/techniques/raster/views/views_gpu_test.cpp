@@ -11,6 +11,7 @@
 
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"
+#include "techniques/raster/raster_test_support.hpp"
 #include "techniques/raster/views/views.hpp"
 
 namespace estampe::raster {
@@ -145,11 +146,6 @@ TEST_P(RasterViews, DrawNothingBeyondTheirReach)
     EXPECT_EQ(std::ranges::count(unwanted, 0U), 1024);
     const auto none = drawing.depth_views({six_views(eye, 1.0F, 0)[0]}, 1024, untouched);
     EXPECT_EQ(std::ranges::count(none, 0U), 1024);
-}
-
-std::string path_name(const testing::TestParamInfo<RasterPath>& info)
-{
-    return name_of(info.param);
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, RasterViews, testing::Values(RasterPath::compute, RasterPath::hardware),

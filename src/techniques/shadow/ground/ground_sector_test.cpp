@@ -11,7 +11,7 @@
 namespace estampe::shadow {
 namespace {
 
-constexpr uint32_t size = 512;
+constexpr uint32_t sector_map_size = 512;
 constexpr double relief_m = 30.0;
 const LevelNumbers all_levels{0, 1, 2, 3, 4};
 
@@ -54,7 +54,7 @@ TEST(GroundSector, HoldsWhatIsLookedUpForWhateverIsSeen)
                             glm::normalize(glm::dvec3(between(-1, 1), between(-0.3, 0.3), between(-1, 1)))};
         const glm::dvec3 sun = sun_at(between(0.0, 6.28), between(0.05, 1.2));
         const GroundLevels levels =
-            ground_levels_about({look.eye.x, look.eye.z}, {0.0, 0.0}, sun, size, 0.125);
+            ground_levels_about({look.eye.x, look.eye.z}, {0.0, 0.0}, sun, sector_map_size, 0.125);
         const shared::FieldSector sector = seen_sector(
             {.clip_from_anchor = glm::mat4(look.clip()), .towards_sun = sun, .relief_m = relief_m}, levels,
             all_levels);
@@ -67,7 +67,7 @@ TEST(GroundSector, HoldsWhatIsLookedUpForWhateverIsSeen)
             for (size_t field = 0; field < levels.size(); ++field) {
                 const glm::dvec2 texel =
                     (place - glm::dvec2(levels[field].origin_m)) / static_cast<double>(levels[field].texel_m);
-                if (std::min(texel.x, texel.y) < 0.0 || std::max(texel.x, texel.y) >= size - 1.0) {
+                if (std::min(texel.x, texel.y) < 0.0 || std::max(texel.x, texel.y) >= sector_map_size - 1.0) {
                     continue;
                 }
                 ++looked_up;
@@ -84,13 +84,14 @@ TEST(GroundSector, LeavesOutMostOfWhatLiesBehind)
 {
     const glm::dvec3 sun = sun_at(1.0, 0.3);
     const Look look{.way = {1.0, -0.1, 0.2}};
-    const GroundLevels levels = ground_levels_about({look.eye.x, look.eye.z}, {0.0, 0.0}, sun, size, 0.125);
+    const GroundLevels levels =
+        ground_levels_about({look.eye.x, look.eye.z}, {0.0, 0.0}, sun, sector_map_size, 0.125);
     const auto share = [&](const shared::FieldSector& sector, size_t field) {
         size_t count = 0;
-        for (uint32_t i = 0; i < size * size; ++i) {
-            count += is_within(sector, field, glm::vec2(i % size, i / size)) ? 1U : 0U;
+        for (uint32_t i = 0; i < sector_map_size * sector_map_size; ++i) {
+            count += is_within(sector, field, glm::vec2(i % sector_map_size, i / sector_map_size)) ? 1U : 0U;
         }
-        return static_cast<double>(count) / (size * size);
+        return static_cast<double>(count) / (sector_map_size * sector_map_size);
     };
     const shared::FieldSector sector =
         seen_sector({.clip_from_anchor = glm::mat4(look.clip()), .towards_sun = sun, .relief_m = relief_m},
@@ -103,7 +104,7 @@ TEST(GroundSector, LeavesOutMostOfWhatLiesBehind)
 TEST(GroundSector, IsAllOfItWhereTheEyeLooksDownOrInParallel)
 {
     const glm::dvec3 sun = sun_at(1.0, 0.3);
-    const GroundLevels levels = ground_levels_about({0.0, 0.0}, {0.0, 0.0}, sun, size, 0.125);
+    const GroundLevels levels = ground_levels_about({0.0, 0.0}, {0.0, 0.0}, sun, sector_map_size, 0.125);
     const Look down{.way = {0.2, -1.0, 0.1}};
     for (const glm::mat4& clip : {glm::mat4(down.clip()), glm::mat4(1.0F)}) {
         const shared::FieldSector sector = seen_sector(

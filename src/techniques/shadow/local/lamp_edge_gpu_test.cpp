@@ -16,18 +16,18 @@
 namespace estampe::shadow {
 namespace {
 
-constexpr glm::uvec2 size_px(200, 150);
-constexpr float reach_px = 4.0F;
+constexpr glm::uvec2 edge_px(200, 150);
+constexpr float lamp_reach_px = 4.0F;
 
 /// In world space.
-struct Lamp {
+struct GlowingLamp {
     glm::dvec3 position{0.0};
     double radius_m = 0.0;
     uint32_t map_texels = 512;        ///< a side
     std::optional<glm::dvec3> target; ///< of a spot, 40 degrees to either side
 };
 
-shared::LightRecord record_of(const Lamp& lamp, const glm::dvec3& anchor)
+shared::LightRecord record_of_glow(const GlowingLamp& lamp, const glm::dvec3& anchor)
 {
     shared::LightRecord record{};
     record.position = glm::vec3(lamp.position - anchor);
@@ -46,23 +46,23 @@ shared::LightRecord record_of(const Lamp& lamp, const glm::dvec3& anchor)
     return record;
 }
 
-struct Lit {
+struct LampLit {
     std::vector<double> share; ///< of the lamp; 1 where it does not shine anyway
     std::vector<bool> lightable;
     std::vector<glm::dvec3> point;
     std::vector<glm::dvec3> normal;
 };
 
-Lit lit(const Scene& scene, const Camera& camera, const Lamp& lamp, const ShadowStyle& style = {},
-        const std::optional<HatchedLines>& lines = std::nullopt)
+LampLit lit_by_lamp(const Scene& scene, const Camera& camera, const GlowingLamp& lamp,
+                    const ShadowStyle& style = {}, const std::optional<HatchedLines>& lines = std::nullopt)
 {
-    test::Drawing drawing(scene, camera, size_px);
-    const shared::LightRecord record = record_of(lamp, drawing.layout.anchor);
+    test::Drawing drawing(scene, camera, edge_px);
+    const shared::LightRecord record = record_of_glow(lamp, drawing.layout.anchor);
     const auto dark = drawing.light(
         {.records = {record}, .local_shadow_size = lamp.map_texels, .shadow = style, .lines = lines});
     const auto open = drawing.light({.records = {record}});
     const auto surface = drawing.surface();
-    Lit result;
+    LampLit result;
     for (size_t i = 0; i < dark.size(); ++i) {
         result.point.push_back(drawing.point_seen(i, surface.depth[i]) + drawing.layout.anchor);
         result.normal.emplace_back(surface.smooth_normal[i]);
@@ -75,7 +75,7 @@ Lit lit(const Scene& scene, const Camera& camera, const Lamp& lamp, const Shadow
 }
 
 /// The share of a glowing ball that 256 rays find.
-double traced(const test::EmbreeScene& rays, const glm::dvec3& from, const Lamp& lamp)
+double traced_lamp(const test::EmbreeScene& rays, const glm::dvec3& from, const GlowingLamp& lamp)
 {
     const glm::dvec3 way = glm::normalize(lamp.position - from);
     const glm::dvec3 right = glm::normalize(glm::cross(way, glm::dvec3(0.1, 0.2, 0.9)));
@@ -92,7 +92,7 @@ double traced(const test::EmbreeScene& rays, const glm::dvec3& from, const Lamp&
 }
 
 /// A box open to the front, with bodies in it.
-Scene room()
+Scene furnished_room()
 {
     Scene scene = test::scene_of(shapes::plane(4.0F, 4.0F));
     test::add_object(scene, shapes::box({4.0F, 4.0F, 0.1F}), glm::vec3(1.0F), {0.0, 0.0, -2.0});
@@ -106,21 +106,21 @@ Scene room()
 }
 
 /// From above, where shadows lie.
-const Camera into_room{.eye = {0.6, 6.5, 5.0}, .target = {0.0, 0.4, -0.2}, .vertical_fov_rad = 0.6};
+const Camera room_from_above{.eye = {0.6, 6.5, 5.0}, .target = {0.0, 0.4, -0.2}, .vertical_fov_rad = 0.6};
 
 TEST(LampPenumbra, AgreesWithRaysOverTheBall)
 {
-    const Scene scene = room();
+    const Scene scene = furnished_room();
     const test::EmbreeScene rays(scene);
     // Where penumbrae are a texel wide, as those of so small a lamp are in smaller maps, nothing can tell how
     // much of it shines there.
-    const Lamp lamps[] = {
+    const GlowingLamp lamps[] = {
         {.position = {0.3, 3.3, 0.6}, .radius_m = 0.03, .map_texels = 2048},
         {.position = {0.3, 3.3, 0.6}, .radius_m = 0.12},
         {.position = {0.3, 3.3, 0.6}, .radius_m = 0.4},
         {.position = {1.6, 3.2, 1.8}, .radius_m = 0.15, .target = glm::dvec3(-0.5, 0.3, -0.6)}};
-    for (const Lamp& lamp : lamps) {
-        const Lit soft = lit(scene, into_room, lamp);
+    for (const GlowingLamp& lamp : lamps) {
+        const LampLit soft = lit_by_lamp(scene, room_from_above, lamp);
         double error = 0.0;
         size_t compared = 0;
         double partly_error = 0.0;
@@ -129,7 +129,7 @@ TEST(LampPenumbra, AgreesWithRaysOverTheBall)
             if (!soft.lightable[i]) {
                 continue;
             }
-            const double share = traced(rays, soft.point[i] + 3e-4 * soft.normal[i], lamp);
+            const double share = traced_lamp(rays, soft.point[i] + 3e-4 * soft.normal[i], lamp);
             const double off = std::abs(soft.share[i] - share);
             const bool is_partly = share > 0.01 && share < 0.99;
             error += off;
@@ -164,20 +164,20 @@ Camera under_board(double distance, double aside_m = 0.0)
             .vertical_fov_rad = 0.6};
 }
 
-const Lamp over_board{.position = {0.7, 6.0, 0.2}};
-const Lamp spot_on_board{.position = {0.7, 6.0, 0.2}, .target = glm::dvec3(-0.2, 0.0, 0.0)};
+const GlowingLamp over_board{.position = {0.7, 6.0, 0.2}};
+const GlowingLamp spot_on_board{.position = {0.7, 6.0, 0.2}, .target = glm::dvec3(-0.2, 0.0, 0.0)};
 
-struct Teeth {
+struct LampTeeth {
     const char* name;
-    Lamp lamp;
+    GlowingLamp lamp;
     ShadowStyle style;
     std::optional<HatchedLines> lines;
 };
 
-std::vector<Teeth> all_teeth()
+std::vector<LampTeeth> all_lamp_teeth()
 {
     const ShadowStyle waves{
-        .edge = Edge::waves, .edge_reach_mm = reach_px, .edge_spacing_mm = 3.0F, .edge_variety = 0.5F};
+        .edge = Edge::waves, .edge_reach_mm = lamp_reach_px, .edge_spacing_mm = 3.0F, .edge_variety = 0.5F};
     ShadowStyle strokes = waves;
     strokes.edge = Edge::strokes;
     const HatchedLines lines{.width_mm = 1.5F};
@@ -188,15 +188,15 @@ std::vector<Teeth> all_teeth()
 }
 
 /// How far in pixels a place is from the nearest edge of a plain shadow; at most 8.
-double to_edge_px(const Lit& plain, size_t pixel)
+double to_edge_px(const LampLit& plain, size_t pixel)
 {
     constexpr int most = 8;
-    const auto x = static_cast<int>(pixel % size_px.x);
-    const auto y = static_cast<int>(pixel / size_px.x);
+    const auto x = static_cast<int>(pixel % edge_px.x);
+    const auto y = static_cast<int>(pixel / edge_px.x);
     double nearest = most;
-    for (int v = std::max(y - most, 0); v <= std::min(y + most, static_cast<int>(size_px.y) - 1); ++v) {
-        for (int u = std::max(x - most, 0); u <= std::min(x + most, static_cast<int>(size_px.x) - 1); ++u) {
-            const size_t other = static_cast<size_t>(v) * size_px.x + static_cast<size_t>(u);
+    for (int v = std::max(y - most, 0); v <= std::min(y + most, static_cast<int>(edge_px.y) - 1); ++v) {
+        for (int u = std::max(x - most, 0); u <= std::min(x + most, static_cast<int>(edge_px.x) - 1); ++u) {
+            const size_t other = static_cast<size_t>(v) * edge_px.x + static_cast<size_t>(u);
             if (std::abs(plain.share[other] - plain.share[pixel]) > 0.3) {
                 nearest = std::min(nearest, std::hypot(u - x, v - y));
             }
@@ -212,7 +212,7 @@ struct Raggedness {
     size_t moved = 0;
 };
 
-Raggedness raggedness(const Lit& plain, const Lit& toothed)
+Raggedness raggedness(const LampLit& plain, const LampLit& toothed)
 {
     Raggedness result;
     double before = 0.0;
@@ -235,19 +235,19 @@ Raggedness raggedness(const Lit& plain, const Lit& toothed)
 TEST(LampEdge, TeethAreAsLongOnThePageFromNearAndFar)
 {
     const Scene scene = board();
-    for (const Teeth& teeth : all_teeth()) {
+    for (const LampTeeth& teeth : all_lamp_teeth()) {
         double means[2] = {};
         for (const int k : {0, 1}) {
             const Camera camera = under_board(k == 0 ? 4.5 : 9.0);
-            const Lit plain = lit(scene, camera, teeth.lamp);
-            const Lit toothed = lit(scene, camera, teeth.lamp, teeth.style, teeth.lines);
+            const LampLit plain = lit_by_lamp(scene, camera, teeth.lamp);
+            const LampLit toothed = lit_by_lamp(scene, camera, teeth.lamp, teeth.style, teeth.lines);
             const Raggedness found = raggedness(plain, toothed);
             means[k] = found.mean_px;
             fmt::print("{:17} area {:+.4f}, {} px moved, by {:.2f} px on average and {:.2f} at most\n",
                        teeth.name, found.area_change, found.moved, found.mean_px, found.farthest_px);
             EXPECT_LT(std::abs(found.area_change), 0.01) << teeth.name;
-            EXPECT_LT(found.farthest_px, reach_px + 1.5) << teeth.name;
-            EXPECT_GT(found.farthest_px, 0.6 * reach_px) << teeth.name;
+            EXPECT_LT(found.farthest_px, lamp_reach_px + 1.5) << teeth.name;
+            EXPECT_GT(found.farthest_px, 0.6 * lamp_reach_px) << teeth.name;
             EXPECT_GT(found.moved, 100U) << teeth.name;
         }
         EXPECT_NEAR(means[0], means[1], 0.2 * means[1]) << teeth.name;
@@ -257,16 +257,16 @@ TEST(LampEdge, TeethAreAsLongOnThePageFromNearAndFar)
 TEST(LampEdge, TeethStayInPlaceWhileTheEyeMoves)
 {
     const Scene scene = board();
-    for (const Teeth& teeth : all_teeth()) {
+    for (const LampTeeth& teeth : all_lamp_teeth()) {
         double worst = 0.0;
-        Lit before = lit(scene, under_board(6.0), teeth.lamp, teeth.style, teeth.lines);
+        LampLit before = lit_by_lamp(scene, under_board(6.0), teeth.lamp, teeth.style, teeth.lines);
         // Teeth are but a small part of the page: it is of theirs that few pixels may change.
-        const size_t moved = raggedness(lit(scene, under_board(6.0), teeth.lamp), before).moved;
+        const size_t moved = raggedness(lit_by_lamp(scene, under_board(6.0), teeth.lamp), before).moved;
         const double of_teeth = static_cast<double>(moved) / static_cast<double>(before.share.size());
         for (int step = 1; step <= 3; ++step) {
             const Camera camera = under_board(6.0, 0.1 * step);
-            const Lit now = lit(scene, camera, teeth.lamp, teeth.style, teeth.lines);
-            worst = std::max(worst, test::crawl(before, now, test::Drawing(scene, camera, size_px)));
+            const LampLit now = lit_by_lamp(scene, camera, teeth.lamp, teeth.style, teeth.lines);
+            worst = std::max(worst, test::crawl(before, now, test::Drawing(scene, camera, edge_px)));
             before = now;
         }
         fmt::print("{:17} {:.4f} % of pixels change in a step of 0.1 m, {:.2f} % of those that teeth moved\n",
@@ -279,15 +279,15 @@ TEST(LampEdge, TeethStayInPlaceWhileTheEyeMoves)
 TEST(LampEdge, TeethOfWidePenumbraeReachFarther)
 {
     const Scene scene = board();
-    ShadowStyle strokes = all_teeth().back().style;
+    ShadowStyle strokes = all_lamp_teeth().back().style;
     const Camera camera = under_board(6.0);
     const auto spread = [&](double radius_m) {
-        Lamp lamp = over_board;
+        GlowingLamp lamp = over_board;
         lamp.radius_m = radius_m;
-        const Lit toothed = lit(scene, camera, lamp, strokes, HatchedLines{.width_mm = 1.5F});
+        const LampLit toothed = lit_by_lamp(scene, camera, lamp, strokes, HatchedLines{.width_mm = 1.5F});
         // Half of the penumbra stays one: what differs is the teeth.
         lamp.radius_m = 0.5 * radius_m;
-        const Lit plain = lit(scene, camera, lamp);
+        const LampLit plain = lit_by_lamp(scene, camera, lamp);
         double moved = 0.0;
         for (size_t i = 0; i < plain.share.size(); ++i) {
             moved += std::abs(toothed.share[i] - plain.share[i]);

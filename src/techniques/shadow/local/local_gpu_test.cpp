@@ -17,7 +17,7 @@ namespace estampe::shadow {
 namespace {
 
 constexpr glm::uvec2 page_px(160, 120);
-constexpr uint32_t map_size = 256;
+constexpr uint32_t lamp_map_size = 256;
 
 /// A light in world space.
 struct Lamp {
@@ -45,7 +45,7 @@ shared::LightRecord record_of(const Lamp& lamp, const glm::dvec3& anchor)
     return record;
 }
 
-struct Verdict {
+struct LampVerdict {
     size_t compared = 0;
     size_t shadowed = 0;
     size_t wrongly_dark = 0; ///< acne, or a shadow that is too wide
@@ -79,20 +79,20 @@ bool is_inside(const test::EmbreeScene& rays, const glm::dvec3& point, const glm
 
 /// Asks rays about every pixel that the lamp lights or would light, but for a band of two texels about the
 /// shadow's edge.
-Verdict compare(const Scene& scene, const Camera& camera, const Lamp& lamp,
-                RasterPath path = RasterPath::hardware)
+LampVerdict compare_lamp(const Scene& scene, const Camera& camera, const Lamp& lamp,
+                         RasterPath path = RasterPath::hardware)
 {
     test::Drawing drawing(scene, camera, page_px);
     drawing.path = path;
     const shared::LightRecord record = record_of(lamp, drawing.layout.anchor);
-    const auto dark = drawing.light({.records = {record}, .local_shadow_size = map_size});
+    const auto dark = drawing.light({.records = {record}, .local_shadow_size = lamp_map_size});
     const auto lit = drawing.light({.records = {record}});
     const auto surface = drawing.surface();
     const test::EmbreeScene rays(scene);
     // A spot that is too wide for one map has six, as a lamp has.
     const bool has_one_map = lamp.half_angle_rad > 0.0 && lamp.half_angle_rad < 1.1;
     const double half_side = has_one_map ? std::tan(lamp.half_angle_rad) : 1.0;
-    Verdict verdict;
+    LampVerdict verdict;
     for (size_t i = 0; i < dark.size(); ++i) {
         const glm::dvec3 normal(surface.smooth_normal[i]);
         if (surface.draw[i] == 0 || lit[i].x <= 1e-3F) {
@@ -109,7 +109,7 @@ Verdict compare(const Scene& scene, const Camera& camera, const Lamp& lamp,
             continue;
         }
         // A texel on a slanted surface is as long as it is seen from the lamp.
-        const double texel_m = 2.0 * half_side * glm::length(way) / map_size;
+        const double texel_m = 2.0 * half_side * glm::length(way) / lamp_map_size;
         point += normal * (0.05 * texel_m);
         if (!is_inside(rays, point, normal, lamp, 2.0 * texel_m / std::max(facing, 0.2))) {
             continue;
@@ -124,7 +124,7 @@ Verdict compare(const Scene& scene, const Camera& camera, const Lamp& lamp,
     return verdict;
 }
 
-void expect_agreement(const Verdict& verdict, const std::string& what, size_t least_compared = 5000)
+void expect_agreement(const LampVerdict& verdict, const std::string& what, size_t least_compared = 5000)
 {
     EXPECT_LE(verdict.wrong_share(), 0.01)
         << what << ": of " << verdict.compared << " pixels " << verdict.wrongly_dark << " wrongly dark, "
@@ -168,24 +168,29 @@ const Camera over_columns{.eye = {5.0, 8.0, 9.0}, .target = {0.0, 0.5, 0.0}, .ve
 TEST(LocalShadow, ALampAgreesWithRays)
 {
     for (const RasterPath path : {RasterPath::compute, RasterPath::hardware}) {
-        expect_agreement(compare(room(), into_room, {.position = {0.1, 3.5, 0.2}}, path), "lamp in a room");
+        expect_agreement(compare_lamp(room(), into_room, {.position = {0.1, 3.5, 0.2}}, path),
+                         "lamp in a room");
     }
-    expect_agreement(compare(columns(), over_columns, {.position = {0.3, 2.2, 0.4}}), "lamp among columns");
-    expect_agreement(compare(columns(), over_columns, {.position = {-2.0, 4.5, 1.0}}), "lamp over columns");
+    expect_agreement(compare_lamp(columns(), over_columns, {.position = {0.3, 2.2, 0.4}}),
+                     "lamp among columns");
+    expect_agreement(compare_lamp(columns(), over_columns, {.position = {-2.0, 4.5, 1.0}}),
+                     "lamp over columns");
 }
 
 TEST(LocalShadow, ASpotAgreesWithRays)
 {
     expect_agreement(
-        compare(room(), into_room,
-                {.position = {1.4, 3.6, 1.6}, .target = {-0.6, 0.0, -0.8}, .half_angle_rad = 0.6}),
+        compare_lamp(room(), into_room,
+                     {.position = {1.4, 3.6, 1.6}, .target = {-0.6, 0.0, -0.8}, .half_angle_rad = 0.6}),
         "spot in a room", 3000);
-    expect_agreement(compare(columns(), over_columns,
-                             {.position = {6.0, 4.0, 2.0}, .target = {0.0, 0.5, 0.0}, .half_angle_rad = 0.7}),
-                     "spot on columns", 3000);
-    expect_agreement(compare(columns(), over_columns,
-                             {.position = {0.5, 1.6, 2.0}, .target = {0.4, 0.0, 2.0}, .half_angle_rad = 1.4}),
-                     "wide spot", 3000);
+    expect_agreement(
+        compare_lamp(columns(), over_columns,
+                     {.position = {6.0, 4.0, 2.0}, .target = {0.0, 0.5, 0.0}, .half_angle_rad = 0.7}),
+        "spot on columns", 3000);
+    expect_agreement(
+        compare_lamp(columns(), over_columns,
+                     {.position = {0.5, 1.6, 2.0}, .target = {0.4, 0.0, 2.0}, .half_angle_rad = 1.4}),
+        "wide spot", 3000);
 }
 
 TEST(LocalShadow, FacesOfACubeMeetWithoutASeam)
@@ -195,7 +200,7 @@ TEST(LocalShadow, FacesOfACubeMeetWithoutASeam)
     test::Drawing drawing(scene, {.eye = {0.3, 0.2, 0.1}, .target = {1.5, 0.9, 1.4}, .vertical_fov_rad = 2.2},
                           page_px);
     auto record = record_of({.position = {0.05, -0.1, 0.02}}, drawing.layout.anchor);
-    const auto dark = drawing.light({.records = {record}, .local_shadow_size = map_size});
+    const auto dark = drawing.light({.records = {record}, .local_shadow_size = lamp_map_size});
     const auto lit = drawing.light({.records = {record}});
     size_t differing = 0;
     for (size_t i = 0; i < dark.size(); ++i) {
@@ -212,7 +217,7 @@ TEST(LocalShadow, NoLightLeaksBetweenFacesOfACube)
     test::Drawing drawing(scene, {.eye = {0.3, 0.2, 0.1}, .target = {1.5, 0.9, 1.4}, .vertical_fov_rad = 2.2},
                           page_px);
     const auto record = record_of({.position = {0.05, -0.1, 0.02}}, drawing.layout.anchor);
-    const auto dark = drawing.light({.records = {record}, .local_shadow_size = map_size});
+    const auto dark = drawing.light({.records = {record}, .local_shadow_size = lamp_map_size});
     const auto lit = drawing.light({.records = {record}});
     size_t leaking = 0;
     size_t seen = 0;
@@ -232,7 +237,7 @@ TEST(LocalShadow, WhatLiesBehindASpotThrowsNone)
     const Lamp lamp{.position = {0.0, 2.9, 0.0}, .target = {0.1, 0.0, 0.0}, .half_angle_rad = 0.8};
     test::Drawing drawing(scene, camera, page_px);
     const auto record = record_of(lamp, drawing.layout.anchor);
-    const auto dark = drawing.light({.records = {record}, .local_shadow_size = map_size});
+    const auto dark = drawing.light({.records = {record}, .local_shadow_size = lamp_map_size});
     const auto lit = drawing.light({.records = {record}});
     EXPECT_EQ(dark, lit);
 }
@@ -246,13 +251,13 @@ TEST(LocalShadow, AgreesWithRaysOnTheSquare)
     const glm::dvec3 ahead = glm::normalize(camera.target - camera.eye);
     const glm::dvec3 middle(camera.eye.x + 14.0 * ahead.x, 0.0, camera.eye.z + 14.0 * ahead.z);
     expect_agreement(
-        compare(scene, camera, {.position = middle + glm::dvec3(0.0, 5.0, 0.0), .range_m = 80.0}),
+        compare_lamp(scene, camera, {.position = middle + glm::dvec3(0.0, 5.0, 0.0), .range_m = 80.0}),
         "lamp on the square", 3000);
-    expect_agreement(compare(scene, camera,
-                             {.position = middle + glm::dvec3(6.0, 8.0, 6.0),
-                              .target = middle + glm::dvec3(-3.0, 0.0, -6.0),
-                              .half_angle_rad = 0.7,
-                              .range_m = 80.0}),
+    expect_agreement(compare_lamp(scene, camera,
+                                  {.position = middle + glm::dvec3(6.0, 8.0, 6.0),
+                                   .target = middle + glm::dvec3(-3.0, 0.0, -6.0),
+                                   .half_angle_rad = 0.7,
+                                   .range_m = 80.0}),
                      "spot on the square", 2000);
 }
 
@@ -275,9 +280,9 @@ TEST(LocalShadow, AgreesWithRaysOnModels)
         const Bounds bounds = scene_bounds(scene, pose_scene(scene, 0.0));
         const Camera camera = framing_camera(scene, pose_scene(scene, 0.0), 4.0 / 3.0);
         const glm::dvec3 half = 0.5 * (bounds.max - bounds.min);
-        expect_agreement(compare(scene, camera,
-                                 {.position = bounds.center() + half * glm::dvec3(0.1, 0.35, 0.15),
-                                  .range_m = 10.0 * glm::length(half)}),
+        expect_agreement(compare_lamp(scene, camera,
+                                      {.position = bounds.center() + half * glm::dvec3(0.1, 0.35, 0.15),
+                                       .range_m = 10.0 * glm::length(half)}),
                          name, 3000);
     }
 }

@@ -15,13 +15,14 @@
 #include "support/embree_scene.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
+#include "techniques/shadow/shadow_test_support.hpp"
 
 namespace estampe::shadow {
 namespace {
 
-constexpr glm::uvec2 size_px(160, 120);
+constexpr glm::uvec2 clipmap_px(160, 120);
 constexpr uint32_t level_size = 1024;
-const glm::dvec3 towards_sun = glm::normalize(glm::dvec3(0.5, 0.8, 0.3));
+const glm::dvec3 towards_side_sun = glm::normalize(glm::dvec3(0.5, 0.8, 0.3));
 
 /// A long row of posts and slabs on a floor.
 Scene colonnade()
@@ -34,31 +35,17 @@ Scene colonnade()
     return scene;
 }
 
-Camera walker(double along_m)
+Camera colonnade_walker(double along_m)
 {
     return {.eye = {along_m, 1.7, 7.0}, .target = {along_m + 6.0, 0.3, -3.0}, .vertical_fov_rad = 0.8};
-}
-
-Clipmap clipmap_of(const test::Drawing& drawing, uint32_t size = level_size)
-{
-    return fit_clipmap(drawing.sun(towards_sun, size), size, 0.01, drawing.pose.casters.radius());
-}
-
-shared::LightRecord sun_record()
-{
-    shared::LightRecord sun{};
-    sun.type = shared::light_directional;
-    sun.direction = glm::vec3(towards_sun);
-    sun.color = glm::vec3(1.0F);
-    return sun;
 }
 
 TEST(SunClipmap, HoldsTheSameBitsWhereverItsWindowIs)
 {
     for (const RasterPath path : {RasterPath::compute, RasterPath::hardware}) {
-        test::Drawing drawing(colonnade(), walker(0.0), size_px);
+        test::Drawing drawing(colonnade(), colonnade_walker(0.0), clipmap_px);
         drawing.path = path;
-        const Clipmap clipmap = clipmap_of(drawing, 256);
+        const Clipmap clipmap = clipmap_of(drawing, towards_side_sun, 256);
         for (const uint32_t level : {0U, 2U}) {
             const glm::ivec2 low = windows_about(clipmap, glm::dvec3(drawing.globals.eye_anchor))[level];
             const Piece here{.level = level, .low = low, .size = glm::uvec2(256)};
@@ -143,7 +130,7 @@ TEST(SunClipmap, MixesTilesAndNothingBeside)
     EXPECT_TRUE(test::run_and_read_as<uint32_t>(graph, mixed) == wanted);
 }
 
-struct Lit {
+struct ClipmapLit {
     std::vector<double> share;
     std::vector<glm::dvec3> point;
     std::vector<double> away_m; ///< along the view
@@ -151,18 +138,20 @@ struct Lit {
     size_t flat = 0;            ///< pixels of the floor
 };
 
-Lit lit(const Scene& scene, const Camera& camera, const std::optional<Clipmap>& clipmap)
+ClipmapLit lit_by_clipmap(const Scene& scene, const Camera& camera, const std::optional<Clipmap>& clipmap)
 {
-    test::Drawing drawing(scene, camera, size_px);
-    const auto light = drawing.light(
-        {.records = {sun_record()}, .directional_count = 1, .shadow_size = 1024, .clipmap = clipmap});
+    test::Drawing drawing(scene, camera, clipmap_px);
+    const auto light = drawing.light({.records = {sun_record(towards_side_sun)},
+                                      .directional_count = 1,
+                                      .shadow_size = 1024,
+                                      .clipmap = clipmap});
     const auto surface = drawing.surface();
-    Lit result;
-    result.pixel_m = 2.0 * std::tan(0.5 * camera.vertical_fov_rad) / size_px.y;
+    ClipmapLit result;
+    result.pixel_m = 2.0 * std::tan(0.5 * camera.vertical_fov_rad) / clipmap_px.y;
     const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
     for (size_t i = 0; i < light.size(); ++i) {
         const glm::dvec3 point = drawing.point_seen(i, surface.depth[i]) + drawing.layout.anchor;
-        const double cosine = glm::dot(glm::dvec3(surface.smooth_normal[i]), towards_sun);
+        const double cosine = glm::dot(glm::dvec3(surface.smooth_normal[i]), towards_side_sun);
         const bool faces = surface.draw[i] != 0 && cosine > 0.02;
         result.share.push_back(faces ? static_cast<double>(light[i].x) / cosine : -1.0);
         result.point.push_back(point + glm::dvec3(surface.smooth_normal[i]) * 1e-3);
@@ -176,9 +165,9 @@ TEST(SunClipmap, AgreesWithRays)
     const Scene scene = colonnade();
     const test::EmbreeScene rays(scene);
     const Camera behind{.eye = {3.0, 3.0, -7.0}, .target = {4.0, 0.0, -3.0}, .vertical_fov_rad = 0.8};
-    test::Drawing drawing(scene, behind, size_px);
-    const Clipmap clipmap = clipmap_of(drawing);
-    const Lit seen = lit(scene, behind, clipmap);
+    test::Drawing drawing(scene, behind, clipmap_px);
+    const Clipmap clipmap = clipmap_of(drawing, towards_side_sun, level_size);
+    const ClipmapLit seen = lit_by_clipmap(scene, behind, clipmap);
     size_t compared = 0;
     size_t shadowed = 0;
     size_t wrong = 0;
@@ -188,13 +177,13 @@ TEST(SunClipmap, AgreesWithRays)
         if (seen.share[i] < 0.0) {
             continue;
         }
-        const bool blocked = rays.is_blocked(seen.point[i], towards_sun);
+        const bool blocked = rays.is_blocked(seen.point[i], towards_side_sun);
         const double band_m = 2.0 * std::max(seen.away_m[i] * seen.pixel_m, clipmap.finest_m);
         bool is_edge = false;
         for (int k = 0; k < 8; ++k) {
             const glm::dvec3 aside = right * std::cos(0.785398 * k) + down * std::sin(0.785398 * k);
-            is_edge |= rays.is_blocked(seen.point[i] + aside * band_m + towards_sun * (2.0 * band_m),
-                                       towards_sun) != blocked;
+            is_edge |= rays.is_blocked(seen.point[i] + aside * band_m + towards_side_sun * (2.0 * band_m),
+                                       towards_side_sun) != blocked;
         }
         if (!is_edge) {
             ++compared;
@@ -212,9 +201,9 @@ TEST(SunClipmap, AgreesWithRays)
 TEST(SunClipmap, HasATexelForEachPixel)
 {
     const Scene scene = colonnade();
-    test::Drawing drawing(scene, walker(3.0), size_px);
-    const Clipmap clipmap = clipmap_of(drawing);
-    const Lit seen = lit(scene, walker(3.0), clipmap);
+    test::Drawing drawing(scene, colonnade_walker(3.0), clipmap_px);
+    const Clipmap clipmap = clipmap_of(drawing, towards_side_sun, level_size);
+    const ClipmapLit seen = lit_by_clipmap(scene, colonnade_walker(3.0), clipmap);
     const Windows windows = windows_about(clipmap, glm::dvec3(drawing.globals.eye_anchor));
     double least = 1e9;
     double most = 0.0;
@@ -251,28 +240,29 @@ TEST(SunClipmap, HasATexelForEachPixel)
 TEST(SunClipmap, ShadowOfAPointDoesNotFlipWhileTheEyeWalks)
 {
     const Scene scene = colonnade();
-    test::Drawing still(scene, walker(0.0), size_px);
-    const Clipmap clipmap = clipmap_of(still);
+    test::Drawing still(scene, colonnade_walker(0.0), clipmap_px);
+    const Clipmap clipmap = clipmap_of(still, towards_side_sun, level_size);
     double worst = 0.0;
-    Lit before = lit(scene, walker(0.0), clipmap);
+    ClipmapLit before = lit_by_clipmap(scene, colonnade_walker(0.0), clipmap);
     for (int step = 1; step <= 8; ++step) {
-        const Camera camera = walker(0.1 * step);
-        const Lit now = lit(scene, camera, clipmap);
-        test::Drawing later(scene, camera, size_px);
+        const Camera camera = colonnade_walker(0.1 * step);
+        const ClipmapLit now = lit_by_clipmap(scene, camera, clipmap);
+        test::Drawing later(scene, camera, clipmap_px);
         const glm::dmat4 clip_from_anchor(later.globals.clip_from_anchor);
         size_t changed = 0;
         size_t seen = 0;
         for (size_t i = 0; i < before.share.size(); ++i) {
             const glm::dvec4 clip = clip_from_anchor * glm::dvec4(before.point[i] - later.layout.anchor, 1.0);
-            const glm::dvec2 at = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(size_px);
+            const glm::dvec2 at = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(clipmap_px);
             if (before.share[i] < 0.0 || clip.w <= 0.0 || at.x < 1.0 || at.y < 1.0 ||
-                at.x >= size_px.x - 1.0 || at.y >= size_px.y - 1.0) {
+                at.x >= clipmap_px.x - 1.0 || at.y >= clipmap_px.y - 1.0) {
                 continue;
             }
             ++seen;
-            const size_t there = static_cast<size_t>(at.y) * size_px.x + static_cast<size_t>(at.x);
+            const size_t there = static_cast<size_t>(at.y) * clipmap_px.x + static_cast<size_t>(at.x);
             bool found = false;
-            for (const size_t other : {there, there - 1, there + 1, there - size_px.x, there + size_px.x}) {
+            for (const size_t other :
+                 {there, there - 1, there + 1, there - clipmap_px.x, there + clipmap_px.x}) {
                 found |= std::abs(now.share[other] - before.share[i]) < 0.5;
             }
             changed += found ? 0U : 1U;

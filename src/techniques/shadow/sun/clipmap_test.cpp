@@ -8,13 +8,13 @@
 namespace estampe::shadow {
 namespace {
 
-const glm::dvec3 towards_sun = glm::normalize(glm::dvec3(0.4, 0.7, -0.3));
+const glm::dvec3 towards_clipmap_sun = glm::normalize(glm::dvec3(0.4, 0.7, -0.3));
 
 Clipmap clipmap_over(double radius_m, uint32_t size = 128)
 {
     const Bounds casters{.min = glm::dvec3(-radius_m, 0, -radius_m),
                          .max = glm::dvec3(radius_m, 30, radius_m)};
-    return fit_clipmap(sun_view(casters, {}, towards_sun, size), size, 0.03, casters.radius());
+    return fit_clipmap(sun_view(casters, {}, towards_clipmap_sun, size), size, 0.03, casters.radius());
 }
 
 glm::dvec2 texel_at(const Clipmap& clipmap, uint32_t level, const glm::dvec3& point)

@@ -14,22 +14,18 @@
 #include "support/embree_scene.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
+#include "techniques/shadow/shadow_test_support.hpp"
 
 namespace estampe::shadow {
 namespace {
 
-constexpr glm::uvec2 size_px(192, 108);
+constexpr glm::uvec2 crawl_px(192, 108);
 constexpr double step_m = 0.1;
-const glm::dvec3 towards_sun = glm::normalize(glm::dvec3(0.6, 0.5, 0.4));
+const glm::dvec3 towards_low_sun = glm::normalize(glm::dvec3(0.6, 0.5, 0.4));
 
-Camera walker(double along_m)
+Camera square_walker(double along_m)
 {
     return {.eye = {along_m, 1.7, 5.0}, .target = {along_m + 18.0, 0.0, -3.0}, .vertical_fov_rad = 0.8};
-}
-
-Clipmap clipmap_of(const test::Drawing& drawing, uint32_t size)
-{
-    return fit_clipmap(drawing.sun(towards_sun, size), size, 0.01, drawing.pose.casters.radius());
 }
 
 /// What the page shows: of the sun, and of the world.
@@ -48,19 +44,19 @@ public:
     Walk(const Scene& scene, const test::EmbreeScene& rays, const ShadowStyle& style,
          const std::optional<HatchedLines>& lines)
         : scene_(scene), rays_(rays), style_(style), lines_(lines),
-          clipmap_(clipmap_of(test::Drawing(scene, walker(0.0), size_px), 1024))
+          clipmap_(clipmap_of(test::Drawing(scene, square_walker(0.0), crawl_px), towards_low_sun, 1024))
     {
     }
 
     Seen look(double along_m)
     {
-        const Camera camera = walker(along_m);
-        test::Drawing drawing(scene_, camera, size_px);
+        const Camera camera = square_walker(along_m);
+        test::Drawing drawing(scene_, camera, crawl_px);
         drawing.path = path;
         drawing.features = features_;
         shared::LightRecord sun{};
         sun.type = shared::light_directional;
-        sun.direction = glm::vec3(towards_sun);
+        sun.direction = glm::vec3(towards_low_sun);
         sun.color = glm::vec3(1.0F);
         const auto light = drawing.light({.records = {sun},
                                           .directional_count = 1,
@@ -114,11 +110,11 @@ std::optional<size_t> found_again(const Seen& before, size_t pixel, const Seen& 
         return std::nullopt;
     }
     const glm::dvec4 clip = now.clip_from_anchor * glm::dvec4(before.point[pixel] - now.anchor, 1.0);
-    const glm::dvec2 at = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(size_px);
-    if (clip.w <= 0.0 || at.x < 1.0 || at.y < 1.0 || at.x >= size_px.x - 1.0 || at.y >= size_px.y - 1.0) {
+    const glm::dvec2 at = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(crawl_px);
+    if (clip.w <= 0.0 || at.x < 1.0 || at.y < 1.0 || at.x >= crawl_px.x - 1.0 || at.y >= crawl_px.y - 1.0) {
         return std::nullopt;
     }
-    const size_t there = static_cast<size_t>(at.y) * size_px.x + static_cast<size_t>(at.x);
+    const size_t there = static_cast<size_t>(at.y) * crawl_px.x + static_cast<size_t>(at.x);
     const double apart_m = glm::distance(now.point[there], before.point[pixel]);
     return now.away_m[there] > 0.0 && apart_m < 0.1 * now.away_m[there] ? std::optional(there) : std::nullopt;
 }
@@ -141,7 +137,8 @@ Change tone_change(const Seen& before, const Seen& now)
             continue;
         }
         bool found = false;
-        for (const size_t other : {*there, *there - 1, *there + 1, *there - size_px.x, *there + size_px.x}) {
+        for (const size_t other :
+             {*there, *there - 1, *there + 1, *there - crawl_px.x, *there + crawl_px.x}) {
             found |= std::abs(now.share[other] - before.share[i]) < 0.5;
         }
         ++change.seen;
@@ -156,26 +153,26 @@ bool is_apart_from_edges(const test::EmbreeScene& rays, const Seen& seen, size_t
                          const Clipmap& clipmap)
 {
     const glm::dvec3& normal = seen.normal[pixel];
-    if (glm::dot(normal, towards_sun) < 0.02) {
+    if (glm::dot(normal, towards_low_sun) < 0.02) {
         return false;
     }
-    const bool here = rays.is_blocked(seen.point[pixel] + normal * 1e-3, towards_sun);
-    for (const size_t row : {pixel - size_px.x, pixel, pixel + size_px.x}) {
+    const bool here = rays.is_blocked(seen.point[pixel] + normal * 1e-3, towards_low_sun);
+    for (const size_t row : {pixel - crawl_px.x, pixel, pixel + crawl_px.x}) {
         for (const size_t other : {row - 1, row, row + 1}) {
             if (glm::dot(seen.normal[other], normal) < 0.99 ||
-                rays.is_blocked(seen.point[other] + normal * 1e-3, towards_sun) != here) {
+                rays.is_blocked(seen.point[other] + normal * 1e-3, towards_low_sun) != here) {
                 return false;
             }
         }
     }
-    const double pixel_m = 2.0 * std::tan(0.4) / size_px.y * seen.away_m[pixel];
+    const double pixel_m = 2.0 * std::tan(0.4) / crawl_px.y * seen.away_m[pixel];
     const double band_m = 2.0 * std::max(pixel_m, clipmap.finest_m);
     for (int k = 0; k < 16; ++k) {
         const glm::dvec3 aside = glm::dvec3(clipmap.view.right) * std::cos(0.392699 * k) +
                                  glm::dvec3(clipmap.view.down) * std::sin(0.392699 * k);
         const double away_m = (k % 2 == 0 ? 1.0 : 0.5) * band_m;
-        if (rays.is_blocked(seen.point[pixel] + aside * away_m + towards_sun * (2.0 * band_m), towards_sun) !=
-            here) {
+        if (rays.is_blocked(seen.point[pixel] + aside * away_m + towards_low_sun * (2.0 * band_m),
+                            towards_low_sun) != here) {
             return false;
         }
     }
@@ -186,9 +183,9 @@ bool is_apart_from_edges(const test::EmbreeScene& rays, const Seen& seen, size_t
 Change flips(const test::EmbreeScene& rays, const Seen& before, const Seen& now, const Clipmap& clipmap)
 {
     Change change;
-    for (size_t i = size_px.x; i + size_px.x < before.share.size(); ++i) {
+    for (size_t i = crawl_px.x; i + crawl_px.x < before.share.size(); ++i) {
         const auto there = found_again(before, i, now);
-        if (there && i % size_px.x > 0 && (i + 1) % size_px.x > 0 &&
+        if (there && i % crawl_px.x > 0 && (i + 1) % crawl_px.x > 0 &&
             glm::dot(before.normal[i], now.normal[*there]) > 0.99) {
             const bool flipped = (before.share[i] < 0.5) != (now.share[*there] < 0.5);
             ++change.seen;
@@ -261,7 +258,7 @@ TEST(SunCrawl, ShadowsAndTheirStrokesStayInPlaceWhileTheEyeWalks)
             for (int step = 1; step <= count; ++step) {
                 Seen now = walk.look(start_m + step_m * step);
                 const Change change = tone_change(before, now);
-                EXPECT_GT(change.seen, size_px.x * size_px.y / 3);
+                EXPECT_GT(change.seen, crawl_px.x * crawl_px.y / 3);
                 worst = std::max(worst, change.share());
                 sum += change.share();
                 if (!has_teeth) {

@@ -13,22 +13,14 @@
 #include "support/drawing.hpp"
 #include "support/embree_scene.hpp"
 #include "support/scenes.hpp"
+#include "techniques/shadow/shadow_test_support.hpp"
 
 namespace estampe::shadow {
 namespace {
 
-constexpr glm::uvec2 size_px(240, 180);
-constexpr uint32_t map_size = 1024;
-constexpr float reach_px = 4.0F;
-
-shared::LightRecord sun_record(const glm::dvec3& towards_sun)
-{
-    shared::LightRecord sun{};
-    sun.type = shared::light_directional;
-    sun.direction = glm::vec3(towards_sun);
-    sun.color = glm::vec3(1.0F);
-    return sun;
-}
+constexpr glm::uvec2 sun_px(240, 180);
+constexpr uint32_t sun_map_size = 1024;
+constexpr float sun_reach_px = 4.0F;
 
 /// A canopy over a floor.
 Scene canopy()
@@ -44,30 +36,31 @@ Camera under_canopy(double aside_m = 0.0)
     return {.eye = {-3.0 + aside_m, 3.2, 5.5}, .target = {-2.0 + aside_m, 0.0, 0.0}, .vertical_fov_rad = 0.9};
 }
 
-const glm::dvec3 towards_sun = glm::normalize(glm::dvec3(0.5, 1.0, 0.2));
+const glm::dvec3 towards_high_sun = glm::normalize(glm::dvec3(0.5, 1.0, 0.2));
 
-struct Lit {
+struct SunLit {
     std::vector<double> share; ///< of the sun; 1 where nothing is seen
     std::vector<glm::dvec3> point;
 };
 
-Lit lit(const Scene& scene, const Camera& camera, const glm::dvec3& sun, const ShadowStyle& style,
-        const std::optional<HatchedLines>& lines = std::nullopt, SunMapKind kind = SunMapKind::whole)
+SunLit lit_by_sun(const Scene& scene, const Camera& camera, const glm::dvec3& sun, const ShadowStyle& style,
+                  const std::optional<HatchedLines>& lines = std::nullopt,
+                  SunMapKind kind = SunMapKind::whole)
 {
-    test::Drawing drawing(scene, camera, size_px);
+    test::Drawing drawing(scene, camera, sun_px);
     test::LightSetup setup{.records = {sun_record(sun)},
                            .directional_count = 1,
-                           .shadow_size = map_size,
+                           .shadow_size = sun_map_size,
                            .shadow = style,
                            .lines = lines,
                            .is_warped = kind == SunMapKind::warped};
     if (kind == SunMapKind::clipmap) {
-        setup.clipmap =
-            fit_clipmap(drawing.sun(sun, 2 * map_size), 2 * map_size, 0.01, drawing.pose.casters.radius());
+        setup.clipmap = fit_clipmap(drawing.sun(sun, 2 * sun_map_size), 2 * sun_map_size, 0.01,
+                                    drawing.pose.casters.radius());
     }
     const auto light = drawing.light(setup);
     const auto surface = drawing.surface();
-    Lit result;
+    SunLit result;
     for (size_t i = 0; i < light.size(); ++i) {
         const double cosine = glm::dot(glm::dvec3(surface.smooth_normal[i]), sun);
         const bool faces = surface.draw[i] != 0 && cosine > 0.02;
@@ -77,26 +70,26 @@ Lit lit(const Scene& scene, const Camera& camera, const glm::dvec3& sun, const S
     return result;
 }
 
-double shadow_px(const Lit& lit)
+double shadow_px(const SunLit& lit_by_sun)
 {
     double sum = 0.0;
-    for (const double share : lit.share) {
+    for (const double share : lit_by_sun.share) {
         sum += 1.0 - share;
     }
     return sum;
 }
 
 /// Whether all within `radius` pixels of a pixel is lit alike.
-bool is_even(const Lit& lit, size_t pixel, int radius)
+bool is_even(const SunLit& lit_by_sun, size_t pixel, int radius)
 {
-    const auto x = static_cast<int>(pixel % size_px.x);
-    const auto y = static_cast<int>(pixel / size_px.x);
-    for (int v = std::max(y - radius, 0); v <= std::min(y + radius, static_cast<int>(size_px.y) - 1); ++v) {
-        for (int u = std::max(x - radius, 0); u <= std::min(x + radius, static_cast<int>(size_px.x) - 1);
+    const auto x = static_cast<int>(pixel % sun_px.x);
+    const auto y = static_cast<int>(pixel / sun_px.x);
+    for (int v = std::max(y - radius, 0); v <= std::min(y + radius, static_cast<int>(sun_px.y) - 1); ++v) {
+        for (int u = std::max(x - radius, 0); u <= std::min(x + radius, static_cast<int>(sun_px.x) - 1);
              ++u) {
-            const size_t other = static_cast<size_t>(v) * size_px.x + static_cast<size_t>(u);
+            const size_t other = static_cast<size_t>(v) * sun_px.x + static_cast<size_t>(u);
             if ((u - x) * (u - x) + (v - y) * (v - y) <= radius * radius &&
-                std::abs(lit.share[other] - lit.share[pixel]) > 0.01) {
+                std::abs(lit_by_sun.share[other] - lit_by_sun.share[pixel]) > 0.01) {
                 return false;
             }
         }
@@ -104,16 +97,16 @@ bool is_even(const Lit& lit, size_t pixel, int radius)
     return true;
 }
 
-struct Teeth {
+struct SunTeeth {
     const char* name;
     ShadowStyle style;
     std::optional<HatchedLines> lines;
 };
 
-std::vector<Teeth> all_teeth()
+std::vector<SunTeeth> all_sun_teeth()
 {
     const ShadowStyle waves{
-        .edge = Edge::waves, .edge_reach_mm = reach_px, .edge_spacing_mm = 3.0F, .edge_variety = 0.5F};
+        .edge = Edge::waves, .edge_reach_mm = sun_reach_px, .edge_spacing_mm = 3.0F, .edge_variety = 0.5F};
     ShadowStyle strokes = waves;
     strokes.edge = Edge::strokes;
     return {{"waves", waves, std::nullopt}, {"strokes", strokes, HatchedLines{.width_mm = 1.5F}}};
@@ -122,16 +115,16 @@ std::vector<Teeth> all_teeth()
 TEST(ShadowEdge, TeethKeepTheShadowsAreaAndStayWithinTheirReach)
 {
     const Scene scene = canopy();
-    const Lit plain = lit(scene, under_canopy(), towards_sun, {});
-    for (const Teeth& teeth : all_teeth()) {
-        const Lit toothed = lit(scene, under_canopy(), towards_sun, teeth.style, teeth.lines);
+    const SunLit plain = lit_by_sun(scene, under_canopy(), towards_high_sun, {});
+    for (const SunTeeth& teeth : all_sun_teeth()) {
+        const SunLit toothed = lit_by_sun(scene, under_canopy(), towards_high_sun, teeth.style, teeth.lines);
         const double change = shadow_px(toothed) / shadow_px(plain) - 1.0;
         size_t moved = 0;
         size_t too_far = 0;
         for (size_t i = 0; i < plain.share.size(); ++i) {
             const bool is_moved = std::abs(toothed.share[i] - plain.share[i]) > 0.3;
             moved += is_moved ? 1U : 0U;
-            too_far += is_moved && is_even(plain, i, static_cast<int>(reach_px) + 1) ? 1U : 0U;
+            too_far += is_moved && is_even(plain, i, static_cast<int>(sun_reach_px) + 1) ? 1U : 0U;
         }
         fmt::print("{:8} area {:+.4f} of {:.0f} px, {} px moved\n", teeth.name, change, shadow_px(plain),
                    moved);
@@ -146,13 +139,13 @@ TEST(ShadowEdge, WhatIsRoundOrFoldedThrowsNoTeethOnItself)
     // Fourteen smooth sides: the plane that teeth move along runs into the body everywhere.
     Scene scene = test::scene_of(shapes::sphere(1.0F, 14, 9));
     const Camera camera{.eye = {0.6, 0.8, 3.2}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.8};
-    const Lit plain = lit(scene, camera, towards_sun, {});
-    for (const Teeth& teeth : all_teeth()) {
-        const Lit toothed = lit(scene, camera, towards_sun, teeth.style, teeth.lines);
+    const SunLit plain = lit_by_sun(scene, camera, towards_high_sun, {});
+    for (const SunTeeth& teeth : all_sun_teeth()) {
+        const SunLit toothed = lit_by_sun(scene, camera, towards_high_sun, teeth.style, teeth.lines);
         size_t darker = 0;
         for (size_t i = 0; i < plain.share.size(); ++i) {
-            const bool is_lit = glm::dot(glm::normalize(plain.point[i]), towards_sun) > 0.3;
-            darker += is_lit && is_even(plain, i, static_cast<int>(reach_px) + 1) &&
+            const bool is_lit = glm::dot(glm::normalize(plain.point[i]), towards_high_sun) > 0.3;
+            darker += is_lit && is_even(plain, i, static_cast<int>(sun_reach_px) + 1) &&
                               toothed.share[i] < plain.share[i] - 0.1
                           ? 1U
                           : 0U;
@@ -164,13 +157,13 @@ TEST(ShadowEdge, WhatIsRoundOrFoldedThrowsNoTeethOnItself)
 TEST(ShadowEdge, TeethStayInPlaceWhileTheEyeMoves)
 {
     const Scene scene = canopy();
-    for (const Teeth& teeth : all_teeth()) {
+    for (const SunTeeth& teeth : all_sun_teeth()) {
         double worst = 0.0;
-        Lit before = lit(scene, under_canopy(), towards_sun, teeth.style, teeth.lines);
+        SunLit before = lit_by_sun(scene, under_canopy(), towards_high_sun, teeth.style, teeth.lines);
         for (int step = 1; step <= 6; ++step) {
             const Camera camera = under_canopy(0.1 * step);
-            const Lit now = lit(scene, camera, towards_sun, teeth.style, teeth.lines);
-            worst = std::max(worst, test::crawl(before, now, test::Drawing(scene, camera, size_px)));
+            const SunLit now = lit_by_sun(scene, camera, towards_high_sun, teeth.style, teeth.lines);
+            worst = std::max(worst, test::crawl(before, now, test::Drawing(scene, camera, sun_px)));
             before = now;
         }
         fmt::print("{:8} {:.4f} % of pixels change in a step of 0.1 m\n", teeth.name, 100.0 * worst);
@@ -194,9 +187,9 @@ TEST(SunPenumbra, OfAWallIsThatOfADisc)
     test::add_object(scene, shapes::box({0.02F, 1.0F, 8.0F}), glm::vec3(1.0F), {0.01, 0.0, 0.0});
     const glm::dvec3 sun(std::cos(elevation), std::sin(elevation), 0.0);
     const Camera camera{.eye = {-1.7, 1.2, 0.1}, .target = {-1.75, 0.0, 0.0}, .vertical_fov_rad = 0.5};
-    const Lit soft = lit(scene, camera, sun, {.sun_radius_deg = radius_deg});
-    test::Drawing drawing(scene, camera, size_px);
-    const double texel_m = static_cast<double>(drawing.sun(sun, map_size).texel_m) / std::sin(elevation);
+    const SunLit soft = lit_by_sun(scene, camera, sun, {.sun_radius_deg = radius_deg});
+    test::Drawing drawing(scene, camera, sun_px);
+    const double texel_m = static_cast<double>(drawing.sun(sun, sun_map_size).texel_m) / std::sin(elevation);
     const double umbra = -1.0 / std::tan(elevation + radius);
     const double open = -1.0 / std::tan(elevation - radius);
     double worst = 0.0;
@@ -223,7 +216,7 @@ TEST(SunPenumbra, OfAWallIsThatOfADisc)
 }
 
 /// The share of a disc sun that 256 rays find.
-double traced(const test::EmbreeScene& rays, const glm::dvec3& from, const glm::dvec3& sun, double radius)
+double traced_sun(const test::EmbreeScene& rays, const glm::dvec3& from, const glm::dvec3& sun, double radius)
 {
     const glm::dvec3 right = glm::normalize(glm::cross(sun, glm::dvec3(0.1, 0.2, 0.9)));
     const glm::dvec3 up = glm::cross(right, sun);
@@ -253,15 +246,17 @@ TEST(SunPenumbra, AgreesWithRaysOverTheDisc)
          {std::pair(0.27F, whole), std::pair(1.0F, whole), std::pair(3.0F, whole),
           std::pair(1.0F, SunMapKind::clipmap), std::pair(3.0F, SunMapKind::clipmap),
           std::pair(1.0F, SunMapKind::warped)}) {
-        const Lit soft = lit(scene, camera, towards_sun, {.sun_radius_deg = radius_deg}, std::nullopt, kind);
+        const SunLit soft =
+            lit_by_sun(scene, camera, towards_high_sun, {.sun_radius_deg = radius_deg}, std::nullopt, kind);
         double error = 0.0;
         double compared = 0.0;
         double partly = 0.0;
         double partly_error = 0.0;
         for (size_t i = 0; i < soft.share.size(); i += 3) {
             if (soft.point[i].y > -0.01 && soft.point[i].y < 0.01) {
-                const double share = traced(rays, soft.point[i] + glm::dvec3(0, 1e-4, 0), towards_sun,
-                                            glm::radians(static_cast<double>(radius_deg)));
+                const double share =
+                    traced_sun(rays, soft.point[i] + glm::dvec3(0, 1e-4, 0), towards_high_sun,
+                               glm::radians(static_cast<double>(radius_deg)));
                 error += std::abs(soft.share[i] - share);
                 compared += 1.0;
                 const bool is_partly = share > 0.01 && share < 0.99;

@@ -17,7 +17,7 @@
 namespace estampe::shadow {
 namespace {
 
-constexpr glm::uvec2 size_px(192, 108);
+constexpr glm::uvec2 maps_px(192, 108);
 
 struct Shot {
     const char* name;
@@ -101,7 +101,7 @@ std::vector<Map> maps_of(const test::Drawing& drawing, const glm::dvec3& sun, do
 }
 
 /// What is found of pixels at some distance.
-struct Verdict {
+struct MapVerdict {
     size_t compared = 0;
     size_t shadowed = 0;
     size_t wrong = 0;           ///< outside of two texels about the edge
@@ -139,14 +139,14 @@ bool is_near_an_edge(const test::EmbreeScene& rays, const Place& place, const gl
 }
 
 /// Asks rays about every pixel between two distances that faces the sun.
-Verdict compare(const Shot& shot, const test::EmbreeScene& rays, test::Drawing& drawing, const Map& map,
-                double nearest_m, double farthest_m)
+MapVerdict compare_maps(const Shot& shot, const test::EmbreeScene& rays, test::Drawing& drawing,
+                        const Map& map, double nearest_m, double farthest_m)
 {
     const auto light = drawing.light(map.setup);
     const auto surface = drawing.surface();
     const glm::dvec3 forward = glm::normalize(shot.camera.target - shot.camera.eye);
-    const double pixel_m = 2.0 * std::tan(0.5 * shot.camera.vertical_fov_rad) / size_px.y;
-    Verdict verdict;
+    const double pixel_m = 2.0 * std::tan(0.5 * shot.camera.vertical_fov_rad) / maps_px.y;
+    MapVerdict verdict;
     for (size_t i = 0; i < light.size(); ++i) {
         const glm::dvec3 normal(surface.smooth_normal[i]);
         if (surface.draw[i] == 0 || glm::dot(normal, shot.towards_sun) < 0.03) {
@@ -177,16 +177,16 @@ Verdict compare(const Shot& shot, const test::EmbreeScene& rays, test::Drawing& 
 
 double pixel_m_at_one(const Camera& camera)
 {
-    return 2.0 * std::tan(0.5 * camera.vertical_fov_rad) / size_px.y;
+    return 2.0 * std::tan(0.5 * camera.vertical_fov_rad) / maps_px.y;
 }
 
 TEST(SunMaps, AllAgreeWithRays)
 {
     for (const Shot& shot : {long_square(), example()}) {
         const test::EmbreeScene rays(shot.scene);
-        test::Drawing drawing(shot.scene, shot.camera, size_px);
+        test::Drawing drawing(shot.scene, shot.camera, maps_px);
         for (const Map& map : maps_of(drawing, shot.towards_sun, pixel_m_at_one(shot.camera), 1024)) {
-            const Verdict verdict = compare(shot, rays, drawing, map, 0.0, 1e9);
+            const MapVerdict verdict = compare_maps(shot, rays, drawing, map, 0.0, 1e9);
             fmt::print("{}, {}: {} of {} wrong, {} in shadow\n", shot.name, map.name, verdict.wrong,
                        verdict.compared, verdict.shadowed);
             EXPECT_LE(static_cast<double>(verdict.wrong), 0.01 * static_cast<double>(verdict.compared))
@@ -209,9 +209,9 @@ TEST(SunMaps, AgreeWithRaysOnModels)
         const Shot shot{name, scene, framing_camera(scene, pose_scene(scene, 0.0), 16.0 / 9.0),
                         glm::normalize(glm::dvec3(0.3, 0.45, 0.85))};
         const test::EmbreeScene rays(scene);
-        test::Drawing drawing(scene, shot.camera, size_px);
+        test::Drawing drawing(scene, shot.camera, maps_px);
         for (const Map& map : maps_of(drawing, shot.towards_sun, pixel_m_at_one(shot.camera), 1024)) {
-            const Verdict verdict = compare(shot, rays, drawing, map, 0.0, 1e9);
+            const MapVerdict verdict = compare_maps(shot, rays, drawing, map, 0.0, 1e9);
             fmt::print("{}, {}: {} of {} wrong, {} in shadow\n", name, map.name, verdict.wrong,
                        verdict.compared, verdict.shadowed);
             EXPECT_LE(static_cast<double>(verdict.wrong), 0.01 * static_cast<double>(verdict.compared))
@@ -224,11 +224,11 @@ TEST(SunMaps, AreFineWhereTheyPromiseToBe)
 {
     const Shot shot = long_square();
     const test::EmbreeScene rays(shot.scene);
-    test::Drawing drawing(shot.scene, shot.camera, size_px);
+    test::Drawing drawing(shot.scene, shot.camera, maps_px);
     std::vector<double> error;
     for (const Map& map : maps_of(drawing, shot.towards_sun, pixel_m_at_one(shot.camera), 512)) {
         for (const auto& [nearest_m, farthest_m] : {std::pair(0.0, 15.0), std::pair(60.0, 1e9)}) {
-            Verdict verdict = compare(shot, rays, drawing, map, nearest_m, farthest_m);
+            MapVerdict verdict = compare_maps(shot, rays, drawing, map, nearest_m, farthest_m);
             if (verdict.looked_at > 0) {
                 fmt::print("{:8} {}: a texel is {:.2f} pixels, light is {:.4f} off\n", map.name,
                            nearest_m > 0.0 ? "far " : "near", verdict.median_px(), verdict.mean_error());

@@ -18,6 +18,7 @@
 #include "support/gpu_device.hpp"
 #include "support/layers.hpp"
 #include "support/scenes.hpp"
+#include "techniques/subsurface/subsurface_test_support.hpp"
 
 namespace estampe::subsurface {
 namespace {
@@ -82,19 +83,6 @@ public:
     features::SurfaceMap map;
     std::vector<shared::PosedVertex> posed;
 };
-
-/// Share of Burley's profile within `x` times d of a line through its middle, to one side.
-double beside_line(double x)
-{
-    constexpr int steps = 2000;
-    double sum = 0.0;
-    for (int i = 0; i < steps; ++i) {
-        const double s = (i + 0.5) * std::sqrt(x) / steps;
-        const double t = s * s;
-        sum += (std::cyl_bessel_k(0.0, t) + std::cyl_bessel_k(0.0, t / 3.0)) * 2.0 * s;
-    }
-    return sum * std::sqrt(x) / steps / (4.0 * std::numbers::pi);
-}
 
 TEST(ScatterInTexture, BlursAStepAsTheProfileDoes)
 {

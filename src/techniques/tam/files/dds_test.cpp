@@ -10,13 +10,7 @@ namespace estampe::tam {
 namespace {
 
 using testing::message_of;
-using testing::small_style;
-
-const TonalArtMap& small_map()
-{
-    static const TonalArtMap map = make_map(small_style(Tool::pen, 32));
-    return map;
-}
+using testing::small_map;
 
 void put(std::vector<std::byte>& bytes, size_t place, uint32_t value)
 {

@@ -35,7 +35,7 @@ void paint(const fs::path& file, const Gray8& coverage, uint32_t size_px)
     save_png(picture_of(coverage, size_px), file);
 }
 
-std::string complaint(const fs::path& path)
+std::string folder_complaint(const fs::path& path)
 {
     return message_of([&] { static_cast<void>(read_map(path)); });
 }
@@ -123,27 +123,27 @@ TEST(MapFolder, ReadsAFolderOfDdsFilesOneATone)
 TEST(MapFolder, SaysWhichFileIsWrong)
 {
     const Folder folder;
-    EXPECT_NE(complaint(folder.path()).find("holds no PNG or DDS files"), std::string::npos);
-    EXPECT_NE(complaint(folder / "none").find("none: cannot open"), std::string::npos);
+    EXPECT_NE(folder_complaint(folder.path()).find("holds no PNG or DDS files"), std::string::npos);
+    EXPECT_NE(folder_complaint(folder / "none").find("none: cannot open"), std::string::npos);
     const Gray8 dark(size_t{64} * 64, 100);
     paint(folder / "tone1.png", dark, 64);
     paint(folder / "tone2.png", dark, 64);
-    EXPECT_NE(complaint(folder.path()).find("tone 2 has 39.2 % ink, no more"), std::string::npos)
-        << complaint(folder.path());
+    EXPECT_NE(folder_complaint(folder.path()).find("tone 2 has 39.2 % ink, no more"), std::string::npos)
+        << folder_complaint(folder.path());
     paint(folder / "tone2.png", Gray8(size_t{32} * 32, 200), 32);
-    EXPECT_NE(complaint(folder.path()).find("tone2.png: is 32 px wide"), std::string::npos);
+    EXPECT_NE(folder_complaint(folder.path()).find("tone2.png: is 32 px wide"), std::string::npos);
     std::ofstream(folder / "tone2.png") << "no picture";
-    EXPECT_NE(complaint(folder.path()).find("tone2.png: is not a PNG"), std::string::npos);
+    EXPECT_NE(folder_complaint(folder.path()).find("tone2.png: is not a PNG"), std::string::npos);
     fs::rename(folder / "tone2.png", folder / "tone2_level0.png");
-    EXPECT_NE(complaint(folder.path()).find("does not tell tone and level"), std::string::npos);
+    EXPECT_NE(folder_complaint(folder.path()).find("does not tell tone and level"), std::string::npos);
     fs::rename(folder / "tone2_level0.png", folder / "another 1.png");
-    EXPECT_NE(complaint(folder.path()).find("is the same tone and level as"), std::string::npos);
+    EXPECT_NE(folder_complaint(folder.path()).find("is the same tone and level as"), std::string::npos);
     fs::remove(folder / "another 1.png");
     fs::rename(folder / "tone1.png", folder / "tone1_level1.png");
-    EXPECT_NE(complaint(folder.path()).find("level 0 of this tone is missing"), std::string::npos);
+    EXPECT_NE(folder_complaint(folder.path()).find("level 0 of this tone is missing"), std::string::npos);
     fs::remove(folder / "tone1_level1.png");
     save_png(Image{.width = 2, .height = 1, .rgba = std::vector<uint8_t>(8)}, folder / "tone1.png");
-    EXPECT_NE(complaint(folder.path()).find("is 2 x 1 pixels"), std::string::npos);
+    EXPECT_NE(folder_complaint(folder.path()).find("is 2 x 1 pixels"), std::string::npos);
 }
 
 TEST(MapFolder, DoesNotWriteOverWhatIsThere)

@@ -16,13 +16,7 @@ namespace {
 
 using testing::Folder;
 using testing::message_of;
-using testing::small_style;
-
-const TonalArtMap& small_map()
-{
-    static const TonalArtMap map = make_map(small_style(Tool::pen, 32));
-    return map;
-}
+using testing::small_map;
 
 const std::vector<std::byte>& small_file()
 {

@@ -36,7 +36,7 @@ constexpr glm::uvec2 size_px(128, 96);
 constexpr uint32_t sand = 5;
 
 /// The eye over a plane of the world through the point below it.
-struct Ground {
+struct SeenPlane {
     glm::dvec3 eye{3.0, 1.7, -2.0};
     double eye_height_m = 1.7;
     glm::dvec3 normal{0.0, 1.0, 0.0};
@@ -84,7 +84,7 @@ struct Words {
 };
 
 /// The left half is of another draw where that is asked for.
-std::vector<Words> rippled(const Ground& ground, bool is_halved = false)
+std::vector<Words> rippled(const SeenPlane& ground, bool is_halved = false)
 {
     auto draw = test::Layer::words(size_px, [&](glm::uvec2 pixel) {
         return ground.depth(pixel) == 0.0F ? 0U : (is_halved && pixel.x < size_px.x / 2 ? sand : sand + 1U);
@@ -113,10 +113,10 @@ std::vector<glm::vec3> shading_of(const std::vector<Words>& words)
 
 TEST(SandRipples, BendNormalsAsTheirFormLeans)
 {
-    const Ground ground{.eye = {1e6 + 3.0, 0.4, -2.0},
-                        .eye_height_m = 0.4,
-                        .anchor = {64.0 * 15625.0, 0.0, 0.0},
-                        .time_s = 90.0};
+    const SeenPlane ground{.eye = {1e6 + 3.0, 0.4, -2.0},
+                           .eye_height_m = 0.4,
+                           .anchor = {64.0 * 15625.0, 0.0, 0.0},
+                           .time_s = 90.0};
     const auto words = rippled(ground);
     const auto normals = shading_of(words);
     const auto ripples = ripples_at(dunes(), sand, ground.anchor, ground.time_s).value();
@@ -146,7 +146,7 @@ TEST(SandRipples, AreGoneBeforeTheyAlias)
     // From nearer to farther: the mean stays the ground's, and in the end so does every byte.
     float last_lean = 1.0F;
     for (const double height_m : {1.0, 4.0, 12.0, 60.0}) {
-        const Ground ground{.eye = {3.0, height_m, -2.0}, .eye_height_m = height_m};
+        const SeenPlane ground{.eye = {3.0, height_m, -2.0}, .eye_height_m = height_m};
         const auto words = rippled(ground);
         const auto normals = shading_of(words);
         glm::dvec3 mean(0.0);

@@ -15,21 +15,21 @@
 namespace estampe::terrain {
 namespace {
 
-constexpr int side = 128;
+constexpr int dunes_side = 128;
 
 /// Heights in metres, a metre a cell, of a field that repeats.
-class Ground {
+class DuneField {
 public:
-    explicit Ground(std::vector<float> heights_m)
+    explicit DuneField(std::vector<float> heights_m)
         : heights_m_(std::move(heights_m)),
-          mean_m_(std::accumulate(heights_m_.begin(), heights_m_.end(), 0.0) / (side * side))
+          mean_m_(std::accumulate(heights_m_.begin(), heights_m_.end(), 0.0) / (dunes_side * dunes_side))
     {
     }
 
     [[nodiscard]] double at(int x, int y) const
     {
         return static_cast<double>(
-            heights_m_[static_cast<size_t>((y & (side - 1)) * side + (x & (side - 1)))]);
+            heights_m_[static_cast<size_t>((y & (dunes_side - 1)) * dunes_side + (x & (dunes_side - 1)))]);
     }
 
     [[nodiscard]] glm::dvec2 gradient(int x, int y) const
@@ -38,14 +38,15 @@ public:
     }
 
     /// Mean product of heights about their mean with those of `other` so many cells away.
-    [[nodiscard]] double correlation(const Ground& other, glm::ivec2 away) const
+    [[nodiscard]] double correlation(const DuneField& other, glm::ivec2 away) const
     {
         double sum = 0.0;
-        for (int i = 0; i < side * side; ++i) {
-            const glm::ivec2 there = glm::ivec2(i % side, i / side) + away;
-            sum += (at(i % side, i / side) - mean_m_) * (other.at(there.x, there.y) - other.mean_m_);
+        for (int i = 0; i < dunes_side * dunes_side; ++i) {
+            const glm::ivec2 there = glm::ivec2(i % dunes_side, i / dunes_side) + away;
+            sum +=
+                (at(i % dunes_side, i / dunes_side) - mean_m_) * (other.at(there.x, there.y) - other.mean_m_);
         }
-        return sum / (side * side);
+        return sum / (dunes_side * dunes_side);
     }
 
 private:
@@ -56,14 +57,16 @@ private:
 /// A field whose steps are let pass one after the other.
 class Growing {
 public:
-    explicit Growing(const SlabStyle& style) : style_(style), field_(test::shared_device(), style, side) {}
-
-    Growing(const SlabStyle& style, const std::vector<float>& start)
-        : style_(style), field_(test::shared_device(), style, side, start)
+    explicit Growing(const SlabStyle& style) : style_(style), field_(test::shared_device(), style, dunes_side)
     {
     }
 
-    Ground after(uint32_t steps)
+    Growing(const SlabStyle& style, const std::vector<float>& start)
+        : style_(style), field_(test::shared_device(), style, dunes_side, start)
+    {
+    }
+
+    DuneField after(uint32_t steps)
     {
         constexpr uint32_t at_once = 20;
         for (; steps > at_once; steps -= at_once) {
@@ -71,7 +74,7 @@ public:
             static_cast<void>(test::run_and_read_as<float>(graph, field_.add_steps(graph, style_, at_once)));
         }
         gpu::Graph graph;
-        return Ground(test::run_and_read_as<float>(graph, field_.add_steps(graph, style_, steps)));
+        return DuneField(test::run_and_read_as<float>(graph, field_.add_steps(graph, style_, steps)));
     }
 
 private:
@@ -80,18 +83,18 @@ private:
 };
 
 /// Cells after which the correlation with itself has halved.
-int correlation_length(const Ground& ground, glm::ivec2 towards)
+int correlation_length(const DuneField& ground, glm::ivec2 towards)
 {
     const double half = 0.5 * ground.correlation(ground, {0, 0});
     int cells = 1;
-    while (cells < side / 2 && ground.correlation(ground, cells * towards) > half) {
+    while (cells < dunes_side / 2 && ground.correlation(ground, cells * towards) > half) {
         ++cells;
     }
     return cells;
 }
 
 /// Where `later` is most like `ground`, within so many cells.
-glm::ivec2 moved_between(const Ground& ground, const Ground& later, int reach)
+glm::ivec2 moved_between(const DuneField& ground, const DuneField& later, int reach)
 {
     glm::ivec2 best(0);
     for (int i = 0; i < (2 * reach + 1) * (2 * reach + 1); ++i) {
@@ -108,13 +111,13 @@ struct Slopes {
     double too_steep = 0.0;                      ///< share of all cells, beyond 34 degrees
 };
 
-Slopes slopes_of(const Ground& ground)
+Slopes slopes_of(const DuneField& ground)
 {
     Slopes slopes;
-    for (int i = 0; i < side * side; ++i) {
-        const glm::dvec2 gradient = ground.gradient(i % side, i / side);
+    for (int i = 0; i < dunes_side * dunes_side; ++i) {
+        const glm::dvec2 gradient = ground.gradient(i % dunes_side, i / dunes_side);
         const double deg = glm::degrees(std::atan(glm::length(gradient)));
-        slopes.too_steep += deg > 34.0 ? 1.0 / (side * side) : 0.0;
+        slopes.too_steep += deg > 34.0 ? 1.0 / (dunes_side * dunes_side) : 0.0;
         slopes.lee[static_cast<size_t>(deg)] += gradient.x < 0.0 ? 1 : 0;
     }
     return slopes;
@@ -123,8 +126,8 @@ Slopes slopes_of(const Ground& ground)
 TEST(SlabDunes, GrowWithSlipFacesAndCrestsAcrossTheWindAndWanderWithIt)
 {
     Growing growing({.depth_m = 4.0F, .speedup_per_m = 0.02F, .smooth_cells = 0});
-    const Ground young = growing.after(100);
-    const Ground grown = growing.after(1100);
+    const DuneField young = growing.after(100);
+    const DuneField grown = growing.after(1100);
     const double roughness_m = std::sqrt(grown.correlation(grown, {0, 0}));
     EXPECT_GT(roughness_m, 5.0 * std::sqrt(young.correlation(young, {0, 0})));
     EXPECT_GT(roughness_m, 1.5);
@@ -154,30 +157,30 @@ Ridge wandering_ridge(float crest_m)
 {
     const SlabStyle style{.wind_spread_deg = 0.0F, .speedup_per_m = 0.0F, .stay_on_rock = 0.6F};
     std::vector<float> start;
-    for (int i = 0; i < side * side; ++i) {
-        const float x = static_cast<float>(i % side) - 3.0F * crest_m;
+    for (int i = 0; i < dunes_side * dunes_side; ++i) {
+        const float x = static_cast<float>(i % dunes_side) - 3.0F * crest_m;
         start.push_back(std::max(x < 0.0F ? crest_m + x / 3.0F : crest_m - x / 1.5F, 0.0F));
     }
     Growing growing(style, start);
     Ridge ridge;
     // The wave of the field's length is the ridge's place, finer than a cell.
-    const auto place = [&](const Ground& ground) {
+    const auto place = [&](const DuneField& ground) {
         glm::dvec2 wave(0.0);
         ridge.crest_m = 0.0;
-        for (int x = 0; x < side; ++x) {
+        for (int x = 0; x < dunes_side; ++x) {
             double height = 0.0;
-            for (int y = 0; y < side; ++y) {
-                height += ground.at(x, y) / side;
+            for (int y = 0; y < dunes_side; ++y) {
+                height += ground.at(x, y) / dunes_side;
             }
-            const double angle = 2.0 * std::numbers::pi * x / side;
+            const double angle = 2.0 * std::numbers::pi * x / dunes_side;
             wave += height * glm::dvec2(std::cos(angle), std::sin(angle));
             ridge.crest_m = std::max(ridge.crest_m, height);
         }
-        return std::atan2(wave.y, wave.x) * side / (2.0 * std::numbers::pi);
+        return std::atan2(wave.y, wave.x) * dunes_side / (2.0 * std::numbers::pi);
     };
     constexpr int steps = 200;
     const double before = place(growing.after(200));
-    ridge.celerity_m = std::fmod(place(growing.after(steps)) - before + side, side) / steps;
+    ridge.celerity_m = std::fmod(place(growing.after(steps)) - before + dunes_side, dunes_side) / steps;
     return ridge;
 }
 

@@ -49,7 +49,7 @@ Slabs slabs_after(SlabField& field, const SlabStyle& style, uint32_t count, uint
     return slabs_of(field);
 }
 
-uint64_t sum_of(const Slabs& slabs)
+uint64_t sum_of_slabs(const Slabs& slabs)
 {
     return std::accumulate(slabs.begin(), slabs.end(), uint64_t{0});
 }
@@ -198,11 +198,11 @@ TEST(Slabs, NoneIsLostOrMadeInTenThousandSteps)
 {
     constexpr SlabStyle style{.depth_m = 2.0F, .wind_deg = 25.0F, .slides = 2};
     SlabField field(test::shared_device(), style, 64);
-    const uint64_t before = sum_of(slabs_of(field));
+    const uint64_t before = sum_of_slabs(slabs_of(field));
     EXPECT_NEAR(static_cast<double>(before) * 0.1 / (64 * 64), 2.0, 0.05);
     for (int i = 0; i < 4; ++i) {
         const Slabs slabs = slabs_after(field, style, 2500, 48);
-        ASSERT_EQ(sum_of(slabs), before);
+        ASSERT_EQ(sum_of_slabs(slabs), before);
         ASSERT_LT(*std::max_element(slabs.begin(), slabs.end()), before) << "below nothing";
     }
     EXPECT_EQ(field.steps(), 10000U);
@@ -224,7 +224,7 @@ TEST(Slabs, HeightsHoldTheSandAndRepeat)
     for (const int smooth : {0, 1, 2, 5, 8}) {
         const SlabStyle style{.smooth_cells = smooth};
         SlabField field(test::shared_device(), style, side, rough_start(side));
-        const double sand_m = 0.1 * static_cast<double>(sum_of(slabs_of(field)));
+        const double sand_m = 0.1 * static_cast<double>(sum_of_slabs(slabs_of(field)));
         const std::vector<float> heights = heights_after(field, style, 0);
         EXPECT_NEAR(std::accumulate(heights.begin(), heights.end(), 0.0) / sand_m, 1.0, 1e-6) << smooth;
         // What is moved round the field comes out moved.

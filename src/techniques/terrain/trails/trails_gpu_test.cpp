@@ -18,9 +18,9 @@
 namespace estampe::terrain {
 namespace {
 
-constexpr uint32_t side = 128;
+constexpr uint32_t trails_side = 128;
 constexpr double extent_m = 8.0;
-constexpr double texel_m = extent_m / side;
+constexpr double texel_m = extent_m / trails_side;
 
 struct Seen {
     std::vector<float> heights_m; ///< of the image, row by row
@@ -43,18 +43,18 @@ public:
         return test::run_and_read_as<float>(graph, gpu::import_whole(graph, "trails", field.heights()));
     }
 
-    TrailField field{test::shared_device(), side, extent_m};
+    TrailField field{test::shared_device(), trails_side, extent_m};
     TerrainTrails style;
 };
 
 /// Of a texel of the ground by its number.
 float height_of(const std::vector<float>& kept, glm::ivec2 number)
 {
-    const int last = static_cast<int>(side) - 1;
-    return kept[static_cast<size_t>((number.y & last) * static_cast<int>(side) + (number.x & last))];
+    const int last = static_cast<int>(trails_side) - 1;
+    return kept[static_cast<size_t>((number.y & last) * static_cast<int>(trails_side) + (number.x & last))];
 }
 
-double sum_of(const std::vector<float>& heights)
+double sum_of_heights(const std::vector<float>& heights)
 {
     return std::accumulate(heights.begin(), heights.end(), 0.0);
 }
@@ -80,7 +80,7 @@ TEST(Trails, TheRimTakesWhatTheSoleGives)
         const std::vector<float> kept = walked.kept();
         const double pressed = depth_sum_of(kept);
         EXPECT_GT(pressed * texel_m * texel_m, 0.01 * static_cast<double>(stamp.depth_m));
-        EXPECT_NEAR(sum_of(kept) / pressed, 0.0, 1e-4);
+        EXPECT_NEAR(sum_of_heights(kept) / pressed, 0.0, 1e-4);
         EXPECT_GE(*std::min_element(kept.begin(), kept.end()), -stamp.depth_m);
         EXPECT_GT(*std::max_element(kept.begin(), kept.end()), 0.1F * stamp.depth_m);
     }
@@ -92,7 +92,7 @@ TEST(Trails, TheRimTakesWhatTheSoleGives)
     static_cast<void>(walked.after(0));
     const double pressed = depth_sum_of(walked.kept());
     static_cast<void>(walked.after(40));
-    EXPECT_NEAR(sum_of(walked.kept()) / pressed, 0.0, 1e-3);
+    EXPECT_NEAR(sum_of_heights(walked.kept()) / pressed, 0.0, 1e-3);
     EXPECT_LT(depth_sum_of(walked.kept()), 0.9 * pressed) << "the drag of 30 cm slumps";
 }
 
@@ -121,7 +121,7 @@ TEST(Trails, ADiscIsItsDepthWithinAndARimWithout)
     walked.field.press({&disc, 1});
     static_cast<void>(walked.after(0));
     EXPECT_EQ(height_of(walked.kept(), {0, 0}), -0.04F);
-    EXPECT_NEAR(sum_of(walked.kept()) / depth_sum_of(walked.kept()), 0.0, 1e-4);
+    EXPECT_NEAR(sum_of_heights(walked.kept()) / depth_sum_of(walked.kept()), 0.0, 1e-4);
 }
 
 TEST(Trails, HalfIsLeftAfterTheHalfLifeHoweverTimeIsSplit)
@@ -155,7 +155,7 @@ TEST(Trails, TheWindowMovesNothing)
     walked.field.press(stamps);
     static_cast<void>(walked.after(60));
     glm::ivec2 centre(0);
-    const int half = static_cast<int>(side) / 2;
+    const int half = static_cast<int>(trails_side) / 2;
     for (const glm::ivec2 step :
          {glm::ivec2(1, 0), glm::ivec2(-3, 7), glm::ivec2(20, -31), glm::ivec2(-40, 40), glm::ivec2(63, 63),
           glm::ivec2(-5, -100), glm::ivec2(0, 1000)}) {
@@ -205,7 +205,7 @@ TEST(Trails, WhatWasPressedInIsRemembered)
     const std::vector<float> kept = at_once.kept();
     EXPECT_EQ(slowly.kept(), kept);
     EXPECT_EQ(height_of(kept, glm::ivec2(glm::floor(stamps[0].from_m / texel_m))), -0.025F);
-    EXPECT_NEAR(sum_of(kept) / depth_sum_of(kept), 0.0, 0.05);
+    EXPECT_NEAR(sum_of_heights(kept) / depth_sum_of(kept), 0.0, 0.05);
     // Who walks away and comes back finds his prints.
     Walked away;
     away.style.half_life_s = 1e6F;
@@ -275,11 +275,11 @@ TEST(Trails, TheImageIsLevelAtItsEdge)
     walked.field.press({&across, 1});
     const Seen seen = walked.after(0);
     EXPECT_GT(depth_sum_of(walked.kept()), 1.0);
-    for (uint32_t i = 0; i < side; ++i) {
+    for (uint32_t i = 0; i < trails_side; ++i) {
         EXPECT_EQ(seen.heights_m[i], 0.0F);
-        EXPECT_EQ(seen.heights_m[(side - 1) * side + i], 0.0F);
-        EXPECT_EQ(seen.heights_m[i * side], 0.0F);
-        EXPECT_EQ(seen.heights_m[i * side + side - 1], 0.0F);
+        EXPECT_EQ(seen.heights_m[(trails_side - 1) * trails_side + i], 0.0F);
+        EXPECT_EQ(seen.heights_m[i * trails_side], 0.0F);
+        EXPECT_EQ(seen.heights_m[i * trails_side + trails_side - 1], 0.0F);
     }
 }
 

@@ -13,12 +13,12 @@
 namespace estampe::contour {
 namespace {
 
-constexpr glm::ivec2 page_px{480, 360};
+constexpr glm::ivec2 gaps_page_px{480, 360};
 constexpr int reach_px = 3;
 
 size_t pixel_at(const glm::ivec2& place)
 {
-    return static_cast<size_t>(place.y) * page_px.x + static_cast<size_t>(place.x);
+    return static_cast<size_t>(place.y) * gaps_page_px.x + static_cast<size_t>(place.x);
 }
 
 bool is_inked(const std::vector<float>& ink, const glm::ivec2& place)
@@ -37,15 +37,15 @@ bool is_inked(const std::vector<float>& ink, const glm::ivec2& place)
 double share_of_gaps(const Primitive& thing)
 {
     test::Drawing drawing(test::scene_of(thing), {.eye = {2.1, 2.4, 4.6}, .target = {0.0, 0.2, 0.0}},
-                          glm::uvec2(page_px));
+                          glm::uvec2(gaps_page_px));
     const std::vector<float> depth = drawing.depth_alone();
     ContourStyle style = even_lines(2.0F);
     style.crease_deg = 180.0F;
     const std::vector<float> ink = drawing.lines(style, 1.0F);
     double edge = 0.0;
     double gaps = 0.0;
-    for (int y = reach_px; y < page_px.y - reach_px; ++y) {
-        for (int x = reach_px; x < page_px.x - reach_px; ++x) {
+    for (int y = reach_px; y < gaps_page_px.y - reach_px; ++y) {
+        for (int x = reach_px; x < gaps_page_px.x - reach_px; ++x) {
             const bool ends = depth[pixel_at({x + 1, y})] == 0.0F || depth[pixel_at({x - 1, y})] == 0.0F ||
                               depth[pixel_at({x, y + 1})] == 0.0F || depth[pixel_at({x, y - 1})] == 0.0F;
             if (depth[pixel_at({x, y})] > 0.0F && ends) {

@@ -11,11 +11,11 @@
 
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"
+#include "techniques/contour/chains/chains_test_scene.hpp"
 
 namespace estampe::contour {
 namespace {
 
-constexpr glm::uvec2 page_px{480, 360};
 constexpr glm::vec3 grey(0.5F);
 
 ContourStyle with_intersections()

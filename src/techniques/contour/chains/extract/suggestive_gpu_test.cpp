@@ -22,14 +22,8 @@
 namespace estampe::contour {
 namespace {
 
-constexpr glm::uvec2 page_px{320, 240};
-constexpr double big = 1.0;
-constexpr double small = 0.45;
-
-bool bit(const std::vector<uint32_t>& words, size_t i)
-{
-    return (words[i / 32] >> (i % 32) & 1U) != 0;
-}
+constexpr double ring = 1.0;
+constexpr double tube = 0.45;
 
 /// Strength at the zero of radial curvature between two vertices, computed as in the shaders.
 float strength_between(const std::vector<glm::vec2>& bends, uint32_t i, uint32_t j)
@@ -40,9 +34,9 @@ float strength_between(const std::vector<glm::vec2>& bends, uint32_t i, uint32_t
     return a.y + share * (b.y - a.y);
 }
 
-void expect_triangles_as_searched(const Scene& scene, const Camera& camera, const std::string& name)
+void expect_bends_as_searched(const Scene& scene, const Camera& camera, const std::string& name)
 {
-    test::Drawing drawing(scene, camera, page_px);
+    test::Drawing drawing(scene, camera, small_page_px);
     const EdgeMesh mesh = features::edge_mesh_of(drawing.layout);
     const auto lists = drawing.chains({.suggestive_mm = 0.3F, .intersection_mm = 0.0F});
     ASSERT_EQ(lists.view_bends.size(), drawing.layout.draw_of_vertex.size()) << name;
@@ -85,8 +79,8 @@ public:
     {
         const glm::dvec3 out(std::cos(u), 0.0, std::sin(u));
         const glm::dvec3 y(0.0, 1.0, 0.0);
-        const double around = big + small * std::cos(v);
-        return {around * out + small * std::sin(v) * y,
+        const double around = ring + tube * std::cos(v);
+        return {around * out + tube * std::sin(v) * y,
                 std::cos(v) * out + std::sin(v) * y,
                 -std::sin(v) * out + std::cos(v) * y,
                 glm::dvec3(-std::sin(u), 0.0, std::cos(u)),
@@ -104,7 +98,7 @@ public:
     {
         const Place p = place(u, v);
         const glm::dvec2 w = towards_eye(p);
-        return w.x * w.x / small + w.y * w.y * p.cosine / p.around;
+        return w.x * w.x / tube + w.y * w.y * p.cosine / p.around;
     }
 
     /// Growth of radial curvature towards the eye.
@@ -114,14 +108,14 @@ public:
         const Place p = place(u, v);
         const glm::dvec2 w = towards_eye(p);
         const double du = step * w.y / p.around;
-        const double dv = step * w.x / small;
+        const double dv = step * w.x / tube;
         return (radial(u + du, v + dv) - radial(u - du, v - dv)) / (2.0 * step);
     }
 
     /// The two angles of a position.
     [[nodiscard]] static glm::dvec2 angles_at(const glm::dvec3& p)
     {
-        return {std::atan2(p.z, p.x), std::atan2(p.y, std::hypot(p.x, p.z) - big)};
+        return {std::atan2(p.z, p.x), std::atan2(p.y, std::hypot(p.x, p.z) - ring)};
     }
 
 private:
@@ -138,8 +132,8 @@ class SuggestiveTorus : public testing::Test {
 protected:
     SuggestiveTorus()
         : scene_(test::scene_of(
-              subdivided(shapes::torus(static_cast<float>(big), static_cast<float>(small), 160, 80), 0))),
-          drawing_(scene_, {.eye = eye_, .target = {0.0, 0.0, 0.0}}, page_px), torus_(eye_),
+              subdivided(shapes::torus(static_cast<float>(ring), static_cast<float>(tube), 160, 80), 0))),
+          drawing_(scene_, {.eye = eye_, .target = {0.0, 0.0, 0.0}}, small_page_px), torus_(eye_),
           lists_(drawing_.chains(style_))
     {
     }
@@ -174,7 +168,7 @@ TEST(SuggestiveContours, AreThoseOfASearch)
     Scene scene = shapes_scene();
     test::add_object(scene, subdivided(shapes::torus(0.9F, 0.3F, 24, 12), 1), glm::vec3(0.5F),
                      {-0.6, 1.1, 1.4});
-    expect_triangles_as_searched(scene, view_from_above(), "shapes");
+    expect_bends_as_searched(scene, view_from_above(), "shapes");
 }
 
 TEST(SuggestiveContours, OfModelsAreThoseOfASearch)
@@ -185,7 +179,7 @@ TEST(SuggestiveContours, OfModelsAreThoseOfASearch)
         if (folder != nullptr && std::filesystem::exists(std::filesystem::path(folder) / name)) {
             const Scene scene = load_scene(std::filesystem::path(folder) / name);
             const Camera camera = framing_camera(scene, pose_scene(scene, 0.0, no_index), 4.0 / 3.0);
-            expect_triangles_as_searched(scene, camera, name);
+            expect_bends_as_searched(scene, camera, name);
         }
     }
 }
@@ -252,7 +246,7 @@ TEST_F(SuggestiveTorus, HasAllOfThem)
 
 TEST(SuggestiveContours, AreNoneUnlessAskedFor)
 {
-    test::Drawing drawing(shapes_scene(), view_from_above(), page_px);
+    test::Drawing drawing(shapes_scene(), view_from_above(), small_page_px);
     const auto lists = drawing.chains({.intersection_mm = 0.0F});
     EXPECT_TRUE(lists.view_bends.empty());
     const auto with_lines = drawing.chains({.suggestive_mm = 0.3F, .intersection_mm = 0.0F});

@@ -22,7 +22,6 @@ using shared::DrawnSample;
 using shared::LineSample;
 using shared::Stroke;
 
-constexpr glm::uvec2 page_px{480, 360};
 constexpr double most_slip_px = 8.0;    // a larger offset is a jump, not a slip
 constexpr float least_whole_px = 24.0F; // shorter strokes are not tested
 

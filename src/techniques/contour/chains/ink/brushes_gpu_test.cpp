@@ -20,8 +20,6 @@ namespace {
 using shared::LineSample;
 using shared::Stroke;
 
-constexpr glm::uvec2 page_px{480, 360};
-
 /// A picture of a stroke with ink only on its left, from a quarter to a half of its length.
 Image marked_picture()
 {
@@ -33,12 +31,6 @@ Image marked_picture()
         }
     }
     return image;
-}
-
-float at(const std::vector<float>& ink, const glm::vec2& place_px)
-{
-    const glm::ivec2 pixel(glm::floor(place_px));
-    return ink[static_cast<size_t>(pixel.y) * page_px.x + static_cast<size_t>(pixel.x)];
 }
 
 /// Number of places along a straight stroke whose ink differs from marked_picture().
@@ -54,9 +46,10 @@ size_t places_off(const test::ChainLists& lists, const Stroke& stroke, const std
         const float along = static_cast<float>(i) / static_cast<float>(steps);
         const bool is_inked = along > 0.27F && along < 0.48F;
         const bool is_blank = along < 0.23F || along > 0.52F;
-        const float on_left = at(ink, sample.page_px + 3.0F * left);
+        const float on_left = ink_at(ink, page_px.x, sample.page_px + 3.0F * left);
         off += (is_inked && on_left < 0.95F) || (is_blank && on_left > 0.05F) ? 1U : 0U;
-        off += (is_inked || is_blank) && at(ink, sample.page_px - 3.0F * left) > 0.05F ? 1U : 0U;
+        off +=
+            (is_inked || is_blank) && ink_at(ink, page_px.x, sample.page_px - 3.0F * left) > 0.05F ? 1U : 0U;
     }
     return off;
 }

@@ -17,7 +17,7 @@
 namespace estampe::contour {
 namespace {
 
-constexpr glm::uvec2 page_px{160, 120};
+constexpr glm::uvec2 turned_page_px{160, 120};
 
 /// A copy in which each triangle has its own vertices and one normal.
 Primitive flat_shaded(const Primitive& smooth)
@@ -88,7 +88,7 @@ Scene by_joint(const Primitive& primitive, const glm::dmat4& turn)
 /// Number of segments in the outlines and creases of a scene.
 uint32_t segments_of(const Scene& scene)
 {
-    test::Drawing drawing(scene, view_from_above(), page_px);
+    test::Drawing drawing(scene, view_from_above(), turned_page_px);
     return drawing.chain_sizes({.intersection_mm = 0.0F})[shared::list_segments].count;
 }
 

@@ -15,14 +15,8 @@
 namespace estampe::contour {
 namespace {
 
-constexpr glm::uvec2 page_px{400, 300};
-constexpr double fov_rad = 0.8;
-
-float at(const std::vector<float>& ink, const glm::dvec2& place_px)
-{
-    const glm::ivec2 pixel(glm::floor(place_px));
-    return ink[static_cast<size_t>(pixel.y) * page_px.x + static_cast<size_t>(pixel.x)];
-}
+constexpr glm::uvec2 hand_page_px{400, 300};
+constexpr double hand_fov_rad = 0.8;
 
 double sum_of(const std::vector<float>& ink)
 {
@@ -33,10 +27,10 @@ double sum_of(const std::vector<float>& ink)
 double outline_px(double distance_m, const ContourStyle& style)
 {
     test::Drawing drawing(test::scene_of(shapes::sphere(1.0F, 96, 48)),
-                          test::front_camera(distance_m, fov_rad), page_px);
+                          test::front_camera(distance_m, hand_fov_rad), hand_page_px);
     const std::vector<float> ink = drawing.lines(style, 1.0F);
-    const auto row = ink.begin() + std::ptrdiff_t{page_px.y / 2} * page_px.x;
-    return std::accumulate(row + page_px.x / 2, row + page_px.x, 0.0);
+    const auto row = ink.begin() + std::ptrdiff_t{hand_page_px.y / 2} * hand_page_px.x;
+    return std::accumulate(row + hand_page_px.x / 2, row + hand_page_px.x, 0.0);
 }
 
 TEST(LineHand, WidthsOfTheSceneHalveWhenTheDistanceDoubles)
@@ -48,7 +42,7 @@ TEST(LineHand, WidthsOfTheSceneHalveWhenTheDistanceDoubles)
     for (const double distance_m : {4.0, 8.0}) {
         widths_px.push_back(outline_px(distance_m, style));
         const double away_m = distance_m - 1.0 / distance_m; // distance of the circle that is the outline
-        const double pixel_m = 2.0 * away_m * std::tan(0.5 * fov_rad) / page_px.y;
+        const double pixel_m = 2.0 * away_m * std::tan(0.5 * hand_fov_rad) / hand_page_px.y;
         EXPECT_NEAR(widths_px.back(), 0.12 / pixel_m, 0.3) << distance_m;
     }
     EXPECT_NEAR(widths_px[0] / widths_px[1], 2.1, 0.1);
@@ -92,9 +86,10 @@ Primitive folded_sheet(bool is_round)
 /// Width of the line along the middle of a sheet.
 double middle_px(const Primitive& sheet, double distance_m, const ContourStyle& style)
 {
-    test::Drawing drawing(test::scene_of(sheet), test::front_camera(distance_m, fov_rad), page_px);
+    test::Drawing drawing(test::scene_of(sheet), test::front_camera(distance_m, hand_fov_rad), hand_page_px);
     const std::vector<float> ink = drawing.lines(style, 1.0F);
-    const auto middle = ink.begin() + std::ptrdiff_t{page_px.y / 2} * page_px.x + page_px.x / 2;
+    const auto middle =
+        ink.begin() + std::ptrdiff_t{hand_page_px.y / 2} * hand_page_px.x + hand_page_px.x / 2;
     return std::accumulate(middle - 25, middle + 25, 0.0);
 }
 
@@ -111,7 +106,7 @@ TEST(LineHand, WidthsOfTheSceneAreThoseOfEachKind)
         ContourStyle wide = style;
         wide.*width_m = 0.12F;
         for (const double distance_m : {4.0, 6.0}) {
-            const double pixel_m = 2.0 * distance_m * std::tan(0.5 * fov_rad) / page_px.y;
+            const double pixel_m = 2.0 * distance_m * std::tan(0.5 * hand_fov_rad) / hand_page_px.y;
             EXPECT_NEAR(middle_px(sheet, distance_m, wide), 0.12 / pixel_m, 0.3)
                 << name << ", " << distance_m;
         }
@@ -144,12 +139,12 @@ Primitive sharp_triangle()
 
 std::vector<Corner> corners_of(const Primitive& triangle, double distance_m)
 {
-    const double px_per_m = 0.5 * page_px.y / (distance_m * std::tan(0.5 * fov_rad));
+    const double px_per_m = 0.5 * hand_page_px.y / (distance_m * std::tan(0.5 * hand_fov_rad));
     std::vector<Corner> corners;
     for (size_t i = 0; i < 3; ++i) {
         const auto page = [&](size_t k) {
             const glm::dvec2 place(triangle.positions[k % 3]);
-            return 0.5 * glm::dvec2(page_px) + px_per_m * glm::dvec2(place.x, -place.y);
+            return 0.5 * glm::dvec2(hand_page_px) + px_per_m * glm::dvec2(place.x, -place.y);
         };
         const glm::dvec2 a = glm::normalize(page(i + 1) - page(i));
         const glm::dvec2 b = glm::normalize(page(i + 2) - page(i));
@@ -163,7 +158,7 @@ TEST(LineHand, CornersAreMitredUpToALimitAndElseRound)
     constexpr double half_px = 8.0;
     ContourStyle style = even_lines(16.0F);
     const Primitive triangle = sharp_triangle();
-    test::Drawing drawing(test::scene_of(triangle), test::front_camera(2.6, fov_rad), page_px);
+    test::Drawing drawing(test::scene_of(triangle), test::front_camera(2.6, hand_fov_rad), hand_page_px);
     const std::vector<float> round = drawing.lines(style, 1.0F);
     style.joints = Joints::mitre;
     const std::vector<float> mitred = drawing.lines(style, 1.0F);
@@ -171,14 +166,14 @@ TEST(LineHand, CornersAreMitredUpToALimitAndElseRound)
         const auto beyond = [&](double distance_px) { return corner.page_px + distance_px * corner.out; };
         const double tip_px = half_px / std::sin(corner.half_angle_rad);
         const bool is_too_sharp = tip_px > 4.0 * half_px;
-        EXPECT_GT(at(round, beyond(half_px - 2.0)), 0.95F);
-        EXPECT_LT(at(round, beyond(half_px + 2.0)), 0.05F);
-        EXPECT_GT(at(mitred, beyond(half_px - 2.0)), 0.95F);
-        EXPECT_LT(at(mitred, beyond(tip_px + 2.0)), 0.05F);
+        EXPECT_GT(ink_at(round, hand_page_px.x, beyond(half_px - 2.0)), 0.95F);
+        EXPECT_LT(ink_at(round, hand_page_px.x, beyond(half_px + 2.0)), 0.05F);
+        EXPECT_GT(ink_at(mitred, hand_page_px.x, beyond(half_px - 2.0)), 0.95F);
+        EXPECT_LT(ink_at(mitred, hand_page_px.x, beyond(tip_px + 2.0)), 0.05F);
         if (is_too_sharp) {
-            EXPECT_LT(at(mitred, beyond(half_px + 2.0)), 0.05F) << corner.half_angle_rad;
+            EXPECT_LT(ink_at(mitred, hand_page_px.x, beyond(half_px + 2.0)), 0.05F) << corner.half_angle_rad;
         } else {
-            EXPECT_GT(at(mitred, beyond(tip_px - 3.0)), 0.9F) << corner.half_angle_rad;
+            EXPECT_GT(ink_at(mitred, hand_page_px.x, beyond(tip_px - 3.0)), 0.9F) << corner.half_angle_rad;
         }
     }
     // Mitring only adds ink, and leaves no gap.
@@ -190,7 +185,7 @@ TEST(LineHand, CornersAreMitredUpToALimitAndElseRound)
 TEST(LineHand, StrokesDrawnAgainLieOverTheFirstAndDependOnTheSeed)
 {
     ContourStyle style = even_lines(1.5F);
-    test::Drawing drawing(shapes_scene(), view_from_above(), page_px);
+    test::Drawing drawing(shapes_scene(), view_from_above(), hand_page_px);
     const std::vector<float> once = drawing.lines(style, 1.0F);
     style.strokes = 2;
     style.retrace_mm = 4.0F;
@@ -209,8 +204,8 @@ TEST(LineHand, JitterMovesEndsPlaceAndWidthAsFarAsItSays)
 {
     ContourStyle style = even_lines(4.0F);
     style.crease_mm = 0.0F;
-    test::Drawing drawing(test::scene_of(shapes::sphere(1.0F, 96, 48)), test::front_camera(3.0, fov_rad),
-                          page_px);
+    test::Drawing drawing(test::scene_of(shapes::sphere(1.0F, 96, 48)), test::front_camera(3.0, hand_fov_rad),
+                          hand_page_px);
     const std::vector<float> plain = drawing.lines(style, 1.0F);
     style.jitter_width = 0.5F;
     const double varied = sum_of(drawing.lines(style, 1.0F)) / sum_of(plain);
@@ -221,13 +216,14 @@ TEST(LineHand, JitterMovesEndsPlaceAndWidthAsFarAsItSays)
     style.jitter_offset_mm = 3.0F;
     const std::vector<float> moved = drawing.lines(style, 1.0F);
     EXPECT_NE(moved, plain);
-    const glm::dvec2 middle = 0.5 * glm::dvec2(page_px);
-    const double radius_px = 0.5 * page_px.y * std::tan(std::asin(1.0 / 3.0)) / std::tan(0.5 * fov_rad);
-    for (uint32_t y = 0; y < page_px.y; ++y) {
-        for (uint32_t x = 0; x < page_px.x; ++x) {
+    const glm::dvec2 middle = 0.5 * glm::dvec2(hand_page_px);
+    const double radius_px =
+        0.5 * hand_page_px.y * std::tan(std::asin(1.0 / 3.0)) / std::tan(0.5 * hand_fov_rad);
+    for (uint32_t y = 0; y < hand_page_px.y; ++y) {
+        for (uint32_t x = 0; x < hand_page_px.x; ++x) {
             const glm::dvec2 place(x + 0.5, y + 0.5);
             if (std::abs(glm::distance(place, middle) - radius_px) > 3.0 * 1.42 + 2.0 + 1.5) {
-                ASSERT_EQ(at(moved, place), 0.0F) << x << ", " << y;
+                ASSERT_EQ(ink_at(moved, hand_page_px.x, place), 0.0F) << x << ", " << y;
             }
         }
     }
@@ -244,7 +240,7 @@ TEST(LineHand, PressureFromTurnsSwellsWhereALineBends)
         const double even_px = outline_px(distance_m, style);
         style.pressure_from = PressureFrom::turn;
         const double radius_px =
-            0.5 * page_px.y * std::tan(std::asin(1.0 / distance_m)) / std::tan(0.5 * fov_rad);
+            0.5 * hand_page_px.y * std::tan(std::asin(1.0 / distance_m)) / std::tan(0.5 * hand_fov_rad);
         EXPECT_NEAR(outline_px(distance_m, style) - even_px, 2.0 * 0.75 * 5.0 / radius_px, 0.12)
             << distance_m;
     }
@@ -257,7 +253,7 @@ TEST(LineHand, HiddenLinesAreDashedAndNowhereElse)
     style.hidden_dash_mm = 12.0F;
     style.hidden_gap_mm = 8.0F;
     test::Drawing drawing(test::scene_of(shapes::box({1.6F, 1.6F, 1.6F})),
-                          {.eye = {2.2, 2.7, 3.1}, .target = {0.0, 0.75, 0.0}}, page_px);
+                          {.eye = {2.2, 2.7, 3.1}, .target = {0.0, 0.75, 0.0}}, hand_page_px);
     const std::vector<float> seen = drawing.lines(style, 1.0F);
     style.hidden = Hidden::dashed;
     const std::vector<float> all = drawing.lines(style, 1.0F);
@@ -268,8 +264,8 @@ TEST(LineHand, HiddenLinesAreDashedAndNowhereElse)
     bool was_ink = false;
     for (const shared::Stroke& stroke : hidden.strokes) {
         for (uint32_t i = stroke.first + 3; i + 3 <= stroke.last; ++i) {
-            const float here = at(all, hidden.samples[i].page_px);
-            if (at(seen, hidden.samples[i].page_px) > 0.0F) {
+            const float here = ink_at(all, hand_page_px.x, hidden.samples[i].page_px);
+            if (ink_at(seen, hand_page_px.x, hidden.samples[i].page_px) > 0.0F) {
                 continue; // a line in front crosses here
             }
             ink += static_cast<double>(here);
