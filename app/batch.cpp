@@ -91,8 +91,8 @@ void BatchOptions::add_to(CLI::App& app)
         ->capture_default_str();
     command
         .add_option("--raster", raster_,
-                    "How triangles are rasterised: hardware, compute, or auto, which\n"
-                    "takes the faster one on this device")
+                    "How triangles are rasterised: hardware, compute or auto. The word auto\n"
+                    "takes the faster one on this device.")
         ->type_name("PATH")
         ->capture_default_str();
 }

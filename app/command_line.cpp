@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <span>
 
 #include <CLI/CLI.hpp>
@@ -13,6 +14,7 @@
 #include "core/text.hpp"
 #include "drawing.hpp"
 #include "help.hpp"
+#include "help_page.hpp"
 #include "option_values.hpp"
 #include "options.hpp"
 #include "report.hpp"
@@ -300,7 +302,10 @@ std::optional<Command> read_command_line(int argc, const char* const* argv)
     CLI::App app("Draws 3D scenes as a hand would: pen, ink and paper.", "estampe");
     app.set_version_flag("--version", "estampe " ESTAMPE_VERSION);
     app.require_subcommand(0, 1);
-    app.get_formatter()->column_width(34);
+    app.formatter(std::make_shared<HelpPage>());
+    app.group("Commands");
+    app.set_help_flag("-h,--help", "Print a short help, one line per option, and exit");
+    app.set_help_all_flag("--help-all", "Print every option in full, with more examples, and exit");
     app.footer(examples + world_examples() + exit_status);
     add_commands(app, typed);
     try {

@@ -326,7 +326,8 @@ std::string manual_page(const CLI::App& app)
     for (const auto& [typed, command] : commands) {
         page += fmt::format(".SS {}\n{}.\n", roff(typed), roff(command->get_description()));
         for (const CLI::Option* option : command->get_options()) {
-            page += option->check_lname("help") ? "" : entry(*option);
+            const bool is_help = option->check_lname("help") || option->check_lname("help-all");
+            page += is_help ? "" : entry(*option);
         }
         if (!command->get_footer().empty() && command->get_footer() != app.get_footer()) {
             page += fmt::format(".PP\n.nf\n{}\n.fi\n", roff(examples_of(*command)));

@@ -44,9 +44,13 @@ small=(--size 96x54 --device cpu)
 expect_success --version
 expect_printed '^estampe [0-9]'
 expect_success --help
+expect_printed '^  render '
+expect_success --help-all
 expect_printed 'Examples:'
 expect_success render --help
 expect_printed '--samples'
+expect_success render --help-all
+expect_printed 'Exit status'
 expect_success --help-style
 expect_printed '^  [a-z_]*\.[a-z_]*  *number '
 expect_success styles
@@ -445,7 +449,7 @@ expect_error 1 'has no layer "occlusion"' render scene.glb -o none.png "${small[
 
 # Tonal art maps
 tiny=(--set tam.size_px=64 --set tam.tones=4 --set tam.candidates=8)
-expect_success tam --help
+expect_success tam --help-all
 expect_printed '--preview'
 expect_success tam -o a.tam "${tiny[@]}" --preview sheet.png
 [[ ! -s ../"$name".out ]] || wrong "tam printed on stdout"
@@ -482,7 +486,7 @@ expect_success render scene.glb -o kept.png --size 64x36 --device cpu --no-cache
 
 # Lightmaps
 quick=(--size 512 --samples 1 --bounces 1)
-expect_success bake --help
+expect_success bake --help-all
 expect_printed 'Ctrl-C keeps what is done'
 expect_success bake scene.glb -o a.exr "${quick[@]}"
 grep -q 'texels of 512 x 512' ../"$name".err || wrong "bake said nothing of its texels"

@@ -40,11 +40,11 @@ names_below() { awk -v title="$1" '$0 == title ":" { on = 1; next } /^[^ ]/ || N
 check_command() {
     local name option help
     help="$("$estampe" "$@" --help)"
-    for option in $(names_below Options <<<"$help" | tr ',' '\n'); do
+    for option in $(awk '/^  -/ { sub(/   .*/, ""); print }' <<<"$help" | grep -oE '(^|[ ,])--?[a-z-]+' | tr -d ' ,'); do
         grep -qE -e "^ +(-., )?$option\b|^ +$option," "$folder/page" || wrong "the manual page lacks $option of estampe $*"
         offers "$option" "$@" "$option"
     done
-    for name in $(names_below Subcommands <<<"$help"); do
+    for name in $(names_below Commands <<<"$help"); do
         offers "$name" "$@" ""
         grep -qE "^ +estampe( [a-z]+)? $name( |$)" "$folder/page" || wrong "the manual page lacks $name"
         check_command "$@" "$name"
