@@ -106,7 +106,7 @@ void BakeOptions::add_to(CLI::App& app)
         ->capture_default_str();
     command.add_flag("--no-smooth", rough_, "Keep the noise instead of smoothing the lightmap");
     command.add_flag("--no-resume", anew_, "Start again even if OUT.partial holds an unfinished run");
-    command.add_option("--style", style_, "Preset or TOML file whose [light] lights the scene")
+    command.add_option("--style", style_, "Style whose [light] lights the scene, as for estampe render")
         ->type_name("STYLE");
     command
         .add_option("--set", assignments_,

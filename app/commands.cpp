@@ -68,9 +68,14 @@ void run(const StylesCommand& command)
         fmt::print("{}", Style::load(command.style).to_toml());
         return;
     }
-    for (const std::string& name : Style::presets()) {
-        fmt::print("{:<13} {}\n", name, Style::about(name));
-    }
+    const auto list = [](const std::vector<std::string>& names) {
+        for (const std::string& name : names) {
+            fmt::print("{:<13} {}\n", name, Style::about(name));
+        }
+    };
+    list(Style::presets());
+    fmt::print("\nAdditions, to put behind a preset with +, such as comic+no-color:\n");
+    list(Style::additions());
 }
 
 void run(const StyleManualCommand&)

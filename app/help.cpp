@@ -120,7 +120,9 @@ std::string completer(const CLI::Option& option)
 {
     const std::string type = option.get_type_name();
     if (type == "STYLE" || type == "STYLE|SCENE") {
-        return fmt::format("_estampe_files toml; _estampe_words {}", joined(Style::presets()));
+        return fmt::format("_estampe_files toml; _estampe_words {}; "
+                           R"([[ $word != *+* ]] || _estampe_words "${{word%+*}}+"{{{}}})",
+                           joined(Style::presets()), fmt::join(Style::additions(), ","));
     }
     if (option.check_lname("world")) {
         return fmt::format("compopt -o nospace; _estampe_words {}", joined(world_keys()));

@@ -72,7 +72,11 @@ void add_look_options(CLI::App& command, TypedOptions& typed)
                     "Material variant of a glTF file, by name or index [the default\n"
                     "materials]")
         ->type_name("NAME");
-    command.add_option("--style", typed.style, "Style to draw in, a preset or a TOML file [built-in values]")
+    command
+        .add_option("--style", typed.style,
+                    "Preset or TOML file to draw in, or several joined by +. In\n"
+                    "comic+no-color, no-color overrides what comic sets. estampe styles\n"
+                    "lists presets and additions. [built-in values]")
         ->type_name("STYLE");
     add_set_option(command, typed,
                    "One parameter of the style, such as hatch.width_mm=0.5. May be\n"
@@ -180,8 +184,8 @@ void add_styles(CLI::App& app, TypedOptions& typed)
         "styles", "List the presets, draw a scene in all of them, or print a style as TOML");
     command
         .add_option("STYLE", typed.style,
-                    "Style to print in full, a preset or a TOML file. With --sheet: the scene\n"
-                    "to draw, as estampe render takes it. [list the presets; a still life]")
+                    "Style to print in full, as --style of estampe render takes it. With\n"
+                    "--sheet: the scene to draw. [list the presets; a still life]")
         ->type_name("STYLE|SCENE");
     CLI::Option* sheet =
         command

@@ -45,10 +45,12 @@ Style& Style::operator=(const Style& other)
 
 Style& Style::operator=(Style&&) noexcept = default;
 
-Style Style::load(const std::string& file_or_preset)
+Style Style::load(const std::string& name)
 {
     Style style;
-    features::style_schema().read(*style.tables_, file_or_preset);
+    for (const std::string& part : style::parts_of(name)) {
+        features::style_schema().read(*style.tables_, part);
+    }
     return style;
 }
 
@@ -129,9 +131,9 @@ double Style::window_aspect(uint32_t width, uint32_t height) const
     return size_mm.x / size_mm.y;
 }
 
-std::string Style::help()
+std::string Style::help(std::string_view section)
 {
-    return features::style_schema().help();
+    return features::style_schema().help(section);
 }
 
 std::string Style::json_schema()
@@ -151,6 +153,11 @@ std::string Style::about(const std::string& preset)
 std::vector<std::string> Style::presets()
 {
     return style::preset_names();
+}
+
+std::vector<std::string> Style::additions()
+{
+    return style::addition_names();
 }
 
 TonalArtMap draw_tonal_art_map(const Style& style, const Image* stroke)

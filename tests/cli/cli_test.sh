@@ -363,10 +363,22 @@ expect_success render scene.glb -o b.png "${small[@]}" --camera 'eye=-1.6,0.3,-1
 grep -q '^estampe: warning: .*stands inside "drum", whose one-sided' ../"$name".err || wrong "nothing said of a view from inside"
 expect_success graph scene.glb -o frame.dot "${small[@]}"
 grep -q digraph frame.dot || wrong "frame.dot is no graph"
-"$estampe" styles | while read -r preset _; do
+"$estampe" styles | awk 'NF == 0 { exit } { print $1 }' | while read -r preset; do
     "$estampe" styles "$preset" >"$preset".toml
     "$estampe" styles "$preset".toml | cmp - "$preset".toml || exit 1
 done || wrong "a preset does not read back equal"
+
+# Styles put together
+expect_success styles
+expect_printed '^Additions'
+expect_printed '^no-color  *Black, white'
+expect_success styles comic+no-color
+expect_printed '^saturation = 0$'
+expect_success render scene.glb -o plus.png "${small[@]}" --style comic+no-color
+expect_success render scene.glb -o set.png "${small[@]}" --style comic
+! cmp -s plus.png set.png || wrong "an addition changes nothing"
+expect_error 1 'no preset or style file "no-colour"; did you mean "no-color"' render scene.glb -o none.png --style comic+no-colour
+expect_error 2 'JPEG has no alpha' render scene.glb -o none.jpg "${small[@]}" --style comic+transparent
 
 # Formats of pictures
 # starts_with FILE HEX: the bytes that a kind of file begins with

@@ -62,6 +62,8 @@ offers fox.glb render -o a.png f
 offers notes.txt info n
 offers pencil render fox.glb --style pen
 offers pencil render fox.glb --style = pen
+offers comic+no-color render fox.glb --style comic+no
+offers_not no-color render fox.glb --style no
 offers mine.toml render fox.glb --style ""
 offers_not fox.glb render fox.glb --style ""
 offers hatch.width_mm= render --set hatch.wid
