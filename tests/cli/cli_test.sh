@@ -456,6 +456,8 @@ grep -q 'paper\.R' layers.exr || wrong "layers.exr has no paper"
 expect_success render scene.glb -o lines.png "${small[@]}" --layer lines
 ! cmp -s plain.png lines.png || wrong "--layer draws the whole picture"
 expect_success render scene.glb -o occlusion.png "${small[@]}" --set occlusion.drawn=true --layer occlusion
+expect_error 1 '--layer: no layer or object is named "hach"; did you mean "hatch"' render scene.glb -o none.png --device 99 --layer hach
+expect_error 1 '--layer: .* "zzzzzzzz"; layers are paper, wash' render scene.glb -o none.png "${small[@]}" --layer zzzzzzzz
 expect_error 1 'has no layer "occlusion"' render scene.glb -o none.png "${small[@]}" --layer occlusion
 [[ ! -e none.png ]] || wrong "a layer that is not there was written"
 
