@@ -94,6 +94,7 @@ void BakeOptions::add_to(CLI::App& app)
                     "Kinds of lights whose direct light is baked too. Kinds are sun, point,\n"
                     "spot and all; render then leaves out their direct light. [none]")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->type_name("KINDS");
     command
         .add_option("--sky", settings_.sky, "Factor on the style's ambient light, which comes from the sky")
@@ -110,8 +111,8 @@ void BakeOptions::add_to(CLI::App& app)
         ->type_name("STYLE");
     command
         .add_option("--set", assignments_,
-                    "One parameter of the style, such as light.ambient=0.3. May be\n"
-                    "repeated (see --help-style).")
+                    "One parameter of the style, as in light.ambient=0.3; may be repeated.\n"
+                    "See --help-style for the parameters.")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
 }

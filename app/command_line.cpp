@@ -273,6 +273,14 @@ std::string remedy_of(const CLI::ParseError& problem, const CLI::App& app, std::
         return "see estampe --help";
     }
     const CLI::App& command = *app.get_subcommands().front();
+    for (size_t i = 2; i < words.size(); ++i) { // --set a=1 b=2
+        const std::string_view option = words[i - 2];
+        const std::string_view word = words[i];
+        if ((option == "--set" || option == "--world") && !word.starts_with('-') &&
+            word.find('=') != std::string_view::npos) {
+            return fmt::format("{0} takes one value: write {0} {1}", option, word);
+        }
+    }
     const bool is_unknown_word = problem.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
     const bool takes_worlds = command.get_option_no_throw("--world") != nullptr;
     const std::vector<std::string> unknown = app.remaining(true);

@@ -138,6 +138,15 @@ std::string HelpPage::make_usage(const CLI::App* app, std::string name) const
     return line + (app->get_subcommands({}).empty() ? "\n" : " [COMMAND]\n");
 }
 
+std::string HelpPage::make_option_opts(const CLI::Option* option) const
+{
+    std::string text = CLI::Formatter::make_option_opts(option);
+    if (!option->get_allow_extra_args()) { // such an option is repeated to give it several values
+        replace_all(text, " ...", "");
+    }
+    return text;
+}
+
 std::string HelpPage::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const
 {
     const bool is_full = mode == CLI::AppFormatMode::All;

@@ -18,6 +18,8 @@ public:
                                         CLI::AppFormatMode mode) const override;
 
     [[nodiscard]] std::string make_usage(const CLI::App* app, std::string name) const override;
+
+    [[nodiscard]] std::string make_option_opts(const CLI::Option* option) const override;
 };
 
 } // namespace estampe::app

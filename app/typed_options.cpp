@@ -79,8 +79,8 @@ void add_look_options(CLI::App& command, TypedOptions& typed)
                     "lists presets and additions. [built-in values]")
         ->type_name("STYLE");
     add_set_option(command, typed,
-                   "One parameter of the style, such as hatch.width_mm=0.5. May be\n"
-                   "repeated (see --help-style).");
+                   "One parameter of the style, as in hatch.width_mm=0.5; may be repeated.\n"
+                   "See --help-style for the parameters.");
     typed.transparent.add_to(command);
     command.add_flag("--draft", typed.draft,
                      "Draw faster and coarser, for a first look. A draft has one layer of\n"
@@ -200,8 +200,8 @@ void add_styles(CLI::App& app, TypedOptions& typed)
     typed.world.add_to(command);
     add_camera_options(command, typed);
     add_set_option(command, typed,
-                   "One parameter of the style, for all pictures of the sheet. An example\n"
-                   "is hatch.width_mm=0.5. May be repeated.");
+                   "One parameter of the style, for all pictures; may be repeated. An\n"
+                   "example is hatch.width_mm=0.5.");
     add_device_options(command, typed);
     for (CLI::Option* option : command.get_options()) {
         if (option != sheet && !option->get_positional() && !option->check_lname("schema") &&
@@ -238,8 +238,8 @@ void add_tam(CLI::App& app, TypedOptions& typed)
     command.add_option("--preview", typed.preview, "Also write a picture of all tones and levels")
         ->type_name("PNG");
     add_set_option(command, typed,
-                   "One parameter of the style, such as tam.width_px=3. May be\n"
-                   "repeated (see --help-style).");
+                   "One parameter of the style, as in tam.width_px=3; may be repeated. See\n"
+                   "--help-style for the parameters.");
 }
 
 /// An empty word is the trace of a variable that was not set, and no number, name or file.

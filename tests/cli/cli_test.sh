@@ -51,6 +51,7 @@ expect_success render --help
 expect_printed '--samples'
 expect_success render --help-all
 expect_printed 'Exit status'
+expect_printed '^  --set KEY=VALUE  .*may be repeated'
 expect_success --help-style
 expect_printed '^  [a-z_]*\.[a-z_]*  *number '
 expect_success styles
@@ -177,6 +178,7 @@ expect_error 2 'not expected: --hour=18; write --world hour=18' render temple -o
 expect_error 2 '--film: works only with a world .*worlds with a film: temple' render scene.glb -o a.mp4 --film
 expect_error 1 'tempel: is neither a file nor a world; did you mean the world temple' render tempel -o a.png
 expect_error 2 '--input-format: "blend" is no format' render - -o a.png --input-format blend
+expect_error 2 '--set takes one value: write --set paper.seed=2' render scene.glb -o a.png --set hatch.seed=1 paper.seed=2
 expect_error 2 '--set: unknown key .*--help-style' render scene.glb -o a.png --set nosuch.key=1
 expect_error 2 '--set: .* is not an assignment' render scene.glb -o a.png --set nothing
 expect_error 2 'as ".bmp"; the name must end in .png, .jpg, .jpeg, .webp, .exr, .ora, in .svg' render scene.glb -o a.bmp
