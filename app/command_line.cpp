@@ -196,9 +196,6 @@ StylesCommand read_styles(const CLI::App& app, const TypedOptions& typed)
 
 Command to_command(const CLI::App& app, const TypedOptions& typed)
 {
-    if (typed.style_manual) {
-        return StyleManualCommand{};
-    }
     if (app.got_subcommand("info")) {
         return InfoCommand{.scene = typed.scene,
                            .input_format = typed.input.format(),
@@ -266,6 +263,24 @@ Command to_command(const CLI::App& app, const TypedOptions& typed)
     return GraphCommand{std::move(draw)};
 }
 
+/// The value of --help-style, if it is typed: it needs neither a scene nor an output, so it comes before all
+/// else that may be wrong with the line.
+std::optional<StyleManualCommand> style_manual_of(std::span<const char* const> words)
+{
+    constexpr std::string_view option = "--help-style";
+    for (size_t i = 1; i < words.size() && words[i] != std::string_view("--"); ++i) {
+        const std::string_view word = words[i];
+        if (word == option) {
+            const bool has_section = i + 1 < words.size() && *words[i + 1] != '-';
+            return StyleManualCommand{has_section ? words[i + 1] : ""};
+        }
+        if (word.starts_with(option) && word[option.size()] == '=') {
+            return StyleManualCommand{std::string(word.substr(option.size() + 1))};
+        }
+    }
+    return std::nullopt;
+}
+
 /// What to do about a command line that cannot be parsed.
 std::string remedy_of(const CLI::ParseError& problem, const CLI::App& app, std::span<const char* const> words)
 {
@@ -306,6 +321,9 @@ std::string remedy_of(const CLI::ParseError& problem, const CLI::App& app, std::
 
 std::optional<Command> read_command_line(int argc, const char* const* argv)
 {
+    if (std::optional<StyleManualCommand> manual = style_manual_of({argv, static_cast<size_t>(argc)})) {
+        return *manual;
+    }
     TypedOptions typed;
     CLI::App app("Draws 3D scenes as a hand would: pen, ink and paper.", "estampe");
     app.set_version_flag("--version", "estampe " ESTAMPE_VERSION);

@@ -90,6 +90,15 @@ std::vector<std::string> style_keys()
     return keys;
 }
 
+std::vector<std::string> style_sections()
+{
+    std::vector<std::string> names;
+    for (const style::Section& section : features::style_schema().sections()) {
+        names.push_back(section.name);
+    }
+    return names;
+}
+
 /// Keys of all worlds' options, as "seed=".
 std::vector<std::string> world_keys()
 {
@@ -123,6 +132,9 @@ std::string completer(const CLI::Option& option)
         return fmt::format("_estampe_files toml; _estampe_words {}; "
                            R"([[ $word != *+* ]] || _estampe_words "${{word%+*}}+"{{{}}})",
                            joined(Style::presets()), fmt::join(Style::additions(), ","));
+    }
+    if (option.check_lname("help-style")) {
+        return "_estampe_words all " + joined(style_sections());
     }
     if (option.check_lname("world")) {
         return fmt::format("compopt -o nospace; _estampe_words {}", joined(world_keys()));

@@ -89,7 +89,7 @@ std::string names_of(const CLI::Option& option)
     replace_all(names, ",", ", ");
     const bool has_value = option.nonpositional() && !option.get_type_name().empty() &&
                            (option.get_items_expected_max() > 0 || option.get_type_name().front() == '[');
-    const char* gap = option.get_type_name().starts_with('[') ? "" : " ";
+    const char* gap = option.get_type_name().starts_with("[=") ? "" : " ";
     return has_value ? names + gap + option.get_type_name() : names;
 }
 

@@ -242,6 +242,16 @@ void add_tam(CLI::App& app, TypedOptions& typed)
                    "--help-style for the parameters.");
 }
 
+void add_style_manual(CLI::App& command, TypedOptions& typed)
+{
+    command
+        .add_option("--help-style", typed.style_manual,
+                    "Print the parameters of a style and exit. NAME is a section, such as\n"
+                    "hatch, or all. [a first page]")
+        ->expected(0, 1)
+        ->type_name("[NAME]");
+}
+
 /// An empty word is the trace of a variable that was not set, and no number, name or file.
 void refuse_empty_values(CLI::App& app)
 {
@@ -278,7 +288,12 @@ void add_commands(CLI::App& app, TypedOptions& typed)
     CLI::App& graph = *app.add_subcommand("graph", "Write the frame graph of a scene as Graphviz text");
     add_draw_options(graph, typed, "Output file of the Graphviz text");
     add_styles(app, typed);
-    app.add_flag("--help-style", typed.style_manual, "Print the manual of all style parameters and exit");
+    add_style_manual(app, typed);
+    for (CLI::App* command : app.get_subcommands({})) {
+        if (command->get_option_no_throw("--set") != nullptr) {
+            add_style_manual(*command, typed);
+        }
+    }
     app.add_flag("--man", typed.manual_page, "Print the manual page for man -l - and exit");
     app.add_flag("--completion", typed.completion, "Print the completion script for bash and exit");
     refuse_empty_values(app);

@@ -71,14 +71,14 @@ double Style::number(std::string_view key) const
     if (value && std::holds_alternative<bool>(*value)) {
         return std::get<bool>(*value) ? 1.0 : 0.0;
     }
-    throw Error("is no number of a style", std::string(key), "estampe --help-style lists them");
+    throw Error("is no number of a style", std::string(key), "estampe --help-style all lists them");
 }
 
 glm::vec3 Style::color(std::string_view key) const
 {
     const std::optional<style::Value> value = value_of(*tables_, key);
     if (!value || !std::holds_alternative<glm::vec3>(*value)) {
-        throw Error("is no colour of a style", std::string(key), "estampe --help-style lists them");
+        throw Error("is no colour of a style", std::string(key), "estampe --help-style all lists them");
     }
     return glm::vec3(style::srgb_from_linear(std::get<glm::vec3>(*value)));
 }
@@ -87,7 +87,8 @@ std::string Style::text(std::string_view key) const
 {
     const std::optional<style::Value> value = value_of(*tables_, key);
     if (!value || !std::holds_alternative<std::string>(*value)) {
-        throw Error("is no choice or text of a style", std::string(key), "estampe --help-style lists them");
+        throw Error("is no choice or text of a style", std::string(key),
+                    "estampe --help-style all lists them");
     }
     return std::get<std::string>(*value);
 }

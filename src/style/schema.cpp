@@ -98,7 +98,7 @@ Source resolve(const std::string& preset_or_file, const std::string& from)
 
 namespace {
 
-constexpr const char* manual = "estampe --help-style lists every key";
+constexpr const char* manual = "estampe --help-style all lists every key";
 
 std::string full_key(const Section& section, const Parameter& parameter)
 {

@@ -53,7 +53,18 @@ expect_success render --help-all
 expect_printed 'Exit status'
 expect_printed '^  --set KEY=VALUE  .*may be repeated'
 expect_success --help-style
+expect_printed 'help-style all'
+[[ "$(wc -l <../"$name".out)" -le 40 ]] || wrong "--help-style prints more than a page"
+expect_success --help-style all
 expect_printed '^  [a-z_]*\.[a-z_]*  *number '
+expect_printed '^contour: '
+expect_success render --help-style hatch
+expect_printed '^  hatch\.width_mm  *number '
+! grep -q 'contour\.' ../"$name".out || wrong "--help-style hatch prints other sections"
+expect_success render --help-style=hatch
+expect_success render scene.glb --help-style
+expect_error 2 '--help-style: no section "hach"; did you mean "hatch"' --help-style hach
+expect_error 2 '--help-style: no section "zzzzzzz"; sections are' render --help-style zzzzzzz
 expect_success styles
 expect_printed '^pencil  *Soft grey strokes'
 expect_success styles --schema
@@ -274,7 +285,7 @@ expect_success render scene.glb -o set.png --style engraving --size 64x48 --devi
 rm -f fine.png draft.png set.png
 
 # A typing mistake in a key that there is gets the right one suggested
-key="$("$estampe" --help-style | awk '$1 ~ /\./ && !found { print $1; found = 1 }')"
+key="$("$estampe" --help-style all | awk '$1 ~ /\./ && !found { print $1; found = 1 }')"
 expect_error 2 "did you mean \"$key\"" render scene.glb -o a.png --set "${key}x=1"
 
 # Files
@@ -581,7 +592,7 @@ expect_error 1 'no such folder' render scene.glb -o d.png --motion nowhere/m.exr
 expect_error 1 'truncated.glb' render truncated.glb -o a.png
 
 # Output that goes nowhere is a failure
-if "$estampe" --help-style >/dev/full 2>../"$name".err; then
+if "$estampe" --help-style all >/dev/full 2>../"$name".err; then
     wrong "a full disk went unnoticed"
 fi
 left="$(find . -name '.*' -type f -o -name '*.tmp*')"

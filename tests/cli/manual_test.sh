@@ -68,6 +68,8 @@ offers mine.toml render fox.glb --style ""
 offers_not fox.glb render fox.glb --style ""
 offers hatch.width_mm= render --set hatch.wid
 offers hardware render --raster ""
+offers contour render --help-style con
+offers all --help-style al
 offers -z info --up ""
 offers three-quarter render --view t
 offers obj bake --input-format o
