@@ -67,8 +67,9 @@ void BakeOptions::add_to(CLI::App& app)
     command.footer(bake_examples);
     command
         .add_option("SCENE", scene_,
-                    "Scene to bake: .gltf .glb .obj .ply .stl .fbx .dae or the name of a\n"
-                    "built-in world. The name - reads standard input.")
+                    "Scene file to bake, name of a built-in world, or - for standard input.\n"
+                    "Files are .gltf .glb .obj .ply .stl .fbx or .dae (see estampe info for\n"
+                    "the worlds).")
         ->required()
         ->type_name("FILE");
     input_.add_to(command);
@@ -81,8 +82,8 @@ void BakeOptions::add_to(CLI::App& app)
         ->capture_default_str();
     command
         .add_option("--samples", settings_.samples,
-                    "Number of light paths per texel: more gives less noise and takes\n"
-                    "longer")
+                    "Number of light paths per texel. More paths give less noise and take\n"
+                    "longer.")
         ->type_name("N")
         ->capture_default_str();
     command.add_option("--bounces", settings_.bounces, "Largest number of surfaces that light bounces off")
@@ -90,9 +91,10 @@ void BakeOptions::add_to(CLI::App& app)
         ->capture_default_str();
     command
         .add_option("--direct", direct_,
-                    "Kinds of lights whose direct light is baked, too, and which render\n"
-                    "then leaves out: sun, point, spot, all [none]")
+                    "Kinds of lights whose direct light is baked too. Kinds are sun, point,\n"
+                    "spot and all; render then leaves out their direct light. [none]")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->type_name("KINDS");
     command
         .add_option("--sky", settings_.sky, "Factor on the style's ambient light, which comes from the sky")
@@ -105,12 +107,12 @@ void BakeOptions::add_to(CLI::App& app)
         ->capture_default_str();
     command.add_flag("--no-smooth", rough_, "Keep the noise instead of smoothing the lightmap");
     command.add_flag("--no-resume", anew_, "Start again even if OUT.partial holds an unfinished run");
-    command.add_option("--style", style_, "Preset or TOML file whose [light] lights the scene")
+    command.add_option("--style", style_, "Style whose [light] lights the scene, as for estampe render")
         ->type_name("STYLE");
     command
         .add_option("--set", assignments_,
-                    "One parameter of the style, such as light.ambient=0.3. May be\n"
-                    "repeated (see --help-style).")
+                    "One parameter of the style, as in light.ambient=0.3; may be repeated.\n"
+                    "See --help-style for the parameters.")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
 }

@@ -11,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <estampe/error.hpp>
@@ -27,6 +28,7 @@
 #include "render.hpp"
 #include "scene_details.hpp"
 #include "style/names.hpp"
+#include "style/schema.hpp"
 #include "style/toml.hpp"
 #include "worlds.hpp"
 
@@ -91,8 +93,8 @@ void BatchOptions::add_to(CLI::App& app)
         ->capture_default_str();
     command
         .add_option("--raster", raster_,
-                    "How triangles are rasterised: hardware, compute, or auto, which\n"
-                    "takes the faster one on this device")
+                    "How triangles are rasterised: hardware, compute or auto. The word auto\n"
+                    "takes the faster one on this device.")
         ->type_name("PATH")
         ->capture_default_str();
 }
@@ -206,8 +208,14 @@ const WordEntry& required(const Entries& entries, const char* key, const std::st
 std::string name_part(const WordEntry& entry, size_t index)
 {
     const std::string& word = entry.words[index];
-    const bool is_placement = word.find('=') != std::string::npos;
-    return is_placement ? std::to_string(index + 1) : std::filesystem::path(word).stem().string();
+    if (word.find('=') != std::string::npos) { // a placement
+        return std::to_string(index + 1);
+    }
+    std::vector<std::string> stems;
+    for (const std::string& part : entry.key == "style" ? style::parts_of(word) : std::vector{word}) {
+        stems.push_back(std::filesystem::path(part).stem().string());
+    }
+    return fmt::format("{}", fmt::join(stems, "+"));
 }
 
 /// Throws Error where one table stands for more jobs than anybody waits for.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <span>
 
 #include <CLI/CLI.hpp>
@@ -13,6 +14,7 @@
 #include "core/text.hpp"
 #include "drawing.hpp"
 #include "help.hpp"
+#include "help_page.hpp"
 #include "option_values.hpp"
 #include "options.hpp"
 #include "report.hpp"
@@ -194,9 +196,6 @@ StylesCommand read_styles(const CLI::App& app, const TypedOptions& typed)
 
 Command to_command(const CLI::App& app, const TypedOptions& typed)
 {
-    if (typed.style_manual) {
-        return StyleManualCommand{};
-    }
     if (app.got_subcommand("info")) {
         return InfoCommand{.scene = typed.scene,
                            .input_format = typed.input.format(),
@@ -264,6 +263,24 @@ Command to_command(const CLI::App& app, const TypedOptions& typed)
     return GraphCommand{std::move(draw)};
 }
 
+/// The value of --help-style, if it is typed: it needs neither a scene nor an output, so it comes before all
+/// else that may be wrong with the line.
+std::optional<StyleManualCommand> style_manual_of(std::span<const char* const> words)
+{
+    constexpr std::string_view option = "--help-style";
+    for (size_t i = 1; i < words.size() && words[i] != std::string_view("--"); ++i) {
+        const std::string_view word = words[i];
+        if (word == option) {
+            const bool has_section = i + 1 < words.size() && *words[i + 1] != '-';
+            return StyleManualCommand{has_section ? words[i + 1] : ""};
+        }
+        if (word.starts_with(option) && word[option.size()] == '=') {
+            return StyleManualCommand{std::string(word.substr(option.size() + 1))};
+        }
+    }
+    return std::nullopt;
+}
+
 /// What to do about a command line that cannot be parsed.
 std::string remedy_of(const CLI::ParseError& problem, const CLI::App& app, std::span<const char* const> words)
 {
@@ -271,6 +288,14 @@ std::string remedy_of(const CLI::ParseError& problem, const CLI::App& app, std::
         return "see estampe --help";
     }
     const CLI::App& command = *app.get_subcommands().front();
+    for (size_t i = 2; i < words.size(); ++i) { // --set a=1 b=2
+        const std::string_view option = words[i - 2];
+        const std::string_view word = words[i];
+        if ((option == "--set" || option == "--world") && !word.starts_with('-') &&
+            word.find('=') != std::string_view::npos) {
+            return fmt::format("{0} takes one value: write {0} {1}", option, word);
+        }
+    }
     const bool is_unknown_word = problem.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
     const bool takes_worlds = command.get_option_no_throw("--world") != nullptr;
     const std::vector<std::string> unknown = app.remaining(true);
@@ -296,11 +321,17 @@ std::string remedy_of(const CLI::ParseError& problem, const CLI::App& app, std::
 
 std::optional<Command> read_command_line(int argc, const char* const* argv)
 {
+    if (std::optional<StyleManualCommand> manual = style_manual_of({argv, static_cast<size_t>(argc)})) {
+        return *manual;
+    }
     TypedOptions typed;
     CLI::App app("Draws 3D scenes as a hand would: pen, ink and paper.", "estampe");
     app.set_version_flag("--version", "estampe " ESTAMPE_VERSION);
     app.require_subcommand(0, 1);
-    app.get_formatter()->column_width(34);
+    app.formatter(std::make_shared<HelpPage>());
+    app.group("Commands");
+    app.set_help_flag("-h,--help", "Print a short help, one line per option, and exit");
+    app.set_help_all_flag("--help-all", "Print every option in full, with more examples, and exit");
     app.footer(examples + world_examples() + exit_status);
     add_commands(app, typed);
     try {

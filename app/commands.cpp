@@ -2,6 +2,7 @@
 // The short commands: devices, info, styles, graph, tam, view.
 #include "commands.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -19,6 +20,7 @@
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
 #include "drawing.hpp"
+#include "features/common/style_tables.hpp"
 #include "messages.hpp"
 #include "piped_scene.hpp"
 #include "report.hpp"
@@ -68,14 +70,40 @@ void run(const StylesCommand& command)
         fmt::print("{}", Style::load(command.style).to_toml());
         return;
     }
-    for (const std::string& name : Style::presets()) {
-        fmt::print("{:<13} {}\n", name, Style::about(name));
-    }
+    const auto list = [](const std::vector<std::string>& names) {
+        for (const std::string& name : names) {
+            fmt::print("{:<13} {}\n", name, Style::about(name));
+        }
+    };
+    list(Style::presets());
+    fmt::print("\nAdditions, to put behind a preset with +, such as comic+no-color:\n");
+    list(Style::additions());
 }
 
-void run(const StyleManualCommand&)
+void run(const StyleManualCommand& command)
 {
-    fmt::print("{}", Style::help());
+    if (command.section == "all") {
+        fmt::print("{}", Style::help());
+        return;
+    }
+    if (!command.section.empty()) {
+        try {
+            fmt::print("{}", Style::help(command.section));
+        } catch (const Error& problem) {
+            throw UsageError(problem.what(), "--help-style");
+        }
+        return;
+    }
+    const std::span<const style::Section> sections = features::style_schema().sections();
+    if (std::ranges::find(sections, "drawing", &style::Section::name) != sections.end()) {
+        fmt::print("{}", Style::help("drawing"));
+    } else {
+        fmt::print("Sections of a style:\n");
+        for (const style::Section& section : sections) {
+            fmt::print("  {:<14}{}\n", section.name, section.help);
+        }
+    }
+    fmt::print("\nestampe --help-style hatch prints one section, estampe --help-style all every section.\n");
 }
 
 void run(const GraphCommand& command)

@@ -90,6 +90,15 @@ std::vector<std::string> style_keys()
     return keys;
 }
 
+std::vector<std::string> style_sections()
+{
+    std::vector<std::string> names;
+    for (const style::Section& section : features::style_schema().sections()) {
+        names.push_back(section.name);
+    }
+    return names;
+}
+
 /// Keys of all worlds' options, as "seed=".
 std::vector<std::string> world_keys()
 {
@@ -120,7 +129,12 @@ std::string completer(const CLI::Option& option)
 {
     const std::string type = option.get_type_name();
     if (type == "STYLE" || type == "STYLE|SCENE") {
-        return fmt::format("_estampe_files toml; _estampe_words {}", joined(Style::presets()));
+        return fmt::format("_estampe_files toml; _estampe_words {}; "
+                           R"([[ $word != *+* ]] || _estampe_words "${{word%+*}}+"{{{}}})",
+                           joined(Style::presets()), fmt::join(Style::additions(), ","));
+    }
+    if (option.check_lname("help-style")) {
+        return "_estampe_words all " + joined(style_sections());
     }
     if (option.check_lname("world")) {
         return fmt::format("compopt -o nospace; _estampe_words {}", joined(world_keys()));
@@ -326,7 +340,8 @@ std::string manual_page(const CLI::App& app)
     for (const auto& [typed, command] : commands) {
         page += fmt::format(".SS {}\n{}.\n", roff(typed), roff(command->get_description()));
         for (const CLI::Option* option : command->get_options()) {
-            page += option->check_lname("help") ? "" : entry(*option);
+            const bool is_help = option->check_lname("help") || option->check_lname("help-all");
+            page += is_help ? "" : entry(*option);
         }
         if (!command->get_footer().empty() && command->get_footer() != app.get_footer()) {
             page += fmt::format(".PP\n.nf\n{}\n.fi\n", roff(examples_of(*command)));

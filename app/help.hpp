@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Texts about the program itself: examples for --help, the manual page, completion for bash.
+// Texts about the program itself: examples for --help-all, the manual page, completion for bash.
 
 #include <string>
 
@@ -11,11 +11,11 @@ class App;
 
 namespace estampe::app {
 
-// The end of each command's --help.
+// The end of each command's --help-all; the first example is also that of --help.
 
 inline constexpr const char* examples = R"(Examples:
-  estampe render helmet.gltf -o helmet.png
-  estampe render helmet.gltf -o helmet.png --size 1920x1080 --samples 16
+  estampe render helmet.gltf -o helmet.png --style pencil --size 1920x1080
+  estampe render helmet.gltf -o helmet.png --samples 16
   estampe render fox.glb -o fox.png --animation Run --time 0.4
   estampe render bunny.obj -o bunny.png --camera "eye=2,1,3 target=0,0.5,0 fov=35"
   estampe render chapel.glb -o chapel.png --style pencil --set hatch.width_mm=0.5
@@ -36,7 +36,7 @@ inline constexpr const char* examples = R"(Examples:
   estampe bake room.glb -o room.exr
 )";
 
-/// Last line of the help of the program, of `render` and of `info`; manual_page() removes it.
+/// Last line of --help-all of the program, of `render` and of `info`; manual_page() removes it.
 inline constexpr const char* exit_status =
     "\nExit status: 0 done, 1 the job failed, 2 the command line is wrong.";
 
@@ -64,7 +64,7 @@ Exit status: 0 done, 1 the job failed, 2 the command line is wrong.)";
 /// extensions that an option accepts.
 [[nodiscard]] std::string bash_completion(const CLI::App& app);
 
-/// The manual page estampe(1) of the whole program: every command with its options, as in --help.
+/// The manual page estampe(1) of the whole program: every command with its options, as in --help-all.
 [[nodiscard]] std::string manual_page(const CLI::App& app);
 
 } // namespace estampe::app

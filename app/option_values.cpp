@@ -188,8 +188,8 @@ void SceneOptions::add_to(CLI::App& command)
         ->type_name("AXIS");
     command
         .add_option("--input-format", format_,
-                    "Format of a scene that comes through a pipe: glb, gltf, obj, ply,\n"
-                    "stl, fbx or dae [recognised by its content, if possible]")
+                    "Format of a scene on standard input: glb, gltf, obj, ply, stl, fbx or\n"
+                    "dae [recognised by its content, if possible]")
         ->type_name("NAME");
 }
 

@@ -92,9 +92,9 @@ void PageOptions::add_to(CLI::App& command, bool for_print)
     }
     command
         .add_option("--page", page_,
-                    "Paper size, instead of --size: A0 to A6, letter, legal, tabloid, or\n"
-                    "a size such as 210x297mm. Millimetres of the style then refer to\n"
-                    "this page.")
+                    "Paper size instead of --size, such as A4, letter or 210x297mm. Sizes\n"
+                    "with a name are A0 to A6, letter, legal and tabloid. Millimetres of the\n"
+                    "style then refer to this page.")
         ->type_name("PAGE");
     command.add_option("--dpi", dots_per_inch_, "Pixels per inch of the page that --page names [300]")
         ->type_name("N");
@@ -296,28 +296,29 @@ void PictureOptions::add_to(CLI::App& command)
 {
     command
         .add_option("--format", format_,
-                    "Picture format when writing to standard output: png, jpg, webp, exr,\n"
-                    "ora or svg [png]")
+                    "Picture format when writing to standard output. Formats are png, jpg,\n"
+                    "webp, exr, ora and svg. [png]")
         ->type_name("NAME");
     command
         .add_option("--quality", quality_,
-                    "Quality of JPEG, 1 to 100, or of WebP, 0 to 100 [92 for JPEG,\n"
-                    "lossless for WebP]")
+                    "Quality of JPEG, 1 to 100, or of WebP, 0 to 100 [JPEG 92, WebP\n"
+                    "lossless]")
         ->type_name("Q");
     command
         .add_option("--depth", depth_,
-                    "Bits per channel: 8 or 16 for PNG, 16 or 32 (floats) for OpenEXR\n"
-                    "[8 for PNG, 16 for OpenEXR]")
+                    "Bits per channel: PNG 8 or 16, OpenEXR 16 or 32 (floats) [PNG 8,\n"
+                    "OpenEXR 16]")
         ->type_name("BITS");
     command
         .add_option("--layers", layers_,
-                    "Also write paper, wash, hatching and lines as separate layers, with\n"
-                    "masks of objects: PNG files in a new folder, or one .exr")
+                    "Also write the layers, as PNG files in a new folder or as one .exr. The\n"
+                    "layers are paper, wash, hatching, lines and a mask of each object.")
         ->type_name("DIR");
     command
         .add_option("--layer", layer_,
-                    "Draw one layer or mask alone, on white: wash, hatch, lines, shadow,\n"
-                    "occlusion, clouds or an object's name")
+                    "Draw one layer alone, on white, such as lines, hatch or wash. Other\n"
+                    "layers are shadow, occlusion, clouds, and the name of an object, which\n"
+                    "draws its mask.")
         ->type_name("NAME");
 }
 

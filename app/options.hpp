@@ -146,7 +146,10 @@ struct StylesCommand {
     std::optional<DrawOptions> sheet; ///< `output` is a .png of all presets, `scene` may be empty
 };
 
-struct StyleManualCommand {};
+/// `--help-style`: prints the manual of a style's parameters.
+struct StyleManualCommand {
+    std::string section; ///< "all", or the name of one; empty: the first page
+};
 
 /// `estampe tam`: makes a tonal art map, or converts one.
 struct TamCommand {

@@ -279,6 +279,14 @@ bool has_weather(const DrawOptions& draw, const Scene& scene)
            !features::emitting_nodes(scene, style.particles.emitters).empty();
 }
 
+/// Finds a misspelt --layer before anything is drawn.
+void check_layer(const RenderCommand& command, const Scene& scene)
+{
+    if (!command.picture.layer.empty()) {
+        check_layer_name(scene, command.picture.layer);
+    }
+}
+
 void tell_of_time(const DrawOptions& draw, const Scene& scene)
 {
     if (const std::string note = draw.has_time ? note_of_animations(draw, scene) : ""; !note.empty()) {
@@ -377,6 +385,7 @@ void write_strokes(Renderer& renderer, const Camera& camera, const Style& style,
 
 void draw_and_write(Renderer& renderer, const Scene& scene, const RenderCommand& command)
 {
+    check_layer(command, scene);
     tell_of_time(command.draw, scene);
     const Index animation = choose_animation(command.draw, scene);
     const Camera camera = choose_camera(command.draw, scene, animation);
@@ -408,6 +417,7 @@ void run(const RenderCommand& command)
     std::future<Renderer> opening = std::async(launch_if_possible, [&draw] { return Renderer(draw.device); });
     const Scene scene = load_scene_of(draw);
     print_warnings(scene.warnings);
+    check_layer(command, scene);
     if (!draw.load.up) {
         print_notes(up_axis_notes(scene, draw.scene));
     }

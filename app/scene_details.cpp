@@ -9,10 +9,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <estampe/error.hpp>
+
 #include "core/file.hpp"
 #include "core/text.hpp"
 #include "scene/up_axis.hpp"
 #include "scene/visibility.hpp"
+#include "style/names.hpp"
 
 namespace estampe::app {
 namespace {
@@ -173,6 +176,32 @@ SceneDetails scene_details(const Scene& scene, const std::string& path)
         details.rows.emplace_back("hidden nodes", std::to_string(hidden));
     }
     return details;
+}
+
+void check_layer_name(const Scene& scene, const std::string& layer)
+{
+    std::vector<std::string> names{"paper", "wash",   "ink",       "hatch",  "lines",
+                                   "smoke", "shadow", "occlusion", "clouds", "ground"};
+    for (size_t i = 0; i < scene.nodes.size(); ++i) {
+        if (scene.nodes[i].mesh != no_index) {
+            const std::string& name = scene.nodes[i].name;
+            names.push_back(name.empty() ? fmt::format("object {}", i) : name);
+        }
+    }
+    // The second of two objects named leaf is "leaf 2".
+    const size_t digits = layer.find_last_not_of("0123456789");
+    const bool is_numbered = digits != std::string::npos && digits + 1 < layer.size() && layer[digits] == ' ';
+    const std::string unnumbered = is_numbered ? layer.substr(0, digits) : layer;
+    if (std::ranges::any_of(names,
+                            [&](const std::string& name) { return name == layer || name == unnumbered; })) {
+        return;
+    }
+    const std::string meant = style::nearest(layer, names);
+    throw Error(fmt::format("no layer or object is named {}", in_quotes(layer)), "--layer",
+                meant.empty()
+                    ? "layers are paper, wash, ink, hatch, lines, smoke, shadow, occlusion, clouds and the "
+                      "names of objects"
+                    : fmt::format("did you mean {}?", in_quotes(meant)));
 }
 
 std::vector<std::string> up_axis_notes(const Scene& scene, const std::string& path)

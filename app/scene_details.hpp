@@ -21,6 +21,10 @@ struct SceneDetails {
 /// linear in vertices and triangles.
 [[nodiscard]] SceneDetails scene_details(const Scene& scene, const std::string& path);
 
+/// Throws Error, naming the nearest, unless `layer` can be a layer or mask of a picture of the scene: an
+/// object's name, or one that render_layers() uses.
+void check_layer_name(const Scene& scene, const std::string& layer);
+
 /// A note if a file without an up axis of its own (.obj, .ply, .stl) has a shape that looks z-up; empty for
 /// all others.
 [[nodiscard]] std::vector<std::string> up_axis_notes(const Scene& scene, const std::string& path);

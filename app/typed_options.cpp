@@ -20,17 +20,17 @@ void add_camera_options(CLI::App& command, TypedOptions& typed)
 {
     command
         .add_option("--camera", typed.camera,
-                    "Camera of the file, by name or index; auto, which frames the whole\n"
-                    "scene; \"eye=x,y,z target=x,y,z fov=degrees\"; or a direction to frame\n"
-                    "the scene from, \"azimuth=degrees elevation=degrees\", where azimuth 0\n"
-                    "looks from +z (the front) and 90 from +x [the file's first camera,\n"
-                    "else auto]")
+                    "Camera of the file by name or index, auto, a place or a direction. The\n"
+                    "word auto frames the whole scene. A place is \"eye=x,y,z target=x,y,z\n"
+                    "fov=degrees\". A direction, \"azimuth=degrees elevation=degrees\", frames\n"
+                    "the whole scene: azimuth 0 looks from +z (the front), 90 from +x. [the\n"
+                    "file's first camera, else auto]")
         ->type_name("CAMERA");
     command
         .add_option("--view", typed.view,
-                    "Side to frame the whole scene from: front, back, left, right, top,\n"
-                    "bottom, isometric or three-quarter. Front looks from +z, right from\n"
-                    "+x.")
+                    "Side to frame the whole scene from, such as front, top or isometric.\n"
+                    "Sides are front, back, left, right, top, bottom, isometric and\n"
+                    "three-quarter. Front looks from +z, right from +x.")
         ->type_name("SIDE");
     command.add_flag("--ortho", typed.ortho,
                      "Draw in parallel projection, as plans and elevations are drawn. The\n"
@@ -48,8 +48,8 @@ void add_device_options(CLI::App& command, TypedOptions& typed)
     add_no_cache_flag(command);
     command
         .add_option("--raster", typed.raster,
-                    "How triangles are rasterised: hardware, compute, or auto, which\n"
-                    "takes the faster one on this device")
+                    "How triangles are rasterised: hardware, compute or auto. The word auto\n"
+                    "takes the faster one on this device.")
         ->type_name("PATH")
         ->capture_default_str();
 }
@@ -64,26 +64,28 @@ void add_look_options(CLI::App& command, TypedOptions& typed)
         ->type_name("S");
     command
         .add_option("--animation", typed.animation,
-                    "Animation to play, by name or index; all plays all of them together\n"
-                    "[the first]")
+                    "Animation to play, by name or index. The word all plays all of them\n"
+                    "together. [the first]")
         ->type_name("NAME");
     command
         .add_option("--variant", typed.variant,
-                    "Material variant of a glTF file, by name or index [the file's\n"
-                    "default materials]")
+                    "Material variant of a glTF file, by name or index [the default\n"
+                    "materials]")
         ->type_name("NAME");
     command
         .add_option("--style", typed.style,
-                    "Preset or TOML file that sets the style; estampe styles lists the\n"
-                    "presets [built-in values]")
+                    "Preset or TOML file to draw in, or several joined by +. In\n"
+                    "comic+no-color, no-color overrides what comic sets. estampe styles\n"
+                    "lists presets and additions. [built-in values]")
         ->type_name("STYLE");
     add_set_option(command, typed,
-                   "One parameter of the style, such as hatch.width_mm=0.5. May be\n"
-                   "repeated (see --help-style).");
+                   "One parameter of the style, as in hatch.width_mm=0.5; may be repeated.\n"
+                   "See --help-style for the parameters.");
     typed.transparent.add_to(command);
     command.add_flag("--draft", typed.draft,
-                     "Draw faster and coarser, for a first look: one layer of strokes,\n"
-                     "coarse ink and smoke, small shadow maps, fewer kinds of lines");
+                     "Draw faster and coarser, for a first look. A draft has one layer of\n"
+                     "strokes, coarse ink and smoke, small shadow maps and fewer kinds of\n"
+                     "lines.");
     typed.world.add_to(command);
     command
         .add_option("--terrain", typed.terrain,
@@ -91,8 +93,8 @@ void add_look_options(CLI::App& command, TypedOptions& typed)
         ->type_name("TOML");
     command
         .add_option("--lightmap", typed.lightmap,
-                    "Baked light of this scene, as estampe bake writes it, instead of the\n"
-                    "lightmap that the scene's file names")
+                    "Baked light of this scene, as estampe bake writes it. This file replaces\n"
+                    "the lightmap that the scene's file names.")
         ->type_name("EXR");
     add_device_options(command, typed);
 }
@@ -101,9 +103,9 @@ CLI::Option& add_scene(CLI::App& command, TypedOptions& typed)
 {
     return *command
                 .add_option("SCENE", typed.scene,
-                            "Scene to draw: .gltf .glb .obj .ply .stl .fbx .dae or .toml (a\n"
-                            "terrain), or the name of a built-in world (see estampe info). The\n"
-                            "name - reads standard input.")
+                            "Scene file to draw, name of a built-in world, or - for standard input.\n"
+                            "Files are .gltf .glb .obj .ply .stl .fbx .dae or .toml (a terrain);\n"
+                            "estampe info lists the worlds.")
                 ->type_name("FILE");
 }
 
@@ -122,19 +124,17 @@ void add_view(CLI::App& app, TypedOptions& typed)
     add_look_options(command, typed);
     command
         .add_option("--samples", typed.samples,
-                    "Number of jittered frames to average once the view is still, for\n"
-                    "smooth edges")
+                    "Number of jittered frames that a still view averages, for smooth edges")
         ->type_name("N")
         ->capture_default_str();
     command
         .add_option("--shaders", typed.shaders,
-                    "Folder of Estampe's sources, for developers: a shader that is saved\n"
-                    "there is used at once")
+                    "Folder of Estampe's sources, for developers. A shader that is saved\n"
+                    "there is used at once.")
         ->type_name("DIR");
     command.add_flag("--verbose", typed.verbose, "Report on stderr what happens, with times");
     command.add_flag("--warm-up", typed.warm_up,
-                     "Open no window; compile the shaders of SCENE and its style for a\n"
-                     "later window");
+                     "Only compile the shaders of SCENE and its style, for a later window");
 }
 
 void add_render(CLI::App& app, TypedOptions& typed)
@@ -143,9 +143,10 @@ void add_render(CLI::App& app, TypedOptions& typed)
         *app.add_subcommand("render", "Draw a scene as a picture, as SVG strokes or as a film");
     command.footer(examples + world_examples() + exit_status);
     add_draw_options(command, typed,
-                     "Output file, whose ending chooses the format: png, jpg, webp, exr,\n"
-                     "ora, svg; for films mp4, webm, gif, or PNG frames as in\n"
-                     "frames/%04d.png. The name - is standard output.");
+                     "Output file, such as page.png, whose ending chooses the format. Endings\n"
+                     "of pictures are png, jpg, webp, exr, ora, svg; of films mp4, webm, gif.\n"
+                     "Films may also be PNG frames, as in frames/%04d.png. The name - is\n"
+                     "standard output.");
     typed.picture.add_to(command);
     command.add_option("--samples", typed.samples, "Number of jittered frames to average, for smooth edges")
         ->type_name("N")
@@ -159,14 +160,14 @@ void add_render(CLI::App& app, TypedOptions& typed)
                     "Draw in tiles of at most N pixels per side [the largest that the\n"
                     "device can draw]")
         ->type_name("N");
-    command.add_flag("--hidden", typed.hidden, "Also draw hidden lines, with dashes. Only valid for SVG.");
+    command.add_flag("--hidden", typed.hidden, "In an SVG, also draw hidden lines, with dashes");
     command.add_flag("--plotter", typed.plotter,
-                     "Write SVG for pen plotters: one line per stroke, none drawn twice,\n"
-                     "in an order with little pen travel");
+                     "Write SVG for pen plotters, with one line per stroke. No line is drawn\n"
+                     "twice, and the order of lines keeps pen travel short.");
     command
         .add_option("--motion", typed.motion,
-                    "Also write an OpenEXR file of how far each pixel has moved: R is\n"
-                    "pixels to the right, G is pixels down")
+                    "Also write an OpenEXR file of how far each pixel has moved. R is pixels\n"
+                    "to the right, G is pixels down.")
         ->type_name("EXR");
     command
         .add_option("--since", typed.since_s,
@@ -180,17 +181,17 @@ void add_render(CLI::App& app, TypedOptions& typed)
 void add_styles(CLI::App& app, TypedOptions& typed)
 {
     CLI::App& command = *app.add_subcommand(
-        "styles", "List the presets, draw a scene in all of them, or print a whole style as TOML");
+        "styles", "List the presets, draw a scene in all of them, or print a style as TOML");
     command
         .add_option("STYLE", typed.style,
-                    "Preset or TOML file to print in full. With --sheet: the scene to\n"
-                    "draw, as estampe render takes it. [list the presets; a still life]")
+                    "Style to print in full, as --style of estampe render takes it. With\n"
+                    "--sheet: the scene to draw. [list the presets; a still life]")
         ->type_name("STYLE|SCENE");
     CLI::Option* sheet =
         command
             .add_option("--sheet", typed.sheet,
-                        "Draw the scene in every preset but those named tam-, side by side on\n"
-                        "one picture, each with its name")
+                        "Draw the scene in every preset, side by side on one picture. Each has\n"
+                        "its name below. Presets named tam- are left out.")
             ->type_name("PNG");
     command.add_flag("--schema", typed.schema, "Print a JSON schema of style files, for editors")
         ->excludes(sheet);
@@ -199,8 +200,8 @@ void add_styles(CLI::App& app, TypedOptions& typed)
     typed.world.add_to(command);
     add_camera_options(command, typed);
     add_set_option(command, typed,
-                   "One parameter of the style that all pictures of the sheet share,\n"
-                   "such as hatch.width_mm=0.5. May be repeated.");
+                   "One parameter of the style, for all pictures; may be repeated. An\n"
+                   "example is hatch.width_mm=0.5.");
     add_device_options(command, typed);
     for (CLI::Option* option : command.get_options()) {
         if (option != sheet && !option->get_positional() && !option->check_lname("schema") &&
@@ -217,8 +218,7 @@ void add_tam(CLI::App& app, TypedOptions& typed)
     command.footer(tam_examples);
     command
         .add_option("STYLE", typed.style,
-                    "Preset or TOML file whose [tam] draws the map and whose [paper]\n"
-                    "colours the preview")
+                    "Style whose [tam] draws the map and whose [paper] colours the preview")
         ->type_name("STYLE");
     command
         .add_option("-o,--output", typed.output,
@@ -227,19 +227,29 @@ void add_tam(CLI::App& app, TypedOptions& typed)
         ->type_name("FILE");
     command
         .add_option("--from", typed.from,
-                    "Map to convert instead of drawing one: a folder of PNG or DDS files,\n"
-                    "a .dds or a .tam")
+                    "Map to convert instead of drawing one. Maps are .tam or .dds files, or\n"
+                    "folders of PNG or DDS files.")
         ->type_name("PATH");
     command
         .add_option("--brush", typed.brush,
-                    "Picture of one stroke from left to right, in its alpha channel or\n"
-                    "black on white [the tool that tam.tool names]")
+                    "Picture of one stroke from left to right. The stroke is the alpha\n"
+                    "channel, or black on white. [the tool that tam.tool names]")
         ->type_name("PNG");
     command.add_option("--preview", typed.preview, "Also write a picture of all tones and levels")
         ->type_name("PNG");
     add_set_option(command, typed,
-                   "One parameter of the style, such as tam.width_px=3. May be\n"
-                   "repeated (see --help-style).");
+                   "One parameter of the style, as in tam.width_px=3; may be repeated. See\n"
+                   "--help-style for the parameters.");
+}
+
+void add_style_manual(CLI::App& command, TypedOptions& typed)
+{
+    command
+        .add_option("--help-style", typed.style_manual,
+                    "Print the parameters of a style and exit. NAME is a section, such as\n"
+                    "hatch, or all. [a first page]")
+        ->expected(0, 1)
+        ->type_name("[NAME]");
 }
 
 /// An empty word is the trace of a variable that was not set, and no number, name or file.
@@ -278,7 +288,12 @@ void add_commands(CLI::App& app, TypedOptions& typed)
     CLI::App& graph = *app.add_subcommand("graph", "Write the frame graph of a scene as Graphviz text");
     add_draw_options(graph, typed, "Output file of the Graphviz text");
     add_styles(app, typed);
-    app.add_flag("--help-style", typed.style_manual, "Print the manual of all style parameters and exit");
+    add_style_manual(app, typed);
+    for (CLI::App* command : app.get_subcommands({})) {
+        if (command->get_option_no_throw("--set") != nullptr) {
+            add_style_manual(*command, typed);
+        }
+    }
     app.add_flag("--man", typed.manual_page, "Print the manual page for man -l - and exit");
     app.add_flag("--completion", typed.completion, "Print the completion script for bash and exit");
     refuse_empty_values(app);

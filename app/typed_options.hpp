@@ -49,7 +49,7 @@ struct TypedOptions {
     bool json = false;
     bool hidden = false;
     bool plotter = false;
-    bool style_manual = false;
+    std::string style_manual; ///< only declared; see style_manual_of()
     bool schema = false;
     bool manual_page = false;
     bool completion = false;

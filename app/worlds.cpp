@@ -52,8 +52,8 @@ void WorldOptions::add_to(CLI::App& command, Seed seed)
 {
     command
         .add_option("--world", assignments_,
-                    "Option of a built-in world, such as seed=7. May be repeated (estampe\n"
-                    "info lists all worlds and their options).")
+                    "Option of a built-in world, as in seed=7; may be repeated. estampe info\n"
+                    "lists all worlds and their options.")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     if (seed == Seed::is_an_option) {

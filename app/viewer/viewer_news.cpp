@@ -13,6 +13,7 @@
 
 #include "gpu/shader_bindings.hpp"
 #include "piped_scene.hpp"
+#include "style/schema.hpp"
 
 namespace estampe::viewer {
 
@@ -176,9 +177,13 @@ void Viewer::look_at_files()
     looked_at_files_ = app::Clock::now();
     if (studio_.look.name() != watched_style_) {
         watched_style_ = studio_.look.name();
-        style_watch_.watch(watched_style_.ends_with(".toml")
-                               ? std::vector<std::filesystem::path>{watched_style_}
-                               : std::vector<std::filesystem::path>{});
+        std::vector<std::filesystem::path> files;
+        for (const std::string& part : style::parts_of(watched_style_)) {
+            if (part.ends_with(".toml")) {
+                files.emplace_back(part);
+            }
+        }
+        style_watch_.watch(files);
     }
     if (!style_watch_.changed().empty()) {
         report("style changed: " + watched_style_);

@@ -28,9 +28,10 @@ public:
     Style& operator=(const Style&);
     Style& operator=(Style&&) noexcept;
 
-    /// Reads a TOML file or a preset by name. Throws Error with file:line:column, the key, and the allowed
-    /// values; for an unknown key also the nearest known one.
-    [[nodiscard]] static Style load(const std::string& file_or_preset);
+    /// Reads a preset or a TOML file by name, or several joined by '+', such as "comic+no-color": each part
+    /// overrides the parameters that it sets. Throws Error with file:line:column, the key, and the allowed
+    /// values; for an unknown name or key also the nearest known one.
+    [[nodiscard]] static Style load(const std::string& name);
 
     /// Applies one assignment, such as "hatch.contrast=12". Throws Error as load() does.
     void set(std::string_view assignment);
@@ -57,8 +58,9 @@ public:
     /// vertical field of view of a camera spans that part.
     [[nodiscard]] double window_aspect(uint32_t width, uint32_t height) const;
 
-    /// Manual of all parameters: name, type, range, default, unit and one line of help for each.
-    [[nodiscard]] static std::string help();
+    /// Manual of all parameters: name, type, range, default, unit and one line of help for each. `section` is
+    /// the name of one section, such as "hatch"; empty for all. Throws Error if there is no such section.
+    [[nodiscard]] static std::string help(std::string_view section = {});
 
     /// JSON schema (2020-12) of all parameters, with which editors complete and check TOML files.
     [[nodiscard]] static std::string json_schema();
@@ -66,7 +68,11 @@ public:
     /// Names of the presets that load() accepts.
     [[nodiscard]] static std::vector<std::string> presets();
 
-    /// Describes the look of a preset in one line. Throws Error if no preset has the name.
+    /// Names of the additions that load() accepts behind a preset, such as "no-color" in "comic+no-color".
+    [[nodiscard]] static std::vector<std::string> additions();
+
+    /// Describes the look of a preset, or the change by an addition, in one line. Throws Error if none has
+    /// the name.
     [[nodiscard]] static std::string about(const std::string& preset);
 
     [[nodiscard]] const features::StyleTables& tables() const { return *tables_; }

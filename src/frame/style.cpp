@@ -45,10 +45,12 @@ Style& Style::operator=(const Style& other)
 
 Style& Style::operator=(Style&&) noexcept = default;
 
-Style Style::load(const std::string& file_or_preset)
+Style Style::load(const std::string& name)
 {
     Style style;
-    features::style_schema().read(*style.tables_, file_or_preset);
+    for (const std::string& part : style::parts_of(name)) {
+        features::style_schema().read(*style.tables_, part);
+    }
     return style;
 }
 
@@ -69,14 +71,14 @@ double Style::number(std::string_view key) const
     if (value && std::holds_alternative<bool>(*value)) {
         return std::get<bool>(*value) ? 1.0 : 0.0;
     }
-    throw Error("is no number of a style", std::string(key), "estampe --help-style lists them");
+    throw Error("is no number of a style", std::string(key), "estampe --help-style all lists them");
 }
 
 glm::vec3 Style::color(std::string_view key) const
 {
     const std::optional<style::Value> value = value_of(*tables_, key);
     if (!value || !std::holds_alternative<glm::vec3>(*value)) {
-        throw Error("is no colour of a style", std::string(key), "estampe --help-style lists them");
+        throw Error("is no colour of a style", std::string(key), "estampe --help-style all lists them");
     }
     return glm::vec3(style::srgb_from_linear(std::get<glm::vec3>(*value)));
 }
@@ -85,7 +87,8 @@ std::string Style::text(std::string_view key) const
 {
     const std::optional<style::Value> value = value_of(*tables_, key);
     if (!value || !std::holds_alternative<std::string>(*value)) {
-        throw Error("is no choice or text of a style", std::string(key), "estampe --help-style lists them");
+        throw Error("is no choice or text of a style", std::string(key),
+                    "estampe --help-style all lists them");
     }
     return std::get<std::string>(*value);
 }
@@ -129,9 +132,9 @@ double Style::window_aspect(uint32_t width, uint32_t height) const
     return size_mm.x / size_mm.y;
 }
 
-std::string Style::help()
+std::string Style::help(std::string_view section)
 {
-    return features::style_schema().help();
+    return features::style_schema().help(section);
 }
 
 std::string Style::json_schema()
@@ -151,6 +154,11 @@ std::string Style::about(const std::string& preset)
 std::vector<std::string> Style::presets()
 {
     return style::preset_names();
+}
+
+std::vector<std::string> Style::additions()
+{
+    return style::addition_names();
 }
 
 TonalArtMap draw_tonal_art_map(const Style& style, const Image* stroke)

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <iterator>
+#include <ranges>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <estampe/error.hpp>
+
+#include "style/names.hpp"
 #include "style/schema.hpp"
 #include "style/toml.hpp"
 
@@ -165,13 +170,24 @@ std::string AnySchema::write_any(const void* values) const
     return text;
 }
 
-std::string AnySchema::help() const
+std::string AnySchema::help(std::string_view section_name) const
 {
+    const auto is_wanted = [&](const Section& section) {
+        return section_name.empty() || section.name == section_name;
+    };
+    if (std::ranges::none_of(sections_, is_wanted)) {
+        std::vector<std::string> names;
+        std::ranges::transform(sections_, std::back_inserter(names), &Section::name);
+        const std::string meant = nearest(section_name, names);
+        throw Error(fmt::format("no section {}", in_quotes(section_name)), {},
+                    meant.empty() ? fmt::format("sections are {}", fmt::join(names, ", "))
+                                  : fmt::format("did you mean {}?", in_quotes(meant)));
+    }
     constexpr size_t widest_range = 28;
     size_t key_width = 0;
     size_t range_width = 0;
     size_t default_width = 0;
-    for (const Section& section : sections_) {
+    for (const Section& section : sections_ | std::views::filter(is_wanted)) {
         for (const Parameter& parameter : section.parameters) {
             key_width = std::max(key_width, section.name.size() + 1 + parameter.key.size());
             range_width = std::max(range_width, std::min(widest_range, range_column(parameter).size()));
@@ -181,7 +197,7 @@ std::string AnySchema::help() const
     constexpr std::array<const char*, 7> kinds = {"number", "integer", "toggle", "colour",
                                                   "choice", "text",    "file"};
     std::string text;
-    for (const Section& section : sections_) {
+    for (const Section& section : sections_ | std::views::filter(is_wanted)) {
         text += fmt::format("{}{}: {}\n", text.empty() ? "" : "\n", section.name, section.help);
         for (const Parameter& parameter : section.parameters) {
             text +=
@@ -190,7 +206,7 @@ std::string AnySchema::help() const
                             range_width, default_column(parameter), default_width, parameter.help);
         }
     }
-    if (overrides_) {
+    if (overrides_ && section_name.empty()) {
         text += fmt::format("\n{}", surface_help(sections_));
     }
     return text;

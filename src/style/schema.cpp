@@ -29,10 +29,12 @@ bool looks_like_a_file(const std::string& name)
 
 [[noreturn]] void fail_unknown(const std::string& name)
 {
-    const std::vector<std::string> presets = preset_names();
-    const std::string meant = nearest(name, presets);
+    std::vector<std::string> names = preset_names();
+    const std::vector<std::string> additions = addition_names();
     const std::string known =
-        presets.empty() ? "there are no presets" : fmt::format("presets are {}", fmt::join(presets, ", "));
+        fmt::format("presets are {}; additions are {}", fmt::join(names, ", "), fmt::join(additions, ", "));
+    names.insert(names.end(), additions.begin(), additions.end());
+    const std::string meant = nearest(name, names);
     throw Error(fmt::format("no preset or style file {}", in_quotes(name)), {},
                 meant.empty() ? known : fmt::format("did you mean {}?", in_quotes(meant)));
 }
@@ -47,7 +49,36 @@ Source load_source(const std::filesystem::path& path)
     return {path.string(), std::move(text)};
 }
 
+bool is_file(const std::string& name)
+{
+    std::error_code problem;
+    return std::filesystem::is_regular_file(name, problem);
+}
+
 } // namespace
+
+std::vector<std::string> parts_of(const std::string& style_name)
+{
+    std::vector<std::string> parts;
+    size_t begin = 0;
+    while (begin <= style_name.size()) {
+        // The longest part that is a file, else up to the next '+'.
+        size_t end = style_name.size();
+        while (end != std::string::npos && end > begin && !is_file(style_name.substr(begin, end - begin))) {
+            end = style_name.rfind('+', end - 1);
+        }
+        if (end == std::string::npos || end <= begin) {
+            end = std::min(style_name.find('+', begin), style_name.size());
+        }
+        parts.push_back(style_name.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    if (parts.size() > 1 && std::ranges::find(parts, "") != parts.end()) {
+        throw Error(fmt::format("a part of the style {} is empty", in_quotes(style_name)), {},
+                    "write names with a + between two, such as comic+no-color");
+    }
+    return parts;
+}
 
 Source resolve(const std::string& preset_or_file, const std::string& from)
 {
@@ -67,7 +98,7 @@ Source resolve(const std::string& preset_or_file, const std::string& from)
 
 namespace {
 
-constexpr const char* manual = "estampe --help-style lists every key";
+constexpr const char* manual = "estampe --help-style all lists every key";
 
 std::string full_key(const Section& section, const Parameter& parameter)
 {

@@ -20,7 +20,15 @@ namespace estampe::style {
 /// Names of the presets built in: the files presets/*.toml of the source tree, in alphabetical order.
 [[nodiscard]] std::vector<std::string> preset_names();
 
-/// The TOML text of a preset; nothing when there is none of that name.
+/// Names of the additions built in, which are put behind a preset with '+': the files
+/// presets/additions/*.toml, in alphabetical order.
+[[nodiscard]] std::vector<std::string> addition_names();
+
+/// The parts of a style's name that '+' joins, as in "comic+no-color", from left to right. A '+' in the name
+/// of an existing file joins nothing. Throws Error if a part is empty.
+[[nodiscard]] std::vector<std::string> parts_of(const std::string& style_name);
+
+/// The TOML text of a preset or an addition; nothing when there is none of that name.
 [[nodiscard]] std::optional<std::string_view> preset_text(std::string_view name);
 
 /// A style text and the name that errors give it.
@@ -33,8 +41,8 @@ struct Source {
 /// empty for the first. Throws Error when there is none.
 using Resolver = std::function<Source(const std::string& name, const std::string& from)>;
 
-/// The usual resolver: a preset of that name, else a file, looked up from the folder of the file that names
-/// it. Throws Error listing the presets when there is neither.
+/// The usual resolver: a preset or addition of that name, else a file, looked up from the folder of the file
+/// that names it. Throws Error listing the presets and additions when there is neither.
 [[nodiscard]] Source resolve(const std::string& preset_or_file, const std::string& from);
 
 /// Where a member lies in the values of a schema, whose type is not known here.
@@ -61,8 +69,9 @@ struct Section {
 class AnySchema {
 public:
     /// The manual: a paragraph a section, a line a parameter with key, type, range, default and help in
-    /// columns.
-    [[nodiscard]] std::string help() const;
+    /// columns. `section` is the name of one section; empty for all. Throws Error, naming the nearest, if
+    /// there is no such section.
+    [[nodiscard]] std::string help(std::string_view section = {}) const;
 
     /// A JSON schema (draft 2020-12) of the TOML file, for editors.
     [[nodiscard]] std::string json_schema() const;

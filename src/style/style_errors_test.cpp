@@ -108,7 +108,7 @@ TEST(StyleErrors, UnknownNamesSuggestTheNearest)
     EXPECT_EQ(read_error("extend = \"pencil\""),
               "ink.toml:1:1: unknown key \"extend\"; did you mean \"extends\"?");
     EXPECT_EQ(set_error("hatch.qqqqqqqq=1"),
-              "--set: unknown key \"hatch.qqqqqqqq\"; estampe --help-style lists every key");
+              "--set: unknown key \"hatch.qqqqqqqq\"; estampe --help-style all lists every key");
 }
 
 TEST(StyleErrors, MisplacedKeysAreFoundInOtherSections)

@@ -37,7 +37,7 @@ set = ["paper.seed=3"]
 
 [[job]]
 scene = ["scene.glb", "other.glb"]
-style = ["comic", "pencil"]
+style = ["comic+no-color", "pencil"]
 output = "{scene}-{style}.png"
 
 [[job]]
@@ -58,7 +58,7 @@ dpi = 72
 landscape = true
 END
 expect 1 'jobs.toml: 1 of 7 jobs failed; jobs.report.json tells which' jobs.toml
-for file in scene-comic.png scene-pencil.png other-comic.png other-pencil.png lines.svg page.jpg; do
+for file in scene-comic+no-color.png scene-pencil.png other-comic+no-color.png other-pencil.png lines.svg page.jpg; do
     [[ -s $file ]] || wrong "no $file"
 done
 [[ ! -e missing.png ]] || wrong "a failed job left its file"

@@ -44,11 +44,27 @@ small=(--size 96x54 --device cpu)
 expect_success --version
 expect_printed '^estampe [0-9]'
 expect_success --help
+expect_printed '^  render '
+expect_success --help-all
 expect_printed 'Examples:'
 expect_success render --help
 expect_printed '--samples'
+expect_success render --help-all
+expect_printed 'Exit status'
+expect_printed '^  --set KEY=VALUE  .*may be repeated'
 expect_success --help-style
+expect_printed 'help-style all'
+[[ "$(wc -l <../"$name".out)" -le 40 ]] || wrong "--help-style prints more than a page"
+expect_success --help-style all
 expect_printed '^  [a-z_]*\.[a-z_]*  *number '
+expect_printed '^contour: '
+expect_success render --help-style hatch
+expect_printed '^  hatch\.width_mm  *number '
+! grep -q 'contour\.' ../"$name".out || wrong "--help-style hatch prints other sections"
+expect_success render --help-style=hatch
+expect_success render scene.glb --help-style
+expect_error 2 '--help-style: no section "hach"; did you mean "hatch"' --help-style hach
+expect_error 2 '--help-style: no section "zzzzzzz"; sections are' render --help-style zzzzzzz
 expect_success styles
 expect_printed '^pencil  *Soft grey strokes'
 expect_success styles --schema
@@ -173,6 +189,7 @@ expect_error 2 'not expected: --hour=18; write --world hour=18' render temple -o
 expect_error 2 '--film: works only with a world .*worlds with a film: temple' render scene.glb -o a.mp4 --film
 expect_error 1 'tempel: is neither a file nor a world; did you mean the world temple' render tempel -o a.png
 expect_error 2 '--input-format: "blend" is no format' render - -o a.png --input-format blend
+expect_error 2 '--set takes one value: write --set paper.seed=2' render scene.glb -o a.png --set hatch.seed=1 paper.seed=2
 expect_error 2 '--set: unknown key .*--help-style' render scene.glb -o a.png --set nosuch.key=1
 expect_error 2 '--set: .* is not an assignment' render scene.glb -o a.png --set nothing
 expect_error 2 'as ".bmp"; the name must end in .png, .jpg, .jpeg, .webp, .exr, .ora, in .svg' render scene.glb -o a.bmp
@@ -268,7 +285,7 @@ expect_success render scene.glb -o set.png --style engraving --size 64x48 --devi
 rm -f fine.png draft.png set.png
 
 # A typing mistake in a key that there is gets the right one suggested
-key="$("$estampe" --help-style | awk '$1 ~ /\./ && !found { print $1; found = 1 }')"
+key="$("$estampe" --help-style all | awk '$1 ~ /\./ && !found { print $1; found = 1 }')"
 expect_error 2 "did you mean \"$key\"" render scene.glb -o a.png --set "${key}x=1"
 
 # Files
@@ -359,10 +376,22 @@ expect_success render scene.glb -o b.png "${small[@]}" --camera 'eye=-1.6,0.3,-1
 grep -q '^estampe: warning: .*stands inside "drum", whose one-sided' ../"$name".err || wrong "nothing said of a view from inside"
 expect_success graph scene.glb -o frame.dot "${small[@]}"
 grep -q digraph frame.dot || wrong "frame.dot is no graph"
-"$estampe" styles | while read -r preset _; do
+"$estampe" styles | awk 'NF == 0 { exit } { print $1 }' | while read -r preset; do
     "$estampe" styles "$preset" >"$preset".toml
     "$estampe" styles "$preset".toml | cmp - "$preset".toml || exit 1
 done || wrong "a preset does not read back equal"
+
+# Styles put together
+expect_success styles
+expect_printed '^Additions'
+expect_printed '^no-color  *Black, white'
+expect_success styles comic+no-color
+expect_printed '^saturation = 0$'
+expect_success render scene.glb -o plus.png "${small[@]}" --style comic+no-color
+expect_success render scene.glb -o set.png "${small[@]}" --style comic
+! cmp -s plus.png set.png || wrong "an addition changes nothing"
+expect_error 1 'no preset or style file "no-colour"; did you mean "no-color"' render scene.glb -o none.png --style comic+no-colour
+expect_error 2 'JPEG has no alpha' render scene.glb -o none.jpg "${small[@]}" --style comic+transparent
 
 # Formats of pictures
 # starts_with FILE HEX: the bytes that a kind of file begins with
@@ -440,12 +469,14 @@ grep -q 'paper\.R' layers.exr || wrong "layers.exr has no paper"
 expect_success render scene.glb -o lines.png "${small[@]}" --layer lines
 ! cmp -s plain.png lines.png || wrong "--layer draws the whole picture"
 expect_success render scene.glb -o occlusion.png "${small[@]}" --set occlusion.drawn=true --layer occlusion
+expect_error 1 '--layer: no layer or object is named "hach"; did you mean "hatch"' render scene.glb -o none.png --device 99 --layer hach
+expect_error 1 '--layer: .* "zzzzzzzz"; layers are paper, wash' render scene.glb -o none.png "${small[@]}" --layer zzzzzzzz
 expect_error 1 'has no layer "occlusion"' render scene.glb -o none.png "${small[@]}" --layer occlusion
 [[ ! -e none.png ]] || wrong "a layer that is not there was written"
 
 # Tonal art maps
 tiny=(--set tam.size_px=64 --set tam.tones=4 --set tam.candidates=8)
-expect_success tam --help
+expect_success tam --help-all
 expect_printed '--preview'
 expect_success tam -o a.tam "${tiny[@]}" --preview sheet.png
 [[ ! -s ../"$name".out ]] || wrong "tam printed on stdout"
@@ -482,7 +513,7 @@ expect_success render scene.glb -o kept.png --size 64x36 --device cpu --no-cache
 
 # Lightmaps
 quick=(--size 512 --samples 1 --bounces 1)
-expect_success bake --help
+expect_success bake --help-all
 expect_printed 'Ctrl-C keeps what is done'
 expect_success bake scene.glb -o a.exr "${quick[@]}"
 grep -q 'texels of 512 x 512' ../"$name".err || wrong "bake said nothing of its texels"
@@ -561,7 +592,7 @@ expect_error 1 'no such folder' render scene.glb -o d.png --motion nowhere/m.exr
 expect_error 1 'truncated.glb' render truncated.glb -o a.png
 
 # Output that goes nowhere is a failure
-if "$estampe" --help-style >/dev/full 2>../"$name".err; then
+if "$estampe" --help-style all >/dev/full 2>../"$name".err; then
     wrong "a full disk went unnoticed"
 fi
 left="$(find . -name '.*' -type f -o -name '*.tmp*')"

@@ -40,11 +40,11 @@ names_below() { awk -v title="$1" '$0 == title ":" { on = 1; next } /^[^ ]/ || N
 check_command() {
     local name option help
     help="$("$estampe" "$@" --help)"
-    for option in $(names_below Options <<<"$help" | tr ',' '\n'); do
+    for option in $(awk '/^  -/ { sub(/   .*/, ""); print }' <<<"$help" | grep -oE '(^|[ ,])--?[a-z-]+' | tr -d ' ,'); do
         grep -qE -e "^ +(-., )?$option\b|^ +$option," "$folder/page" || wrong "the manual page lacks $option of estampe $*"
         offers "$option" "$@" "$option"
     done
-    for name in $(names_below Subcommands <<<"$help"); do
+    for name in $(names_below Commands <<<"$help"); do
         offers "$name" "$@" ""
         grep -qE "^ +estampe( [a-z]+)? $name( |$)" "$folder/page" || wrong "the manual page lacks $name"
         check_command "$@" "$name"
@@ -62,10 +62,14 @@ offers fox.glb render -o a.png f
 offers notes.txt info n
 offers pencil render fox.glb --style pen
 offers pencil render fox.glb --style = pen
+offers comic+no-color render fox.glb --style comic+no
+offers_not no-color render fox.glb --style no
 offers mine.toml render fox.glb --style ""
 offers_not fox.glb render fox.glb --style ""
 offers hatch.width_mm= render --set hatch.wid
 offers hardware render --raster ""
+offers contour render --help-style con
+offers all --help-style al
 offers -z info --up ""
 offers three-quarter render --view t
 offers obj bake --input-format o
