@@ -77,10 +77,13 @@ bool are_other(const Surroundings& now, const Surroundings& before)
 
 uint32_t Cloths::small_steps(const Kind& kind, const Surroundings& surroundings) const
 {
+    const Solver& solver = *kind.solver;
     const bool tears = (kind.variant & shared::cloth_bit_tear) != 0;
-    const float per_s = small_steps_per_s(kind.most_particles) * (tears ? tear_share : 1.0F) /
-                        static_cast<float>(std::max(kind.solver->sweeps, 1U));
-    const float wanted = per_s * surroundings.effort * surroundings.step_s;
+    const float share = solver.relaxations > 0
+                            ? static_cast<float>(solver.relaxations) // which have no tethers to make up for
+                            : (tears ? tear_share : 1.0F) / static_cast<float>(std::max(solver.sweeps, 1U));
+    const float wanted =
+        share * small_steps_per_s(kind.most_particles) * surroundings.effort * surroundings.step_s;
     return static_cast<uint32_t>(std::clamp(std::ceil(wanted - 0.01F), 1.0F, 1000.0F));
 }
 
@@ -150,7 +153,8 @@ void Cloths::fill_runs(const Surroundings& surroundings, uint32_t count)
         shared::ClothRun run{.gravity_m_s2 = surroundings.gravity_m_s2,
                              .step_s = std::min(surroundings.step_s, longest_step_s),
                              .step_count = count,
-                             .small_steps = small_steps(kind, surroundings),
+                             .small_steps =
+                                 kind.solver->relaxations > 0 ? 1U : small_steps(kind, surroundings),
                              .collider_count = static_cast<uint32_t>(met_.size()),
                              .collider_stride = moves ? static_cast<uint32_t>(met_.size()) : 0,
                              .wind_m_s = wind.speed_m_s * direction_of(wind),

@@ -199,8 +199,8 @@ private:
 
     /// One step of large sheets, and the handles that its passes share.
     struct LargeStep {
-        uint32_t number = 0; ///< in the run
-        uint32_t small_steps = 1;
+        uint32_t number = 0;      ///< in the run
+        uint32_t small_steps = 1; ///< or relaxations
         gpu::BufferId awake;
         gpu::BufferId began;
         gpu::BufferId met;
@@ -211,6 +211,7 @@ private:
         uint32_t bits = 0;               ///< Bits of the shaders' variant
         bool takes_small_sheets = false; ///< Small sheets run in one dispatch of their own
         uint32_t sweeps = 0;             ///< Over all colours, per small step; divides the small steps
+        uint32_t relaxations = 0;        ///< Of a whole step, per small step of the usual solver; 0: none
         bool lowers_rigidity = false;    ///< Lowers bending rigidity where a small step is too long for it
         void (Cloths::*add_step)(gpu::Graph&, Handles&, Kind&, const LargeStep&) = nullptr;
     };
@@ -244,6 +245,7 @@ private:
     [[nodiscard]] uint32_t variant_of(size_t sheet) const;
     [[nodiscard]] bool is_small(size_t sheet) const;
     void append_colours(Kind& kind, std::vector<uint32_t>& groups) const;
+    /// Small steps that a step is cut into, or relaxations of a whole one.
     [[nodiscard]] uint32_t small_steps(const Kind& kind, const Surroundings& surroundings) const;
     [[nodiscard]] gpu::BufferId add_vertices_at(gpu::Graph& graph, const Handles& handles,
                                                 gpu::BufferId places, gpu::BufferId posed_vertices);

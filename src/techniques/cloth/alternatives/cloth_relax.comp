@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread a particle: one of the relaxations of a Verlet step, or the last, which ends it. Links are all
-// there is: without compliance, and far ones push as they pull. Zanuttini, "Recherches en rendu non réaliste
-// temps réel", Université Paris 8, 2008, chapter 7.
+// One thread a particle: one of the relaxations of a whole Verlet step, or the last, which ends it. Links are
+// all there is: without compliance, and far ones push as they pull. Zanuttini, "Recherches en rendu non
+// réaliste temps réel", Université Paris 8, 2008, chapter 7.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -88,7 +88,7 @@ void main()
         return;
     }
     if (from.w > 0.0) {
-        own.xyz = let_to(local, from.xyz, own.xyz, moment.step, moment.small_step);
+        own.xyz = let_to(local, from.xyz, own.xyz, moment.step, 0u);
     }
     vec4 before = began[particle];
     places[particle] = vec4(own.xyz, from.w);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The thesis's solver: a Verlet step, and relaxations of all links. Zanuttini, "Recherches en rendu non
+// The thesis's solver: one Verlet step, and relaxations of all links. Zanuttini, "Recherches en rendu non
 // réaliste temps réel", Université Paris 8, 2008, chapter 7.
 #include "techniques/cloth/cloth.hpp"
 

@@ -10,7 +10,7 @@ const Cloths::Solver& Cloths::solver_named(ClothSolver name)
 {
     static constexpr std::array solvers{
         Solver{.takes_small_sheets = true, .lowers_rigidity = true, .add_step = &Cloths::add_small_steps},
-        Solver{.add_step = &Cloths::add_relaxations},
+        Solver{.relaxations = 10, .add_step = &Cloths::add_relaxations},
         Solver{.bits = shared::cloth_bit_descent, .sweeps = 4, .add_step = &Cloths::add_descents}};
     return solvers.at(name == ClothSolver::verlet ? 1 : name == ClothSolver::block_descent ? 2 : 0);
 }
