@@ -19,7 +19,6 @@
 #include "shaders/cloth_see_comp.hpp"
 #include "shaders/cloth_seen_comp.hpp"
 #include "shaders/cloth_small_comp.hpp"
-#include "shaders/cloth_step_comp.hpp"
 #include "shaders/cloth_target_comp.hpp"
 #include "shaders/cloth_tear_comp.hpp"
 #include "shaders/cloth_vertices_comp.hpp"
@@ -78,11 +77,13 @@ bool are_other(const Surroundings& now, const Surroundings& before)
 
 uint32_t Cloths::small_steps(const Kind& kind, const Surroundings& surroundings) const
 {
-    const bool descends = (kind.variant & shared::cloth_bit_descent) != 0;
+    const Solver& solver = *kind.solver;
     const bool tears = (kind.variant & shared::cloth_bit_tear) != 0;
-    const float per_s = small_steps_per_s(kind.most_particles) * (tears ? tear_share : 1.0F) /
-                        (descends ? sweeps_of_descent : 1.0F);
-    const float wanted = per_s * surroundings.effort * surroundings.step_s;
+    const float share = solver.relaxations > 0
+                            ? static_cast<float>(solver.relaxations) // which have no tethers to make up for
+                            : (tears ? tear_share : 1.0F) / static_cast<float>(std::max(solver.sweeps, 1U));
+    const float wanted =
+        share * small_steps_per_s(kind.most_particles) * surroundings.effort * surroundings.step_s;
     return static_cast<uint32_t>(std::clamp(std::ceil(wanted - 0.01F), 1.0F, 1000.0F));
 }
 
@@ -92,10 +93,10 @@ uint32_t Cloths::most_steps(const Surroundings& surroundings) const
     constexpr uint32_t most_at_once = 120;
     uint32_t passes = 0;
     for (const Kind& kind : kinds_) {
-        const auto descents = static_cast<uint32_t>(sweeps_of_descent * kind.colours.size());
+        const auto sweeps = static_cast<uint32_t>(kind.solver->sweeps * kind.colours.size());
         const uint32_t searches = (kind.variant & shared::cloth_bit_self) != 0 ? 3 : 0;
         const uint32_t tears = (kind.variant & shared::cloth_bit_tear) != 0 ? 2 : 0;
-        passes += kind.is_small ? 0 : 2 + searches + tears + small_steps(kind, surroundings) * (1 + descents);
+        passes += kind.is_small ? 0 : 2 + searches + tears + small_steps(kind, surroundings) * (1 + sweeps);
     }
     return passes == 0 ? most_at_once : std::clamp(most_passes / passes, 1U, most_at_once);
 }
@@ -127,15 +128,14 @@ void Cloths::lower_rigidities(const Surroundings& surroundings)
 {
     float longest_small_s = 0.0F;
     for (const Kind& kind : kinds_) {
-        const bool is_cut = (kind.variant & (shared::cloth_bit_relax | shared::cloth_bit_descent)) == 0;
         const float small_s = std::min(surroundings.step_s, longest_step_s) /
                               static_cast<float>(small_steps(kind, surroundings));
-        longest_small_s = std::max(longest_small_s, is_cut ? small_s : 0.0F);
+        longest_small_s = std::max(longest_small_s, kind.solver->lowers_rigidity ? small_s : 0.0F);
     }
     for (size_t i = 0; i < records_.size(); ++i) {
         const float most = 1.0F / std::max(bending_rates_s2_[i] * longest_small_s * longest_small_s, 1e-12F);
-        const bool bears_all = solver_of(i) == ClothSolver::block_descent;
-        records_[i].bending_n_m = bears_all ? rigidities_n_m_[i] : std::min(rigidities_n_m_[i], most);
+        const bool is_lowered = solver_of(i).lowers_rigidity;
+        records_[i].bending_n_m = is_lowered ? std::min(rigidities_n_m_[i], most) : rigidities_n_m_[i];
     }
 }
 
@@ -153,7 +153,8 @@ void Cloths::fill_runs(const Surroundings& surroundings, uint32_t count)
         shared::ClothRun run{.gravity_m_s2 = surroundings.gravity_m_s2,
                              .step_s = std::min(surroundings.step_s, longest_step_s),
                              .step_count = count,
-                             .small_steps = small_steps(kind, surroundings),
+                             .small_steps =
+                                 kind.solver->relaxations > 0 ? 1U : small_steps(kind, surroundings),
                              .collider_count = static_cast<uint32_t>(met_.size()),
                              .collider_stride = moves ? static_cast<uint32_t>(met_.size()) : 0,
                              .wind_m_s = wind.speed_m_s * direction_of(wind),
@@ -352,21 +353,9 @@ void Cloths::add_large_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, u
     push.sample(handles.torn, gpu::Format::rg32ui);
     push.variant(kind.variant).push(shared::ClothMoment{.step = step, .first_group = kind.first_group});
     push.dispatch(kind.group_count);
-    for (uint32_t i = 0; i < small_steps; ++i) {
-        add_descent(graph, handles, kind, {.step = step, .small_step = i}, i % 2, awake);
-        auto pass = graph.compute("cloth/step", shaders::cloth_step_comp);
-        bind_common(graph, pass, handles, kind.run, sheet_of_group_);
-        handles.places = pass.modify(handles.places);
-        handles.speeds = pass.modify(handles.speeds);
-        pass.read(handles.pushes).sample(handles.predicted[i % 2], gpu::Format::rgba32f);
-        handles.predicted[1 - i % 2] = pass.modify(handles.predicted[1 - i % 2]);
-        pass.sample(handles.near).read(awake).read(began).read(met);
-        pass.sample(handles.torn, gpu::Format::rg32ui);
-        const bool is_last = i + 1 == small_steps;
-        pass.variant(kind.variant | (is_last ? shared::cloth_bit_last : 0U))
-            .push(shared::ClothMoment{.step = step, .small_step = i, .first_group = kind.first_group});
-        pass.dispatch(kind.group_count);
-    }
+    (this->*kind.solver->add_step)(
+        graph, handles, kind,
+        {.number = step, .small_steps = small_steps, .awake = awake, .began = began, .met = met});
     if ((kind.variant & shared::cloth_bit_tear) != 0) {
         add_tears(graph, handles, kind, step, awake);
     }

@@ -11,7 +11,6 @@ namespace estampe::shared {
 // Bits of the shaders' variants.
 SHARED_CONSTANT uint cloth_bit_grid = 1U;      // sheets are regular grids: neighbours need no lists
 SHARED_CONSTANT uint cloth_bit_colliders = 2U; // there is something to run into
-SHARED_CONSTANT uint cloth_bit_relax = 4U;     // springs alone, without compliance: the thesis's relaxation
 SHARED_CONSTANT uint cloth_bit_last = 8U;      // this pass ends a step, or a small one
 SHARED_CONSTANT uint cloth_bit_gusts = 16U;    // the wind is not the same everywhere
 SHARED_CONSTANT uint cloth_bit_descent = 64U;  // links have been solved before, by block descent
@@ -46,8 +45,6 @@ SHARED_CONSTANT float cloth_rest_s = 0.5F;      // a sheet that has been calm fo
 
 // A particle's mass is shared among its links: those to direct neighbours have so much more than far ones.
 SHARED_CONSTANT float cloth_near_share = 3.0F;
-SHARED_CONSTANT float cloth_knights_share =
-    0.8F; // what links a knight's move away leave the others, on a grid
 
 SHARED_CONSTANT uint cloth_plane = 0U; // all below y = 0
 SHARED_CONSTANT uint cloth_ellipsoid = 1U;

@@ -195,15 +195,40 @@ public:
     void recall(std::vector<gpu::Buffer> state);
 
 private:
+    struct Kind;
+
+    /// One step of large sheets, and the handles that its passes share.
+    struct LargeStep {
+        uint32_t number = 0;      ///< in the run
+        uint32_t small_steps = 1; ///< or relaxations
+        gpu::BufferId awake;
+        gpu::BufferId began;
+        gpu::BufferId met;
+    };
+
+    /// Method that moves large sheets through a step, from the places that cloth_push.comp predicts.
+    struct Solver {
+        uint32_t bits = 0;               ///< Bits of the shaders' variant
+        bool takes_small_sheets = false; ///< Small sheets run in one dispatch of their own
+        uint32_t sweeps = 0;             ///< Over all colours, per small step; divides the small steps
+        uint32_t relaxations = 0;        ///< Of a whole step, per small step of the usual solver; 0: none
+        bool lowers_rigidity = false;    ///< Lowers bending rigidity where a small step is too long for it
+        void (Cloths::*add_step)(gpu::Graph&, Handles&, Kind&, const LargeStep&) = nullptr;
+    };
+
+    /// The only place that names the solvers.
+    [[nodiscard]] static const Solver& solver_named(ClothSolver name);
+
     /// Sheets that one dispatch serves.
     struct Kind {
+        const Solver* solver = nullptr;
         uint32_t variant = 0;
         bool is_small = false;
         uint32_t first_group = 0;
         uint32_t group_count = 0;
         uint32_t most_particles = 0;     ///< of a sheet
         std::optional<uint32_t> lone;    ///< the sheet, if it is large and there is one
-        std::vector<glm::uvec2> colours; ///< for block descent: first group of each and how many
+        std::vector<glm::uvec2> colours; ///< for sweeps: first group of each and how many
         gpu::Buffer run;
     };
 
@@ -212,14 +237,15 @@ private:
     void lay_out_vertices(gpu::Device& device, std::span<const DrawnSheet> drawn);
     void group_sheets(gpu::Device& device);
 
-    [[nodiscard]] ClothSolver solver_of(size_t sheet) const { return solver_.value_or(solvers_[sheet]); }
+    [[nodiscard]] const Solver& solver_of(size_t sheet) const
+    {
+        return solver_named(solver_.value_or(solvers_[sheet]));
+    }
 
     [[nodiscard]] uint32_t variant_of(size_t sheet) const;
     [[nodiscard]] bool is_small(size_t sheet) const;
-    /// Sweeps of block descent over all colours, in one small step.
-    static constexpr uint32_t sweeps_of_descent = 4;
-
     void append_colours(Kind& kind, std::vector<uint32_t>& groups) const;
+    /// Small steps that a step is cut into, or relaxations of a whole one.
     [[nodiscard]] uint32_t small_steps(const Kind& kind, const Surroundings& surroundings) const;
     [[nodiscard]] gpu::BufferId add_vertices_at(gpu::Graph& graph, const Handles& handles,
                                                 gpu::BufferId places, gpu::BufferId posed_vertices);
@@ -232,11 +258,17 @@ private:
     void add_rest(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step, gpu::BufferId& awake);
     void add_near(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step, gpu::BufferId awake);
     void add_tears(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step, gpu::BufferId awake);
-    void add_descent(gpu::Graph& graph, Handles& handles, Kind& kind, const shared::ClothMoment& moment,
-                     uint32_t predicted, gpu::BufferId awake);
     [[nodiscard]] uint64_t met_bytes(const Kind& kind) const;
     void add_large_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step,
                           uint32_t small_steps, gpu::BufferId& awake);
+    /// One pass of a step, with a solver's own shader that includes cloth_large.glsl.
+    void add_pass_of_step(gpu::Graph& graph, Handles& handles, Kind& kind, const LargeStep& step,
+                          std::string_view name, const gpu::Shader& shader, uint32_t small_step);
+    void add_small_steps(gpu::Graph& graph, Handles& handles, Kind& kind, const LargeStep& step);
+    void add_small_step(gpu::Graph& graph, Handles& handles, Kind& kind, const LargeStep& step,
+                        uint32_t small_step);
+    void add_descents(gpu::Graph& graph, Handles& handles, Kind& kind, const LargeStep& step);
+    void add_relaxations(gpu::Graph& graph, Handles& handles, Kind& kind, const LargeStep& step);
 
     std::vector<shared::ClothSheet> records_;
     std::vector<float> rigidities_n_m_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <stdexcept>
+#include <tuple>
 
 #include <estampe/error.hpp>
 
@@ -167,17 +168,14 @@ void Cloths::lay_out(gpu::Device& device, std::span<const Sheet> sheets, std::sp
 
 uint32_t Cloths::variant_of(size_t sheet) const
 {
-    const ClothSolver solver = solver_of(sheet);
-    return (records_[sheet].columns > 0 ? shared::cloth_bit_grid : 0U) |
-           (solver == ClothSolver::verlet ? shared::cloth_bit_relax : 0U) |
-           (solver == ClothSolver::block_descent ? shared::cloth_bit_descent : 0U) |
+    return solver_of(sheet).bits | (records_[sheet].columns > 0 ? shared::cloth_bit_grid : 0U) |
            (records_[sheet].self_m > 0.0F ? shared::cloth_bit_self : 0U) |
            (records_[sheet].tear > 0.0F ? shared::cloth_bit_tear : 0U);
 }
 
 bool Cloths::is_small(size_t sheet) const
 {
-    return (variant_of(sheet) & ~shared::cloth_bit_grid) == 0 &&
+    return solver_of(sheet).takes_small_sheets && (variant_of(sheet) & ~shared::cloth_bit_grid) == 0 &&
            records_[sheet].count <= shared::cloth_small_sheet &&
            records_[sheet].columns <= shared::cloth_small_group; // a thread has part of one
 }
@@ -202,15 +200,16 @@ void Cloths::group_sheets(gpu::Device& device)
         }
     };
     const auto sheet_count = static_cast<uint32_t>(records_.size());
-    std::map<std::pair<bool, uint32_t>, std::vector<uint32_t>> alike; // large ones first
+    std::map<std::tuple<bool, uint32_t, const Solver*>, std::vector<uint32_t>> alike; // large ones first
     for (uint32_t sheet = 0; sheet < sheet_count; ++sheet) {
         append_in_order(sheet);
-        alike[{is_small(sheet), variant_of(sheet)}].push_back(sheet);
+        alike[{is_small(sheet), variant_of(sheet), &solver_of(sheet)}].push_back(sheet);
     }
     all_groups_ = static_cast<uint32_t>(groups.size() / 2);
     kinds_.clear();
     for (const auto& [key, members] : alike) {
-        Kind kind{.variant = key.second, .is_small = key.first};
+        const auto& [is_small, variant, solver] = key;
+        Kind kind{.solver = solver, .variant = variant, .is_small = is_small};
         kind.first_group = static_cast<uint32_t>(kind.is_small ? groups.size() : groups.size() / 2);
         for (const uint32_t sheet : members) {
             kind.most_particles = std::max(kind.most_particles, records_[sheet].count);
@@ -224,7 +223,7 @@ void Cloths::group_sheets(gpu::Device& device)
             kind.lone = members.front();
         }
         kind.group_count = static_cast<uint32_t>(groups.size()) / (kind.is_small ? 1 : 2) - kind.first_group;
-        if ((kind.variant & shared::cloth_bit_descent) != 0) {
+        if (kind.solver->sweeps > 0) {
             append_colours(kind, groups);
         }
         kind.run = gpu::Buffer(device, "cloth run", sizeof(shared::ClothRun), gpu::MemoryUse::upload);

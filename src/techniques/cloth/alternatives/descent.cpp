@@ -29,22 +29,24 @@ void Cloths::append_colours(Kind& kind, std::vector<uint32_t>& groups) const
     }
 }
 
-void Cloths::add_descent(gpu::Graph& graph, Handles& handles, Kind& kind, const shared::ClothMoment& moment,
-                         uint32_t predicted, gpu::BufferId awake)
+void Cloths::add_descents(gpu::Graph& graph, Handles& handles, Kind& kind, const LargeStep& step)
 {
-    for (uint32_t sweep = 0; sweep < sweeps_of_descent; ++sweep) {
-        for (const glm::uvec2& colour : kind.colours) {
-            auto pass = graph.compute("cloth/descend", shaders::cloth_descend_comp);
-            bind_common(graph, pass, handles, kind.run, sheet_of_group_);
-            pass.read(handles.places).read(handles.speeds).read(handles.pushes);
-            handles.predicted.at(predicted) = pass.modify(handles.predicted.at(predicted));
-            pass.sample(gpu::import_whole(graph, "cloth/by colour", by_colour_), gpu::Format::r32ui)
-                .read(awake)
-                .sample(handles.torn, gpu::Format::rg32ui);
-            shared::ClothMoment own = moment;
-            own.first_group = colour.x;
-            pass.variant(kind.variant).push(own).dispatch(colour.y);
+    for (uint32_t i = 0; i < step.small_steps; ++i) {
+        for (uint32_t sweep = 0; sweep < kind.solver->sweeps; ++sweep) {
+            for (const glm::uvec2& colour : kind.colours) {
+                auto pass = graph.compute("cloth/descend", shaders::cloth_descend_comp);
+                bind_common(graph, pass, handles, kind.run, sheet_of_group_);
+                pass.read(handles.places).read(handles.speeds).read(handles.pushes);
+                handles.predicted.at(i % 2) = pass.modify(handles.predicted.at(i % 2));
+                pass.sample(gpu::import_whole(graph, "cloth/by colour", by_colour_), gpu::Format::r32ui)
+                    .read(step.awake)
+                    .sample(handles.torn, gpu::Format::rg32ui);
+                pass.variant(kind.variant)
+                    .push(shared::ClothMoment{.step = step.number, .small_step = i, .first_group = colour.x})
+                    .dispatch(colour.y);
+            }
         }
+        add_small_step(graph, handles, kind, step, i);
     }
 }
 

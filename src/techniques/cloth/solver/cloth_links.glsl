@@ -26,12 +26,11 @@ float link_pull(vec3 towards, float split_masses, float rest_m, bool is_far, flo
 {
     float length_m = length(towards);
     float excess_m = length_m - rest_m;
-    if (is_far && !is_relaxing) {
+    if (is_far) {
         excess_m = max(excess_m, 0.0) + min(length_m - sheet.fold * rest_m, 0.0);
     }
     float share = is_far ? 1.0 : cloth_near_share;
-    share *= is_relaxing ? cloth_knights_share : 1.0;
-    float give = max(split_masses * (1.0 / (over_relaxation * share)), is_relaxing ? 0.0 : softness);
+    float give = max(split_masses * (1.0 / (over_relaxation * share)), softness);
     return excess_m / (max(length_m, 1e-9) * give);
 }
 
@@ -50,8 +49,7 @@ vec3 pull_of_grid(uint local, vec4 own, float inverse_mass, float time_s)
     {
         [[unroll]] for (int x = -2; x <= 2; ++x)
         {
-            // Those a knight's move away only relaxation is better for.
-            if ((is_relaxing || abs(x) * abs(y) != 2) && (x != 0 || y != 0)) {
+            if (abs(x) * abs(y) != 2 && (x != 0 || y != 0)) {
                 float there = columns[2 + x] * rows[2 + y];
                 vec4 other = predicted_beside(local, ivec2(x, y), there > 0.0);
                 there *= whole_link(torn, x, y);
@@ -59,10 +57,8 @@ vec3 pull_of_grid(uint local, vec4 own, float inverse_mass, float time_s)
                 vec2 rest = vec2(abs(x) * sheet.spacing_x_m, abs(y) * sheet.spacing_y_m);
                 float share = there * link_pull(to_other, own.w + other.w, length(rest),
                                                 max(abs(x), abs(y)) > 1, softness * dot(rest, rest));
-                if (!is_relaxing) {
-                    share += bending * (may_tear ? torn_bend_share(x, y, columns, rows, torn)
-                                                 : grid_bend_share(x, y, columns, rows));
-                }
+                share += bending * (may_tear ? torn_bend_share(x, y, columns, rows, torn)
+                                             : grid_bend_share(x, y, columns, rows));
                 pull += share * to_other;
             }
         }
@@ -86,7 +82,6 @@ vec3 pull_of_lists(uint local, vec4 own, float inverse_mass, float time_s)
             bend += torn_bending(link.z, torn, words.x) * to_other;
         }
     }
-    bend = is_relaxing ? vec3(0.0) : bend;
     return inverse_mass * (stretch + time_s * time_s * sheet.bending_n_m * bend);
 }
 

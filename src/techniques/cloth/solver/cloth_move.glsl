@@ -37,18 +37,10 @@ vec3 held_a_little(uint local, vec3 place, float part)
     return target.w > 0.0 ? mix(target.xyz, place, left) : place;
 }
 
-vec3 moved(uint local, vec3 from, float inverse_mass, uint step, uint small_step)
+// Where its own sheet, hands and solids let a particle come that wants to go from one place to another.
+vec3 let_to(uint local, vec3 from, vec3 place, uint step, uint small_step)
 {
     float part = part_of_run(step, float(small_step + 1u));
-    vec4 own = own_predicted(local);
-    vec3 place = own.xyz;
-    if (inverse_mass == 0.0) { // is held, and was foreseen there
-        return place;
-    }
-    if ((variant & cloth_bit_descent) == 0u) {
-        place += pull_of(local, own, inverse_mass);
-    }
-    place = tethered(local, place);
     if ((variant & cloth_bit_self) != 0u) {
         place = kept_from_self(local, place);
     }
@@ -59,6 +51,19 @@ vec3 moved(uint local, vec3 from, float inverse_mass, uint step, uint small_step
         place = beside_colliders(from, place, part_of_run(step, float(small_step)), part);
     }
     return place;
+}
+
+vec3 moved(uint local, vec3 from, float inverse_mass, uint step, uint small_step)
+{
+    vec4 own = own_predicted(local);
+    vec3 place = own.xyz;
+    if (inverse_mass == 0.0) { // is held, and was foreseen there
+        return place;
+    }
+    if ((variant & cloth_bit_descent) == 0u) {
+        place += pull_of(local, own, inverse_mass);
+    }
+    return let_to(local, from, tethered(local, place), step, small_step);
 }
 
 vec3 speed_after(vec3 from, vec3 to)

@@ -2,15 +2,13 @@
 #ifndef ESTAMPE_CLOTH_TETHERS
 #define ESTAMPE_CLOTH_TETHERS
 
-// What all solvers share: bending on a grid, and tethers.
+// Bending on a grid, and tethers.
 //
 // Wanted before: vec4 predicted_at(uint local), a place and whatever else, and what cloth_torn.glsl wants.
 
 #extension GL_EXT_control_flow_attributes : require
 
 #include "techniques/cloth/solver/cloth_torn.glsl"
-
-const bool is_relaxing = (variant & cloth_bit_relax) != 0u;
 
 // Whether there are particles so many places from one of a row of a grid, from two before to two after: 1, or
 // 0.
@@ -98,10 +96,9 @@ float grid_bend_own(ivec2 at, ivec2 size)
 // Attachments", SCA 2012.
 vec3 tethered(uint local, vec3 place)
 {
-    uint width = is_relaxing ? 0u : sheet.tether_width;
     uint k = 0u;
     do { // processors run a loop whose condition comes first once more than it says
-        if (k < width) {
+        if (k < sheet.tether_width) {
             uvec2 tether = texelFetch(tether_texels, int(sheet.first_tether + k * sheet.stride + local)).xy;
             vec3 held = predicted_at(tether.x).xyz;
             float length_m = distance(place, held);
@@ -111,7 +108,7 @@ vec3 tethered(uint local, vec3 place)
             }
         }
         ++k;
-    } while (k < width);
+    } while (k < sheet.tether_width);
     return place;
 }
 
