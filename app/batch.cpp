@@ -50,7 +50,7 @@ A file of jobs has a table [[job]] for each picture. Its keys are the options of
   scene = "helmet.gltf"
   output = "helmet.png"
   style = "pencil"
-  set = ["hatch.width_mm=0.5", "paper.seed=7"]
+  set = ["hatch.width_mm=0.5", "drawing.seed=7"]
 
   [[job]]                                  # 2 x 2 x 3 pictures
   scene = ["fox.glb", "chapel.glb"]

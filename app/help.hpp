@@ -42,7 +42,7 @@ inline constexpr const char* exit_status =
 
 inline constexpr const char* tam_examples = R"(Examples:
   estampe tam -o pen.tam --preview pen.png
-  estampe tam tam-charcoal -o charcoal.tam --set tam.seed=7
+  estampe tam tam-charcoal -o charcoal.tam --set drawing.seed=7
   estampe tam mine.toml -o mine.tam --brush stroke.png
   estampe tam --from mine.tam -o painted/              (to paint over the images, then)
   estampe tam --from painted/ -o mine.tam

@@ -42,14 +42,14 @@ void check_device(const std::string& text);
 void check_count(const char* option, uint32_t count, uint32_t most);
 
 /// Assignments that `--draft` adds to a style. They turn off or coarsen what costs much and is hardly missed.
-inline constexpr std::array draft_assignments{"hatch.layers=1",         "contour.intersection_mm=0",
+inline constexpr std::array draft_assignments{"hatch.layers=1",         "contour.intersection.enabled=false",
                                               "ink.cell_mm=0.8",        "ink.age_s=1",
                                               "ink.steps_per_s=8",      "smoke.cells=32",
                                               "smoke.step=1.5",         "smoke.age_s=2",
                                               "shadow.sun_map=warped",  "light.shadow_size=1024",
                                               "shadow.local_size=256",  "shadow.sun_radius_deg=0",
                                               "shadow.lamp_radius_m=0", "cloth.effort=0.5",
-                                              "occlusion.drawn=false"};
+                                              "occlusion.enabled=false"};
 
 /// The style that `--style` names, or the default one, with the assignments of `--set`. Throws UsageError for
 /// an invalid assignment, Error for a style that cannot be read.

@@ -401,7 +401,9 @@ void TransparentOption::assign(std::vector<std::string>& assignments) const
 
 bool is_transparent(const Style& style)
 {
-    return style.tables().paper.transparent != paper::Transparency::none;
+    const features::StyleTables& tables = style.tables();
+    return tables.paper.transparent != paper::Transparency::none ||
+           tables.drawing.paper == features::PaperKind::none;
 }
 
 void check_has_alpha(const DrawOptions& draw, const PictureChoice& picture, bool is_film)

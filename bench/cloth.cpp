@@ -27,7 +27,7 @@ struct Options {
     uint32_t sheets = 50;
     uint32_t colliders = 0;
     uint32_t rounds = 40;
-    float wind_m_s = 5.0F;
+    float wind_m_per_s = 5.0F;
     float step_s = 1.0F / 120.0F;
     float effort = 1.0F;
     float before_s = 0.0F;
@@ -153,8 +153,8 @@ void measure(const Options& options)
     gpu::Buffer posed(machine.device, "posed vertices", hung.vertex_count * sizeof(shared::PosedVertex),
                       gpu::MemoryUse::device);
     cloth::Surroundings surroundings{.step_s = options.step_s, .effort = options.effort};
-    surroundings.wind.speed_m_s = options.wind_m_s;
-    surroundings.rest_m_s = options.restless ? 0.0F : surroundings.rest_m_s;
+    surroundings.wind.speed_m_per_s = options.wind_m_per_s;
+    surroundings.rest_m_per_s = options.restless ? 0.0F : surroundings.rest_m_per_s;
     take_steps(machine, cloths, surroundings, static_cast<uint32_t>(options.before_s / options.step_s),
                [](gpu::Graph&, const cloth::Cloths::Handles&) {});
     const auto steps = static_cast<uint32_t>(std::max(1.0F, std::round(1.0F / 60.0F / options.step_s)));
@@ -189,7 +189,7 @@ int main(int argc, char** argv)
     app.add_option("--sheets", options.sheets)->check(CLI::Range(1, 10000));
     app.add_option("--colliders", options.colliders)->check(CLI::Range(0, 1000));
     app.add_option("--rounds", options.rounds, "Frames to take the median of")->check(CLI::Range(1, 100000));
-    app.add_option("--wind", options.wind_m_s, "Metres a second, with gusts and eddies");
+    app.add_option("--wind", options.wind_m_per_s, "Metres a second, with gusts and eddies");
     app.add_option("--step", options.step_s, "Seconds; a frame is a sixtieth")
         ->check(CLI::Range(1e-4, 1.0 / 30));
     app.add_option("--effort", options.effort)->check(CLI::Range(0.05, 8.0));

@@ -89,7 +89,7 @@ std::vector<Case> cases()
                                  .projection = {.solver = solver}};
     };
     fluid::Shape ball = fluid::disc({0.3F, 0.4F, 0.3F}, 0.1F);
-    ball.velocity_m_s = {0.5F, 0.2F, 0.0F};
+    ball.velocity_m_per_s = {0.5F, 0.2F, 0.0F};
     fluid::Shape oar = fluid::box({0.7F, 0.6F, 0.5F}, {0.15F, 0.02F, 0.1F}, 0.4F);
     oar.spin_rad_s = 3.0F;
     return {{"automatic, reflected: the default",

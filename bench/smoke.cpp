@@ -89,7 +89,7 @@ void measure(const Options& options)
                options.size_px.y, machine.name());
     steps.print("a step");
 
-    smoke::SmokeStyle style{.drawn = true};
+    smoke::SmokeStyle style{.enabled = true};
     style.puffs = options.puffs;
     style.sampling = options.sampling == "axis"   ? smoke::Sampling::axis
                      : options.sampling == "view" ? smoke::Sampling::view

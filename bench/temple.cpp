@@ -130,7 +130,7 @@ private:
     /// A walker looks where it goes.
     void turn_head()
     {
-        const glm::dvec3& v = visit_.walker().velocity_m_s();
+        const glm::dvec3& v = visit_.walker().velocity_m_per_s();
         const glm::dvec3 level(v.x, 0.0, v.z);
         if (glm::length(level) > 0.3) {
             look_ = glm::normalize(glm::mix(look_, glm::normalize(level), 0.02));

@@ -221,12 +221,13 @@ void show_layers_tab(Studio& studio)
     const features::StyleTables plain;
     ImGui::TextDisabled("What lies on the page, from above");
     ImGui::Spacing();
-    show_layer(studio, "Lines", tables.contour.drawn, true, false, true);
-    show_layer(studio, "Hatching", tables.hatch.drawn, true, false, true);
+    show_layer(studio, "Lines", tables.contour.enabled, true, false, true);
+    show_layer(studio, "Hatching", tables.hatch.enabled, true, false, true);
     show_layer(studio, "Shadows", tables.light.shadows, true, false, true);
     show_layer(studio, "Wash", tables.wash.strength, base.wash.strength, 0.0F, plain.wash.strength);
-    show_layer(studio, "Sky", tables.sky.mode, base.sky.mode, sky::SkyMode::paper, plain.sky.mode);
-    show_layer(studio, "Ground", tables.picture.ground, base.picture.ground, features::Ground::none,
+    show_layer(studio, "Sky", tables.sky.enabled, base.sky.enabled, style::AutoToggle::off,
+               plain.sky.enabled);
+    show_layer(studio, "Ground", tables.picture.ground, base.picture.ground, style::AutoToggle::off,
                plain.picture.ground);
     show_layer(studio, "Grain of the paper", tables.paper.grain, base.paper.grain, 0.0F, plain.paper.grain);
     show_layer(studio, "Border", tables.paper.border_mm, base.paper.border_mm, 0.0F, 0.35F);

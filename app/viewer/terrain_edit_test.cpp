@@ -122,7 +122,7 @@ TEST(TerrainEdit, SettingsCountAtOnceOrWhenTheyAreFinished)
 {
     Edited it("[terrain]\nheight = 'wind'\n");
     TerrainDescription settings = it.edit->draft();
-    settings.wind.speed_m_s = 9.0F;
+    settings.wind.speed_m_per_s = 9.0F;
     it.edit->set_settings(settings);
     EXPECT_EQ(it.height(), 9.0);
     settings.meshing.cells = 64;

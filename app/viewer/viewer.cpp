@@ -191,7 +191,7 @@ void Viewer::request(size_t slot, const Sight& sight, bool is_moving)
                            .view = view_};
     // Consecutive pictures in one style are drawn as a film, so that lines do not jump and flowing ink
     // continues.
-    const bool flows = request.style.style.tables().ink.drawn || (is_moving && studio_.file->visit);
+    const bool flows = request.style.style.tables().ink.enabled || (is_moving && studio_.file->visit);
     if ((flows || (is_moving && scale < 1.0)) && !sight.has_other && style_drawn_ == sight.style) {
         request.settings.continuity = Continuity::follows;
     }

@@ -174,7 +174,7 @@ BenchPicture of_cloth(double particles, uint32_t width, uint32_t height)
     add_root(
         picture.scene,
         {.name = "sheet", .mesh = static_cast<Index>(picture.scene.meshes.size() - 1), .cloth = Cloth{}});
-    picture.style.set("wind.speed_m_s=6");
+    picture.style.set("wind.speed_m_per_s=6");
     picture.moves = true;
     return picture;
 }
@@ -183,7 +183,7 @@ BenchPicture of_smoke(double cells, uint32_t width, uint32_t height)
 {
     BenchPicture picture = field(1.0, width, height);
     add_root(picture.scene, {.name = "smoke", .transform = {.scale = {16.0, 16.0, 16.0}}});
-    picture.style.set("smoke.drawn=true");
+    picture.style.set("smoke.enabled=true");
     picture.style.set("smoke.age_s=0");
     picture.style.set(fmt::format("smoke.cells={}", std::lround(std::cbrt(cells))));
     picture.moves = true;

@@ -30,9 +30,9 @@ struct Making {
         set_up.camera = {.eye = eye, .target = target, .vertical_fov_rad = fov_rad};
     }
 
-    void wind(float speed_m_s, float direction_deg)
+    void wind(float speed_m_per_s, float direction_deg)
     {
-        set_up.style.push_back("wind.speed_m_s=" + std::to_string(speed_m_s));
+        set_up.style.push_back("wind.speed_m_per_s=" + std::to_string(speed_m_per_s));
         set_up.style.push_back("wind.direction_deg=" + std::to_string(direction_deg));
     }
 };

@@ -30,7 +30,7 @@ struct HeightNode {
 /// Wind over the ground.
 struct TerrainWind {
     float direction_deg = 0.0F; ///< Direction towards which the wind blows: 0 is +x, 90 is +z
-    float speed_m_s = 5.0F;
+    float speed_m_per_s = 5.0F;
 
     bool operator==(const TerrainWind&) const = default;
 };
@@ -74,10 +74,10 @@ struct TerrainLook {
 
 /// Wind ripples of sand, visible from near. They change the normals, not the heights.
 struct TerrainRipples {
-    float wavelength_m = 0.12F; ///< From crest to crest
-    float height_m = 0.01F;     ///< From trough to crest; 0: no ripples
-    float meander = 0.5F;       ///< 0: straight and unbroken; 1: they wind, fork and end everywhere
-    float drift_m_s = 0.0005F;  ///< Speed of the ripples downwind
+    float wavelength_m = 0.12F;    ///< From crest to crest
+    float height_m = 0.01F;        ///< From trough to crest; 0: no ripples
+    float meander = 0.5F;          ///< 0: straight and unbroken; 1: they wind, fork and end everywhere
+    float drift_m_per_s = 0.0005F; ///< Speed of the ripples downwind
 
     bool operator==(const TerrainRipples&) const = default;
 };

@@ -47,7 +47,7 @@ struct TerrainTrails {
 struct TerrainTrack {
     std::string name;
     std::vector<glm::dvec2> path_m; ///< World x and z; a smooth curve passes through the points
-    double pace_m_s = 1.4;          ///< Speed along the path
+    double pace_m_per_s = 1.4;      ///< Speed along the path
     std::optional<double> start_s;  ///< Start time; empty: the track ends at time 0
     double stride_m = 0.75;         ///< Distance between the prints of the two feet
     double foot_m = 0.4;            ///< Length of a print in loose sand

@@ -28,8 +28,8 @@ Style lens_colors(std::initializer_list<const char*> more)
     Style style;
     for (const char* assignment :
          {"paper.grain=0", "paper.granulation=0", "paper.ink_break=0", "paper.margin_mm=0",
-          "paper.color=#ffffff", "hatch.drawn=false", "contour.drawn=false", "picture.ground=none",
-          "sky.mode=paper", "wash.strength=1", "wash.neutral=1", "lens.focal_mm=150", "lens.f_number=1",
+          "paper.color=#ffffff", "hatch.enabled=false", "contour.enabled=false", "picture.ground=false",
+          "sky.enabled=false", "wash.strength=1", "wash.neutral=1", "lens.focal_mm=150", "lens.f_number=1",
           "lens.focus_m=4.8", "lens.largest_mm=60"}) {
         style.set(assignment);
     }
@@ -70,7 +70,7 @@ Camera through(int i, int count, double radius_m)
 
 test::Exposure through_the_lens(int count)
 {
-    const Style sharp = lens_colors({"lens.mode=none"});
+    const Style sharp = lens_colors({"lens.enabled=false"});
     return test::mean_of(count, [&](int i) {
         return test::shared_renderer().render(through(i, count, 0.5 * 0.15), sharp, lens_page);
     });
@@ -80,16 +80,17 @@ test::Exposure drawn_in(const char* mode)
 {
     RenderSettings smooth = lens_page;
     smooth.samples = 8;
-    return test::exposure_of(test::shared_renderer().render(lens_camera, lens_colors({mode}), smooth));
+    return test::exposure_of(
+        test::shared_renderer().render(lens_camera, lens_colors({"lens.enabled=true", mode}), smooth));
 }
 
 TEST(DepthOfField, IsThatOfManyPicturesThroughTheLens)
 {
     test::shared_renderer().set_scene(posts());
     const test::Exposure truth = through_the_lens(256);
-    const test::Exposure seen = drawn_in("lens.mode=gather");
+    const test::Exposure seen = drawn_in("lens.enabled=true");
     const double psnr = test::psnr_db(seen, truth);
-    const double none = test::psnr_db(drawn_in("lens.mode=none"), truth);
+    const double none = test::psnr_db(drawn_in("lens.enabled=false"), truth);
     const int halo_px = test::widest_error_px(seen, truth, 0.1);
     std::printf("against 256 pictures: %.1f dB, halo %d px; without the lens %.1f dB\n", psnr, halo_px, none);
     EXPECT_GE(psnr, 30.0);
@@ -109,7 +110,7 @@ TEST(DepthOfField, GuessesWhatIsHidden)
     for (const float width_m : {0.03F, 0.06F}) {
         test::shared_renderer().set_scene(posts(0.16, width_m));
         const test::Exposure truth = through_the_lens(64);
-        const test::Exposure seen = drawn_in("lens.mode=gather");
+        const test::Exposure seen = drawn_in("lens.enabled=true");
         const double hidden_px =
             static_cast<double>(width_m) * lens_page.height / (2.0 * 2.4 * std::tan(0.15));
         const int halo_px = test::widest_error_px(seen, truth, 0.1);
@@ -128,7 +129,7 @@ TEST(DepthOfField, CostsNothingWhereThereIsNone)
     const Image plain = renderer.render(lens_camera, {}, lens_page);
     EXPECT_FALSE(has_pass());
     Style sharp; // all of it in focus, through a hole
-    sharp.set("lens.mode=gather");
+    sharp.set("lens.enabled=true");
     sharp.set("lens.f_number=128");
     sharp.set("lens.focal_mm=1");
     EXPECT_EQ(renderer.render(lens_camera, sharp, lens_page).rgba, plain.rgba);
@@ -143,7 +144,7 @@ TEST(DepthOfField, FocusesOnWhatIsNamed)
     renderer.set_scene(scene);
     const auto draw = [&](std::initializer_list<const char*> more) {
         Style style = lens_colors(more);
-        style.set("lens.mode=gather");
+        style.set("lens.enabled=true");
         return renderer.render(lens_camera, style, lens_page).rgba;
     };
     const double post_m = glm::dot(glm::dvec3(0.2, 0.4, 2.4) - lens_camera.eye,
@@ -162,7 +163,7 @@ TEST(DepthOfField, SaysWhereThereIsNoLens)
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(posts());
     Style style;
-    style.set("lens.mode=gather");
+    style.set("lens.enabled=true");
     Camera parallel = lens_camera;
     parallel.orthographic_half_height_m = 1.0;
     EXPECT_EQ(renderer.render(parallel, style, lens_page).rgba,
@@ -181,8 +182,8 @@ TEST(DepthOfField, LeavesNoSeamsBetweenTiles)
     Style style;
     // Without ink, whose own reach would hide that the lens has none.
     for (const char* assignment :
-         {"lens.mode=gather", "lens.focal_mm=150", "lens.f_number=1", "lens.focus_m=4.8",
-          "lens.largest_mm=20", "hatch.drawn=false", "contour.drawn=false"}) {
+         {"lens.enabled=true", "lens.focal_mm=150", "lens.f_number=1", "lens.focus_m=4.8",
+          "lens.largest_mm=20", "hatch.enabled=false", "contour.enabled=false"}) {
         style.set(assignment);
     }
     RenderSettings tiled{.width = 480, .height = 180};
@@ -225,7 +226,7 @@ TEST(DepthOfField, DrawsFewerAndPalerStrokesWhereItIsToldTo)
         return renderer.render_layers(lens_camera, style, lens_page);
     };
     const LayeredImage sharp = draw({});
-    const LayeredImage pale = draw({"lens.mode=gather", "lens.acts_on=strokes"});
+    const LayeredImage pale = draw({"lens.enabled=true", "lens.acts_on=strokes"});
     // To the left there is nothing but what is far behind.
     EXPECT_LT(ink_between(pale, "hatch", 0, 30), 0.9 * ink_between(sharp, "hatch", 0, 30));
     EXPECT_GT(ink_between(pale, "hatch", 0, 30), 0.1 * ink_between(sharp, "hatch", 0, 30));

@@ -38,9 +38,9 @@ Style inked()
 {
     Style style;
     for (const char* assignment :
-         {"contour.hidden=dashed", "contour.brush=pencil", "contour.brush_fit=stretch", "light.metering=page",
-          "light.adapt_stops_per_s=0.5", "ink.drawn=true", "ink.age_s=0.5", "ink.solved=0.7",
-          "smoke.drawn=true", "smoke.cells=16", "smoke.age_s=0.5", "smoke.rise_s=1"}) {
+         {"contour.hidden.enabled=true", "contour.brush=pencil", "contour.brush_fit=stretch",
+          "light.metering=page", "light.adapt_stops_per_s=0.5", "ink.enabled=true", "ink.age_s=0.5",
+          "ink.solved=0.7", "smoke.enabled=true", "smoke.cells=16", "smoke.age_s=0.5", "smoke.rise_s=1"}) {
         style.set(assignment);
     }
     return style;
@@ -89,8 +89,8 @@ TEST(FilmMemory, AnotherRunGoesOnToTheByte)
 Style coarse_smoke(const std::vector<std::string>& more)
 {
     Style style;
-    for (const char* assignment :
-         {"contour.drawn=false", "smoke.drawn=true", "smoke.cells=16", "smoke.age_s=0.5", "smoke.rise_s=1"}) {
+    for (const char* assignment : {"contour.enabled=false", "smoke.enabled=true", "smoke.cells=16",
+                                   "smoke.age_s=0.5", "smoke.rise_s=1"}) {
         style.set(assignment);
     }
     for (const std::string& assignment : more) {
@@ -105,7 +105,7 @@ TEST(FilmMemory, KeepsHowFarSmokeIsBehindThatWasBegunWithinTheFilm)
     const Scene scene = smoking_still_life();
     renderer.set_scene(scene);
     const Style style = coarse_smoke({"smoke.age_s=2"});
-    static_cast<void>(frame(renderer, coarse_smoke({"smoke.drawn=false"}), 0));
+    static_cast<void>(frame(renderer, coarse_smoke({"smoke.enabled=false"}), 0));
     static_cast<void>(frame(renderer, style, 1));
     const std::vector<std::byte> memory = renderer.film_memory();
     const Image second = frame(renderer, style, 2);

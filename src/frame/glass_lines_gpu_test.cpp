@@ -46,8 +46,8 @@ Style lines_alone()
 {
     Style style;
     for (const char* const assignment :
-         {"paper.grain=0", "hatch.drawn=false", "wash.strength=0", "picture.ground=none",
-          "contour.outline_mm=1", "contour.pressure=0", "contour.taper_mm=0"}) {
+         {"paper.grain=0", "hatch.enabled=false", "wash.strength=0", "picture.ground=false",
+          "contour.outline.width_mm=1", "contour.pressure=0", "contour.taper_mm=0"}) {
         style.set(assignment);
     }
     return style;

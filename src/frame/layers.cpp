@@ -314,10 +314,12 @@ private:
 LinearImage Renderer::render_linear(const Camera& camera, const Style& style, const RenderSettings& settings)
 {
     frame::check_size(impl_->device, settings);
-    const std::optional<glm::vec3> paper = paper::transparent_color(style.tables().paper);
-    frame::LinearPage page = frame::make_linear_page(
-        impl_->device, settings,
-        {.has_layers = false, .has_smoke = style.tables().smoke.drawn, .is_transparent = paper.has_value()});
+    const features::StyleTables& tables = impl_->tables_of(style);
+    const std::optional<glm::vec3> paper = paper::transparent_color(tables.paper);
+    frame::LinearPage page = frame::make_linear_page(impl_->device, settings,
+                                                     {.has_layers = false,
+                                                      .has_smoke = tables.smoke.enabled,
+                                                      .is_transparent = paper.has_value()});
     std::ignore = impl_->draw_picture(camera, style, settings, &page);
     LinearImage image{.width = settings.width, .height = settings.height, .pixels = {}, .paper = paper};
     const auto pixels = gpu::items_of<glm::vec4>(page.stages.front().pixels);
@@ -332,18 +334,19 @@ LayeredImage Renderer::render_layers(const Camera& camera, const Style& style, c
 {
     Impl& impl = *impl_;
     frame::check_size(impl.device, settings);
-    const bool has_smoke = style.tables().smoke.drawn;
-    const std::optional<glm::vec3> paper = paper::transparent_color(style.tables().paper);
+    const features::StyleTables& tables = impl.tables_of(style);
+    const bool has_smoke = tables.smoke.enabled;
+    const std::optional<glm::vec3> paper = paper::transparent_color(tables.paper);
     frame::LinearPage page = frame::make_linear_page(impl.device, settings,
                                                      {.has_layers = true,
-                                                      .has_ink = style.tables().ink.drawn,
+                                                      .has_ink = tables.ink.enabled,
                                                       .has_smoke = has_smoke,
-                                                      .has_occlusion = style.tables().occlusion.drawn});
+                                                      .has_occlusion = tables.occlusion.enabled});
     std::optional<Seen> seen;
     LayeredImage result;
     result.picture = impl.draw_picture(camera, style, settings, &page, [&] {
         if (!seen) {
-            seen.emplace(impl.loaded->layout, settings, window_px(style.tables().paper, settings));
+            seen.emplace(impl.loaded->layout, settings, window_px(tables.paper, settings));
         }
         seen->add(page);
     });

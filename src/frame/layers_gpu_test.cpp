@@ -55,7 +55,7 @@ std::vector<LayerCase> cases()
     cases.push_back({square, scene_camera(square, pose_scene(square, 0.0), "square"), night});
     cases.push_back({square, cases.back().camera, {}});
     Style flowing;
-    flowing.set("ink.drawn=true");
+    flowing.set("ink.enabled=true");
     flowing.set("ink.age_s=1");
     cases.push_back({still_life_of_things(), test::corner_camera, flowing});
     return cases;
@@ -107,8 +107,8 @@ TEST(PictureLayers, EachHoldsItsOwn)
     renderer.set_scene(still_life_of_things());
     const RenderSettings settings{.width = 200, .height = 120};
     Style bare;
-    bare.set("hatch.drawn=false");
-    bare.set("contour.drawn=false");
+    bare.set("hatch.enabled=false");
+    bare.set("contour.enabled=false");
     bare.set("wash.strength=0");
     const LayeredImage blank = renderer.render_layers(test::corner_camera, bare, settings);
     const LayeredImage full = renderer.render_layers(test::corner_camera, {}, settings);
@@ -136,7 +136,7 @@ TEST(PictureLayers, HaveOneOfInkThatFlows)
     renderer.set_scene(still_life_of_things());
     const RenderSettings settings{.width = 200, .height = 120};
     Style style;
-    style.set("ink.drawn=true");
+    style.set("ink.enabled=true");
     style.set("ink.age_s=1");
     style.set("ink.threshold=0.1");
     style.set("ink.spot_mm=4");
@@ -193,7 +193,7 @@ TEST(PictureLayers, AMaskSaysWhereCloudsAre)
     const Camera low{.eye = {3.0, 0.6, 5.0}, .target = {0.0, 1.8, 0.0}};
     const RenderSettings settings{.width = 120, .height = 80};
     Style cloudy;
-    for (const char* assignment : {"sky.mode=drawn", "clouds.coverage=0.5", "clouds.hatch=0"}) {
+    for (const char* assignment : {"sky.enabled=true", "clouds.coverage=0.5", "clouds.hatch=0"}) {
         cloudy.set(assignment);
     }
     Style blue = cloudy;

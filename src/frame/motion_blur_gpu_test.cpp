@@ -26,8 +26,8 @@ Style shutter_colors(std::initializer_list<const char*> more)
     Style style;
     for (const char* assignment :
          {"paper.grain=0", "paper.granulation=0", "paper.ink_break=0", "paper.margin_mm=0",
-          "paper.color=#ffffff", "hatch.drawn=false", "contour.drawn=false", "picture.ground=none",
-          "sky.mode=paper", "wash.strength=1", "wash.neutral=1", "light.shadows=false",
+          "paper.color=#ffffff", "hatch.enabled=false", "contour.enabled=false", "picture.ground=false",
+          "sky.enabled=false", "wash.strength=1", "wash.neutral=1", "light.shadows=false",
           "motion_blur.shutter_deg=360", "motion_blur.frames_per_s=5"}) {
         style.set(assignment);
     }
@@ -94,8 +94,8 @@ TEST(MotionBlur, IsThatOfManyPicturesWhileTheShutterIsOpen)
                                still, at(shutter_page.time_s + shutter_s * ((i + 0.5) / count - 0.5)));
     });
     const auto measured = [&](const char* mode) {
-        return test::exposure_of(
-            renderer.render(shutter_camera, shutter_colors({mode}), smooth_shutter_page));
+        return test::exposure_of(renderer.render(
+            shutter_camera, shutter_colors({"motion_blur.enabled=true", mode}), smooth_shutter_page));
     };
     const test::Exposure none =
         test::exposure_of(renderer.render(shutter_camera, still, smooth_shutter_page));
@@ -112,7 +112,7 @@ TEST(MotionBlur, IsThatOfManyPicturesWhileTheShutterIsOpen)
     // What stands, and what nothing passes, is the same to the bit.
     const Image sharp = renderer.render(shutter_camera, still, shutter_page);
     const Image blurred =
-        renderer.render(shutter_camera, shutter_colors({"motion_blur.mode=tiles"}), shutter_page);
+        renderer.render(shutter_camera, shutter_colors({"motion_blur.enabled=true"}), shutter_page);
     for (uint32_t y = 60; y < shutter_page.height; ++y) {
         for (size_t i = size_t{4} * y * shutter_page.width; i < size_t{4} * (y * shutter_page.width + 60);
              ++i) {
@@ -143,7 +143,7 @@ TEST(MotionBlur, IsThatOfACameraThatGoes)
     const test::Exposure none =
         test::exposure_of(renderer.render(shutter_camera, still, smooth_shutter_page));
     const test::Exposure seen = test::exposure_of(
-        renderer.render(shutter_camera, shutter_colors({"motion_blur.mode=tiles"}), exposed));
+        renderer.render(shutter_camera, shutter_colors({"motion_blur.enabled=true"}), exposed));
     std::printf("camera, against %d pictures: %.1f dB, without %.1f dB\n", count, test::psnr_db(seen, truth),
                 test::psnr_db(none, truth));
     EXPECT_GE(test::psnr_db(seen, truth), 30.0);
@@ -158,9 +158,11 @@ TEST(MotionBlur, ShowsTheVelocityOfWhatMoves)
     move(scene, wall, {-0.2F, 0.1F, 0.0F}, {0.3F, -0.2F, 0.0F});
     renderer.set_scene(scene);
     constexpr float largest_mm = 12.0F;
-    const LinearImage drawn = renderer.render_linear(
-        shutter_camera, shutter_colors({"motion_blur.mode=velocity", "motion_blur.largest_mm=12"}),
-        shutter_page);
+    const LinearImage drawn =
+        renderer.render_linear(shutter_camera,
+                               shutter_colors({"motion_blur.enabled=true", "motion_blur.mode=velocity",
+                                               "motion_blur.largest_mm=12"}),
+                               shutter_page);
     const double px_per_m =
         0.5 * shutter_page.height / std::tan(0.5 * shutter_camera.vertical_fov_rad) / shutter_camera.eye.z;
     const glm::dvec2 way_px = 0.5 * shutter_s * px_per_m * glm::dvec2(0.5, -0.3);
@@ -190,7 +192,8 @@ TEST(MotionBlur, SpreadsABarAsFarAsItGoes)
     renderer.set_scene(scene);
     for (const char* mode : {"motion_blur.mode=tiles", "motion_blur.mode=stretched"}) {
         const test::Exposure seen = test::exposure_of(renderer.render(
-            shutter_camera, shutter_colors({mode, "motion_blur.largest_mm=30"}), shutter_page));
+            shutter_camera, shutter_colors({"motion_blur.enabled=true", mode, "motion_blur.largest_mm=30"}),
+            shutter_page));
         const double px_per_m = 0.5 * shutter_page.height / std::tan(0.5 * shutter_camera.vertical_fov_rad) /
                                 shutter_camera.eye.z;
         const double way_px = shutter_s * px_per_m;
@@ -220,9 +223,11 @@ TEST(MotionBlur, LeavesNothingSharpOfWhatIsDrawnOut)
     test::add_sun(scene, {0.3, 0.8, 1.0});
     renderer.set_scene(scene);
     const Image plain = renderer.render(shutter_camera, shutter_colors({}), shutter_page);
-    const Image own = renderer.render(shutter_camera, shutter_colors({"motion_blur.mode=own"}), shutter_page);
-    const Image stretched =
-        renderer.render(shutter_camera, shutter_colors({"motion_blur.mode=stretched"}), shutter_page);
+    const Image own = renderer.render(
+        shutter_camera, shutter_colors({"motion_blur.enabled=true", "motion_blur.mode=own"}), shutter_page);
+    const Image stretched = renderer.render(
+        shutter_camera, shutter_colors({"motion_blur.enabled=true", "motion_blur.mode=stretched"}),
+        shutter_page);
     int blurred = 0;
     int left = 0;
     for (size_t i = 0; i < plain.rgba.size(); i += 4) {
@@ -245,7 +250,7 @@ TEST(MotionBlur, CostsNothingWhereThereIsNone)
     EXPECT_FALSE(has_pass("motion"));
     EXPECT_FALSE(has_pass("speed"));
     Style shut;
-    shut.set("motion_blur.mode=tiles");
+    shut.set("motion_blur.enabled=true");
     shut.set("motion_blur.shutter_deg=0");
     EXPECT_EQ(renderer.render(shutter_camera, shut, shutter_page).rgba, plain.rgba);
     EXPECT_FALSE(has_pass("motion"));
@@ -255,8 +260,9 @@ TEST(MotionBlur, CostsNothingWhereThereIsNone)
     renderer.set_scene(still);
     const Image before = renderer.render(shutter_camera, {}, shutter_page);
     for (const char* mode : {"motion_blur.mode=tiles", "motion_blur.mode=own", "motion_blur.mode=stretched",
-                             "motion_blur.lines=true"}) {
+                             "motion_blur.speed_lines.enabled=true"}) {
         Style open;
+        open.set("motion_blur.enabled=true");
         open.set(mode);
         EXPECT_EQ(renderer.render(shutter_camera, open, shutter_page).rgba, before.rgba) << mode;
         EXPECT_TRUE(has_pass("motion"));
@@ -275,7 +281,8 @@ TEST(MotionBlur, DrawsSpeedLinesBehindWhatIsFast)
         return test::exposure_of(renderer.render(shutter_camera, shutter_colors(more), shutter_page));
     };
     const test::Exposure plain = draw({});
-    const test::Exposure lined = draw({"motion_blur.lines=true", "motion_blur.lines_spacing_mm=4"});
+    const test::Exposure lined =
+        draw({"motion_blur.speed_lines.enabled=true", "motion_blur.speed_lines.spacing_mm=4"});
     double behind = 0.0;
     double ahead = 0.0;
     for (size_t i = 0; i < plain.pixels.size(); ++i) {
@@ -284,7 +291,8 @@ TEST(MotionBlur, DrawsSpeedLinesBehindWhatIsFast)
     }
     EXPECT_GT(behind, 10.0);
     EXPECT_EQ(ahead, 0.0) << "it goes to the right";
-    const test::Exposure slow = draw({"motion_blur.lines=true", "motion_blur.lines_from_mm=60"});
+    const test::Exposure slow =
+        draw({"motion_blur.speed_lines.enabled=true", "motion_blur.speed_lines.from_mm=60"});
     EXPECT_EQ(slow.pixels, plain.pixels);
 }
 
@@ -293,7 +301,7 @@ TEST(MotionBlur, SaysWhereThereIsNone)
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(passing());
     Style style;
-    style.set("motion_blur.mode=tiles");
+    style.set("motion_blur.enabled=true");
     std::ignore = renderer.draw_strokes(shutter_camera, style, shutter_page);
     const auto is_told = [&] {
         return std::ranges::any_of(renderer.notes(), [](const std::string& note) {

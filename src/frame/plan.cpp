@@ -22,20 +22,20 @@ PagePlan plan_page(const PlanInputs& in)
     const Scene& scene = in.loaded.scene;
     const bool is_composed = !scene.cameras.empty();
     const bool is_outdoors = is_composed && in.lighting.directional_count > 0 && !scene.lights.empty();
-    const features::Ground ground = in.style.picture.ground;
-    const sky::SkyMode sky = in.style.sky.mode;
-    const haze::HazeMode haze = in.style.haze.mode;
-    const bool has_sky = sky == sky::SkyMode::drawn ||
-                         (sky == sky::SkyMode::automatic && (is_outdoors || scene.terrain.has_value()));
+    const style::AutoToggle ground = in.style.picture.ground;
+    const style::AutoToggle sky = in.style.sky.enabled;
+    const style::AutoToggle haze = in.style.haze.enabled;
+    const bool has_sky = sky == style::AutoToggle::on ||
+                         (sky == style::AutoToggle::automatic && (is_outdoors || scene.terrain.has_value()));
     const bool has_haze =
-        haze == haze::HazeMode::drawn || (haze == haze::HazeMode::automatic && scene.terrain.has_value());
+        haze == style::AutoToggle::on || (haze == style::AutoToggle::automatic && scene.terrain.has_value());
     const bool has_background = in.style.paper.transparent != paper::Transparency::background;
     return {.size_px = {in.settings.width, in.settings.height},
             .pixels_per_mm = features::pixels_per_mm(in.settings.height, in.style.paper.height_mm),
             .pixel = features::pixel_size(in.camera, in.settings.height),
             .has_ground = !scene.terrain &&
-                          (ground == features::Ground::drawn ||
-                           (ground == features::Ground::automatic && !is_composed && !in.lighting.indoors)),
+                          (ground == style::AutoToggle::on ||
+                           (ground == style::AutoToggle::automatic && !is_composed && !in.lighting.indoors)),
             .has_sky = has_sky && (has_background || has_haze),
             .shows_sky = has_sky && has_background,
             .has_haze = has_haze};
@@ -110,8 +110,8 @@ FocusPlan plan_focus(const PlanInputs& in, const PagePlan& page)
     const paper::Window window_mm = paper::window_of(in.style.paper, width_mm);
     const focus::Window window{.min_px = page.pixels_per_mm * window_mm.min_mm,
                                .max_px = page.pixels_per_mm * window_mm.max_mm};
-    return {.lines = focus::focus_lines(in.style.focus, window, page.pixels_per_mm, in.settings.time_s),
-            .middle_px = focus::middle_px(in.style.focus, window)};
+    return {.lines = focus::focus_lines(in.style.focus_lines, window, page.pixels_per_mm, in.settings.time_s),
+            .middle_px = focus::middle_px(in.style.focus_lines, window)};
 }
 
 std::optional<shared::RippleConstants> plan_ripples(const PlanInputs& in)
@@ -183,7 +183,7 @@ std::optional<SubsurfacePlan> plan_subsurface(const pose::MeshData& layout,
                                               const features::StyleVariants& looks, bool has_ground)
 {
     if (std::ranges::none_of(looks.styles,
-                             [](const features::StyleTables& style) { return style.subsurface.drawn; })) {
+                             [](const features::StyleTables& style) { return style.subsurface.enabled; })) {
         return std::nullopt;
     }
     SubsurfacePlan plan;
@@ -226,7 +226,7 @@ std::optional<uint32_t> scatter_texels(const subsurface::SubsurfaceStyle& style,
 
 bool draws_shadow_lines(const contour::ContourStyle& style, const features::SunMapPlan& map)
 {
-    return style.drawn && style.lines == contour::Lines::chains &&
+    return style.enabled && style.lines == contour::Lines::chains &&
            contour::has_lines(style, shared::line_shadow) && map.size > 0;
 }
 
@@ -258,8 +258,8 @@ FramePlan plan_frame(const PlanInputs& in, PlanLists room)
     const PagePlan page = plan_page(in);
     features::StyleVariants looks =
         features::style_variants(in.loaded.layout, in.loaded.scene, in.style, std::move(room.styles));
-    features::StrokePlan strokes = features::plan_strokes(in.loaded.layout, in.loaded.scene.materials, looks,
-                                                          std::move(room.kind_of_draw));
+    features::StrokePlan strokes =
+        features::plan_strokes(in.loaded.layout, looks, std::move(room.kind_of_draw));
     if (in.loaded.scene.terrain) {
         const float wind_rad = glm::radians(in.loaded.scene.terrain->description().wind.direction_deg);
         strokes.ground_wind = {std::cos(wind_rad), std::sin(wind_rad)};
@@ -353,7 +353,7 @@ double focus_distance_m(const LensSetting& in, std::vector<std::string>& notes)
 
 std::optional<shared::LensConstants> plan_lens(const LensSetting& in, std::vector<std::string>& notes)
 {
-    if (in.style.lens.mode == lens::Mode::none) {
+    if (!in.style.lens.enabled) {
         return std::nullopt;
     }
     if (in.page.pixel.is_parallel) {

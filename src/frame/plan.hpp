@@ -185,8 +185,7 @@ struct PlanInputs {
 }
 
 /// Plans all that needs no room on the device: shadows of local lights, motion, what the eye is used to and
-/// what lines remember are left as they are by default. Throws Error as plan_strokes(). Cost: linear in
-/// draws.
+/// what lines remember are left as they are by default. Cost: linear in draws.
 [[nodiscard]] FramePlan plan_frame(const PlanInputs& in, PlanLists room = {});
 
 struct LensSetting {

@@ -242,7 +242,7 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
                                    frame::LinearPage* linear, const std::function<void()>& after_sample,
                                    const VulkanPicture* target)
 {
-    const features::StyleTables& tables = style.tables();
+    const features::StyleTables& tables = tables_of(style);
     const Camera seen_by = page_camera(camera, tables.paper, settings);
     RenderSettings page_settings = settings;
     for (std::optional<Moment>* const moment : {&page_settings.motion_since, &page_settings.exposure_end}) {
@@ -260,7 +260,7 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
     if (plan.lines.are_remembered) {
         features.lines.history().begin_frame(device, plan.page.size_px,
                                              settings.continuity == Continuity::follows,
-                                             tables.contour.hidden != contour::Hidden::none);
+                                             tables.contour.hidden.enabled);
     } else if (is_of_film) {
         features.lines.history().forget();
     }
@@ -333,14 +333,14 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
                                      HiddenLines hidden)
 {
     Impl& impl = *impl_;
-    const features::StyleTables& tables = style.tables();
+    const features::StyleTables& tables = impl.tables_of(style);
     frame::check_size(impl.device, settings);
     const Camera seen_by = page_camera(camera, tables.paper, settings);
     frame::FramePlan plan = impl.prepare(seen_by, tables, settings);
     frame::check_has_paths(plan.looks);
     plan.motion.reset();
-    if (tables.wash.strength > 0.0F || plan.page.has_sky || tables.bleed.width_mm > 0.0F ||
-        tables.ink.drawn || tables.smoke.drawn) {
+    if (tables.wash.strength > 0.0F || plan.page.has_sky || tables.bleed.enabled ||
+        tables.ink.enabled || tables.smoke.enabled) {
         impl.notes.emplace_back(
             "a drawing of strokes has neither wash nor sky, nor ink that runs or flows, nor smoke");
     }

@@ -174,7 +174,7 @@ TEST(Renderer, DrawsPaperWhereThereIsNothing)
     EXPECT_EQ(lines.rgba.size(), 160U * 120U * 4U);
     const Camera elsewhere{.eye = {0.0, 9.0, 0.0}, .target = {0.0, 20.0, 0.1}};
     Style blank;
-    blank.set("sky.mode=paper");
+    blank.set("sky.enabled=false");
     blank.set("paper.grain=0");
     blank.set("paper.granulation=0");
     EXPECT_LE(shades(draw_still_life(placed_still_life(), elsewhere, renderer_page, blank)), 2U);

@@ -45,6 +45,12 @@ struct Renderer::Impl {
     {
     }
 
+    /// What the style says, with its section [drawing] carried out; valid until the next call.
+    [[nodiscard]] const features::StyleTables& tables_of(const Style& style)
+    {
+        return features::with_drawing(style.tables(), drawn_style);
+    }
+
     void update_pose(const ScenePose& scene_pose);
 
     /// Poses what does not stand as it does now; pose::keep_posed() is to be called when the graph has run.
@@ -136,6 +142,7 @@ struct Renderer::Impl {
     PosedScene posed_scene;
     bool force_repose = false; ///< the scene is posed again even if no node moved
     bool is_of_film = false;   ///< the last frame
+    features::StyleTables drawn_style; ///< room for tables_of()
     frame::Features features;
     frame::FrameBuffers buffers;
     Motion motion;

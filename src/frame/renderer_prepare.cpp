@@ -139,7 +139,7 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const features::S
     if (daylight) {
         light::set_daylight(lighting, *daylight, tables.light);
     }
-    if (tables.smoke.drawn && tables.smoke.glow > 0.0F) {
+    if (tables.smoke.enabled && tables.smoke.glow > 0.0F) {
         features::add_fires(lighting,
                             features::smoke_boxes(loaded->scene, scene_pose, layout.anchor,
                                                   tables.smoke.objects, std::bit_floor(tables.smoke.cells)),
@@ -194,7 +194,7 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const features::S
     plan.local_shadows = features.shadows.ensure_local_maps(
         device, lighting, local_map_scene(plan.page, camera, tables), notes);
     upload_lighting(plan, lighting, tables);
-    if (tables.smoke.drawn) {
+    if (tables.smoke.enabled) {
         plan.lamps = features::smoke_lamps(lighting, plan.sun.map.size > 0);
         plan.light.ambient = luminance(lighting.ambient);
     }
@@ -214,7 +214,7 @@ features::FlowingInkInputs Renderer::Impl::ink_inputs(const Camera& camera,
             .camera = camera,
             .settings = settings,
             .style = tables,
-            .nearby_m = tables.ink.drawn ? frame::nearby_m(loaded->layout, camera.eye) : 0.0F,
+            .nearby_m = tables.ink.enabled ? frame::nearby_m(loaded->layout, camera.eye) : 0.0F,
             .pose_moved = loaded->pose_moved};
 }
 

@@ -103,14 +103,14 @@ features::InkPlan Renderer::Impl::let_ink_flow(const Camera& camera, const featu
 void Renderer::Impl::draw_tiles(const Camera& camera, const Style& style, const RenderSettings& settings,
                                 const BandSink& sink)
 {
-    const features::StyleTables& tables = style.tables();
+    const features::StyleTables& tables = tables_of(style);
     const Camera seen_by = page_camera(camera, tables.paper, settings);
     const frame::PageLimits limits = frame::page_limits(device);
     const features::Survey survey =
         frame::survey_of({settings.width, settings.height}, limits.side_px, survey_pixels(device, limits));
     std::optional<features::InkPlan> flowed;
     std::vector<std::string> notes_of_ink;
-    if (tables.ink.drawn) {
+    if (tables.ink.enabled) {
         RenderSettings surveyed = settings;
         surveyed.width = survey.size_px().x;
         surveyed.height = survey.size_px().y;

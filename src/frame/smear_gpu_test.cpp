@@ -24,10 +24,10 @@ Style paper(std::initializer_list<const char*> more)
     Style style;
     for (const char* assignment :
          {"paper.grain=0", "paper.granulation=0", "paper.ink_break=0", "paper.margin_mm=0",
-          "paper.color=#ffffff", "hatch.drawn=false", "contour.drawn=false", "picture.ground=none",
-          "sky.mode=paper", "wash.strength=1", "wash.neutral=1", "light.shadows=false",
+          "paper.color=#ffffff", "hatch.enabled=false", "contour.enabled=false", "picture.ground=false",
+          "sky.enabled=false", "wash.strength=1", "wash.neutral=1", "light.shadows=false",
           "motion_blur.shutter_deg=360", "motion_blur.frames_per_s=10", "motion_blur.largest_mm=60",
-          "motion_blur.smear_width_mm=1.6", "motion_blur.smear_ink=#000000"}) {
+          "motion_blur.smear.width_mm=1.6", "motion_blur.smear.ink=#000000"}) {
         style.set(assignment);
     }
     for (const char* assignment : more) {
@@ -85,7 +85,7 @@ SmearInk ink_of_going(const glm::vec3& way_m, std::initializer_list<const char*>
     renderer.set_scene(going(way_m));
     const Image plain = renderer.render(smear_camera, paper({}), smear_page);
     Style style = paper(more);
-    style.set("motion_blur.smear=true");
+    style.set("motion_blur.smear.enabled=true");
     return smear_ink(plain, renderer.render(smear_camera, style, smear_page));
 }
 
@@ -112,7 +112,7 @@ TEST(SmearMotion, LeavesEveryBitWhereNothingMoves)
     Renderer& renderer = test::shared_renderer();
     Scene scene = going({3.0F, 0.0F, 0.0F});
     Style smear;
-    smear.set("motion_blur.smear=true");
+    smear.set("motion_blur.smear.enabled=true");
     renderer.set_scene(scene);
     const Image moving = renderer.render(smear_camera, {}, smear_page);
     EXPECT_EQ(renderer.graph_dot().find("smear"), std::string::npos) << "costs nothing when off";
@@ -124,7 +124,7 @@ TEST(SmearMotion, LeavesEveryBitWhereNothingMoves)
     EXPECT_NE(renderer.graph_dot().find("smear"), std::string::npos);
     // Nor where it goes less far than the style asks.
     renderer.set_scene(going({3.0F, 0.0F, 0.0F}));
-    smear.set("motion_blur.smear_from_mm=60");
+    smear.set("motion_blur.smear.from_mm=60");
     EXPECT_EQ(renderer.render(smear_camera, smear, smear_page).rgba, moving.rgba);
 }
 
@@ -213,9 +213,9 @@ TEST(SmearMotion, ReachesAsFarAsItsSpeed)
         const double edge_px = 0.5 * smear_page.width - 0.4 * px_per_m(smear_camera.eye.z - 0.2);
         return edge_px - leftmost(ink_of_going({speed, 0.0F, 0.0F}, {length}));
     };
-    const double slow = reach_px(1.5F, "motion_blur.smear_length=2");
-    const double fast = reach_px(3.0F, "motion_blur.smear_length=2");
-    const double longer = reach_px(1.5F, "motion_blur.smear_length=4");
+    const double slow = reach_px(1.5F, "motion_blur.smear.length=2");
+    const double fast = reach_px(3.0F, "motion_blur.smear.length=2");
+    const double longer = reach_px(1.5F, "motion_blur.smear.length=4");
     const double most_px = 2.0 * 1.5 * smear_s * px_per_m(smear_camera.eye.z - 0.2);
     std::printf("reach %.0f px, %.0f at twice the speed, %.0f at twice the length; at most %.0f\n", slow,
                 fast, longer, most_px);
@@ -230,17 +230,18 @@ TEST(SmearMotion, IsAnotherHandByItsSeedAlone)
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(going({3.0F, 0.0F, 0.0F}));
     const auto draw = [&](const char* seed) {
-        return renderer.render(smear_camera, paper({"motion_blur.smear=true", seed}), smear_page).rgba;
+        return renderer.render(smear_camera, paper({"motion_blur.smear.enabled=true", seed}), smear_page)
+            .rgba;
     };
-    const std::vector<uint8_t> first = draw("motion_blur.seed=1");
-    EXPECT_NE(draw("motion_blur.seed=2"), first);
-    EXPECT_EQ(draw("motion_blur.seed=1"), first);
+    const std::vector<uint8_t> first = draw("drawing.seed=1");
+    EXPECT_NE(draw("drawing.seed=2"), first);
+    EXPECT_EQ(draw("drawing.seed=1"), first);
 }
 
 TEST(SmearMotion, HasFewerStrokesFartherApart)
 {
-    const double close = ink_of_going({3.0F, 0.0F, 0.0F}, {"motion_blur.smear_spacing_mm=2"}).sum;
-    const double apart = ink_of_going({3.0F, 0.0F, 0.0F}, {"motion_blur.smear_spacing_mm=12"}).sum;
+    const double close = ink_of_going({3.0F, 0.0F, 0.0F}, {"motion_blur.smear.spacing_mm=2"}).sum;
+    const double apart = ink_of_going({3.0F, 0.0F, 0.0F}, {"motion_blur.smear.spacing_mm=12"}).sum;
     std::printf("ink %.0f px, six times as far apart %.0f\n", close, apart);
     EXPECT_LT(apart, 0.5 * close);
     EXPECT_GT(apart, 0.0);
@@ -257,14 +258,14 @@ TEST(SmearMotion, GoesAlongWithWhatMoves)
         RenderSettings settings = smear_page;
         settings.time_s = time_s;
         const Image plain = renderer.render(smear_camera, paper({}), settings);
-        return smear_ink(plain,
-                         renderer.render(smear_camera, paper({"motion_blur.smear=true", seed}), settings));
+        return smear_ink(
+            plain, renderer.render(smear_camera, paper({"motion_blur.smear.enabled=true", seed}), settings));
     };
     constexpr uint32_t shift_px = 4;
     const double later_s = smear_page.time_s + shift_px / px_per_m(away_m - 0.2) / speed;
-    const SmearInk now = draw(smear_page.time_s, "motion_blur.seed=1");
-    const SmearInk later = draw(later_s, "motion_blur.seed=1");
-    const SmearInk other = draw(later_s, "motion_blur.seed=2");
+    const SmearInk now = draw(smear_page.time_s, "drawing.seed=1");
+    const SmearInk later = draw(later_s, "drawing.seed=1");
+    const SmearInk other = draw(later_s, "drawing.seed=2");
     const auto apart = [&](const SmearInk& seen) {
         double sum = 0.0;
         for (uint32_t y = 0; y < smear_page.height; ++y) {
@@ -287,7 +288,8 @@ TEST(SmearMotion, IsTheSameInAllSamples)
         RenderSettings settings = smear_page;
         settings.samples = samples;
         const Image plain = renderer.render(smear_camera, paper({}), settings);
-        return smear_ink(plain, renderer.render(smear_camera, paper({"motion_blur.smear=true"}), settings));
+        return smear_ink(plain,
+                         renderer.render(smear_camera, paper({"motion_blur.smear.enabled=true"}), settings));
     };
     const SmearInk once = draw(1);
     const SmearInk often = draw(8);
@@ -306,8 +308,8 @@ TEST(SmearMotion, IsHiddenByWhatStandsBefore)
     test::add_object(scene, shapes::quad(0.3F, 3.0F), {0.9F, 0.9F, 0.9F}, {-0.6, -1.5, 0.8});
     renderer.set_scene(scene);
     const Image plain = renderer.render(smear_camera, paper({}), smear_page);
-    const SmearInk ink =
-        smear_ink(plain, renderer.render(smear_camera, paper({"motion_blur.smear=true"}), smear_page));
+    const SmearInk ink = smear_ink(
+        plain, renderer.render(smear_camera, paper({"motion_blur.smear.enabled=true"}), smear_page));
     const double near_px = px_per_m(smear_camera.eye.z - 0.8);
     const double middle = 0.5 * smear_page.width - 0.6 * near_px;
     double on_post = 0.0;

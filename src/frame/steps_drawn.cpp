@@ -239,7 +239,7 @@ motion_blur::MotionBlurLayers add_motion_blur(const FrameContext& context, const
          .size_px = context.sample.size_px,
          .window_min_px = window.min_px,
          .window_max_px = window.max_px,
-         .smear = context.style.motion_blur.smear ? std::optional(smear) : std::nullopt,
+         .smear = context.style.motion_blur.smear.enabled ? std::optional(smear) : std::nullopt,
          .by_groups = context.device.execution().shares_by_groups()},
         context.style.motion_blur, plan->constants, plan->smear);
 }
@@ -256,7 +256,7 @@ gpu::ImageId add_focus_lines(const FrameContext& context, gpu::ImageId lines)
          .line_count = static_cast<uint32_t>(plan.lines.size()),
          .middle_px = plan.middle_px - context.sample.from_px,
          .size_px = context.sample.size_px},
-        context.style.focus, lines);
+        context.style.focus_lines, lines);
 }
 
 namespace {

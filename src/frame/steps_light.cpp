@@ -235,7 +235,7 @@ std::optional<occlusion::AmbientOcclusion> add_occlusion(const FrameContext& con
     const occlusion::OcclusionStyle& style = context.style.occlusion;
     const bool is_layer_alone = style.feeds == occlusion::Feeds::layer;
     const bool has_layers = context.job.linear != nullptr && context.job.linear->has_layers();
-    if (!style.drawn || (is_layer_alone && !has_layers)) {
+    if (!style.enabled || (is_layer_alone && !has_layers)) {
         return std::nullopt;
     }
     occlusion::PosedSurfaces surfaces{.visibility = visibility,

@@ -300,7 +300,7 @@ std::optional<gpu::ImageId> add_cover(const FrameContext& context, const PosedSc
 {
     const motion_blur::Mode mode = context.style.motion_blur.mode;
     const bool is_blurred =
-        context.plan.motion_blur && mode != motion_blur::Mode::none && mode != motion_blur::Mode::velocity;
+        context.plan.motion_blur && context.style.motion_blur.enabled && mode != motion_blur::Mode::velocity;
     const bool has_lens = context.plan.lens && context.style.lens.mode != lens::Mode::circles;
     if (context.style.paper.transparent != paper::Transparency::background || (!has_lens && !is_blurred)) {
         return std::nullopt;

@@ -102,10 +102,10 @@ SunBearing Style::sun_bearing() const
 {
     const light::LightStyle& light = tables_->light;
     const bool throws = light.shadows;
-    const features::Ground ground = tables_->picture.ground;
-    const std::optional<bool> on_blank_ground = ground == features::Ground::automatic
+    const style::AutoToggle ground = tables_->picture.ground;
+    const std::optional<bool> on_blank_ground = ground == style::AutoToggle::automatic
                                                     ? std::nullopt
-                                                    : std::optional(ground == features::Ground::drawn);
+                                                    : std::optional(ground == style::AutoToggle::on);
     if (const auto daylight = light::daylight_of(tables_->sun)) {
         const glm::dvec3& towards = daylight->towards_sun;
         return {.azimuth_deg = glm::degrees(std::atan2(towards.x, towards.z)),
@@ -163,7 +163,8 @@ std::vector<std::string> Style::additions()
 
 TonalArtMap draw_tonal_art_map(const Style& style, const Image* stroke)
 {
-    return tam::make_map(style.tables().tam, stroke);
+    features::StyleTables room;
+    return tam::make_map(features::with_drawing(style.tables(), room).tam, stroke);
 }
 
 PaintedMap load_tonal_art_map(const std::filesystem::path& path)

@@ -92,12 +92,15 @@ INSTANTIATE_TEST_SUITE_P(
         TileCase{"PencilOfAMap", "pencil", {"hatch.strokes=map", "hatch.overrun_mm=2"}},
         TileCase{"Engraving", "engraving"}, TileCase{"WashMetered", "wash", {"light.metering=page"}, 2},
         TileCase{"Ukiyoe", "ukiyoe"},
-        TileCase{"Charcoal", "charcoal", {"contour.joints=mitre", "contour.strokes=2", "bleed.width_mm=2"}},
+        TileCase{"Charcoal", "charcoal", {"contour.joints=mitre", "contour.strokes=2", "bleed.enabled=true", "bleed.width_mm=2"}},
         TileCase{"HiddenLines", "blueprint"},
-        TileCase{"LinesOfThePage", "comic", {"contour.lines=page", "sky.mode=drawn"}},
+        TileCase{"LinesOfThePage", "comic", {"contour.lines=page", "sky.enabled=true"}},
         TileCase{"FlowingInk", "flowing-ink"},
         TileCase{"FlowingInkInSamples", "flowing-ink", {"ink.follow=around", "ink.budget=0.05"}, 2},
-        TileCase{"ShadowLines", "manual", {"contour.shadow_mm=0.5", "contour.intersection_mm=0.5"}}),
+        TileCase{"ShadowLines",
+                 "manual",
+                 {"contour.shadow_edge.enabled=true", "contour.shadow_edge.width_mm=0.5",
+                  "contour.intersection.width_mm=0.5"}}),
     [](const testing::TestParamInfo<TileCase>& tested) { return tested.param.name; });
 
 TEST(DrawnTiles, ComeInBandsFromTheTopDown)
@@ -130,11 +133,12 @@ TEST(DrawnTiles, ComeInBandsFromTheTopDown)
 double line_width_mm(uint32_t height_px, uint32_t tile_px)
 {
     const Style style = preset_with(
-        "manual", {"contour.outline_mm=2", "contour.crease_mm=0", "contour.pressure=0", "contour.taper_mm=0",
-                   "contour.distance_thinning=0", "contour.wobble_mm=0", "contour.overshoot_mm=0",
-                   "paper.height_mm=50", "paper.margin_mm=0", "paper.grain=0", "paper.ink_break=0",
-                   "paper.color=#ffffff", "contour.ink=#000000", "hatch.drawn=false", "wash.strength=0",
-                   "contour.jitter_ends_mm=0", "contour.jitter_width=0", "contour.jitter_offset_mm=0"});
+        "manual",
+        {"contour.outline.width_mm=2", "contour.crease.enabled=false", "contour.pressure=0",
+         "contour.taper_mm=0", "contour.distance_thinning=0", "contour.wobble_mm=0", "contour.overshoot_mm=0",
+         "paper.height_mm=50", "paper.margin_mm=0", "paper.grain=0", "paper.ink_break=0",
+         "paper.color=#ffffff", "contour.ink=#000000", "hatch.enabled=false", "wash.strength=0",
+         "contour.jitter_ends_mm=0", "contour.jitter_width=0", "contour.jitter_offset_mm=0"});
     test::shared_renderer().set_scene(test::scene_of(shapes::plane(2.0F, 2.0F)));
     const Camera above{.eye = {0.0, 4.0, 0.0},
                        .target = {0.0, 0.0, 0.0},

@@ -87,13 +87,13 @@ TEST(Tiles, ASurveyIsAsFineAsItMayBeAndHoldsThePage)
 TEST(Tiles, OverlapAsFarAsInkRuns)
 {
     features::StyleTables style;
-    style.contour.drawn = false;
+    style.contour.enabled = false;
     const uint32_t least = overlap_px(style, 10.0F);
     EXPECT_LT(least, 8U);
     style.hatch.overrun_mm = 1.0F;
     EXPECT_GE(overlap_px(style, 10.0F), least + 10U);
     const uint32_t with_overrun = overlap_px(style, 10.0F);
-    style.bleed.width_mm = 1.0F;
+    style.bleed = {.enabled = true, .width_mm = 1.0F};
     EXPECT_GE(overlap_px(style, 10.0F), with_overrun + 12U);
     EXPECT_GT(overlap_px(style, 20.0F), overlap_px(style, 10.0F));
 }

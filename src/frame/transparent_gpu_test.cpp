@@ -69,8 +69,8 @@ TEST(Transparent, OnItsOwnPaperIsTheOpaquePicture)
     test::shared_renderer().set_scene(white_still_life());
     const std::vector<Style> styles{
         grainless_style({}), grainless_style({"wash.strength=1", "paper.border_mm=0.8", "paper.ink_tint=1"}),
-        grainless_style({"bleed.width_mm=0.5", "contour.ink=#c03020"}),
-        grainless_style({"ink.drawn=true", "ink.age_s=1"})};
+        grainless_style({"bleed.enabled=true", "bleed.width_mm=0.5", "contour.ink=#c03020"}),
+        grainless_style({"ink.enabled=true", "ink.age_s=1"})};
     for (size_t i = 0; i < styles.size(); ++i) {
         for (const uint32_t samples : {1U, 4U}) {
             RenderSettings settings = transparent_page;
@@ -106,7 +106,7 @@ TEST(Transparent, ThingsHideWhatIsBehindThemAndTheirShadowDoesNot)
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(white_still_life());
     const Style style =
-        grainless_style({"paper.transparent=background", "hatch.drawn=false", "contour.drawn=false"});
+        grainless_style({"paper.transparent=background", "hatch.enabled=false", "contour.enabled=false"});
     const LayeredImage layers = renderer.render_layers(transparent_camera, style, transparent_page);
     size_t solid = 0;
     std::vector<bool> is_thing(size_t{transparent_page.width} * transparent_page.height, false);
@@ -143,8 +143,8 @@ TEST(Transparent, ThingsHideWhatIsBehindThemAndTheirShadowDoesNot)
 TEST(Transparent, BackgroundHasNoSky)
 {
     test::shared_renderer().set_scene(white_still_life());
-    const Style sky = grainless_style({"sky.mode=drawn", "picture.ground=none"});
-    const Image plain = draw_transparent(with(sky, {"sky.mode=paper"}));
+    const Style sky = grainless_style({"sky.enabled=true", "picture.ground=false"});
+    const Image plain = draw_transparent(with(sky, {"sky.enabled=false"}));
     const Image without = draw_transparent(with(sky, {"paper.transparent=background"}));
     EXPECT_EQ(without.rgba[3], 0);
     EXPECT_LE(difference_on(without, own_paper, plain), 1.0);
@@ -165,9 +165,10 @@ TEST(Transparent, LensAndShutterBlurTheEdgesToo)
     test::shared_renderer().set_scene(scene);
     RenderSettings settings = transparent_page;
     settings.time_s = 0.3;
-    for (const Style& style : {grainless_style({"lens.mode=gather", "lens.focus_m=2", "lens.f_number=1"}),
-                               grainless_style({"motion_blur.mode=tiles", "motion_blur.shutter_deg=360"}),
-                               grainless_style({"motion_blur.mode=own", "motion_blur.shutter_deg=360"})}) {
+    for (const Style& style : {grainless_style({"lens.enabled=true", "lens.focus_m=2", "lens.f_number=1"}),
+                               grainless_style({"motion_blur.enabled=true", "motion_blur.shutter_deg=360"}),
+                               grainless_style({"motion_blur.enabled=true", "motion_blur.mode=own",
+                                                "motion_blur.shutter_deg=360"})}) {
         const Image opaque = draw_transparent(style, settings);
         const Image transparent = draw_transparent(with(style, {"paper.transparent=background"}), settings);
         EXPECT_LE(difference_on(transparent, own_paper, opaque), 2.0);

@@ -55,11 +55,12 @@ public:
         drawing_.paper_srgb = style::srgb_from_linear(style.paper.color);
         drawing_.has_paper = style.paper.transparent == paper::Transparency::none;
         drawing_.has_mitred_corners = style.contour.joints == contour::Joints::mitre;
-        if (style.contour.hidden != contour::Hidden::none) {
+        if (style.contour.hidden.enabled) {
             // Round ends count as part of a dash in a picture, and come on top of it in paths.
-            const float ends_mm = std::min(style.contour.hidden_mm, 0.9F * style.contour.hidden_dash_mm);
-            drawing_.dash_mm = style.contour.hidden_dash_mm - ends_mm;
-            drawing_.dash_gap_mm = style.contour.hidden_gap_mm + ends_mm;
+            const float ends_mm =
+                std::min(style.contour.hidden.width_mm, 0.9F * style.contour.hidden.dash_mm);
+            drawing_.dash_mm = style.contour.hidden.dash_mm - ends_mm;
+            drawing_.dash_gap_mm = style.contour.hidden.gap_mm + ends_mm;
         }
     }
 
@@ -218,9 +219,8 @@ contour::LineWidths hidden_widths_px(const contour::ContourStyle& contour, float
     contour::LineWidths widths{};
     for (uint32_t kind = 0; kind < widths.size(); ++kind) {
         const float width_mm = contour::width_on_page_mm(contour, kind);
-        const float own_mm = width_mm > 0.0F ? contour.hidden_mm : 0.0F;
-        widths.at(kind) =
-            pixels_per_mm * (contour.hidden != contour::Hidden::none ? own_mm : hidden_share * width_mm);
+        const float own_mm = width_mm > 0.0F ? contour.hidden.width_mm : 0.0F;
+        widths.at(kind) = pixels_per_mm * (contour.hidden.enabled ? own_mm : hidden_share * width_mm);
     }
     return widths;
 }
@@ -240,7 +240,7 @@ void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene&
 {
     const contour::ContourStyle& contour = looks.lines;
     const float px_per_mm = features::pixels_per_mm(drawn.size_px.y, looks.styles.front().paper.height_mm);
-    bool with_hidden = with_hidden_lines || contour.hidden != contour::Hidden::none;
+    bool with_hidden = with_hidden_lines || contour.hidden.enabled;
     std::vector<contour::LinePath> paths;
     for (const gpu::Buffer& line_points : lists.line_points) {
         std::vector<contour::LinePath> hand = contour::line_paths(
@@ -274,15 +274,15 @@ void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene&
 void check_has_paths(const features::StyleVariants& looks)
 {
     const auto is_no_line = [](const features::StyleTables& style) {
-        return style.hatch.drawn && style.hatch.strokes != hatch::Strokes::lines;
+        return style.hatch.enabled && style.hatch.strokes != hatch::Strokes::lines;
     };
     if (std::ranges::any_of(looks.styles, is_no_line)) {
         throw Error("the strokes of a tonal art map have no paths, nor have dots", "hatch.strokes",
-                    "--set hatch.strokes=lines draws others, --set hatch.drawn=false none");
+                    "--set hatch.strokes=lines draws others, --set hatch.enabled=false none");
     }
-    if (looks.lines.drawn && looks.lines.lines == contour::Lines::page) {
+    if (looks.lines.enabled && looks.lines.lines == contour::Lines::page) {
         throw Error("lines that are found between pixels have no paths", "contour.lines",
-                    "--set contour.lines=chains draws others, --set contour.drawn=false none");
+                    "--set contour.lines=chains draws others, --set contour.enabled=false none");
     }
 }
 
@@ -295,7 +295,7 @@ void declare_stroke_lists(gpu::Graph& graph, const HatchStrokes& hatch, const Li
         read_back(graph, device, haze::add_ink_left(graph, haze->inputs, haze->style), lists.ink_left);
     }
     if (std::ranges::any_of(looks.styles,
-                            [](const features::StyleTables& style) { return style.hatch.drawn; })) {
+                            [](const features::StyleTables& style) { return style.hatch.enabled; })) {
         read_back(graph, device,
                   hatch::add_trace(graph, hatch.inputs, hatch.looks, device.limits().maxStorageBufferRange),
                   lists.crossings);
@@ -330,7 +330,7 @@ VectorDrawing drawing_of(const StrokeLists& lists, const DrawnScene& drawn, cons
     if (!lists.line_sizes.empty()) {
         add_lines(gathering, lists, drawn, plan.looks, with_hidden_lines);
     }
-    gathering.add_focus(plan.focus, style.focus.ink);
+    gathering.add_focus(plan.focus, style.focus_lines.ink);
     if (style.paper.border_mm > 0.0F) {
         gathering.add_border(style.paper);
     }

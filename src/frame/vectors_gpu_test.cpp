@@ -43,7 +43,7 @@ Style bare(const std::vector<std::string>& assignments)
     Style style;
     for (const char* assignment :
          {"wash.strength=0", "paper.grain=0", "paper.granulation=0", "paper.ink_break=0", "paper.color=#fff",
-          "paper.ink=#000", "contour.ink=#000", "sky.mode=paper", "paper.height_mm=50",
+          "paper.ink=#000", "contour.ink=#000", "sky.enabled=false", "paper.height_mm=50",
           "paper.margin_mm=0"}) {
         style.set(assignment);
     }
@@ -53,8 +53,8 @@ Style bare(const std::vector<std::string>& assignments)
     return style;
 }
 
-const std::vector<std::string> only_lines{"hatch.drawn=false"};
-const std::vector<std::string> only_hatching{"contour.drawn=false"};
+const std::vector<std::string> only_lines{"hatch.enabled=false"};
+const std::vector<std::string> only_hatching{"contour.enabled=false"};
 
 /// How much of each pixel is ink, by the encoding in which black was laid over white.
 struct PageInk {
@@ -166,8 +166,8 @@ TEST(Vectors, TheMarginIsLeftBlankAndTheBorderIsRuled)
 
 TEST(Vectors, FocusLinesLieWhereThePictureHasThem)
 {
-    const Style style = bare({"hatch.drawn=false", "contour.drawn=false", "focus.drawn=true",
-                              "focus.clear=0.4", "focus.ink=#000", "paper.margin_mm=5"});
+    const Style style = bare({"hatch.enabled=false", "contour.enabled=false", "focus_lines.enabled=true",
+                              "focus_lines.clear=0.4", "focus_lines.ink=#000", "paper.margin_mm=5"});
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(crowded_still_life());
     const VectorDrawing drawing = renderer.draw_strokes(vector_camera, style, vector_page);
@@ -193,16 +193,17 @@ TEST(Vectors, LinesLieWhereThePictureHasThem)
 
 TEST(Vectors, LinesOfMeshEdgesToo)
 {
-    expect_alike(both_ways(crowded_still_life(), vector_camera,
-                           bare({"hatch.drawn=false", "contour.silhouettes=edges", "contour.wobble_mm=0.2"}),
-                           vector_page),
-                 0.99);
+    expect_alike(
+        both_ways(crowded_still_life(), vector_camera,
+                  bare({"hatch.enabled=false", "contour.silhouettes=edges", "contour.wobble_mm=0.2"}),
+                  vector_page),
+        0.99);
 }
 
 TEST(Vectors, LinesDrawnTwiceByALooseHandToo)
 {
     expect_alike(both_ways(crowded_still_life(), vector_camera,
-                           bare({"hatch.drawn=false", "contour.strokes=2", "contour.retrace_mm=0.8",
+                           bare({"hatch.enabled=false", "contour.strokes=2", "contour.retrace_mm=0.8",
                                  "contour.wobble_mm=0.2", "contour.jitter_ends_mm=1",
                                  "contour.jitter_width=0.3", "contour.overshoot_mm=0.8"}),
                            vector_page),
@@ -210,7 +211,7 @@ TEST(Vectors, LinesDrawnTwiceByALooseHandToo)
     Renderer& renderer = test::shared_renderer();
     const size_t once = renderer.draw_strokes(vector_camera, bare(only_lines), vector_page).strokes.size();
     const size_t twice =
-        renderer.draw_strokes(vector_camera, bare({"hatch.drawn=false", "contour.strokes=2"}), vector_page)
+        renderer.draw_strokes(vector_camera, bare({"hatch.enabled=false", "contour.strokes=2"}), vector_page)
             .strokes.size();
     EXPECT_GT(twice, once);
     EXPECT_LE(twice, 2 * once);
@@ -223,7 +224,7 @@ TEST(Vectors, OtherBrushesGiveWayToThePenAndItIsSaid)
     const VectorDrawing pen = renderer.draw_strokes(vector_camera, bare(only_lines), vector_page);
     EXPECT_TRUE(renderer.notes().empty());
     const VectorDrawing other = renderer.draw_strokes(
-        vector_camera, bare({"hatch.drawn=false", "contour.brush=charcoal"}), vector_page);
+        vector_camera, bare({"hatch.enabled=false", "contour.brush=charcoal"}), vector_page);
     ASSERT_EQ(renderer.notes().size(), 1U);
     EXPECT_NE(renderer.notes().front().find("the pen"), std::string::npos);
     EXPECT_EQ(other.strokes.size(), pen.strokes.size());
@@ -294,7 +295,7 @@ TEST(Vectors, EachKindOfLineIsAKindOfStroke)
     renderer.set_scene(scene);
     const auto mm_of = [&](StrokeKind kind, const std::vector<std::string>& assignments) {
         std::vector<std::string> all = assignments;
-        all.insert(all.end(), {"hatch.drawn=false", "picture.ground=none"});
+        all.insert(all.end(), {"hatch.enabled=false", "picture.ground=false"});
         float sum = 0.0F;
         for (const VectorStroke& stroke :
              renderer.draw_strokes({.eye = {0.6, 1.8, 8.0}}, bare(all), vector_page).strokes) {
@@ -304,16 +305,24 @@ TEST(Vectors, EachKindOfLineIsAKindOfStroke)
         }
         return sum;
     };
-    EXPECT_GT(mm_of(StrokeKind::ridge, {"contour.ridge_mm=0.3", "contour.ridge_deg=4"}), 5.0F);
-    EXPECT_EQ(mm_of(StrokeKind::ridge, {"contour.valley_mm=0.3", "contour.ridge_deg=4"}), 0.0F);
-    EXPECT_EQ(mm_of(StrokeKind::valley, {"contour.ridge_mm=0.3", "contour.ridge_deg=4"}), 0.0F);
-    EXPECT_GT(mm_of(StrokeKind::suggestive, {"contour.suggestive_mm=0.3", "contour.suggestive_growth=1"}),
-              1.0F);
+    EXPECT_GT(mm_of(StrokeKind::ridge,
+                    {"contour.ridge.enabled=true", "contour.ridge.width_mm=0.3", "contour.ridge.turn_deg=4"}),
+              5.0F);
+    EXPECT_EQ(mm_of(StrokeKind::ridge, {"contour.valley.enabled=true", "contour.valley.width_mm=0.3",
+                                        "contour.ridge.turn_deg=4"}),
+              0.0F);
+    EXPECT_EQ(mm_of(StrokeKind::valley,
+                    {"contour.ridge.enabled=true", "contour.ridge.width_mm=0.3", "contour.ridge.turn_deg=4"}),
+              0.0F);
+    EXPECT_GT(
+        mm_of(StrokeKind::suggestive, {"contour.suggestive.enabled=true", "contour.suggestive.width_mm=0.3",
+                                       "contour.suggestive.growth=1"}),
+        1.0F);
     EXPECT_EQ(mm_of(StrokeKind::suggestive, {}), 0.0F);
     EXPECT_GT(mm_of(StrokeKind::marked, {}), 2.0F);
     EXPECT_EQ(mm_of(StrokeKind::crease, {}), 0.0F);
-    EXPECT_EQ(mm_of(StrokeKind::marked, {"contour.marked_mm=0"}), 0.0F);
-    EXPECT_GT(mm_of(StrokeKind::crease, {"contour.marked_mm=0"}), 2.0F);
+    EXPECT_EQ(mm_of(StrokeKind::marked, {"contour.marked.enabled=false"}), 0.0F);
+    EXPECT_GT(mm_of(StrokeKind::crease, {"contour.marked.enabled=false"}), 2.0F);
 }
 
 TEST(Vectors, HiddenLinesComeWhereAskedFor)
@@ -325,7 +334,7 @@ TEST(Vectors, HiddenLinesComeWhereAskedFor)
     const auto total_mm = [&](HiddenLines hidden, bool of_hidden) {
         const VectorDrawing drawing =
             renderer.draw_strokes({.eye = {3.0, 3.0, 5.0}, .target = {0.0, 0.5, 0.0}},
-                                  bare({"hatch.drawn=false", "picture.ground=none"}), vector_page, hidden);
+                                  bare({"hatch.enabled=false", "picture.ground=false"}), vector_page, hidden);
         double sum = 0.0;
         for (const VectorStroke& stroke : drawing.strokes) {
             for (size_t i = 1; i < stroke.points.size() && stroke.is_hidden == of_hidden; ++i) {
@@ -345,11 +354,11 @@ TEST(Vectors, HiddenLinesOfTheStyleComeWithItsDashes)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(crowded_still_life());
-    const VectorDrawing drawing =
-        renderer.draw_strokes(vector_camera,
-                              bare({"hatch.drawn=false", "contour.hidden=dashed", "contour.hidden_mm=0.3",
-                                    "contour.hidden_dash_mm=2", "contour.hidden_gap_mm=1"}),
-                              vector_page);
+    const VectorDrawing drawing = renderer.draw_strokes(
+        vector_camera,
+        bare({"hatch.enabled=false", "contour.hidden.enabled=true", "contour.hidden.width_mm=0.3",
+              "contour.hidden.dash_mm=2", "contour.hidden.gap_mm=1"}),
+        vector_page);
     EXPECT_FLOAT_EQ(drawing.dash_mm, 1.7F); // and round ends
     EXPECT_FLOAT_EQ(drawing.dash_gap_mm, 1.3F);
     size_t hidden = 0;
@@ -375,8 +384,8 @@ TEST(Vectors, WhatHasNoPathsIsAnErrorThatNamesTheKey)
             EXPECT_EQ(error.where(), key);
         }
     }
-    const VectorDrawing none =
-        renderer.draw_strokes(vector_camera, bare({"hatch.drawn=false", "contour.drawn=false"}), vector_page);
+    const VectorDrawing none = renderer.draw_strokes(
+        vector_camera, bare({"hatch.enabled=false", "contour.enabled=false"}), vector_page);
     EXPECT_TRUE(none.strokes.empty());
 }
 

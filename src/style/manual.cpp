@@ -29,7 +29,7 @@ std::string range_column(const Parameter& parameter)
 {
     switch (parameter.kind) {
     case Kind::color:
-        return "#rrggbb";
+        return "#rrggbb, name";
     case Kind::text:
         return "text";
     case Kind::file:
@@ -38,6 +38,19 @@ std::string range_column(const Parameter& parameter)
     default:
         return allowed(parameter);
     }
+}
+
+/// Of a choice, what TOML writes without quotes: the ends of an automatic toggle.
+bool is_switch(const std::string& choice)
+{
+    return choice == "true" || choice == "false";
+}
+
+/// The TOML text of a parameter's value.
+std::string format_value_of(const Parameter& parameter, const Value& value)
+{
+    const auto* text = std::get_if<std::string>(&value);
+    return parameter.kind == Kind::choice && is_switch(*text) ? *text : format_value(value);
 }
 
 std::string default_column(const Parameter& parameter)
@@ -75,7 +88,7 @@ Json describe(const Parameter& parameter)
         break;
     case Kind::color: {
         const Json part = {{"type", "number"}, {"minimum", 0}, {"maximum", 1}};
-        const Json hex = {{"type", "string"}, {"pattern", "^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$"}};
+        const Json hex = {{"type", "string"}, {"pattern", "^(#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})|[a-zA-Z]+)$"}};
         const Json array = {{"type", "array"}, {"items", part}, {"minItems", 3}, {"maxItems", 3}};
         json["anyOf"] = Json::array({hex, array});
         json["default"] = Json::parse(format_value(parameter.default_value));
@@ -87,16 +100,28 @@ Json describe(const Parameter& parameter)
         json["default"] = std::get<std::string>(parameter.default_value);
         break;
     case Kind::choice:
-        json["enum"] = parameter.choices;
+        for (const std::string& choice : parameter.choices) {
+            json["enum"].push_back(is_switch(choice) ? Json(choice == "true") : Json(choice));
+        }
         json["default"] = std::get<std::string>(parameter.default_value);
         break;
     }
     return json;
 }
 
-} // namespace
-
-namespace {
+/// Adds a key, below its table if it stands in one: "outline.width_mm" is a property of the object "outline".
+void add_key(Json& keys, const std::string& key, Json description)
+{
+    const size_t dot = key.find('.');
+    if (dot == std::string::npos) {
+        keys[key] = std::move(description);
+        return;
+    }
+    Json& table = keys[key.substr(0, dot)];
+    table["type"] = "object";
+    table["properties"][key.substr(dot + 1)] = std::move(description);
+    table["additionalProperties"] = false;
+}
 
 std::string_view word_of(Surfaces::By by)
 {
@@ -111,8 +136,9 @@ Json describe_surface(std::span<const Section> sections)
         Json keys = Json::object();
         for (const Parameter& parameter : section.parameters) {
             if (parameter.by_surface) {
-                keys[parameter.key] = describe(parameter);
-                keys[parameter.key].erase("default");
+                Json description = describe(parameter);
+                description.erase("default");
+                add_key(keys, parameter.key, std::move(description));
             }
         }
         if (!keys.empty()) {
@@ -164,7 +190,7 @@ std::string AnySchema::write_any(const void* values) const
         text += fmt::format("{}# {}\n[{}]\n", text.empty() ? "" : "\n", section.help, section.name);
         for (const Parameter& parameter : section.parameters) {
             text += fmt::format("{} = {}\n", parameter.key,
-                                format_value(parameter.get(section.place.in(values))));
+                                format_value_of(parameter, parameter.get(section.place.in(values))));
         }
     }
     return text;
@@ -222,7 +248,7 @@ std::string AnySchema::json_schema() const
     for (const Section& section : sections_) {
         Json keys = Json::object();
         for (const Parameter& parameter : section.parameters) {
-            keys[parameter.key] = describe(parameter);
+            add_key(keys, parameter.key, describe(parameter));
         }
         properties[section.name] = {{"description", section.help},
                                     {"type", "object"},

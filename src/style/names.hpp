@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace estampe::style {
@@ -18,6 +19,13 @@ namespace estampe::style {
 
 /// The candidate nearest to `word`, the first of equals; empty when none is near enough to be what was meant.
 [[nodiscard]] std::string nearest(std::string_view word, std::span<const std::string> candidates);
+
+/// Today's full key of a parameter that had the key `key` before, or that other programs call so
+/// ("line_width", with or without a section); empty when there is none.
+[[nodiscard]] std::string_view name_today(std::string_view key);
+
+/// Names that name_today() knows, each with its answer.
+[[nodiscard]] std::vector<std::pair<std::string_view, std::string_view>> names_known_otherwise();
 
 struct Assignment {
     std::string name;

@@ -152,8 +152,11 @@ public:
     [[nodiscard]] Value color() const
     {
         if (const auto* text = std::get_if<std::string>(&raw_.value)) {
-            if (const auto linear = parse_color(*text)) {
+            if (const auto linear = text->starts_with('#') ? parse_color(*text) : named_color(*text)) {
                 return *linear;
+            }
+            if (const std::string meant = nearest_color_name(*text); !meant.empty()) {
+                fail("is not a colour", fmt::format("did you mean {}? ", in_quotes(meant)));
             }
         }
         const auto* parts = std::get_if<std::vector<double>>(&raw_.value);
@@ -166,6 +169,12 @@ public:
 
     [[nodiscard]] Value choice() const
     {
+        if (const auto* toggle = std::get_if<bool>(&raw_.value)) {
+            const std::string word = *toggle ? "true" : "false";
+            if (std::ranges::find(parameter_.choices, word) != parameter_.choices.end()) {
+                return word;
+            }
+        }
         const auto* text = std::get_if<std::string>(&raw_.value);
         if (text == nullptr) {
             fail("is not a name in quotes");
@@ -256,7 +265,7 @@ std::string allowed(const Parameter& parameter)
     case Kind::toggle:
         return "true or false";
     case Kind::color:
-        return "\"#rrggbb\", or [r, g, b] of 0 to 1";
+        return "\"#rrggbb\", a name of CSS such as \"ivory\", or [r, g, b] of 0 to 1";
     case Kind::text:
         return "a text in quotes";
     case Kind::file:

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -25,6 +26,13 @@ namespace estampe::style {
 
 /// The linear colour of 0xrrggbb in sRGB: `glm::vec3 ink = style::srgb(0x1b1a22);`
 [[nodiscard]] glm::vec3 srgb(uint32_t rrggbb);
+
+/// The linear colour that CSS gives that name, such as "ivory" (CSS Color Module Level 4); nothing when it
+/// gives none.
+[[nodiscard]] std::optional<glm::vec3> named_color(std::string_view name);
+
+/// The CSS name of a colour nearest to `name`; empty when none is near enough to be what was meant.
+[[nodiscard]] std::string nearest_color_name(std::string_view name);
 
 /// The TOML value of a linear colour: "#rrggbb" in quotes when that says it exactly, else [r, g, b] in sRGB
 /// with as many digits as read back to the same three floats.
@@ -47,10 +55,24 @@ struct IntegerRange {
     int64_t maximum = 1;
 };
 
+/// A switch that may be left to the scene. In texts: true, false or "auto".
+enum class AutoToggle : uint8_t { automatic, on, off };
+
+/// The member `inner` of the member `outer` of a style struct, for the methods of Table:
+/// `.number("outline.width_mm", within(&ContourStyle::outline, &LineStyle::width_mm), ...)`.
+template <typename Style, typename Outer, typename Inner>
+[[nodiscard]] auto within(Outer Style::*outer, Inner Outer::*inner)
+{
+    return [ outer, inner ](auto& style) -> auto&
+    {
+        return (style.*outer).*inner;
+    };
+}
+
 /// One parameter as every reader sees it. `get` and `set` take a pointer to the style struct of the table it
 /// belongs to; `set` expects a value of the right kind and range.
 struct Parameter {
-    std::string key; ///< without the section
+    std::string key; ///< without the section; "outline.width_mm" stands in a table of the section
     Kind kind = Kind::number;
     Range range;                      ///< numbers
     IntegerRange integers;            ///< integers
@@ -81,7 +103,8 @@ struct Parameter {
 ///         return table;
 ///     }
 ///
-/// The defaults are those of a default-constructed Style; they must lie within the ranges (Schema
+/// A member is a pointer to a member of the struct, or what within() returns. The defaults are those of a
+/// default-constructed Style; they must lie within the ranges (Schema
 /// asserts it).
 template <typename Style>
 class Table {
@@ -95,7 +118,8 @@ public:
     [[nodiscard]] const std::vector<Parameter>& parameters() const { return parameters_; }
 
     /// A number; integers are taken too. Not finite or out of `range` is an error.
-    Table& number(std::string key, float Style::*member, Range range, std::string unit, std::string help)
+    template <typename Member>
+    Table& number(std::string key, Member member, Range range, std::string unit, std::string help)
     {
         Parameter& parameter = add(std::move(key), Kind::number, std::move(unit), std::move(help));
         parameter.range = range;
@@ -104,9 +128,8 @@ public:
     }
 
     /// A whole number, for int and uint32_t members.
-    template <typename Integer>
-    Table& integer(std::string key, Integer Style::*member, IntegerRange range, std::string unit,
-                   std::string help)
+    template <typename Member>
+    Table& integer(std::string key, Member member, IntegerRange range, std::string unit, std::string help)
     {
         Parameter& parameter = add(std::move(key), Kind::integer, std::move(unit), std::move(help));
         parameter.integers = range;
@@ -115,14 +138,24 @@ public:
     }
 
     /// true or false.
-    Table& toggle(std::string key, bool Style::*member, std::string help)
+    template <typename Member>
+    Table& toggle(std::string key, Member member, std::string help)
     {
         connect<bool>(add(std::move(key), Kind::toggle, {}, std::move(help)), member);
         return *this;
     }
 
-    /// A colour: linear in the struct, sRGB in texts, "#rrggbb" or [r, g, b] of 0 to 1.
-    Table& color(std::string key, glm::vec3 Style::*member, std::string help)
+    /// true, false or "auto".
+    Table& auto_toggle(std::string key, AutoToggle Style::*member, std::string help)
+    {
+        return choice(std::move(key), member,
+                      {{"auto", AutoToggle::automatic}, {"true", AutoToggle::on}, {"false", AutoToggle::off}},
+                      std::move(help));
+    }
+
+    /// A colour: linear in the struct, sRGB in texts: "#rrggbb", a name of CSS, or [r, g, b] of 0 to 1.
+    template <typename Member>
+    Table& color(std::string key, Member member, std::string help)
     {
         connect<glm::vec3>(add(std::move(key), Kind::color, {}, std::move(help)), member);
         return *this;
@@ -172,8 +205,8 @@ public:
     }
 
     /// One of several names, or the path of a file as above. Empty is taken too.
-    Table& file_or_name(std::string key, std::string Style::*member, std::vector<std::string> names,
-                        std::string help)
+    template <typename Member>
+    Table& file_or_name(std::string key, Member member, std::vector<std::string> names, std::string help)
     {
         Parameter& parameter = add(std::move(key), Kind::file, {}, std::move(help));
         parameter.choices = std::move(names);
@@ -211,13 +244,14 @@ private:
     }
 
     template <typename Held, typename Member>
-    void connect(Parameter& parameter, Member Style::*member)
+    void connect(Parameter& parameter, Member member)
     {
         parameter.get = [member](const void* style) -> Value {
-            return static_cast<Held>(static_cast<const Style*>(style)->*member);
+            return static_cast<Held>(std::invoke(member, *static_cast<const Style*>(style)));
         };
         parameter.set = [member](void* style, const Value& value) {
-            static_cast<Style*>(style)->*member = static_cast<Member>(std::get<Held>(value));
+            auto& held = std::invoke(member, *static_cast<Style*>(style));
+            held = static_cast<std::remove_cvref_t<decltype(held)>>(std::get<Held>(value));
         };
         parameter.default_value = parameter.get(&defaults_);
     }

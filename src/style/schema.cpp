@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <system_error>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -180,9 +181,11 @@ public:
     void require_section(const Document::Header& header) const
     {
         const bool is_allowed = header.surfaces.by == Surfaces::By::all || overrides_place_;
-        if (is_allowed &&
-            std::ranges::find(schema_.sections(), header.name, &Section::name) != schema_.sections().end()) {
+        if (is_allowed && schema_.has_table(header.name)) {
             return;
+        }
+        if (const AnySchema::Found found = schema_.find(header.name); found.parameter != nullptr) {
+            std::ignore = check(*found.parameter, header.name, {{}, "a table"}, header.where);
         }
         std::vector<std::string> names;
         for (const Section& section : schema_.sections()) {
@@ -195,7 +198,15 @@ public:
         if (overrides_place_ && header.surfaces.by == Surfaces::By::all) {
             names.insert(names.end(), {"material", "object"});
         }
-        const std::string meant = nearest(header.name, names);
+        std::vector<std::string> tables = names;
+        for (const Section& section : schema_.sections()) {
+            for (const Parameter& parameter : section.parameters) {
+                if (const size_t dot = parameter.key.find('.'); dot != std::string::npos) {
+                    tables.push_back(fmt::format("{}.{}", section.name, parameter.key.substr(0, dot)));
+                }
+            }
+        }
+        const std::string meant = nearest(header.name, tables);
         throw Error(fmt::format("unknown section {}", in_quotes(header.name)), header.where,
                     meant.empty() ? fmt::format("sections are {}", fmt::join(names, ", "))
                                   : fmt::format("did you mean {}?", in_quotes(meant)));
@@ -227,10 +238,9 @@ private:
                               const std::string& where) const
     {
         const std::string name = section_name.empty() ? key : section_name + "." + key;
-        if (section_name.empty() &&
-            std::ranges::find(schema_.sections(), key, &Section::name) != schema_.sections().end()) {
+        if (schema_.has_table(name)) {
             throw Error(fmt::format("{} is a section, not a key", in_quotes(name)), where,
-                        fmt::format("put its keys below a line [{}]", key));
+                        fmt::format("put its keys below a line [{}]", name));
         }
         const std::string meant = suggestion(name, key);
         throw Error(fmt::format("unknown key {}", in_quotes(name)), where,
@@ -251,6 +261,9 @@ private:
             }
         }
         names.emplace_back("extends");
+        if (const std::string_view now = name_today(name); schema_.find(now).parameter != nullptr) {
+            return std::string(now);
+        }
         if (misplaced.size() == 1) {
             return misplaced.front();
         }
@@ -292,14 +305,18 @@ private:
 
 /// What "section.key", "material.pattern.section.key" or "object.pattern.section.key" names; the pattern may
 /// stand in quotes, and hold dots.
-Entry named_entry(std::string_view name, const std::string& where)
+Entry named_entry(const AnySchema& schema, std::string_view name, const std::string& where)
 {
     Entry entry;
     entry.key_where = where;
     for (const auto& [word, by] : {std::pair(std::string_view("material."), Surfaces::By::material),
                                    std::pair(std::string_view("object."), Surfaces::By::object)}) {
         const size_t last = name.rfind('.');
-        const size_t before = last == std::string_view::npos ? last : name.rfind('.', last - 1);
+        size_t before = last == std::string_view::npos ? last : name.rfind('.', last - 1);
+        const size_t earlier = before == std::string_view::npos ? before : name.rfind('.', before - 1);
+        if (earlier != std::string_view::npos && schema.find(name.substr(earlier + 1)).parameter != nullptr) {
+            before = earlier; // a key of a table in a section, "contour.outline.width_mm"
+        }
         if (name.starts_with(word) && before != std::string_view::npos && before > word.size()) {
             std::string_view pattern = name.substr(word.size(), before - word.size());
             if (pattern.size() > 1 && pattern.front() == '"' && pattern.back() == '"') {
@@ -347,6 +364,13 @@ AnySchema::Found AnySchema::find(std::string_view key) const
     return {&section, &section.parameters[place->second.second]};
 }
 
+bool AnySchema::has_table(std::string_view name) const
+{
+    const std::string first = std::string(name) + '.';
+    const auto next = index_.lower_bound(first);
+    return next != index_.end() && next->first.starts_with(first);
+}
+
 void AnySchema::read_any(void* values, const Source& source, const Resolver& resolver) const
 {
     Reader reader(*this, overrides_, resolver);
@@ -362,7 +386,7 @@ void AnySchema::set_any(void* values, std::string_view assignment, const std::st
         throw Error(fmt::format("{} is not an assignment", in_quotes(assignment)), where,
                     "write section.key=value, such as hatch.width_mm=0.5");
     }
-    Entry entry = named_entry(name, where);
+    Entry entry = named_entry(*this, name, where);
     entry.value_where = where;
 
     Reader reader(*this, overrides_, resolve);

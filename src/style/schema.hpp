@@ -86,6 +86,9 @@ public:
     /// The parameter of a full key, "hatch.width_mm". Cost: logarithmic in the parameters.
     [[nodiscard]] Found find(std::string_view key) const;
 
+    /// Whether keys stand in a table of that name: "contour", "contour.outline". Cost as that of find().
+    [[nodiscard]] bool has_table(std::string_view name) const;
+
 protected:
     void add(Section section);
     void read_any(void* values, const Source& source, const Resolver& resolver) const;

@@ -69,7 +69,7 @@ TEST(StyleErrors, ValuesOfTheWrongType)
     EXPECT_EQ(read_error("hatch.coordinates = 1"),
               "ink.toml:1:21: hatch.coordinates = 1 is not a name in quotes; allowed: auto, uv, projected");
     EXPECT_EQ(read_error("[hatch.width_mm]\nx = 1"),
-              "ink.toml:1:1: hatch.width_mm = a table is not a number; allowed: 0.02 to 10 mm");
+              "ink.toml:1:8: hatch.width_mm = a table is not a number; allowed: 0.02 to 10 mm");
     EXPECT_EQ(read_error("hatch.width_mm = 1979-05-27"),
               "ink.toml:1:18: hatch.width_mm = a date or time is not a number; allowed: 0.02 to 10 mm");
     EXPECT_EQ(set_error("hatch.width_mm=thick"),
@@ -82,16 +82,17 @@ TEST(StyleErrors, ValuesOfTheWrongType)
 
 TEST(StyleErrors, Colors)
 {
-    for (const std::string value : {"\"red\"", "\"#12345\"", "\"#12345g\"", "\"#+12345\"", "[0.0, 0.5]",
+    for (const std::string value : {"\"reddest\"", "\"#12345\"", "\"#12345g\"", "\"#+12345\"", "[0.0, 0.5]",
                                     "[0, 0, 1.5]", "[0, 0, nan]", "7"}) {
         const std::string message = read_error("hatch.ink = " + value);
-        EXPECT_NE(message.find("is not a colour; allowed: \"#rrggbb\", or [r, g, b] of 0 to 1"),
+        EXPECT_NE(message.find("is not a colour; allowed: \"#rrggbb\", a name of CSS such as \"ivory\", or "
+                               "[r, g, b] of 0 to 1"),
                   std::string::npos)
             << value << " gave " << message;
     }
     EXPECT_EQ(read_error("hatch.ink = [\"a\"]"),
               "ink.toml:1:13: hatch.ink = an array is not a colour; allowed: "
-              "\"#rrggbb\", or [r, g, b] of 0 to 1");
+              "\"#rrggbb\", a name of CSS such as \"ivory\", or [r, g, b] of 0 to 1");
 }
 
 TEST(StyleErrors, UnknownNamesSuggestTheNearest)

@@ -172,7 +172,7 @@ TEST(StyleHelp, NamesEveryParameterInColumns)
     EXPECT_NE(help.find("hatch: Pen strokes that carry the tone\n"), std::string::npos);
     EXPECT_NE(help.find("  hatch.width_mm     number   0.02 to 10 mm        0.35"), std::string::npos)
         << help;
-    EXPECT_NE(help.find("  hatch.ink          colour   #rrggbb              #1b1a22"), std::string::npos)
+    EXPECT_NE(help.find("  hatch.ink          colour   #rrggbb, name        #1b1a22"), std::string::npos)
         << help;
     for (const Section& section : schema().sections()) {
         for (const Parameter& parameter : section.parameters) {

@@ -253,7 +253,7 @@ public:
             } else if (table != nullptr) {
                 add_section({}, *key, *table);
             } else {
-                add_entry({}, {}, *key, *node);
+                add_entry({}, {}, word, *key, *node);
             }
         }
     }
@@ -299,18 +299,34 @@ private:
 
     void add_section(const Surfaces& surfaces, const toml::key& section, const toml::table& table)
     {
-        document_.sections.push_back(
-            {surfaces, std::string(section.str()), place(name_, section.source().begin)});
+        const std::string name(section.str());
+        document_.sections.push_back({surfaces, name, place(name_, section.source().begin)});
         for (const auto& [key, node] : in_order(table)) {
-            add_entry(surfaces, std::string(section.str()), *key, *node);
+            if (const toml::table* inner = node->as_table()) {
+                add_table(surfaces, name, *key, *inner);
+            } else {
+                add_entry(surfaces, name, std::string(key->str()), *key, *node);
+            }
         }
     }
 
-    void add_entry(const Surfaces& surfaces, const std::string& section, const toml::key& key,
-                   const toml::node& node)
+    /// A table of a section, [contour.outline]: its keys are "outline.width_mm" and so on.
+    void add_table(const Surfaces& surfaces, const std::string& section, const toml::key& key,
+                   const toml::table& table)
+    {
+        const std::string name(key.str());
+        document_.sections.push_back(
+            {surfaces, fmt::format("{}.{}", section, name), place(name_, key.source().begin)});
+        for (const auto& [inner, node] : in_order(table)) {
+            add_entry(surfaces, section, fmt::format("{}.{}", name, inner->str()), *inner, *node);
+        }
+    }
+
+    void add_entry(const Surfaces& surfaces, const std::string& section, std::string key_name,
+                   const toml::key& key, const toml::node& node)
     {
         entries_.emplace_back(key.source().begin,
-                              Entry{surfaces, section, std::string(key.str()), raw_from(node),
+                              Entry{surfaces, section, std::move(key_name), raw_from(node),
                                     place(name_, key.source().begin), place(name_, node.source().begin)});
     }
 

@@ -33,7 +33,7 @@ report() {
 cat >jobs.toml <<'END'
 [defaults]
 size = "64x40"
-set = ["paper.seed=3"]
+set = ["drawing.seed=3"]
 
 [[job]]
 scene = ["scene.glb", "other.glb"]
@@ -67,7 +67,7 @@ report jobs.report.json '"failed": 1'
 report jobs.report.json '"error": "missing.glb: '
 report jobs.report.json '"place": "jobs.toml:10:1"'
 grep -q 'warning: job 5: missing.glb: ' err || wrong "the failure is not told: $(cat err)"
-"$estampe" render other.glb -o alone.png --size 64x40 --style pencil --set paper.seed=3 --device cpu
+"$estampe" render other.glb -o alone.png --size 64x40 --style pencil --set drawing.seed=3 --device cpu
 cmp alone.png other-pencil.png || wrong "a job is not the picture that render draws"
 
 # Transparent paper, with a mode and without

@@ -189,7 +189,7 @@ expect_error 2 'not expected: --hour=18; write --world hour=18' render temple -o
 expect_error 2 '--film: works only with a world .*worlds with a film: temple' render scene.glb -o a.mp4 --film
 expect_error 1 'tempel: is neither a file nor a world; did you mean the world temple' render tempel -o a.png
 expect_error 2 '--input-format: "blend" is no format' render - -o a.png --input-format blend
-expect_error 2 '--set takes one value: write --set paper.seed=2' render scene.glb -o a.png --set hatch.seed=1 paper.seed=2
+expect_error 2 '--set takes one value: write --set drawing.seed=2' render scene.glb -o a.png --set hatch.layers=1 drawing.seed=2
 expect_error 2 '--set: unknown key .*--help-style' render scene.glb -o a.png --set nosuch.key=1
 expect_error 2 '--set: .* is not an assignment' render scene.glb -o a.png --set nothing
 expect_error 2 'as ".bmp"; the name must end in .png, .jpg, .jpeg, .webp, .exr, .ora, in .svg' render scene.glb -o a.bmp
@@ -468,7 +468,7 @@ grep -q 'paper\.R' layers.exr || wrong "layers.exr has no paper"
 # One of them alone
 expect_success render scene.glb -o lines.png "${small[@]}" --layer lines
 ! cmp -s plain.png lines.png || wrong "--layer draws the whole picture"
-expect_success render scene.glb -o occlusion.png "${small[@]}" --set occlusion.drawn=true --layer occlusion
+expect_success render scene.glb -o occlusion.png "${small[@]}" --set occlusion.enabled=true --layer occlusion
 expect_error 1 '--layer: no layer or object is named "hach"; did you mean "hatch"' render scene.glb -o none.png --device 99 --layer hach
 expect_error 1 '--layer: .* "zzzzzzzz"; layers are paper, wash' render scene.glb -o none.png "${small[@]}" --layer zzzzzzzz
 expect_error 1 'has no layer "occlusion"' render scene.glb -o none.png "${small[@]}" --layer occlusion
@@ -495,7 +495,7 @@ expect_success tam -o f.tam "${tiny[@]}" --brush painted/tone4_level0.png
 expect_error 2 'output is required' tam
 expect_error 2 'must end in .tam' tam -o a.png
 expect_error 2 '--preview .*must end in .png' tam -o a.tam --preview a.jpg
-expect_error 2 'leave out --brush and --set' tam --from a.tam -o b.tam --set tam.seed=2
+expect_error 2 'leave out --brush and --set' tam --from a.tam -o b.tam --set drawing.seed=2
 expect_error 2 '--set: tam.tones = 3 is out of range' tam -o a.tam --set tam.tones=3
 expect_error 1 'tam.size_px = 100 is not a power of two' tam -o a.tam --set tam.size_px=100
 expect_error 1 'nosuchpreset' tam nosuchpreset -o a.tam

@@ -107,7 +107,7 @@ grep -q '"name": "View 1"' scene.glb.views.json || wrong "no bookmark was writte
 skip
 xdotool key ctrl+f
 await 'refined'
-xdotool type --delay 5 'hatch.drawn'
+xdotool type --delay 5 'hatch.enabled'
 shot panel
 skip
 xdotool mousemove --window "$window" 448 152 click 1
@@ -306,7 +306,7 @@ done
 # at first, even where one sample takes longer than a hand rests.
 : >log
 seen=0
-"$estampe" view statue.glb --style engraving --set occlusion.drawn=true --size 1000x680 --samples 2000 --device cpu \
+"$estampe" view statue.glb --style engraving --set occlusion.enabled=true --size 1000x680 --samples 2000 --device cpu \
     --verbose >printed 2>log &
 viewer=$!
 await 'window with a picture'

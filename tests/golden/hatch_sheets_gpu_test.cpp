@@ -116,7 +116,7 @@ TEST(HatchSheet, OneBallOverSixOctavesOfDistance)
          "hatch.map_tone=blend", "hatch.map_contrast=1", "hatch.map_texel_mm=0.02"}};
     for (std::vector<std::string> row : rows) {
         row.insert(row.end(),
-                   {"picture.ground=none", "light.sun_azimuth_deg=78", "light.sun_elevation_deg=18"});
+                   {"picture.ground=false", "light.sun_azimuth_deg=78", "light.sun_elevation_deg=18"});
         for (int octave = 0; octave < 6; ++octave) {
             const double distance_m = 1.0 + 0.08 * std::exp2(octave); // from its middle
             const Camera camera{

@@ -91,7 +91,7 @@ Steady draw_on(Renderer& renderer, const Style& style, const std::function<doubl
 TEST(SteadyFrame, AsksNothingOfTheHeap)
 {
     Style with_occlusion;
-    with_occlusion.set("occlusion.drawn=true");
+    with_occlusion.set("occlusion.enabled=true");
     const std::vector<std::pair<std::string, Style>> styles{{"default", Style()},
                                                             {"occlusion", with_occlusion},
                                                             {"chirico", Style::load("chirico")},

@@ -52,7 +52,7 @@ Drawing::Drawing(const Scene& scene, const Camera& camera, glm::uvec2 size, doub
     plan_.page.pixel = features::pixel_size(camera, size.y);
     plan_.needs = loaded->needs;
     plan_.looks.styles = {style_};
-    plan_.strokes = features::plan_strokes(layout, loaded->scene.materials, plan_.looks);
+    plan_.strokes = features::plan_strokes(layout, plan_.looks);
 }
 
 frame::FrameContext Drawing::context(gpu::Graph& graph)

@@ -21,7 +21,7 @@ namespace estampe::test {
 {
     Style style;
     for (const char* flat : {"paper.grain=0", "paper.granulation=0", "paper.ink_break=0",
-                             "picture.ground=none", "contour.drawn=false"}) {
+                             "picture.ground=false", "contour.enabled=false"}) {
         style.set(flat);
     }
     for (const char* assignment : more) {

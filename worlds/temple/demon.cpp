@@ -145,11 +145,12 @@ void Demon::choose_goal(const glm::vec3& walker_m)
     }
 }
 
-void Demon::move(float most_m_s)
+void Demon::move(float most_m_per_s)
 {
     const glm::vec2 way = goal_m_ - place_m_;
     const float far_m = glm::length(way);
-    const glm::vec2 wanted = far_m > 0.05F ? way / far_m * std::min(most_m_s, 1.2F * far_m) : glm::vec2(0.0F);
+    const glm::vec2 wanted =
+        far_m > 0.05F ? way / far_m * std::min(most_m_per_s, 1.2F * far_m) : glm::vec2(0.0F);
     velocity_m_s_ += nearer(mood_ == Mood::shy ? 0.35F : 0.9F) * (wanted - velocity_m_s_);
     place_m_ += dt * velocity_m_s_;
     keep_in_haunt();
@@ -216,7 +217,7 @@ void Demon::keep_between_walls(glm::vec3& joint) const
     joint.z = glm::clamp(joint.z, haunt_.low_m.y - beyond_m, haunt_.high_m.y + beyond_m);
 }
 
-void Demon::drift(const glm::vec2& wind_m_s)
+void Demon::drift(const glm::vec2& wind_m_per_s)
 {
     constexpr float damping_per_s = 3.2F;
     const float size = haunt_.size;
@@ -240,8 +241,8 @@ void Demon::drift(const glm::vec2& wind_m_s)
             const float loose = down / static_cast<float>(strand.joints);
             glm::vec3& velocity = joint_velocities_[i][k];
             const float spring = 46.0F * strand.stiffness / (1.0F + 1.6F * loose);
-            const glm::vec3 air =
-                0.55F * indoors * glm::vec3(wind_m_s.x, 0.0F, wind_m_s.y) + (0.9F + 1.6F * loose) * sway;
+            const glm::vec3 air = 0.55F * indoors * glm::vec3(wind_m_per_s.x, 0.0F, wind_m_per_s.y) +
+                                  (0.9F + 1.6F * loose) * sway;
             velocity += dt * (spring * (rest - joints[k]) / size + loose * air);
             velocity *= std::exp(-damping_per_s * dt);
             joints[k] += dt * velocity;
@@ -256,7 +257,7 @@ void Demon::drift(const glm::vec2& wind_m_s)
     }
 }
 
-void Demon::step(const glm::vec3& walker_m, const glm::vec2& wind_m_s)
+void Demon::step(const glm::vec3& walker_m, const glm::vec2& wind_m_per_s)
 {
     time_s_ += step_s;
     if (mood_ == Mood::gone) {
@@ -280,7 +281,7 @@ void Demon::step(const glm::vec3& walker_m, const glm::vec2& wind_m_s)
     const float wanted_m =
         ground_m_(place_m_) + haunt_.size * (head_m + hovers_m) * (1.0F - 0.55F * spilled_);
     height_m_ += nearer(0.35F) * (wanted_m - height_m_);
-    drift(wind_m_s);
+    drift(wind_m_per_s);
 }
 
 } // namespace temple

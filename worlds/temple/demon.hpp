@@ -63,8 +63,8 @@ public:
     /// `ground_m` gives the height of the ground at x and z.
     Demon(Haunt haunt, std::function<float(const glm::vec2&)> ground_m, Dice dice);
 
-    /// Advances the simulation by step_s. `wind_m_s` is the wind along x and z.
-    void step(const glm::vec3& walker_m, const glm::vec2& wind_m_s);
+    /// Advances the simulation by step_s. `wind_m_per_s` is the wind along x and z.
+    void step(const glm::vec3& walker_m, const glm::vec2& wind_m_per_s);
 
     /// Starts to dissolve, whoever is near.
     void dissolve();
@@ -75,7 +75,7 @@ public:
 
     [[nodiscard]] const glm::vec2& place_m() const { return place_m_; }
 
-    [[nodiscard]] const glm::vec2& velocity_m_s() const { return velocity_m_s_; }
+    [[nodiscard]] const glm::vec2& velocity_m_per_s() const { return velocity_m_s_; }
 
     [[nodiscard]] glm::vec3 head() const { return joints_[0][0]; }
 
@@ -105,10 +105,10 @@ public:
 private:
     void choose_mood(const glm::vec3& walker_m);
     void choose_goal(const glm::vec3& walker_m);
-    void move(float most_m_s);
+    void move(float most_m_per_s);
     void look(const glm::vec3& walker_m);
     void keep_in_haunt();
-    void drift(const glm::vec2& wind_m_s);
+    void drift(const glm::vec2& wind_m_per_s);
     void keep_between_walls(glm::vec3& joint) const;
     [[nodiscard]] glm::vec3 hung(const glm::vec3& from_head) const;
 

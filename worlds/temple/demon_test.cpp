@@ -113,7 +113,7 @@ TEST(Demons, WanderWhileNobodyIsNear)
     for (int second = 0; second < 60; ++second) {
         go_on(demon, 1.0F, glm::vec3(nobody_m));
         EXPECT_EQ(demon.mood(), Mood::wander);
-        EXPECT_LT(glm::length(demon.velocity_m_s()), 0.8F);
+        EXPECT_LT(glm::length(demon.velocity_m_per_s()), 0.8F);
         low = glm::min(low, demon.place_m());
         high = glm::max(high, demon.place_m());
     }
@@ -127,7 +127,7 @@ TEST(Demons, WatchWhoComes)
     const glm::vec3 walker = demon.head() + glm::vec3(-7.0F, -0.4F, 7.0F);
     go_on(demon, 4.0F, walker);
     EXPECT_EQ(demon.mood(), Mood::watch);
-    EXPECT_LT(glm::length(demon.velocity_m_s()), 0.1F);
+    EXPECT_LT(glm::length(demon.velocity_m_per_s()), 0.1F);
     const glm::vec3 to_walker = walker - demon.head();
     EXPECT_NEAR(std::remainder(demon.yaw_rad() - std::atan2(to_walker.x, to_walker.z), 6.2831853F), 0.0F,
                 0.05F);

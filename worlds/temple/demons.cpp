@@ -326,13 +326,13 @@ Demons::Demons(const Plan& plan, const Site& site, const estampe::Terrain& deser
     }
 }
 
-void Demons::step(double seconds, const glm::dvec3& walker_m, const glm::vec2& wind_m_s)
+void Demons::step(double seconds, const glm::dvec3& walker_m, const glm::vec2& wind_m_per_s)
 {
     owed_s_ += std::max(seconds, 0.0);
     // The tolerance lets a step that is due run despite rounding in the sum of times.
     for (; owed_s_ > Demon::step_s - 1e-9; owed_s_ -= Demon::step_s) {
         for (Demon& demon : all_) {
-            demon.step(glm::vec3(walker_m), wind_m_s);
+            demon.step(glm::vec3(walker_m), wind_m_per_s);
         }
     }
 }

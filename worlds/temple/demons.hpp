@@ -27,9 +27,9 @@ public:
     Demons(const Plan& plan, const Site& site, const estampe::Terrain& desert, uint64_t seed);
 
     /// Advances the simulation in steps of a 60th of a second; a remainder is kept for the next call. The
-    /// demons watch and avoid a visitor at `walker_m`; `wind_m_s` is the wind along x and z. Cost: 20 us per
-    /// step.
-    void step(double seconds, const glm::dvec3& walker_m, const glm::vec2& wind_m_s = {});
+    /// demons watch and avoid a visitor at `walker_m`; `wind_m_per_s` is the wind along x and z. Cost: 20 us
+    /// per step.
+    void step(double seconds, const glm::dvec3& walker_m, const glm::vec2& wind_m_per_s = {});
 
     /// Makes this demon dissolve from now on. Throws std::out_of_range if it does not exist.
     void dissolve(size_t demon) { all_.at(demon).dissolve(); }

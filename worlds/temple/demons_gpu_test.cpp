@@ -27,8 +27,8 @@ struct Stage {
         scene.materials.emplace_back();
         demons.add_to(scene);
         estampe::test::shared_renderer().set_scene(scene);
-        style.set("picture.ground=none");
-        style.set("hatch.drawn=false");
+        style.set("picture.ground=false");
+        style.set("hatch.enabled=false");
         style.set("material.demon*.wash.strength=1");
         style.set("material.demon*.wash.neutral=1");
         style.set("material.demon*.wash.least=0");

@@ -247,8 +247,8 @@ estampe::Terrain Desert::with(std::span<const Hollow> hollows, bool is_trodden) 
         "direction_deg = " +
         decimal(wind_to_deg) +
         "\n"
-        "speed_m_s = " +
-        decimal(calm_m_s) +
+        "speed_m_per_s = " +
+        decimal(calm_m_per_s) +
         "\n"
         "[ripples]\n" // the pen draws the ripples of the sand itself
         "height_m = 0\n";

@@ -9,13 +9,13 @@
 namespace temple {
 namespace {
 
-constexpr double reach_m = 2.6;     ///< distance from the middle of the last hall
-constexpr double spreads_m_s = 5.5; ///< speed at which the ending spreads from the last hall outwards
-constexpr double sinks_s = 4.0;     ///< duration in which a fire sinks
-constexpr double embers = 0.07;     ///< share of its light that remains
-constexpr double low_flame = 0.22;  ///< share of its height that remains
-constexpr double day_grows = 2.4;   ///< factor of the daylight's brightness
-constexpr double grows_s = 9.0;     ///< duration in which daylight grows
+constexpr double reach_m = 2.6;         ///< distance from the middle of the last hall
+constexpr double spreads_m_per_s = 5.5; ///< speed at which the ending spreads from the last hall outwards
+constexpr double sinks_s = 4.0;         ///< duration in which a fire sinks
+constexpr double embers = 0.07;         ///< share of its light that remains
+constexpr double low_flame = 0.22;      ///< share of its height that remains
+constexpr double day_grows = 2.4;       ///< factor of the daylight's brightness
+constexpr double grows_s = 9.0;         ///< duration in which daylight grows
 constexpr double gratings_from_s = 2.0;
 constexpr double gratings_to_s = 9.0;
 constexpr double gratings_down_m = 2.7;
@@ -34,7 +34,7 @@ Ending::Ending(const estampe::Scene& scene, uint64_t seed)
     middle_m_ = plan.rooms[static_cast<size_t>(plan.last_room)].middle_m();
     const auto begins_s = [&](const estampe::Node& node) {
         const glm::dvec3& place_m = node.transform.translation;
-        return glm::distance(glm::dvec2(place_m.x, place_m.z), middle_m_) / spreads_m_s;
+        return glm::distance(glm::dvec2(place_m.x, place_m.z), middle_m_) / spreads_m_per_s;
     };
     for (estampe::Index index = 0; index < scene.nodes.size(); ++index) {
         const estampe::Node& node = scene.nodes[index];

@@ -114,8 +114,8 @@ double WeatherTimeline::wind_at(double time_s) const
 {
     const auto gusts = static_cast<double>(gusts_at(time_s));
     const auto dust = static_cast<double>(dust_at(time_s));
-    const auto most = static_cast<double>(strongest_m_s - calm_m_s);
-    return static_cast<double>(calm_m_s) + most * std::min(0.55 * gusts + 0.6 * dust, 1.0);
+    const auto most = static_cast<double>(strongest_m_per_s - calm_m_per_s);
+    return static_cast<double>(calm_m_per_s) + most * std::min(0.55 * gusts + 0.6 * dust, 1.0);
 }
 
 Tornado WeatherTimeline::tornado_at(double time_s) const
@@ -153,7 +153,7 @@ Tornado WeatherTimeline::tornado_at(double time_s) const
 Weather WeatherTimeline::at(double time_s) const
 {
     constexpr double step_s = 0.25;
-    Weather weather{.wind_m_s = static_cast<float>(wind_at(time_s)),
+    Weather weather{.wind_m_per_s = static_cast<float>(wind_at(time_s)),
                     .gusts = gusts_at(time_s),
                     .dust = dust_at(time_s),
                     .tornado = tornado_at(time_s)};

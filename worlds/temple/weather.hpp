@@ -37,7 +37,7 @@ struct Tornado {
 
 /// The weather at a moment.
 struct Weather {
-    float wind_m_s = 7.0F;
+    float wind_m_per_s = 7.0F;
     double blown_m = 0.0; ///< distance that the wind has blown since time 0
     float gusts = 0.0F;   ///< strength of the gusts, 0 to 1
     float dust = 0.0F;    ///< dust in the air, 0 to 1; at 1 visibility is as short as a room
@@ -47,8 +47,8 @@ struct Weather {
 };
 
 inline constexpr float wind_to_deg = 200.0F; ///< direction that the wind always blows to: 0 is +x, 90 is +z
-inline constexpr float calm_m_s = 7.0F;
-inline constexpr float strongest_m_s = 19.0F;
+inline constexpr float calm_m_per_s = 7.0F;
+inline constexpr float strongest_m_per_s = 19.0F;
 
 /// Unit vector along x and z that the wind blows to.
 [[nodiscard]] glm::vec2 wind_way();

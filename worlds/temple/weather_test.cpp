@@ -17,9 +17,9 @@ TEST(Weather, IsContinuousAndWithinItsBounds)
         Weather before = timeline.at(0.0);
         for (int i = 1; i < 6000; ++i) {
             const Weather now = timeline.at(step_s * i);
-            ASSERT_GE(now.wind_m_s, calm_m_s);
-            ASSERT_LE(now.wind_m_s, strongest_m_s);
-            ASSERT_LT(std::abs(now.wind_m_s - before.wind_m_s), 0.5F) << i;
+            ASSERT_GE(now.wind_m_per_s, calm_m_per_s);
+            ASSERT_LE(now.wind_m_per_s, strongest_m_per_s);
+            ASSERT_LT(std::abs(now.wind_m_per_s - before.wind_m_per_s), 0.5F) << i;
             for (const auto share : {&Weather::gusts, &Weather::dust, &Weather::clouds}) {
                 ASSERT_GE(now.*share, 0.0F);
                 ASSERT_LE(now.*share, 1.0F);
@@ -73,7 +73,7 @@ TEST(Weather, TheWindHasBlownAsFarAsItsSpeedSays)
     double way_m = timeline.at(30.0).blown_m;
     constexpr double step_s = 0.01;
     for (int i = 0; i < 1500; ++i) {
-        way_m += step_s * static_cast<double>(timeline.at(30.0 + (i + 0.5) * step_s).wind_m_s);
+        way_m += step_s * static_cast<double>(timeline.at(30.0 + (i + 0.5) * step_s).wind_m_per_s);
     }
     EXPECT_NEAR(timeline.at(45.0).blown_m, way_m, 0.05);
 }
@@ -85,7 +85,7 @@ TEST(Weather, IsWhatItIsToldToBe)
         const Weather calm = told(WeatherKind::calm).at(time_s);
         EXPECT_EQ(calm.dust, 0.0F);
         EXPECT_EQ(calm.gusts, 0.0F);
-        EXPECT_EQ(calm.wind_m_s, calm_m_s);
+        EXPECT_EQ(calm.wind_m_per_s, calm_m_per_s);
         EXPECT_GE(told(WeatherKind::gusts).at(time_s).gusts, 0.3F);
         EXPECT_EQ(told(WeatherKind::gusts).at(time_s).dust, 0.0F);
         EXPECT_EQ(told(WeatherKind::storm).at(time_s).dust, 1.0F);
@@ -114,7 +114,8 @@ TEST(Weather, TheSunStandsForFourPicturesOfAFilmAndFallsBackByNoMore)
 TEST(Weather, IsTheSameForTheSameSeed)
 {
     for (const double time_s : {3.0, 71.3, 500.0}) {
-        EXPECT_EQ(WeatherTimeline(4, {}).at(time_s).wind_m_s, WeatherTimeline(4, {}).at(time_s).wind_m_s);
+        EXPECT_EQ(WeatherTimeline(4, {}).at(time_s).wind_m_per_s,
+                  WeatherTimeline(4, {}).at(time_s).wind_m_per_s);
     }
     EXPECT_NE(WeatherTimeline(4, {}).at(71.3).gusts, WeatherTimeline(5, {}).at(71.3).gusts);
 }

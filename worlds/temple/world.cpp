@@ -58,10 +58,10 @@ void dress_demons(Setter& set)
     set(wisp + "ink", "#0a090d");
     set(wisp + "per_s", 15.0);
     set(wisp + "life_s", 1.7);
-    set(wisp + "speed_mps", 0.3);
+    set(wisp + "speed_m_per_s", 0.3);
     set(wisp + "spread_deg", 50.0);
-    set(wisp + "lift_mps2", 0.3);
-    set(wisp + "swirl_mps", 0.5);
+    set(wisp + "lift_m_per_s2", 0.3);
+    set(wisp + "swirl_m_per_s", 0.5);
     set(wisp + "swirl_m", 0.8);
     set(wisp + "size_m", 0.34);
     set(wisp + "grown_m", 0.04);
@@ -76,10 +76,10 @@ void dress_air(Setter& set)
     set(sand + "look", "wash");
     set(sand + "per_s", 5.0);
     set(sand + "life_s", 2.6);
-    set(sand + "speed_mps", 4.0);
+    set(sand + "speed_m_per_s", 4.0);
     set(sand + "spread_deg", 25.0);
-    set(sand + "lift_mps2", 0.15);
-    set(sand + "swirl_mps", 1.4);
+    set(sand + "lift_m_per_s2", 0.15);
+    set(sand + "swirl_m_per_s", 1.4);
     set(sand + "swirl_m", 5.0);
     set(sand + "size_m", 0.8);
     set(sand + "grown_m", 5.5);
@@ -93,10 +93,10 @@ void dress_air(Setter& set)
          {std::string("object.whirl*.particles."), std::string("object.murk*.particles.")}) {
         set(whirl + "per_s", 13.0);
         set(whirl + "life_s", 1.5);
-        set(whirl + "speed_mps", 11.0);
+        set(whirl + "speed_m_per_s", 11.0);
         set(whirl + "spread_deg", 14.0);
-        set(whirl + "lift_mps2", 1.2);
-        set(whirl + "swirl_mps", 1.5);
+        set(whirl + "lift_m_per_s2", 1.2);
+        set(whirl + "swirl_m_per_s", 1.5);
         set(whirl + "swirl_m", 6.0);
         set(whirl + "size_m", 1.4);
         set(whirl + "grown_m", 6.0);
@@ -108,10 +108,10 @@ void dress_air(Setter& set)
 /// its settings stay.
 void dress_ink(Setter& set, const estampe::Style& base)
 {
-    if (base.number("ink.drawn") != 0.0) {
+    if (base.number("ink.enabled") != 0.0) {
         return;
     }
-    set("ink.drawn", "true");
+    set("ink.enabled", "true");
     set("ink.source", "things");
     set("ink.objects", R"("body of demon*")");
     set("ink.zones", R"("stain*=give:0.6 turn:12, eddy*=turn:110")");
@@ -125,14 +125,14 @@ void dress_ink(Setter& set, const estampe::Style& base)
     set("ink.soak", 0.12);
     set("ink.stain_s", 7.0);
     set("ink.swirl_mm", 34.0);
-    set("ink.swirl_mm_s", 12.0);
+    set("ink.swirl_mm_per_s", 12.0);
     set("ink.sharpness", 0.8);
 }
 
 /// Style of the smoke over fires. If `base` has smoke already, its settings stay.
 void dress_smoke(Setter& set, const estampe::Style& base)
 {
-    if (base.number("smoke.drawn") != 0.0) {
+    if (base.number("smoke.enabled") != 0.0) {
         return;
     }
     // A slender, transparent column: puffs over a bowl on a foot would look like a tree.
@@ -159,16 +159,16 @@ void dress_smoke(Setter& set, const estampe::Style& base)
 /// follows the moving eye. Settings that `base` has already stay.
 void dress_film(Setter& set, const estampe::Style& base)
 {
-    set("smoke.drawn", "true");
-    if (base.text("lens.mode") == "none") {
+    set("smoke.enabled", "true");
+    if (base.number("lens.enabled") == 0.0) {
         // The aperture leaves a room sharp except close to the eye; far objects are a little soft.
-        set("lens.mode", "gather");
+        set("lens.enabled", "true");
         set("lens.focus_m", 8.0);
         set("lens.f_number", 2.8);
         set("lens.largest_mm", 3.0);
     }
-    if (base.text("motion_blur.mode") == "none") {
-        set("motion_blur.mode", "tiles");
+    if (base.number("motion_blur.enabled") == 0.0) {
+        set("motion_blur.enabled", "true");
         set("motion_blur.shutter_deg", 60.0);
         set("motion_blur.largest_mm", 4.0);
     }
@@ -276,7 +276,7 @@ void World::go_to(double time_s, const estampe::Camera& walker)
     while (*time_s_ < time_s) {
         const double step_s = std::min(sample_s, time_s - *time_s_);
         weather_ = timeline_.at(*time_s_);
-        demons_.step(step_s, walker.eye, weather_.wind_m_s * wind_way());
+        demons_.step(step_s, walker.eye, weather_.wind_m_per_s * wind_way());
         time_s_ = step_s < sample_s ? time_s : *time_s_ + step_s;
         if (time_s - *time_s_ < before_s) {
             record();
@@ -363,17 +363,17 @@ estampe::Style World::style(const estampe::Style& base, const estampe::Camera& c
         dress_film(set, base);
     }
 
-    const auto wind_m_s = static_cast<double>(weather_.wind_m_s);
+    const auto wind_m_per_s = static_cast<double>(weather_.wind_m_per_s);
     const auto gusts = static_cast<double>(weather_.gusts);
     const double shelter = static_cast<double>(shelter_at(plan_, {camera.eye.x, camera.eye.z}));
     const double dust = static_cast<double>(weather_.dust) * (1.0 - 0.93 * shelter);
     const double bearing_deg = 90.0 - static_cast<double>(wind_to_deg);
     set("wind.from", "style");
-    set("wind.speed_m_s", wind_m_s);
+    set("wind.speed_m_per_s", wind_m_per_s);
     set("wind.blown_m", weather_.blown_m);
     set("wind.direction_deg", static_cast<double>(wind_to_deg));
-    const auto blow = [&](const std::string& what, double speed_m_s) {
-        set("object." + what + ".particles.wind_mps", speed_m_s);
+    const auto blow = [&](const std::string& what, double speed_m_per_s) {
+        set("object." + what + ".particles.wind_m_per_s", speed_m_per_s);
         set("object." + what + ".particles.wind_deg", bearing_deg);
     };
     // Plumes consist of the paths of all their particles at once: wind that changed with every gust would
@@ -393,7 +393,7 @@ estampe::Style World::style(const estampe::Style& base, const estampe::Camera& c
     const glm::dvec3 right = glm::normalize(glm::cross(ahead, camera.up));
     const glm::dvec3 way(wind_way().x, 0.0, wind_way().y);
     const glm::dvec2 on_page(glm::dot(way, right), glm::dot(way, glm::cross(right, ahead)) + 0.25);
-    set("ink.wind_mm_s", 1.6 * wind_m_s * glm::length(on_page) * (1.0 - 0.7 * shelter));
+    set("ink.wind_mm_per_s", 1.6 * wind_m_per_s * glm::length(on_page) * (1.0 - 0.7 * shelter));
     set("ink.wind_deg", glm::degrees(std::atan2(on_page.y, on_page.x)));
 
     set("haze.start_m", mixed_size(base.number("haze.start_m"), 2.5, dust));

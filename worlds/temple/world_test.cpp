@@ -62,8 +62,9 @@ TEST(TempleWorld, EveryPresetTakesItsWeather)
     world.go_to(1.0, camera);
     for (const std::string& preset : estampe::Style::presets()) {
         const estampe::Style style = world.style(estampe::Style::load(preset), camera);
-        EXPECT_EQ(style.number("wind.speed_m_s"), static_cast<double>(world.weather().wind_m_s)) << preset;
-        EXPECT_EQ(style.number("ink.drawn"), 1.0) << preset;
+        EXPECT_EQ(style.number("wind.speed_m_per_s"), static_cast<double>(world.weather().wind_m_per_s))
+            << preset;
+        EXPECT_EQ(style.number("ink.enabled"), 1.0) << preset;
     }
     EXPECT_THROW(std::ignore = estampe::Style().number("haze.length"), estampe::Error);
     EXPECT_THROW(std::ignore = estampe::Style().number("sky.horizon"), estampe::Error);
@@ -102,7 +103,7 @@ TEST(TempleWorld, IsTheSameInOneLeapAndPictureByPicture)
         const glm::vec3 off = leaping.demons().all()[i].head() - walking.demons().all()[i].head();
         EXPECT_LT(glm::length(off), 0.02F) << "but for how the wind is sampled";
     }
-    EXPECT_EQ(leaping.weather().wind_m_s, walking.weather().wind_m_s);
+    EXPECT_EQ(leaping.weather().wind_m_per_s, walking.weather().wind_m_per_s);
     // Going back in time restarts the simulation.
     walking.go_to(1.0, camera);
     walking.go_to(3.0, camera);
@@ -116,19 +117,21 @@ TEST(TempleWorld, AFilmHasALensAnOpenShutterAndSmokeAndAPictureHasNot)
     world.go_to(0.0, camera);
     estampe::Style base = estampe::Style::load("temple-day");
     const estampe::Style picture = world.style(base, camera);
-    EXPECT_EQ(picture.text("lens.mode"), "none");
-    EXPECT_EQ(picture.text("motion_blur.mode"), "none");
-    EXPECT_EQ(picture.number("smoke.drawn"), 0.0);
+    EXPECT_EQ(picture.number("lens.enabled"), 0.0);
+    EXPECT_EQ(picture.number("motion_blur.enabled"), 0.0);
+    EXPECT_EQ(picture.number("smoke.enabled"), 0.0);
     world.film();
     const estampe::Style film = world.style(base, camera);
-    EXPECT_EQ(film.text("lens.mode"), "gather");
-    EXPECT_EQ(film.text("motion_blur.mode"), "tiles");
-    EXPECT_EQ(film.number("smoke.drawn"), 1.0);
+    EXPECT_EQ(film.number("lens.enabled"), 1.0);
+    EXPECT_EQ(film.number("motion_blur.enabled"), 1.0);
+    EXPECT_EQ(film.number("smoke.enabled"), 1.0);
     EXPECT_EQ(film.number("smoke.cells"), 64.0);
     // Settings that the style has already are kept.
+    base.set("lens.enabled=true");
     base.set("lens.mode=separable");
+    base.set("motion_blur.enabled=true");
     base.set("motion_blur.mode=own");
-    base.set("smoke.drawn=true");
+    base.set("smoke.enabled=true");
     base.set("smoke.puff=0.3");
     const estampe::Style own = world.style(base, camera);
     EXPECT_EQ(own.text("lens.mode"), "separable");

@@ -100,7 +100,7 @@ std::optional<glm::dvec3> Place::pushed_out(const glm::dvec3& feet_m, const Body
 namespace {
 
 constexpr double gravity_m_s2 = 9.81;
-constexpr double fastest_fall_m_s = 25.0;
+constexpr double fastest_fall_m_per_s = 25.0;
 
 glm::dvec2 level(const glm::dvec3& of)
 {
@@ -159,7 +159,7 @@ void Walker::step(const Intent& intent)
     const glm::dvec3 from_m = feet_m_;
     steer(intent);
     if (intent.jumps && is_on_ground_ && !is_sliding_) {
-        velocity_m_s_.y = static_cast<double>(body_.jump_m_s);
+        velocity_m_s_.y = static_cast<double>(body_.jump_m_per_s);
         is_on_ground_ = false;
     }
     // Steps are limited, so that the body does not pass through thin obstacles.
@@ -188,7 +188,7 @@ void Walker::steer(const Intent& intent)
     if (const double length = glm::length(way); length > 1.0) {
         way /= length;
     }
-    glm::dvec2 wanted = way * static_cast<double>(intent.runs ? body_.run_m_s : body_.walk_m_s);
+    glm::dvec2 wanted = way * static_cast<double>(intent.runs ? body_.run_m_per_s : body_.walk_m_per_s);
     glm::dvec2 now = level(velocity_m_s_);
     is_sliding_ = false;
     if (!is_on_ground_) {
@@ -274,7 +274,7 @@ void Walker::rise_or_fall()
         is_on_ground_ = false;
         velocity_m_s_.y = 0.0;
     }
-    velocity_m_s_.y = std::max(velocity_m_s_.y - gravity_m_s2 * step_s, -fastest_fall_m_s);
+    velocity_m_s_.y = std::max(velocity_m_s_.y - gravity_m_s2 * step_s, -fastest_fall_m_per_s);
     const double drop_m = -velocity_m_s_.y * step_s;
     if (drop_m < 0.0) {
         const glm::dvec3 higher = feet_m_ - glm::dvec3(0.0, drop_m, 0.0);

@@ -30,9 +30,9 @@ struct Body {
     float height_m = 1.8F;
     float eye_m = 1.68F;
     float step_m = 0.42F; ///< highest step; obstacles below it do not block
-    float walk_m_s = 1.7F;
-    float run_m_s = 4.6F;
-    float jump_m_s = 3.2F;
+    float walk_m_per_s = 1.7F;
+    float run_m_per_s = 4.6F;
+    float jump_m_per_s = 3.2F;
     float steepest_deg = 50.0F; ///< steepest stone that can be stood on
     float repose_deg = 31.0F;   ///< steepest sand that can be stood on; beyond it the walker slides
 };
@@ -98,7 +98,7 @@ public:
 
     [[nodiscard]] const glm::dvec3& feet_m() const { return feet_m_; }
 
-    [[nodiscard]] const glm::dvec3& velocity_m_s() const { return velocity_m_s_; }
+    [[nodiscard]] const glm::dvec3& velocity_m_per_s() const { return velocity_m_s_; }
 
     /// Position of the eye, interpolated between steps and smoothed on stairs.
     [[nodiscard]] glm::dvec3 eye_m() const;

@@ -161,9 +161,10 @@ TEST(Walker, GoesAsFastAsItIsSaidTo)
     yard.go({0.0, 1.0}, 2.0);
     EXPECT_NEAR(yard.walker.feet_m().z - before_m, 2.0 * 1.7, 1e-3);
     yard.go({0.0, 9.0}, 1.0, true);
-    EXPECT_NEAR(glm::length(yard.walker.velocity_m_s()), 4.6, 1e-3) << "more than all is no more than all";
+    EXPECT_NEAR(glm::length(yard.walker.velocity_m_per_s()), 4.6, 1e-3)
+        << "more than all is no more than all";
     yard.go({}, 1.0);
-    EXPECT_EQ(yard.walker.velocity_m_s(), glm::dvec3(0.0));
+    EXPECT_EQ(yard.walker.velocity_m_per_s(), glm::dvec3(0.0));
 }
 
 TEST(Walker, TakesStairsAndNoTable)
@@ -215,7 +216,7 @@ TEST(Walker, StandsOnSandUpToItsReposeAndSlidesBeyond)
     const double before_m = steep.walker.feet_m().x;
     steep.go({1.0, 0.0}, 4.0, true);
     EXPECT_LT(steep.walker.feet_m().x, before_m) << "nobody runs up a slip face";
-    EXPECT_LT(glm::length(steep.walker.velocity_m_s()), 6.0) << "sand drags";
+    EXPECT_LT(glm::length(steep.walker.velocity_m_per_s()), 6.0) << "sand drags";
     const double across_m = steep.walker.feet_m().z;
     steep.go({0.0, 1.0}, 2.0);
     EXPECT_GT(steep.walker.feet_m().z, across_m + 0.8);

@@ -93,7 +93,7 @@ TEST(WorldRegistry, AWorldThatMakesAScenePromisesNothingElse)
     EXPECT_EQ(bare.film_camera({}), nullptr);
     EXPECT_EQ(bare.visit({}), nullptr);
     estampe::Style style;
-    style.set("paper.seed=7");
+    style.set("drawing.seed=7");
     EXPECT_EQ(bare.style(style, {}).to_toml(), style.to_toml());
 }
 

@@ -119,8 +119,8 @@ BenchPicture field(bool software, uint32_t width, uint32_t height)
                          .width = width,
                          .height = height};
     add_lights(picture.scene, 40, 4);
-    picture.style.set("occlusion.drawn=true");
-    picture.style.set("lens.mode=gather");
+    picture.style.set("occlusion.enabled=true");
+    picture.style.set("lens.enabled=true");
     picture.style.set("lens.f_number=1");
     return picture;
 }

@@ -160,8 +160,8 @@ TEST(ClothFrame, APictureThatIsGivenUpLosesNoStep)
 
 TEST(ClothFrame, APictureOfAFilmTakesStepsAndPosesOnceInItsOwnGraph)
 {
-    const ClothScene set_up = make_set_up("flag", 0.5F);         // nothing of it is animated
-    const Style style = settled_style(set_up, "ink.drawn=true"); // which looks back to the picture before
+    const ClothScene set_up = make_set_up("flag", 0.5F);           // nothing of it is animated
+    const Style style = settled_style(set_up, "ink.enabled=true"); // which looks back to the picture before
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(set_up.scene);
     for (uint32_t frame = 0; frame < 3; ++frame) {
@@ -239,7 +239,7 @@ ClothScene limp_flag()
     Node& flag =
         *std::ranges::find_if(set_up.scene.nodes, [](const Node& node) { return node.cloth.has_value(); });
     flag.cloth->damping_per_s = 15.0F;
-    set_up.style.emplace_back("wind.speed_m_s=0");
+    set_up.style.emplace_back("wind.speed_m_per_s=0");
     return set_up;
 }
 
@@ -263,12 +263,12 @@ TEST(ClothFrame, WhatRestsIsTakenUpAtRestAndWokenByTheStyle)
     renderer.set_scene(set_up.scene);
     const std::vector<Image> whole = film(3, false);
     EXPECT_EQ(test::changed_pixels(whole[1], whole[0]), 0U); // it rests
-    const Image blown = film_frame(renderer, set_up, settled_style(set_up, "wind.speed_m_s=6"), 8);
+    const Image blown = film_frame(renderer, set_up, settled_style(set_up, "wind.speed_m_per_s=6"), 8);
     EXPECT_GT(test::changed_pixels(blown, whole[2]), 20U);
     const std::vector<Image> taken_up = film(3, true);
     EXPECT_EQ(taken_up[1].rgba, whole[1].rgba);
     EXPECT_EQ(taken_up[2].rgba, whole[2].rgba);
-    const Style restless = settled_style(set_up, "cloth.rest_mm_s=0");
+    const Style restless = settled_style(set_up, "cloth.rest_mm_per_s=0");
     static_cast<void>(film_frame(renderer, set_up, restless, 0));
     const Image still = renderer.render(set_up.camera, style, cloth_page);
     EXPECT_EQ(still.rgba, whole[0].rgba); // whatever was awake before
@@ -283,8 +283,8 @@ TEST(ClothFrame, AirOfSmokeBlowsOnIt)
     set_up.scene.roots.push_back(static_cast<Index>(set_up.scene.nodes.size()));
     set_up.scene.nodes.push_back(node);
     for (const char* assignment :
-         {"smoke.drawn=true", "smoke.objects=draught", "smoke.cells=16", "smoke.age_s=0.2",
-          "smoke.amount_per_s=0", "smoke.wind_m_s=5", "smoke.wind_deg=90"}) {
+         {"smoke.enabled=true", "smoke.objects=draught", "smoke.cells=16", "smoke.age_s=0.2",
+          "smoke.amount_per_s=0", "smoke.wind_m_per_s=5", "smoke.wind_deg=90"}) {
         set_up.style.emplace_back(assignment);
     }
     Renderer& renderer = test::shared_renderer();
@@ -328,7 +328,7 @@ TEST(ClothFrame, BothSidesHaveTheirMaterial)
         *std::ranges::find_if(set_up.scene.nodes, [](const Node& node) { return node.cloth.has_value(); });
     flag.cloth->back_material = static_cast<Index>(set_up.scene.materials.size());
     set_up.scene.materials.push_back({.name = "lining", .base_color = {0.7F, 0.02F, 0.02F, 1.0F}});
-    set_up.style.emplace_back("wind.speed_m_s=3");
+    set_up.style.emplace_back("wind.speed_m_per_s=3");
     set_up.style.emplace_back("wind.gustiness=0");
     set_up.style.emplace_back("wind.turbulence=0");
     Renderer& renderer = test::shared_renderer();

@@ -314,14 +314,14 @@ cloth::Surroundings MovingCloth::surroundings(double time_s, const Scene& scene,
                                .wind = style.wind,
                                .origin_m = anchor,
                                .effort = style.cloth.effort,
-                               .rest_m_s = 1e-3F * style.cloth.rest_mm_s};
+                               .rest_m_per_s = 1e-3F * style.cloth.rest_mm_per_s};
     if (style.wind.from == cloth::WindSource::automatic && scene.terrain) {
         const TerrainWind& wind = scene.terrain->description().wind;
-        result.wind.speed_m_s = wind.speed_m_s;
+        result.wind.speed_m_per_s = wind.speed_m_per_s;
         result.wind.direction_deg = wind.direction_deg;
     } else if (style.wind.blown_m >= 0.0F) {
         result.ahead_m = static_cast<double>(style.wind.blown_m) -
-                         static_cast<double>(style.wind.speed_m_s) * settings.time_s;
+                         static_cast<double>(style.wind.speed_m_per_s) * settings.time_s;
     }
     return result;
 }
@@ -448,7 +448,7 @@ void MovingCloth::add_bodies(gpu::Graph& graph, cloth::Cloths::Handles& handles,
 std::vector<glm::mat4> MovingCloth::carries(const pose::PoseData& pose, const glm::dvec3& anchor,
                                             double time_s)
 {
-    constexpr double quick_m_s = 25.0; // what moves at that was put elsewhere
+    constexpr double quick_m_per_s = 25.0; // what moves at that was put elsewhere
     constexpr double jump_m = 1.0;
     std::vector<glm::mat4> places = places_of_draws(pose);
     std::vector<glm::mat4> carries;
@@ -458,8 +458,9 @@ std::vector<glm::mat4> MovingCloth::carries(const pose::PoseData& pose, const gl
         for (size_t i = 0; i < places.size(); ++i) {
             const glm::dmat4 before = shift * glm::dmat4(places_before_[i]);
             const glm::dmat4 now(places[i]);
-            const bool jumps = glm::length(glm::dvec3(now[3] - before[3])) > jump_m + quick_m_s * time_s &&
-                               std::abs(glm::determinant(before)) > 0.0;
+            const bool jumps =
+                glm::length(glm::dvec3(now[3] - before[3])) > jump_m + quick_m_per_s * time_s &&
+                std::abs(glm::determinant(before)) > 0.0;
             carries.emplace_back(jumps ? now * glm::inverse(before) * shift : shift);
             is_any = is_any || jumps;
         }

@@ -16,16 +16,17 @@ const style::Table<PictureStyle>& picture_table()
 {
     static const auto table =
         style::Table<PictureStyle>("picture", "Blank ground below the scene")
-            .choice("ground", &PictureStyle::ground,
-                    {{"auto", Ground::automatic}, {"drawn", Ground::drawn}, {"none", Ground::none}},
-                    "Blank ground below the scene: white paper that shows the scene's shadow. drawn: always; "
-                    "none: never; auto: if the scene has no camera of its own and is not a room.");
+            .auto_toggle(
+                "ground", &PictureStyle::ground,
+                "Blank ground below the scene: white paper that shows the scene's shadow. true: always; "
+                "false: never; auto: if the scene has no camera of its own and is not a room.");
     return table;
 }
 
 const style::Schema<StyleTables>& style_schema()
 {
     static const auto schema = style::Schema<StyleTables>()
+                                   .section(drawing_table(), &StyleTables::drawing)
                                    .section(picture_table(), &StyleTables::picture)
                                    .section(light::light_table(), &StyleTables::light)
                                    .section(light::sun_table(), &StyleTables::sun)
@@ -41,7 +42,7 @@ const style::Schema<StyleTables>& style_schema()
                                    .section(bleed::bleed_table(), &StyleTables::bleed)
                                    .section(ink::ink_table(), &StyleTables::ink)
                                    .section(smoke::smoke_table(), &StyleTables::smoke)
-                                   .section(focus::focus_table(), &StyleTables::focus)
+                                   .section(focus::focus_table(), &StyleTables::focus_lines)
                                    .section(wash::wash_table(), &StyleTables::wash)
                                    .section(haze::haze_table(), &StyleTables::haze)
                                    .section(lens::lens_table(), &StyleTables::lens)
@@ -132,10 +133,15 @@ contour::ContourStyle lines_of(const std::vector<StyleTables>& styles)
 {
     contour::ContourStyle lines = styles.front().contour;
     for (const StyleTables& variant : styles) {
-        lines.drawn |= variant.contour.drawn;
-        for (const contour::LineKindKeys& keys : contour::line_kind_keys) {
-            lines.*keys.width_mm = std::max(lines.*keys.width_mm, variant.contour.*keys.width_mm);
-            lines.*keys.width_m = std::max(lines.*keys.width_m, variant.contour.*keys.width_m);
+        lines.enabled |= variant.contour.enabled;
+        for (const contour::LineKind& kind : contour::line_kinds) {
+            contour::LineStyle& line = lines.*kind.style;
+            const contour::LineStyle& other = variant.contour.*kind.style;
+            if (other.enabled) {
+                line.width_mm = line.enabled ? std::max(line.width_mm, other.width_mm) : other.width_mm;
+                line.width_m = line.enabled ? std::max(line.width_m, other.width_m) : other.width_m;
+                line.enabled = true;
+            }
         }
     }
     return lines;

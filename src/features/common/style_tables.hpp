@@ -9,6 +9,7 @@
 
 #include <estampe/scene.hpp>
 
+#include "features/common/drawing.hpp"
 #include "style/schema.hpp"
 #include "techniques/bleed/bleed.hpp"
 #include "techniques/cloth/cloth_style.hpp"
@@ -38,17 +39,16 @@
 
 namespace estampe::features {
 
-enum class Ground : uint8_t { automatic, drawn, none };
-
 /// What belongs to no technique: what stands on the page.
 struct PictureStyle {
-    Ground ground = Ground::automatic;
+    style::AutoToggle ground = style::AutoToggle::automatic;
 };
 
 [[nodiscard]] const style::Table<PictureStyle>& picture_table();
 
 /// Every parameter of every technique.
 struct StyleTables {
+    DrawingStyle drawing;
     PictureStyle picture;
     light::LightStyle light;
     light::SunStyle sun;
@@ -64,7 +64,7 @@ struct StyleTables {
     bleed::BleedStyle bleed;
     ink::InkStyle ink;
     smoke::SmokeStyle smoke;
-    focus::FocusStyle focus;
+    focus::FocusStyle focus_lines;
     wash::WashStyle wash;
     haze::HazeStyle haze;
     lens::LensStyle lens;

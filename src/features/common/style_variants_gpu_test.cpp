@@ -51,7 +51,7 @@ Image draw_variants(const Style& style)
 std::vector<bool> pixels_of(const std::string& object)
 {
     const Image image = draw_variants(
-        style_of_all({"hatch.drawn=false", "contour.drawn=false", "paper.grain=0", "paper.granulation=0",
+        style_of_all({"hatch.enabled=false", "contour.enabled=false", "paper.grain=0", "paper.granulation=0",
                       "paper.color=#fff", "wash.strength=0", "object." + object + ".wash.strength=1"}));
     std::vector<bool> pixels;
     for (size_t i = 0; i < image.rgba.size(); i += 4) {
@@ -78,7 +78,7 @@ class OtherStyles : public testing::TestWithParam<Otherwise> {};
 TEST_P(OtherStyles, OfAThingAreThoseOfThePictureThere)
 {
     // Whatever looks beyond its own pixel is left out.
-    Assignments base{"contour.drawn=false", "bleed.width_mm=0", "paper.ink_break=0"};
+    Assignments base{"contour.enabled=false", "bleed.enabled=false", "paper.ink_break=0"};
     base.insert(base.end(), GetParam().base.begin(), GetParam().base.end());
     Assignments all = base;
     Assignments of_ball = base;
@@ -110,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Otherwise{"Wash", {}, {"wash.strength=0.2", "wash.shadow_tint=#ff0000"}},
                     Otherwise{"Lines", {}, {"hatch.width_mm=0.8", "hatch.coordinates=page"}},
                     Otherwise{"Tone", {}, {"tone.exposure=0.3"}},
-                    Otherwise{"Blank", {}, {"hatch.drawn=false"}},
+                    Otherwise{"Blank", {}, {"hatch.enabled=false"}},
                     Otherwise{"Map", {}, {"hatch.strokes=map", "tam.size_px=64", "tam.tones=4"}},
                     Otherwise{"LinesOnMap",
                               {"hatch.strokes=map", "tam.size_px=64", "tam.tones=4"},
@@ -149,11 +149,11 @@ TEST(StyleVariantPictures, LinesHaveTheInkAndTheWidthOfTheirObject)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(named_still_life());
-    const Assignments even{"contour.pressure=0", "contour.distance_thinning=0", "contour.outline_mm=0.4",
-                           "contour.ink=#000000"};
+    const Assignments even{"contour.pressure=0", "contour.distance_thinning=0",
+                           "contour.outline.width_mm=0.4", "contour.ink=#000000"};
     Assignments mixed = even;
-    mixed.insert(mixed.end(), {"object.ball.contour.outline_mm=1.2", "object.ball.contour.ink=#ff0000",
-                               "object.box.contour.drawn=false", "object.box.hatch.drawn=false"});
+    mixed.insert(mixed.end(), {"object.ball.contour.outline.width_mm=1.2", "object.ball.contour.ink=#ff0000",
+                               "object.box.contour.enabled=false", "object.box.hatch.enabled=false"});
     const VectorDrawing plain = renderer.draw_strokes(test::corner_camera, style_of_all(even), variants_page);
     const VectorDrawing drawing =
         renderer.draw_strokes(test::corner_camera, style_of_all(mixed), variants_page);
@@ -172,8 +172,8 @@ TEST(StyleVariantPictures, LinesHaveTheInkAndTheWidthOfTheirObject)
 TEST(StyleVariantPictures, LinesInThePictureHaveTheInkOfTheirObject)
 {
     const Image image = draw_variants(
-        style_of_all({"hatch.drawn=false", "wash.strength=0", "paper.grain=0", "contour.ink=#000000",
-                      "contour.outline_mm=4", "object.ball.contour.ink=#ff0000"}));
+        style_of_all({"hatch.enabled=false", "wash.strength=0", "paper.grain=0", "contour.ink=#000000",
+                      "contour.outline.width_mm=4", "object.ball.contour.ink=#ff0000"}));
     size_t red = 0;
     size_t black = 0;
     for (size_t i = 0; i < image.rgba.size(); i += 4) {
@@ -194,6 +194,42 @@ TEST(StyleVariantPictures, PathsOfAMapAreAnErrorWhicheverVariantHasIt)
     EXPECT_NO_THROW((void)renderer.draw_strokes(
         test::corner_camera, style_of_all({"object.bell.hatch.strokes=map"}), variants_page));
     EXPECT_NE(renderer.notes().front().find("\"bell\""), std::string::npos);
+}
+
+TEST(DrawingFactorPictures, AreThoseOfTheValuesMultiplied)
+{
+    EXPECT_EQ(draw_variants(style_of_all({"drawing.line_weight=2", "drawing.wobble=0"})).rgba,
+              draw_variants(style_of_all({"contour.outline.width_mm=1.16", "contour.border.width_mm=0.48",
+                                          "contour.crease.width_mm=0.4", "contour.marked.width_mm=0.48",
+                                          "contour.crest.width_mm=0.6", "contour.intersection.width_mm=0.48",
+                                          "hatch.wobble_mm=0", "contour.retrace_mm=0"}))
+                  .rgba);
+}
+
+TEST(DrawingFactorPictures, MoreInkWithEachThatDarkens)
+{
+    const auto mean = [](const std::vector<std::string>& assignments) {
+        std::vector<std::string> all{"wash.strength=0", "paper.grain=0"};
+        all.insert(all.end(), assignments.begin(), assignments.end());
+        const Image image = draw_variants(style_of_all(all));
+        double sum = 0.0;
+        for (size_t i = 0; i < image.rgba.size(); i += 4) {
+            sum += image.rgba[i];
+        }
+        return sum;
+    };
+    const double as_it_is = mean({});
+    EXPECT_LT(mean({"drawing.darkness=1.5"}), 0.99 * as_it_is);
+    EXPECT_LT(mean({"drawing.hatch_weight=1.5"}), 0.99 * as_it_is);
+    EXPECT_LT(mean({"drawing.line_weight=3"}), 0.99 * as_it_is);
+    EXPECT_NEAR(mean({"drawing.hatch_spacing=1.5"}), as_it_is, 0.02 * as_it_is) << "tones stay";
+}
+
+TEST(DrawingFactorPictures, TheSeedDrawsAgainByAnotherHand)
+{
+    const Image first = draw_variants({});
+    EXPECT_NE(draw_variants(style_of_all({"drawing.seed=2"})).rgba, first.rgba);
+    EXPECT_EQ(draw_variants(style_of_all({"drawing.seed=1"})).rgba, first.rgba);
 }
 
 } // namespace

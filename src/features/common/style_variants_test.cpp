@@ -81,14 +81,15 @@ TEST_F(StyleVariantsTest, LaterOverridesWin)
 
 TEST_F(StyleVariantsTest, LinesAreFoundForWhicheverWantsThem)
 {
-    set("contour.drawn=false");
-    set("contour.ridge_mm=0");
-    set("object.Wall.contour.drawn=true");
-    set("object.Wall.contour.ridge_mm=0.5");
+    set("contour.enabled=false");
+    set("contour.ridge.enabled=false");
+    set("object.Wall.contour.enabled=true");
+    set("object.Wall.contour.ridge.enabled=true");
+    set("object.Wall.contour.ridge.width_mm=0.5");
     const StyleVariants looks = plan();
-    EXPECT_TRUE(looks.lines.drawn);
-    EXPECT_EQ(looks.lines.ridge_mm, 0.5F);
-    EXPECT_FALSE(looks.styles.front().contour.drawn);
+    EXPECT_TRUE(looks.lines.enabled);
+    EXPECT_EQ(looks.lines.ridge.width_mm, 0.5F);
+    EXPECT_FALSE(looks.styles.front().contour.enabled);
 }
 
 } // namespace

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <string_view>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -14,58 +13,13 @@
 #include "core/hash.hpp"
 #include "gpu/resources.hpp"
 #include "shaders/stroke_kind.glsl.h"
-#include "style/names.hpp"
 #include "style/schema.hpp"
-#include "style/toml.hpp"
 #include "techniques/form/form.hpp"
 #include "techniques/tam/files/map_files.hpp"
 #include "techniques/tam/maker.hpp"
 
 namespace estampe::features {
 namespace {
-
-constexpr const char* materials_key = "hatch.materials";
-
-/// The kind that `hatch.coordinates` calls `name`.
-uint32_t kind_named(const std::string& name)
-{
-    const auto& parameters = hatch::hatch_table().parameters();
-    const auto wanted = std::find_if(parameters.begin(), parameters.end(),
-                                     [](const auto& parameter) { return parameter.key == "coordinates"; });
-    if (std::find(wanted->choices.begin(), wanted->choices.end(), name) == wanted->choices.end()) {
-        throw Error(fmt::format("strokes cannot follow {}", style::in_quotes(name)), materials_key,
-                    fmt::format("allowed: {}", style::allowed(*wanted)));
-    }
-    hatch::HatchStyle style;
-    wanted->set(&style, style::Value(name));
-    return static_cast<uint32_t>(style.coordinates);
-}
-
-/// What single materials follow, by their number.
-std::map<Index, uint32_t> kinds_of_materials(const std::vector<Material>& materials, std::string_view text)
-{
-    std::map<Index, uint32_t> kinds;
-    if (text.empty()) {
-        return kinds;
-    }
-    for (const style::Assignment& part :
-         style::assignments(text, materials_key, "material=kind", "Skin=form, Sea=wind")) {
-        const uint32_t kind = kind_named(part.value);
-        std::vector<std::string> names;
-        bool is_known = false;
-        for (Index i = 0; i < materials.size(); ++i) {
-            names.push_back(materials[i].name);
-            if (materials[i].name == part.name) {
-                kinds[i] = kind;
-                is_known = true;
-            }
-        }
-        if (!is_known) {
-            style::fail_unknown("the scene has no material", part.name, materials_key, names);
-        }
-    }
-    return kinds;
-}
 
 enum class GroundForm : uint8_t { no, level, dunes };
 
@@ -101,19 +55,13 @@ const StyleTables& look_of(const StyleVariants& looks, size_t draw)
 
 } // namespace
 
-StrokePlan plan_strokes(const pose::MeshData& meshes, const std::vector<Material>& materials,
-                        const StyleVariants& looks, std::vector<uint32_t> room)
+StrokePlan plan_strokes(const pose::MeshData& meshes, const StyleVariants& looks, std::vector<uint32_t> room)
 {
-    const std::map<Index, uint32_t> kinds =
-        kinds_of_materials(materials, looks.styles.front().hatch.materials);
     StrokePlan plan{.kind_of_draw = std::move(room)};
     plan.kind_of_draw.clear();
     plan.kind_of_draw.reserve(meshes.draws.size());
     for (const shared::DrawRecord& draw : meshes.draws) {
-        const auto own = kinds.find(draw.material);
-        const auto of_look =
-            static_cast<uint32_t>(look_of(looks, plan.kind_of_draw.size()).hatch.coordinates);
-        const uint32_t wanted = own != kinds.end() ? own->second : of_look;
+        const auto wanted = static_cast<uint32_t>(look_of(looks, plan.kind_of_draw.size()).hatch.coordinates);
         const uint32_t kind = possible(wanted, draw, ground_of(meshes, plan.kind_of_draw.size()));
         plan.kind_of_draw.push_back(kind);
         plan.present |= 1U << kind;
@@ -124,7 +72,7 @@ StrokePlan plan_strokes(const pose::MeshData& meshes, const std::vector<Material
 std::optional<shadow::HatchedLines> hatched_lines(const hatch::HatchStyle& style,
                                                   const glm::vec3& towards_light, const StrokePlan& strokes)
 {
-    if (!style.drawn || style.strokes != hatch::Strokes::lines) {
+    if (!style.enabled || style.strokes != hatch::Strokes::lines) {
         return std::nullopt;
     }
     const hatch::FirstLayer layer = hatch::first_layer(style);
@@ -223,6 +171,7 @@ std::filesystem::path kept_map(const tam::TamStyle& style)
     }
     Hash hash;
     hash.add_text(style::Schema(tam::tam_table()).to_toml(style));
+    hash.add(style.seed); // no parameter of the table: drawing.seed sets it
     return folder / "estampe" / fmt::format("map-{}-{:016x}.tam", tam::drawing_version, hash.value());
 }
 
@@ -241,7 +190,7 @@ void TonalMaps::ensure(gpu::Device& device, const std::vector<StyleTables>& look
     std::vector<Loaded> wanted;
     for (size_t look = 0; look < looks.size(); ++look) {
         const hatch::HatchStyle& hatch = looks[look].hatch;
-        if (!hatch.drawn || hatch.strokes != hatch::Strokes::map) {
+        if (!hatch.enabled || hatch.strokes != hatch::Strokes::map) {
             continue;
         }
         MapChoice choice = map_choice(looks[look]);

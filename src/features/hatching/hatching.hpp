@@ -36,11 +36,11 @@ struct StrokePlan {
     }
 };
 
-/// The wish of each surface's look, or that for a single material by `hatch.materials`. UVs are followed only
-/// where there are any; grounds have no form, dunes keep to their slopes. The list takes `room`. Throws Error
-/// when `hatch.materials` cannot be read, or names what is not there. Cost: linear in draws.
-[[nodiscard]] StrokePlan plan_strokes(const pose::MeshData& meshes, const std::vector<Material>& materials,
-                                      const StyleVariants& looks, std::vector<uint32_t> room = {});
+/// What the strokes of each draw follow: what its style variant asks for, if its surface has it. UVs are
+/// followed only where there are any; grounds have no form, dunes keep to their slopes. The list takes
+/// `room`. Cost: linear in draws.
+[[nodiscard]] StrokePlan plan_strokes(const pose::MeshData& meshes, const StyleVariants& looks,
+                                      std::vector<uint32_t> room = {});
 
 /// The lines of the hatching that edges of shadows can follow; none where no lines are drawn.
 [[nodiscard]] std::optional<shadow::HatchedLines>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "features/hatching/hatching.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <estampe/error.hpp>
 #include <estampe/shapes.hpp>
 
 #include "shaders/stroke_kind.glsl.h"
@@ -29,23 +29,20 @@ Scene two_balls()
 
 class Strokes : public testing::Test {
 protected:
-    [[nodiscard]] std::vector<uint32_t> kinds(hatch::Coordinates coordinates,
-                                              const std::string& materials) const
+    /// `own` is what the material Sea follows, if it differs.
+    [[nodiscard]] StyleVariants styles(hatch::Coordinates coordinates, const char* own = nullptr) const
     {
         StyleTables style;
         style.hatch.coordinates = coordinates;
-        style.hatch.materials = materials;
-        return plan_strokes(meshes_, scene_.materials, {.styles = {style}}).kind_of_draw;
+        if (own != nullptr) {
+            style_schema().set(style, fmt::format("material.Sea.hatch.coordinates={}", own));
+        }
+        return style_variants(meshes_, scene_, style);
     }
 
-    [[nodiscard]] std::string error_of(const std::string& materials) const
+    [[nodiscard]] std::vector<uint32_t> kinds(hatch::Coordinates coordinates, const char* own = nullptr) const
     {
-        try {
-            (void)kinds(hatch::Coordinates::automatic, materials);
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return {};
+        return plan_strokes(meshes_, styles(coordinates, own)).kind_of_draw;
     }
 
     Scene scene_ = two_balls();
@@ -55,35 +52,23 @@ protected:
 TEST_F(Strokes, FollowUvsOnlyWhereThereAreAny)
 {
     using Kinds = std::vector<uint32_t>;
-    EXPECT_EQ(kinds(hatch::Coordinates::uv, ""),
+    EXPECT_EQ(kinds(hatch::Coordinates::uv),
               (Kinds{shared::strokes_uv, shared::strokes_solid, shared::strokes_solid}));
-    EXPECT_EQ(kinds(hatch::Coordinates::form, ""),
+    EXPECT_EQ(kinds(hatch::Coordinates::form),
               (Kinds{shared::strokes_form, shared::strokes_form, shared::strokes_solid}));
-    EXPECT_EQ(kinds(hatch::Coordinates::light, ""),
+    EXPECT_EQ(kinds(hatch::Coordinates::light),
               (Kinds{shared::strokes_light, shared::strokes_light, shared::strokes_light}));
 }
 
 TEST_F(Strokes, OfSingleMaterialsGoTheirOwnWay)
 {
-    const auto own = kinds(hatch::Coordinates::solid, " Skin = form ,Sea=wind");
-    EXPECT_EQ(own,
+    EXPECT_EQ(kinds(hatch::Coordinates::form, "wind"),
               (std::vector<uint32_t>{shared::strokes_form, shared::strokes_wind, shared::strokes_solid}));
-}
-
-TEST_F(Strokes, OfMaterialsThatAreNotThereAreAnError)
-{
-    EXPECT_NE(error_of("Skim=form").find("did you mean \"Skin\""), std::string::npos);
-    EXPECT_NE(error_of("Rock=form").find("it has Skin, Sea"), std::string::npos);
-    EXPECT_NE(error_of("Skin=fur").find("allowed: auto, uv, solid"), std::string::npos);
-    EXPECT_NE(error_of("Skin").find("material=kind"), std::string::npos);
 }
 
 TEST_F(Strokes, AlongTheFormHaveCoordinatesForTheirTrianglesAlone)
 {
-    StyleTables style;
-    style.hatch.coordinates = hatch::Coordinates::solid;
-    style.hatch.materials = "Sea=form";
-    const StrokePlan plan = plan_strokes(meshes_, scene_.materials, {.styles = {style}});
+    const StrokePlan plan = plan_strokes(meshes_, styles(hatch::Coordinates::solid, "form"));
     const std::vector<glm::vec2> coordinates = form_coordinates(meshes_, plan);
     ASSERT_EQ(coordinates.size(), 3 * meshes_.triangles.size());
     for (size_t i = 0; i < meshes_.triangles.size(); ++i) {

@@ -37,7 +37,7 @@ void note_if_idle(const Scene& scene, const std::string& pattern, const char* ke
 
 /// What a zone does, before it is anywhere.
 struct ZoneWords {
-    float blow_mm_s = 0.0F;
+    float blow_mm_per_s = 0.0F;
     float turn_deg_s = 0.0F;
     float give = 0.0F;
     float amount = 1.0F;
@@ -50,7 +50,7 @@ ZoneWords zone_words(const std::string& text)
     for (std::string word; stream >> word;) {
         const size_t colon = word.find(':');
         const std::string name = word.substr(0, colon);
-        float* const value = name == "blow"     ? &words.blow_mm_s
+        float* const value = name == "blow"     ? &words.blow_mm_per_s
                              : name == "turn"   ? &words.turn_deg_s
                              : name == "give"   ? &words.give
                              : name == "amount" ? &words.amount
@@ -105,7 +105,7 @@ std::optional<shared::InkZone> zone_at(const ZoneView& view, const glm::dmat4& w
     return shared::InkZone{.middle_mm = glm::vec2(*middle_mm),
                            .radius_mm = static_cast<float>(std::max(radius_mm, smallest_mm)),
                            .amount = words.amount,
-                           .velocity_mm_s = words.blow_mm_s * glm::vec2(blows),
+                           .velocity_mm_per_s = words.blow_mm_per_s * glm::vec2(blows),
                            .turn_rad_s = glm::radians(words.turn_deg_s),
                            .gives = words.give};
 }
@@ -199,24 +199,24 @@ public:
                 return (stream(place_mm + aside_mm) - stream(place_mm - aside_mm)) /
                        (2.0F * glm::length(aside_mm));
             };
-            const glm::vec2 swirl_mm_s(slope({0.0F, 0.5F}), -slope({0.5F, 0.0F}));
-            sources.push_back(spoon(place_mm, radius_mm_, stronger * swirl_mm_s));
+            const glm::vec2 swirl_mm_per_s(slope({0.0F, 0.5F}), -slope({0.5F, 0.0F}));
+            sources.push_back(spoon(place_mm, radius_mm_, stronger * swirl_mm_per_s));
         }
         for (const shared::InkZone& zone : zones_) {
-            sources.push_back(spoon(zone.middle_mm, 0.5F * zone.radius_mm, zone.velocity_mm_s));
+            sources.push_back(spoon(zone.middle_mm, 0.5F * zone.radius_mm, zone.velocity_mm_per_s));
             sources.back().shape.spin_rad_s = zone.turn_rad_s;
         }
         return sources;
     }
 
 private:
-    static fluid::Source spoon(glm::vec2 place_mm, float radius_mm, glm::vec2 velocity_mm_s)
+    static fluid::Source spoon(glm::vec2 place_mm, float radius_mm, glm::vec2 velocity_mm_per_s)
     {
         constexpr float push_per_s = 6.0F;
         fluid::Source source{
             .shape = fluid::disc(metres_per_mm * glm::vec3(place_mm, 0.0F), metres_per_mm * radius_mm),
             .push_per_s = push_per_s};
-        source.shape.velocity_m_s = metres_per_mm * glm::vec3(velocity_mm_s, 0.0F);
+        source.shape.velocity_m_per_s = metres_per_mm * glm::vec3(velocity_mm_per_s, 0.0F);
         return source;
     }
 
@@ -483,7 +483,7 @@ void FlowingInk::load(FilmReader& reader)
 
 std::optional<double> FlowingInk::before_s(const RenderSettings& settings, const ink::InkStyle& style) const
 {
-    const bool goes_on = style.drawn && settings.continuity == Continuity::follows;
+    const bool goes_on = style.enabled && settings.continuity == Continuity::follows;
     return goes_on ? memory_.time_s() : std::nullopt;
 }
 
@@ -491,7 +491,7 @@ std::optional<InkPlan> FlowingInk::ensure(gpu::Device& device, gpu::Executor& ex
                                           const FlowingInkInputs& in, std::vector<std::string>& notes)
 {
     const ink::InkStyle& style = in.style.ink;
-    if (!style.drawn) {
+    if (!style.enabled) {
         forget();
         return std::nullopt;
     }

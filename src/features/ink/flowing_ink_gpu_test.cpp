@@ -37,7 +37,7 @@ Scene sliding_box()
 Style flowing(const std::vector<std::string>& more = {})
 {
     Style style;
-    style.set("ink.drawn=true");
+    style.set("ink.enabled=true");
     // So few pixels hold no finer threads.
     for (const char* assignment :
          {"ink.age_s=0.5", "ink.threshold=0.1", "ink.spot_mm=4", "ink.spacing_mm=8"}) {

@@ -65,8 +65,8 @@ TEST(InkWater, StaysOnThePageAndFlowsAboutAsFastAsWhatStirsIt)
         EXPECT_NEAR(stream[i * water_side], 0.0F, 1e-3F);
         EXPECT_NEAR(stream[i * water_side + water_side - 1], 0.0F, 1e-3F);
     }
-    const auto swirl_mm_s = static_cast<double>(style.swirl_mm_s);
-    EXPECT_NEAR(rms(stream), swirl_mm_s, 0.4 * swirl_mm_s);
+    const auto swirl_mm_per_s = static_cast<double>(style.swirl_mm_per_s);
+    EXPECT_NEAR(rms(stream), swirl_mm_per_s, 0.4 * swirl_mm_per_s);
     const std::vector<float> half = fresh(solved(0.5F));
     for (size_t i = 0; i < stream.size(); ++i) {
         ASSERT_FLOAT_EQ(half[i], 0.5F * stream[i]);
@@ -101,10 +101,10 @@ TEST(InkWater, GoesOnFromWhatItWas)
 TEST(InkWater, ZonesStirIt)
 {
     ink::InkStyle style = solved(1.0F);
-    style.swirl_mm_s = 0.0F;
+    style.swirl_mm_per_s = 0.0F;
     EXPECT_LT(rms(fresh(style)), 1e-6);
     const shared::InkZone fan{
-        .middle_mm = {100.0F, 75.0F}, .radius_mm = 30.0F, .velocity_mm_s = {40.0F, 0.0F}};
+        .middle_mm = {100.0F, 75.0F}, .radius_mm = 30.0F, .velocity_mm_per_s = {40.0F, 0.0F}};
     const std::vector<float> stream = fresh(style, {fan});
     EXPECT_GT(velocity(stream, 31, 31).x, 15.0) << "to the right in its middle";
     EXPECT_GT(velocity(stream, 46, 31).x, 1.0) << "and beyond its end, by what it pushes on";

@@ -88,8 +88,8 @@ TEST(InkZones, StandOnThePageWhereTheirObjectsAre)
     EXPECT_NEAR(zones[0].middle_mm.y, 25.0F, 1e-3F);
     const double mm_per_m = 25.0 / (10.0 * std::tan(0.5 * Camera().vertical_fov_rad));
     EXPECT_NEAR(zones[0].radius_mm, 0.5 * mm_per_m, 0.05);
-    EXPECT_NEAR(zones[0].velocity_mm_s.x, 20.0F, 1e-2F) << "along its -z";
-    EXPECT_NEAR(zones[0].velocity_mm_s.y, 0.0F, 1e-2F);
+    EXPECT_NEAR(zones[0].velocity_mm_per_s.x, 20.0F, 1e-2F) << "along its -z";
+    EXPECT_NEAR(zones[0].velocity_mm_per_s.y, 0.0F, 1e-2F);
     EXPECT_NEAR(zones[0].turn_rad_s, 1.5708F, 1e-3F);
     EXPECT_EQ(zones[0].gives, 0.5F);
     EXPECT_EQ(zones[0].amount, 0.25F);

@@ -22,7 +22,7 @@ inline Style bare(float ambient)
 {
     Style style;
     for (const char* const assignment :
-         {"light.source=scene", "picture.ground=none", "light.falloff=1", "lightmap.balance=false"}) {
+         {"light.source=scene", "picture.ground=false", "light.falloff=1", "lightmap.balance=false"}) {
         style.set(assignment);
     }
     style.set("light.ambient=" + std::to_string(ambient));

@@ -22,8 +22,8 @@ TEST(LineBrushes, EachKindOfLineHasItsOwnOrThatOfAll)
 {
     contour::ContourStyle style;
     style.brush = "charcoal";
-    style.outline_brush = "pen";
-    style.crease_brush = "brush";
+    style.outline.brush = "pen";
+    style.crease.brush = "brush";
     const auto set = load_brushes(style);
     ASSERT_TRUE(set);
     EXPECT_EQ(set->strips.size(), 2U);
@@ -34,16 +34,15 @@ TEST(LineBrushes, EachKindOfLineHasItsOwnOrThatOfAll)
 
 TEST(LineBrushes, NoKindBorrowsFromAnother)
 {
-    for (const contour::LineKindKeys& keys : contour::line_kind_keys) {
+    for (const contour::LineKind& each : contour::line_kinds) {
         contour::ContourStyle style;
-        style.*keys.width_mm = 0.3F;
-        style.*keys.brush = "brush";
+        style.*each.style = {.brush = "brush"};
         const auto set = load_brushes(style);
-        ASSERT_TRUE(set) << keys.name;
-        EXPECT_FALSE(is_drawn_by_pen(style)) << keys.name;
+        ASSERT_TRUE(set) << each.name;
+        EXPECT_FALSE(is_drawn_by_pen(style)) << each.name;
         for (uint32_t kind = 0; kind < shared::line_kind_count; ++kind) {
-            const bool is_this = contour::line_kind_keys[kind].brush == keys.brush;
-            EXPECT_EQ(set->strip_of_use[kind].has_value(), is_this) << keys.name << ", " << kind;
+            const bool is_this = contour::line_kinds[kind].style == each.style;
+            EXPECT_EQ(set->strip_of_use[kind].has_value(), is_this) << each.name << ", " << kind;
         }
         EXPECT_FALSE(set->strip_of_use[shared::brush_hidden]);
     }
@@ -52,10 +51,10 @@ TEST(LineBrushes, NoKindBorrowsFromAnother)
 TEST(LineBrushes, LinesThatAreNotLookedForNeedNone)
 {
     contour::ContourStyle style;
-    style.ridge_brush = "brush";
+    style.ridge.brush = "brush";
     EXPECT_FALSE(load_brushes(style));
     EXPECT_TRUE(is_drawn_by_pen(style));
-    style.ridge_m = 0.01F;
+    style.ridge.enabled = true;
     EXPECT_TRUE(load_brushes(style));
 }
 

@@ -154,7 +154,7 @@ std::vector<uint8_t> clockwise_triangles(const pose::MeshData& layout)
 
 bool has_chains(const pose::MeshData& layout, const contour::ContourStyle& style)
 {
-    return style.drawn && style.lines == contour::Lines::chains && !layout.triangles.empty();
+    return style.enabled && style.lines == contour::Lines::chains && !layout.triangles.empty();
 }
 
 } // namespace
@@ -342,17 +342,17 @@ BrushChoice brush_choice(const contour::ContourStyle& style)
 {
     BrushChoice choice{.fit = style.brush_fit};
     for (uint32_t kind = 0; kind < shared::line_kind_count; ++kind) {
-        const std::string& own = style.*contour::line_kind_keys.at(kind).brush;
-        // Of the rest there are lines without a width: a material may bring it.
+        const std::string& own = contour::line_style(style, kind).brush;
+        // Kinds of the geometry are found even where the style draws none: a material may draw them.
         const bool is_found = kind < shared::line_marked || contour::has_lines(style, kind);
         if (is_found) {
             choice.brush_of_kind.at(kind) = own.empty() ? style.brush : own;
         }
     }
-    if (style.hidden == contour::Hidden::dashed) {
-        choice.dash_mm = style.hidden_dash_mm;
-        choice.gap_mm = style.hidden_gap_mm;
-        choice.dash_width_mm = style.hidden_mm;
+    if (style.hidden.enabled) {
+        choice.dash_mm = style.hidden.dash_mm;
+        choice.gap_mm = style.hidden.gap_mm;
+        choice.dash_width_mm = style.hidden.width_mm;
     }
     return choice;
 }
@@ -388,7 +388,7 @@ std::optional<contour::BrushSet> load_brushes(const contour::ContourStyle& style
 
 contour::BrushImages* LineBrushes::ensure(gpu::Device& device, const contour::ContourStyle& style)
 {
-    if (!style.drawn || style.lines != contour::Lines::chains) {
+    if (!style.enabled || style.lines != contour::Lines::chains) {
         return nullptr;
     }
     const BrushChoice wanted = brush_choice(style);

@@ -16,7 +16,7 @@ void MotionBlur::prepare(gpu::Device& device, const pose::MeshData& layout,
     if (memory_.lacks_vertices(style)) {
         memory_.set_vertices(device, layout.stroke_coordinates, layout.draw_of_vertex);
     }
-    if (style.smear && !smear_seeds_.is_made) {
+    if (style.smear.enabled && !smear_seeds_.is_made) {
         smear_seeds_ = motion_blur::upload_seeds(
             device, motion_blur::spread_seeds(pose::solid_triangles(layout), layout.triangles,
                                               layout.stroke_coordinates));

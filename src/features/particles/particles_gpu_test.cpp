@@ -101,8 +101,8 @@ TEST(ParticlesInFrame, DifferByTheObjectThatGivesThem)
     scene.roots.push_back(static_cast<Index>(scene.nodes.size() - 1));
     renderer.set_scene(scene);
     Style style;
-    style.set("particles.wind_mps=0");
-    style.set("particles.swirl_mps=0");
+    style.set("particles.wind_m_per_s=0");
+    style.set("particles.swirl_m_per_s=0");
     const Image alike = renderer.render(particle_camera, style, moment(3.0));
     style.set("object.emitter of ink.particles.look=blots");
     style.set("object.emitter of ink.particles.ink=#c00000");
@@ -151,7 +151,7 @@ TEST(CloudsInFrame, AreTheSameInTilesAndCostNothingUnasked)
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(with_empty("emitter"));
     Style style;
-    style.set("sky.mode=drawn");
+    style.set("sky.enabled=true");
     style.set("hatch.width_mm=0.5");
     std::ignore = renderer.render(particle_camera, style, moment(2.0));
     EXPECT_FALSE(test::has_pass("clouds"));

@@ -114,9 +114,10 @@ Risen let_rise(fluid::Fluid& fluid, SolverMeter meter, const Rise& rise)
 void carry_along(smoke::Box& box, const smoke::SmokeStyle& style, double time_s)
 {
     const Draught draught = draught_of(box, style);
-    const glm::dvec3 drift_m_s(draught.wind_m_s + glm::vec3(0.0F, draught.speed_m_s, 0.0F));
-    box.puffs_risen_m = glm::vec3(time_s * drift_m_s);
-    box.strokes_risen_m = static_cast<float>(std::fmod(time_s * static_cast<double>(draught.speed_m_s), 1e3));
+    const glm::dvec3 drift_m_per_s(draught.wind_m_per_s + glm::vec3(0.0F, draught.speed_m_per_s, 0.0F));
+    box.puffs_risen_m = glm::vec3(time_s * drift_m_per_s);
+    box.strokes_risen_m =
+        static_cast<float>(std::fmod(time_s * static_cast<double>(draught.speed_m_per_s), 1e3));
 }
 
 /// Throws Error for what no smoke has.
@@ -354,10 +355,10 @@ std::vector<smoke::Box> RisingSmoke::rise(gpu::Device& device, gpu::Executor& ex
 {
     const smoke::SmokeStyle& style = in.style.smoke;
     std::vector<smoke::Box> boxes;
-    if (style.drawn) {
+    if (style.enabled) {
         boxes = smoke_boxes(in.scene, in.pose, in.layout.anchor, style.objects, std::bit_floor(style.cells));
     }
-    if (style.drawn && boxes.empty()) {
+    if (style.enabled && boxes.empty()) {
         notes.push_back(
             fmt::format("smoke.objects speaks of objects without a mesh {}, of which the scene has none",
                         style::in_quotes(style.objects)));

@@ -34,7 +34,7 @@ Style smoking(const std::vector<std::string>& more = {})
 {
     Style style;
     for (const char* assignment :
-         {"smoke.drawn=true", "smoke.cells=16", "smoke.age_s=0.8", "smoke.rise_s=1"}) {
+         {"smoke.enabled=true", "smoke.cells=16", "smoke.age_s=0.8", "smoke.rise_s=1"}) {
         style.set(assignment);
     }
     for (const std::string& assignment : more) {
@@ -289,7 +289,7 @@ double darkness(const Image& image)
 TEST(RisingSmoke, ThrowsItsShadowOnTheSceneAndLiesInTheScenes)
 {
     Renderer& renderer = test::shared_renderer();
-    const std::vector<std::string> flat{"smoke.medium=wash", "smoke.line_mm=0", "contour.drawn=false"};
+    const std::vector<std::string> flat{"smoke.medium=wash", "smoke.line_mm=0", "contour.enabled=false"};
     const auto render = [&](const std::vector<std::string>& more) {
         std::vector<std::string> all = flat;
         all.insert(all.end(), more.begin(), more.end());
@@ -373,7 +373,7 @@ TEST(RisingSmoke, TellsWhatItsSolverLeft)
     // A page in tiles is prepared twice, where ink flows too.
     measured.tile_px = 64;
     static_cast<void>(renderer.render(
-        smoke_camera, smoking({"ink.drawn=true", "ink.age_s=0.2", "ink.solved=1"}), measured));
+        smoke_camera, smoking({"ink.enabled=true", "ink.age_s=0.2", "ink.solved=1"}), measured));
     const std::vector<SolverReport> both = renderer.solver_reports();
     ASSERT_EQ(both.size(), 2U);
     EXPECT_EQ(both[0].divergence_left, direct.divergence_left);

@@ -85,11 +85,11 @@ Draught draught_of(const smoke::Box& box, const smoke::SmokeStyle& style)
 {
     const float height_m = box.cell_m * static_cast<float>(box.cells.y);
     const float angle = glm::radians(style.wind_deg);
-    const glm::vec3 wind = style.wind_m_s * glm::vec3(std::sin(angle), 0.0F, std::cos(angle));
-    return {.speed_m_s = height_m / style.rise_s,
+    const glm::vec3 wind = style.wind_m_per_s * glm::vec3(std::sin(angle), 0.0F, std::cos(angle));
+    return {.speed_m_per_s = height_m / style.rise_s,
             .width_m = box.width_m(),
             .height_m = height_m,
-            .wind_m_s = box.cell_m * glm::mat3(box.grid_from_anchor) * wind};
+            .wind_m_per_s = box.cell_m * glm::mat3(box.grid_from_anchor) * wind};
 }
 
 uint32_t smoke_channels(const smoke::SmokeStyle& style)
@@ -104,7 +104,7 @@ double steps_per_s(const smoke::Box& box, const smoke::SmokeStyle& style)
 {
     const Draught draught = draught_of(box, style);
     return static_cast<double>(
-        std::clamp(2.0F * glm::length(draught.wind_m_s) / rim_m(draught), 24.0F, 480.0F));
+        std::clamp(2.0F * glm::length(draught.wind_m_per_s) / rim_m(draught), 24.0F, 480.0F));
 }
 
 fluid::Grid grid_of(const smoke::Box& box)
@@ -117,7 +117,7 @@ fluid::Grid grid_of(const smoke::Box& box)
 fluid::FluidStyle solving(const smoke::Box& box, const smoke::SmokeStyle& style, double step_s)
 {
     const Draught draught = draught_of(box, style);
-    const float crossing_per_s = (draught.speed_m_s + glm::length(draught.wind_m_s)) / rim_m(draught);
+    const float crossing_per_s = (draught.speed_m_per_s + glm::length(draught.wind_m_per_s)) / rim_m(draught);
     const fluid::Rim calming{.breadth_m = rim_m(draught), .share_per_s = crossing_per_s};
     const fluid::Rim clearing{.breadth_m = rim_m(draught), .share_per_s = 8.0F * crossing_per_s};
     fluid::MatterStyle matter = changing(draught, style);
@@ -128,10 +128,10 @@ fluid::FluidStyle solving(const smoke::Box& box, const smoke::SmokeStyle& style,
             .velocity_advection = advection_of(style),
             .quantity_advection = advection_of(style),
             .projection = {.solver = solver_of(style)},
-            .forces = {.lift_m_s2 = 5.0F * draught.speed_m_s * draught.speed_m_s / draught.height_m,
+            .forces = {.lift_m_s2 = 5.0F * draught.speed_m_per_s * draught.speed_m_per_s / draught.height_m,
                        .confinement_per_s = 4.0F * style.curl / style.rise_s,
                        .rim = calming,
-                       .outside_m_s = draught.wind_m_s},
+                       .outside_m_per_s = draught.wind_m_per_s},
             .matter = matter};
 }
 
@@ -169,9 +169,9 @@ std::vector<float> stirred_air(const smoke::Box& box, const smoke::SmokeStyle& s
         const glm::dvec3 any(number(), number(), number());
         const double size = glm::length(turns);
         const glm::dvec3 along = size > 0.0 ? turns / size : glm::dvec3(0.0);
-        waves.push_back({turns,
-                         0.25 * static_cast<double>(draught.speed_m_s) * (any - along * glm::dot(any, along)),
-                         number()});
+        waves.push_back(
+            {turns, 0.25 * static_cast<double>(draught.speed_m_per_s) * (any - along * glm::dot(any, along)),
+             number()});
     }
     std::vector<float> speeds;
     speeds.reserve(size_t{3} * box.cells.x * box.cells.y * box.cells.z);
@@ -180,7 +180,7 @@ std::vector<float> stirred_air(const smoke::Box& box, const smoke::SmokeStyle& s
             for (uint32_t y = 0; y < box.cells.y; ++y) {
                 for (uint32_t x = 0; x < box.cells.x; ++x) {
                     const glm::dvec3 place = (glm::dvec3(x, y, z) + 0.5) / glm::dvec3(box.cells);
-                    auto speed = static_cast<double>(draught.wind_m_s[axis]);
+                    auto speed = static_cast<double>(draught.wind_m_per_s[axis]);
                     for (const Wave& wave : waves) {
                         speed += wave.swing[axis] * std::sin(2.0 * std::numbers::pi *
                                                              (glm::dot(wave.turns, place) + wave.phase));

@@ -18,10 +18,10 @@ namespace estampe::features {
 
 /// How fast smoke goes through a box.
 struct Draught {
-    float speed_m_s = 1.0F;
+    float speed_m_per_s = 1.0F;
     float width_m = 1.0F;
     float height_m = 1.0F;
-    glm::vec3 wind_m_s{0.0F}; ///< in the grid's axes
+    glm::vec3 wind_m_per_s{0.0F}; ///< in the grid's axes
 };
 
 [[nodiscard]] Draught draught_of(const smoke::Box& box, const smoke::SmokeStyle& style);

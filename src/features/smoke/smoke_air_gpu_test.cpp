@@ -143,8 +143,8 @@ TEST(SmokeAir, OutsideAirMakesNoCloud)
 TEST(SmokeAir, WindBlowsItOutByTheLeeSideAndNoneComesBack)
 {
     const smoke::Box small = box_of(0.6F);
-    const auto columns = [&](float wind_m_s, double steps_a_second) {
-        const smoke::SmokeStyle style{.wind_m_s = wind_m_s};
+    const auto columns = [&](float wind_m_per_s, double steps_a_second) {
+        const smoke::SmokeStyle style{.wind_m_per_s = wind_m_per_s};
         fluid::Fluid fluid(test::shared_device(), grid_of(small), 2, stirred_air(small, style));
         fluid.set_shapes({}, std::vector{source_of(small, style)});
         const std::vector<float> end = quantities_after(fluid, solving(small, style, 1.0 / steps_a_second),
@@ -160,11 +160,11 @@ TEST(SmokeAir, WindBlowsItOutByTheLeeSideAndNoneComesBack)
                std::accumulate(amounts.begin(), amounts.end(), 0.0);
     };
     EXPECT_EQ(steps_per_s(small, {}), 24.0);
-    EXPECT_EQ(steps_per_s(box, {.wind_m_s = 2.0F}), 24.0) << "2 m wide";
-    for (const float wind_m_s : {1.0F, 2.0F, 4.0F}) {
-        const auto amounts = columns(wind_m_s, steps_per_s(small, {.wind_m_s = wind_m_s}));
-        EXPECT_LT(share(amounts, 0, 5), 0.04) << wind_m_s;
-        EXPECT_GT(share(amounts, 9, 14), 0.3) << wind_m_s;
+    EXPECT_EQ(steps_per_s(box, {.wind_m_per_s = 2.0F}), 24.0) << "2 m wide";
+    for (const float wind_m_per_s : {1.0F, 2.0F, 4.0F}) {
+        const auto amounts = columns(wind_m_per_s, steps_per_s(small, {.wind_m_per_s = wind_m_per_s}));
+        EXPECT_LT(share(amounts, 0, 5), 0.04) << wind_m_per_s;
+        EXPECT_GT(share(amounts, 9, 14), 0.3) << wind_m_per_s;
     }
     EXPECT_GT(share(columns(4.0F, 24.0), 0, 5), 0.1) << "what longer steps do";
 }

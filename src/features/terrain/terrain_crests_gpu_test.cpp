@@ -51,7 +51,7 @@ double fall(const Terrain& terrain, const glm::dvec2& place)
 VectorDrawing drawn_crests(const Scene& scene, const std::vector<std::string>& assignments)
 {
     Style style;
-    for (const char* const setting : {"hatch.drawn=false", "paper.margin_mm=0", "contour.wobble_mm=0"}) {
+    for (const char* const setting : {"hatch.enabled=false", "paper.margin_mm=0", "contour.wobble_mm=0"}) {
         style.set(setting);
     }
     for (const std::string& assignment : assignments) {
@@ -118,8 +118,8 @@ TEST(TerrainCrests, MissNoBrink)
 TEST(TerrainCrests, AreLeftToTheStyle)
 {
     const Scene scene = crested_dunes();
-    EXPECT_TRUE(crest_places(scene, drawn_crests(scene, {"contour.crest_mm=0"})).empty());
-    EXPECT_TRUE(crest_places(scene, drawn_crests(scene, {"contour.crest_deg=60"})).empty());
+    EXPECT_TRUE(crest_places(scene, drawn_crests(scene, {"contour.crest.enabled=false"})).empty());
+    EXPECT_TRUE(crest_places(scene, drawn_crests(scene, {"contour.crest.angle_deg=60"})).empty());
 }
 
 } // namespace

@@ -29,9 +29,9 @@ Scene ridge(const std::string& rest)
 Style plain(const char* setting = nullptr)
 {
     Style style;
-    for (const char* const each :
-         {"hatch.drawn=false", "contour.drawn=false", "sky.mode=paper", "paper.margin_mm=0", "paper.grain=0",
-          "paper.granulation=0", "haze.mode=none", "paper.ink_break=0", "drift.width_mm=2"}) {
+    for (const char* const each : {"hatch.enabled=false", "contour.enabled=false", "sky.enabled=false",
+                                   "paper.margin_mm=0", "paper.grain=0", "paper.granulation=0",
+                                   "haze.enabled=false", "paper.ink_break=0", "drift.width_mm=2"}) {
         style.set(each);
     }
     if (setting != nullptr) {
@@ -85,8 +85,8 @@ Image drawn_drift(const Scene& scene, const Camera& camera, const Style& style, 
 /// slip face, or where they are not wanted.
 TEST(Drift, FliesOffTheBrinkWithTheWind)
 {
-    const Scene windy = ridge("[wind]\nspeed_m_s = 9\n");
-    const Image none = drawn_drift(windy, from_the_side(-30.0), plain("drift.mode=none"));
+    const Scene windy = ridge("[wind]\nspeed_m_per_s = 9\n");
+    const Image none = drawn_drift(windy, from_the_side(-30.0), plain("drift.enabled=false"));
     const Image with = drawn_drift(windy, from_the_side(-30.0), plain());
     const Difference sand = between(with, none);
     EXPECT_GT(sand.pixels, 150U);
@@ -94,39 +94,39 @@ TEST(Drift, FliesOffTheBrinkWithTheWind)
     EXPECT_GT(sand.most_x_m, 8.0);
     EXPECT_TRUE(with == drawn_drift(windy, from_the_side(-30.0), plain()));
     EXPECT_GT(between(with, drawn_drift(windy, from_the_side(-30.0), plain(), 0.3)).pixels, 100U);
-    const Image still = drawn_drift(ridge("[wind]\nspeed_m_s = 5\n"), from_the_side(-30.0), plain());
+    const Image still = drawn_drift(ridge("[wind]\nspeed_m_per_s = 5\n"), from_the_side(-30.0), plain());
     EXPECT_TRUE(still == none);
-    const Scene wanted = ridge("[wind]\nspeed_m_s = 5\n");
-    EXPECT_GT(between(drawn_drift(wanted, from_the_side(-30.0), plain("drift.mode=drawn")), none).pixels,
+    const Scene wanted = ridge("[wind]\nspeed_m_per_s = 5\n");
+    EXPECT_GT(between(drawn_drift(wanted, from_the_side(-30.0), plain("drift.enabled=true")), none).pixels,
               100U);
     const Scene level = [] {
         Scene scene{.materials = {Material{}}};
         scene.terrain =
-            Terrain(parse_terrain("[terrain]\nheight = 'x * 0'\n[wind]\nspeed_m_s = 9\n", "level.toml"));
+            Terrain(parse_terrain("[terrain]\nheight = 'x * 0'\n[wind]\nspeed_m_per_s = 9\n", "level.toml"));
         return scene;
     }();
     EXPECT_TRUE(drawn_drift(level, from_the_side(-30.0), plain()) ==
-                drawn_drift(level, from_the_side(-30.0), plain("drift.mode=none")));
+                drawn_drift(level, from_the_side(-30.0), plain("drift.enabled=false")));
 }
 
 /// What stands before it hides it: from under the slip face, which the eye is in, none is seen.
 TEST(Drift, IsHiddenByWhatStandsBefore)
 {
-    const Scene windy = ridge("[wind]\nspeed_m_s = 9\n");
+    const Scene windy = ridge("[wind]\nspeed_m_per_s = 9\n");
     Camera from_windward{.eye = {-60.0, 3.0, 0.0}, .target = {0.0, 3.0, 0.0}};
     from_windward.orthographic_half_height_m = 2.5; // ground all over: the rise
     EXPECT_TRUE(drawn_drift(windy, from_windward, plain()) ==
-                drawn_drift(windy, from_windward, plain("drift.mode=none")));
+                drawn_drift(windy, from_windward, plain("drift.enabled=false")));
 }
 
 /// Streaks stay where they are when the eye goes by a whole number of cells of their field. One in parallel
 /// projection sees them in the same pixels from farther off.
 TEST(Drift, StaysInItsPlace)
 {
-    const Scene windy = ridge("[wind]\nspeed_m_s = 9\n");
+    const Scene windy = ridge("[wind]\nspeed_m_per_s = 9\n");
     const auto sand_seen = [&](double z_m, double time_s) {
         const Image with = drawn_drift(windy, from_the_side(z_m), plain("drift.width_mm=0.8"), time_s);
-        const Image none = drawn_drift(windy, from_the_side(z_m), plain("drift.mode=none"), time_s);
+        const Image none = drawn_drift(windy, from_the_side(z_m), plain("drift.enabled=false"), time_s);
         std::vector<bool> seen(size_t{drift_page.width} * drift_page.height);
         for (size_t i = 0; i < seen.size(); ++i) {
             seen[i] = std::abs(with.rgba[4 * i] - none.rgba[4 * i]) > 8;

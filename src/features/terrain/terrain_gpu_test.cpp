@@ -36,8 +36,8 @@ Style sunlight_alone(float elevation_deg)
 {
     Style style;
     for (const char* const setting :
-         {"hatch.drawn=false", "contour.drawn=false", "sky.mode=paper", "paper.margin_mm=0", "paper.grain=0",
-          "paper.granulation=0", "light.sun_azimuth_deg=90", "light.source=sun"}) {
+         {"hatch.enabled=false", "contour.enabled=false", "sky.enabled=false", "paper.margin_mm=0",
+          "paper.grain=0", "paper.granulation=0", "light.sun_azimuth_deg=90", "light.source=sun"}) {
         style.set(setting);
     }
     style.set("light.sun_elevation_deg=" + std::to_string(elevation_deg));
@@ -243,7 +243,7 @@ TEST(TerrainPictures, AnObjectIsRaised)
     lifted.nodes[0].transform.translation.y = 3.0;
     const Camera camera{.eye = {12.0, 9.0, 14.0}, .target = {0.0, 3.0, 0.0}};
     Style style = sunlight_alone(60.0F);
-    style.set("picture.ground=none");
+    style.set("picture.ground=false");
     style.set("light.shadows=false");
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(scene);

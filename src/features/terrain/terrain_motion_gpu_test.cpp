@@ -27,9 +27,9 @@ Style unshadowed_light_alone()
 {
     Style style;
     for (const char* const setting :
-         {"hatch.drawn=false", "contour.drawn=false", "sky.mode=paper", "paper.margin_mm=0", "paper.grain=0",
-          "paper.granulation=0", "light.source=sun", "light.sun_azimuth_deg=70", "light.sun_elevation_deg=30",
-          "light.shadows=false", "haze.mode=none"}) {
+         {"hatch.enabled=false", "contour.enabled=false", "sky.enabled=false", "paper.margin_mm=0",
+          "paper.grain=0", "paper.granulation=0", "light.source=sun", "light.sun_azimuth_deg=70",
+          "light.sun_elevation_deg=30", "light.shadows=false", "haze.enabled=false"}) {
         style.set(setting);
     }
     return style;

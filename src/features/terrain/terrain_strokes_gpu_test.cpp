@@ -29,10 +29,10 @@ Image strokes_from_above(const Scene& scene, const char* coordinates)
 {
     Style style;
     for (const char* const each :
-         {"contour.drawn=false", "sky.mode=paper", "paper.margin_mm=0", "paper.grain=0",
-          "paper.granulation=0", "haze.mode=none", "paper.ink_break=0", "hatch.layers=1", "hatch.wobble_mm=0",
-          "wash.strength=0", "drift.mode=none", "light.sun_elevation_deg=90", "tone.exposure=0.4",
-          "paper.height_mm=20", "hatch.gap_mm=0", "hatch.width_mm=0.8"}) {
+         {"contour.enabled=false", "sky.enabled=false", "paper.margin_mm=0", "paper.grain=0",
+          "paper.granulation=0", "haze.enabled=false", "paper.ink_break=0", "hatch.layers=1",
+          "hatch.wobble_mm=0", "wash.strength=0", "drift.enabled=false", "light.sun_elevation_deg=90",
+          "tone.exposure=0.4", "paper.height_mm=20", "hatch.gap_mm=0", "hatch.width_mm=0.8"}) {
         style.set(each);
     }
     style.set(std::string("hatch.coordinates=") + coordinates);

@@ -40,12 +40,12 @@ shared::BleedConstants constants_of(const BleedInputs& in, const BleedStyle& sty
 uint32_t reach_px(const BleedStyle& style, float pixels_per_mm)
 {
     const float radius_px = std::ceil(sigmas_taken_in * sigma_px(style, pixels_per_mm));
-    return style.width_mm > 0.0F ? static_cast<uint32_t>(radius_px) : 0U;
+    return style.enabled ? static_cast<uint32_t>(radius_px) : 0U;
 }
 
 gpu::ImageId add_bleed(gpu::Graph& graph, const BleedInputs& in, const BleedStyle& style)
 {
-    if (style.width_mm <= 0.0F) {
+    if (!style.enabled) {
         return in.hatch;
     }
     const shared::BleedConstants constants = constants_of(in, style);
@@ -67,9 +67,11 @@ const style::Table<BleedStyle>& bleed_table()
 {
     static const auto table =
         style::Table<BleedStyle>("bleed", "Ink bleed: ink that runs into corners and narrow gaps")
-            .number("width_mm", &BleedStyle::width_mm, {0.0F, 3.0F}, "mm",
+            .toggle("enabled", &BleedStyle::enabled,
+                    "Turns ink bleed on: ink runs into corners and narrow gaps")
+            .number("width_mm", &BleedStyle::width_mm, {0.02F, 3.0F}, "mm",
                     "How far ink runs on the page: more fills corners further, and closes gaps of up to "
-                    "three quarters of this width between solid black. 0 turns ink bleed off.")
+                    "three quarters of this width between solid black")
             .number("contrast", &BleedStyle::contrast, {1.0F, 20.0F}, "",
                     "Sharpness of the edge of the ink that ran: less is soft, more is crisp")
             .number("level", &BleedStyle::level, {0.1F, 0.9F}, "",

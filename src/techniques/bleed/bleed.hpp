@@ -10,7 +10,8 @@
 namespace estampe::bleed {
 
 struct BleedStyle {
-    float width_mm = 0.0F;
+    bool enabled = false;
+    float width_mm = 0.25F;
     float contrast = 6.0F;
     float level = 0.45F;
 };

@@ -84,14 +84,14 @@ TEST(Bleed, LeavesBarePaperBareAndFullInkFull)
     full.hatch = [](glm::uvec2) { return 1.0F; };
     for (const float contrast : {1.0F, 6.0F, 20.0F}) {
         for (const float level : {0.1F, 0.45F, 0.9F}) {
-            const BleedStyle style{.width_mm = 1.0F, .contrast = contrast, .level = level};
+            const BleedStyle style{.enabled = true, .width_mm = 1.0F, .contrast = contrast, .level = level};
             EXPECT_EQ(std::ranges::max(ink_on({}, style)), 0.0F);
             EXPECT_EQ(std::ranges::min(ink_on(full, style)), 1.0F);
         }
     }
     Page lines;
     lines.lines = full.hatch;
-    EXPECT_EQ(std::ranges::min(ink_on(lines, {.width_mm = 1.0F})), 1.0F);
+    EXPECT_EQ(std::ranges::min(ink_on(lines, {.enabled = true, .width_mm = 1.0F})), 1.0F);
 }
 
 TEST(Bleed, FadesOutBelowAPixel)
@@ -99,7 +99,7 @@ TEST(Bleed, FadesOutBelowAPixel)
     Page tone; // of strokes finer than pixels
     tone.hatch = [](glm::uvec2) { return 0.6F; };
     const auto ink = [&](float width_px) {
-        return at(ink_on(tone, {.width_mm = width_px / pixels_per_mm}), 40, 30);
+        return at(ink_on(tone, {.enabled = true, .width_mm = width_px / pixels_per_mm}), 40, 30);
     };
     EXPECT_NEAR(ink(0.1F), 0.6F, half_step);
     EXPECT_NEAR(ink(1.0F), 0.6F, half_step);
@@ -115,7 +115,7 @@ TEST(Bleed, KeepsALoneHairlineAsItIs)
     lines.lines = strokes.hatch;
     for (const Page& page : {strokes, lines}) {
         const auto before = ink_on(page, {});
-        const auto after = ink_on(page, {.width_mm = 1.0F});
+        const auto after = ink_on(page, {.enabled = true, .width_mm = 1.0F});
         EXPECT_GT(std::ranges::max(before), 0.7F);
         for (size_t i = 0; i < before.size(); ++i) {
             EXPECT_NEAR(after[i], before[i], half_step);
@@ -130,7 +130,7 @@ TEST(Bleed, ClosesNarrowGapsAndLeavesWideOnes)
         Page page;
         page.hatch = bar(48.0F - 0.5F * gap_px - 10.0F, 48.0F - 0.5F * gap_px);
         page.lines = bar(48.0F + 0.5F * gap_px, 48.0F + 0.5F * gap_px + 10.0F);
-        return at(ink_on(page, {.width_mm = 2.0F}), 47, 32);
+        return at(ink_on(page, {.enabled = true, .width_mm = 2.0F}), 47, 32);
     };
     EXPECT_EQ(ink_between(4.0F), 1.0F);
     EXPECT_GT(ink_between(6.0F), 0.5F);
@@ -143,7 +143,7 @@ TEST(Bleed, IsBlurAndContrastByTheFormula)
     // Over the long edge of a half-plane of ink, Gauss's integral.
     Page page;
     page.hatch = bar(-1.0F, 48.0F);
-    const BleedStyle style{.width_mm = 2.0F, .contrast = 1.5F, .level = 0.4F};
+    const BleedStyle style{.enabled = true, .width_mm = 2.0F, .contrast = 1.5F, .level = 0.4F};
     const auto ink = ink_on(page, style);
     for (uint32_t x = 48; x < 72; ++x) {
         const double sigmas = (x + 0.5 - 48.0) / 5.0;
@@ -177,7 +177,7 @@ TEST(Bleed, RoundsOffAcuteCornersTheMoreTheWiderItRuns)
     uint32_t last_tip = tip(sharp);
     uint32_t last_blunt = paper_across(sharp, last_tip + 2);
     for (const float width_mm : {0.8F, 1.6F, 3.0F}) {
-        const auto filled = ink_on(page, {.width_mm = width_mm});
+        const auto filled = ink_on(page, {.enabled = true, .width_mm = width_mm});
         const uint32_t here = tip(filled);
         EXPECT_GE(here, last_tip + 1) << width_mm;
         EXPECT_LT(here, 40U) << "the corner alone";
@@ -196,7 +196,7 @@ TEST(Bleed, RunsFartherFromThinStrokesAtALowerLevel)
     page.lines = ray({6.0F, 32.0F}, 20.0F, 1.5F);
     const auto inked = [&](float level) {
         double sum = 0.0;
-        for (const float ink : ink_on(page, {.width_mm = 1.2F, .level = level})) {
+        for (const float ink : ink_on(page, {.enabled = true, .width_mm = 1.2F, .level = level})) {
             sum += ink;
         }
         return sum;
@@ -222,7 +222,7 @@ TEST(Bleed, MirrorsWithThePageAndTakesNoInkAway)
                 return of[from.y * size_px.x + from.x];
             };
         };
-        const BleedStyle style{.width_mm = 0.1F + 2.5F * share(random), .level = 0.2F};
+        const BleedStyle style{.enabled = true, .width_mm = 0.1F + 2.5F * share(random), .level = 0.2F};
         const auto before = ink_on({painter(hatch, false), painter(lines, false)}, {});
         const auto after = ink_on({painter(hatch, false), painter(lines, false)}, style);
         const auto turned = ink_on({painter(hatch, true), painter(lines, true)}, style);

@@ -33,7 +33,7 @@ constexpr float longest_step_s = 1.0F / 30.0F; // a longer one is taken for that
 /// Whether wind keeps all sheets awake: a breath of it moves nothing of note.
 bool blows(const Surroundings& now)
 {
-    return now.air_kg_m3 > 0.0F && now.wind.speed_m_s > shared::cloth_breath_m_s;
+    return now.air_kg_m3 > 0.0F && now.wind.speed_m_per_s > shared::cloth_breath_m_per_s;
 }
 
 /// Without where the numbers of its grid begin.
@@ -70,7 +70,7 @@ glm::vec3 direction_of(const WindStyle& wind)
 bool are_other(const Surroundings& now, const Surroundings& before)
 {
     return before.gravity_m_s2 != now.gravity_m_s2 || before.effort != now.effort ||
-           before.rest_m_s != now.rest_m_s;
+           before.rest_m_per_s != now.rest_m_per_s;
 }
 
 } // namespace
@@ -157,7 +157,7 @@ void Cloths::fill_runs(const Surroundings& surroundings, uint32_t count)
                                  kind.solver->relaxations > 0 ? 1U : small_steps(kind, surroundings),
                              .collider_count = static_cast<uint32_t>(met_.size()),
                              .collider_stride = moves ? static_cast<uint32_t>(met_.size()) : 0,
-                             .wind_m_s = wind.speed_m_s * direction_of(wind),
+                             .wind_m_per_s = wind.speed_m_per_s * direction_of(wind),
                              .ahead_m = static_cast<float>(surroundings.ahead_m) * direction_of(wind),
                              .gustiness = wind.gustiness,
                              .gust_m = wind.gust_m,
@@ -165,9 +165,10 @@ void Cloths::fill_runs(const Surroundings& surroundings, uint32_t count)
                              .eddy_m = wind.eddy_m,
                              .time_s = static_cast<float>(surroundings.time_s),
                              .air_kg_m3 = surroundings.air_kg_m3,
-                             .most_speed_m_s = 60.0F,
+                             .most_speed_m_per_s = 60.0F,
                              .origin_m = glm::vec3(surroundings.origin_m),
-                             .rest_m_s = surroundings.rest_m_s > 0.0F ? surroundings.rest_m_s : -1.0F,
+                             .rest_m_per_s =
+                                 surroundings.rest_m_per_s > 0.0F ? surroundings.rest_m_per_s : -1.0F,
                              .roused_steps = roused_steps,
                              .bodies_move = bodies_move_ ? 1U : 0U,
                              .flow_count = static_cast<uint32_t>(flows_.size()),
@@ -379,8 +380,9 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
         (std::ranges::any_of(met_, is_of_grid) ? shared::cloth_bit_grids : 0U) |
         (std::ranges::any_of(met_, is_seen) ? shared::cloth_bit_seen : 0U) |
         (flows_.empty() ? 0U : shared::cloth_bit_flow) | (has_half_held_ ? shared::cloth_bit_half_held : 0U) |
-        (wind.speed_m_s > 0.0F && (wind.gustiness > 0.0F || wind.turbulence > 0.0F) ? shared::cloth_bit_gusts
-                                                                                    : 0U);
+        (wind.speed_m_per_s > 0.0F && (wind.gustiness > 0.0F || wind.turbulence > 0.0F)
+             ? shared::cloth_bit_gusts
+             : 0U);
     std::optional<gpu::BufferId> awake; // of large sheets
     for (Kind& kind : kinds_) {
         constexpr uint32_t changing = shared::cloth_bit_colliders | shared::cloth_bit_grids |

@@ -40,8 +40,8 @@ SHARED_CONSTANT uint cloth_met_words = 32U; // of 32 solids each, at most: of th
 SHARED_CONSTANT uint cloth_most_flows = 8U;
 SHARED_CONSTANT uint cloth_torn_bits = 64U;  // of each particle of a sheet that may tear, see cloth_torn.glsl
 SHARED_CONSTANT uint cloth_torn_cells = 32U; // where of a grid those of cells begin
-SHARED_CONSTANT float cloth_breath_m_s = 0.05F; // what blows less moves nothing of note
-SHARED_CONSTANT float cloth_rest_s = 0.5F;      // a sheet that has been calm for so long rests
+SHARED_CONSTANT float cloth_breath_m_per_s = 0.05F; // what blows less moves nothing of note
+SHARED_CONSTANT float cloth_rest_s = 0.5F;          // a sheet that has been calm for so long rests
 
 // A particle's mass is shared among its links: those to direct neighbours have so much more than far ones.
 SHARED_CONSTANT float cloth_near_share = 3.0F;
@@ -114,7 +114,7 @@ struct ClothRun {
     uint small_steps; // a step is cut into
     uint collider_count;
     uint collider_stride; // from the beginning of the run to its end, 0 where all stand still
-    vec3 wind_m_s;
+    vec3 wind_m_per_s;
     vec3 ahead_m;     // that it has blown farther than that times the time
     float gustiness;  // share of the speed that comes and goes
     float gust_m;     // from one gust to the next, about
@@ -122,11 +122,11 @@ struct ClothRun {
     float eddy_m;     // their size
     float time_s;     // of the first step's beginning
     float air_kg_m3;
-    float most_speed_m_s;
-    vec3 origin_m;     // of places, in that of the wind
-    float rest_m_s;    // what is slower is calm; negative: nothing is
-    uint roused_steps; // in so many no sheet rests, whatever it does
-    uint bodies_move;  // otherwise than their solids do
+    float most_speed_m_per_s;
+    vec3 origin_m;      // of places, in that of the wind
+    float rest_m_per_s; // what is slower is calm; negative: nothing is
+    uint roused_steps;  // in so many no sheet rests, whatever it does
+    uint bodies_move;   // otherwise than their solids do
     uint flow_count;
     ClothFlow flows[cloth_most_flows];
     ClothSheet lone_sheet;

@@ -22,11 +22,11 @@ struct Surroundings {
     double time_s = 0.0;          ///< at the beginning of the run, for the wind
     glm::vec3 gravity_m_s2{0.0F, -9.81F, 0.0F};
     float air_kg_m3 = 1.2F;
-    WindStyle wind{.speed_m_s = 0.0F};
-    double ahead_m = 0.0;     ///< that it has blown farther than its speed times the time
-    glm::dvec3 origin_m{0.0}; ///< of places, in the world
-    float effort = 1.0F;      ///< see ClothStyle
-    float rest_m_s = 5e-3F;   ///< see ClothStyle::rest_mm_s
+    WindStyle wind{.speed_m_per_s = 0.0F};
+    double ahead_m = 0.0;       ///< that it has blown farther than its speed times the time
+    glm::dvec3 origin_m{0.0};   ///< of places, in the world
+    float effort = 1.0F;        ///< see ClothStyle
+    float rest_m_per_s = 5e-3F; ///< see ClothStyle::rest_mm_per_s
 };
 
 /// A triangle of a sheet as whoever draws it numbers it.

@@ -120,7 +120,7 @@ State blown(const Sheet& sheet, bool is_wide)
     Lab lab(sheet);
     lab.cloths().set_wide(test::shared_device(), is_wide);
     lab.air.air_kg_m3 = 1.2F;
-    lab.air.wind = {.speed_m_s = 5.0F, .direction_deg = 80.0F};
+    lab.air.wind = {.speed_m_per_s = 5.0F, .direction_deg = 80.0F};
     State state;
     for (int i = 0; i < 10; ++i) {
         const float way_m = 0.03F * static_cast<float>(i);
@@ -148,7 +148,7 @@ TEST(Cloth, IsOnAProcessorWhatItIsOnAGpu)
         const State by_few = blown(sheet, false);
         const State by_many = blown(sheet, true);
         EXPECT_TRUE(by_many.places_m == by_few.places_m) << sheet.rest_m.size();
-        EXPECT_TRUE(by_many.speeds_m_s == by_few.speeds_m_s) << sheet.rest_m.size();
+        EXPECT_TRUE(by_many.speeds_m_per_s == by_few.speeds_m_per_s) << sheet.rest_m.size();
         EXPECT_GT(glm::distance(by_few.places_m.back(), glm::dvec3(sheet.rest_m.back())), 0.05) << "it blows";
     }
 }
@@ -230,11 +230,11 @@ TEST(Cloth, BallPushedThroughIsNeverWithin)
     sheet.held[23] = 1.0F;
     Lab lab(sheet);
     constexpr float radius_m = 0.2F;
-    constexpr float speed_m_s = 5.0F;
+    constexpr float speed_m_per_s = 5.0F;
     lab.cloths().set_solids(test::shared_device(), std::array{ball({0.5F, -0.5F, -0.6F}, radius_m)});
     double deepest_m = 0.0;
     for (int step = 1; step <= 40; ++step) {
-        const glm::vec3 centre(0.5F, -0.5F, -0.6F + speed_m_s * static_cast<float>(step) / 120.0F);
+        const glm::vec3 centre(0.5F, -0.5F, -0.6F + speed_m_per_s * static_cast<float>(step) / 120.0F);
         lab.cloths().set_solids(test::shared_device(), std::array{ball(centre, radius_m)});
         for (const glm::dvec3& place : lab.run(1.0 / 120.0).places_m) {
             deepest_m = std::max(deepest_m, radius_m - glm::distance(place, glm::dvec3(centre)));
@@ -318,7 +318,7 @@ TEST(Cloth, SettlesAgainAfterATeleportAndAStall)
         const auto strained = strains(sheet, state);
         EXPECT_LE(strained.back(), 0.05);
         for (size_t i = 0; i < state.places_m.size(); ++i) {
-            EXPECT_LE(glm::length(state.speeds_m_s[i]), 0.3);
+            EXPECT_LE(glm::length(state.speeds_m_per_s[i]), 0.3);
             EXPECT_LE(std::abs(state.places_m[i].x - 100.0 - sheet.rest_m[i].x), 0.1);
         }
     };
@@ -340,7 +340,7 @@ TEST(Cloth, MirroredSetUpsGiveMirroredResults)
         sheet.held[0] = 1.0F;
         Lab lab(sheet);
         lab.air.air_kg_m3 = 1.2F;
-        lab.air.wind = {.speed_m_s = 3.0F,
+        lab.air.wind = {.speed_m_per_s = 3.0F,
                         .direction_deg = side > 0.0F ? 50.0F : 130.0F,
                         .gustiness = 0.0F,
                         .turbulence = 0.0F};
@@ -362,7 +362,7 @@ TEST(Cloth, SameRunsGiveSameBytes)
         sheet.held[0] = 1.0F;
         Lab lab(sheet);
         lab.air.air_kg_m3 = 1.2F;
-        lab.air.wind = {.speed_m_s = 6.0F};
+        lab.air.wind = {.speed_m_per_s = 6.0F};
         return lab.run(1.0).places_m;
     };
     EXPECT_EQ(run(), run());

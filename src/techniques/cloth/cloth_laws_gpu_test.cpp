@@ -61,7 +61,7 @@ TEST(ClothLaws, FreeSheetFalls)
         const double small_s = 1.0 / (120.0 * 4.0);
         const double exact_m = -0.5 * gravity_m_s2 * seconds * (seconds + small_s);
         ASSERT_NEAR(state.places_m[i].y, exact_m, 1e-4 * gravity_m_s2 * seconds * seconds);
-        ASSERT_NEAR(state.speeds_m_s[i].y, -gravity_m_s2 * seconds, 2e-3);
+        ASSERT_NEAR(state.speeds_m_per_s[i].y, -gravity_m_s2 * seconds, 2e-3);
     }
 }
 
@@ -122,10 +122,10 @@ TEST(ClothLaws, FreeSheetKeepsItsMomentum)
         const auto masses = build_structure(sheet).masses_kg;
         for (size_t i = 0; i < masses.size(); ++i) {
             const double mass = masses[i];
-            change += mass * (end.speeds_m_s[i] - begin.speeds_m_s[i]);
-            spin_before += mass * glm::cross(begin.places_m[i], begin.speeds_m_s[i]);
-            spin_after += mass * glm::cross(end.places_m[i], end.speeds_m_s[i]);
-            quickest = std::max(quickest, glm::length(begin.speeds_m_s[i]));
+            change += mass * (end.speeds_m_per_s[i] - begin.speeds_m_per_s[i]);
+            spin_before += mass * glm::cross(begin.places_m[i], begin.speeds_m_per_s[i]);
+            spin_after += mass * glm::cross(end.places_m[i], end.speeds_m_per_s[i]);
+            quickest = std::max(quickest, glm::length(begin.speeds_m_per_s[i]));
         }
         EXPECT_GT(quickest, 0.01) << is_grid;
         EXPECT_LE(glm::length(change), 1e-5) << is_grid;
@@ -147,7 +147,7 @@ TEST(ClothLaws, EnergyNeverGrowsWithoutWind)
         double energy_j = 0.0;
         for (size_t k = 0; k < masses.size(); ++k) {
             if (sheet.held[k] < 1.0F) {
-                energy_j += masses[k] * (0.5 * glm::dot(state.speeds_m_s[k], state.speeds_m_s[k]) +
+                energy_j += masses[k] * (0.5 * glm::dot(state.speeds_m_per_s[k], state.speeds_m_per_s[k]) +
                                          gravity_m_s2 * state.places_m[k].y);
             }
         }
@@ -171,7 +171,7 @@ TEST(ClothLaws, PendulumKeepsItsEnergy)
         for (int i = 0; i < samples; ++i) {
             const State state = lab.run(5.0 / 120.0);
             EXPECT_NEAR(glm::length(state.places_m[1]), 1.0, 4e-3);
-            sum += 0.5 * glm::dot(state.speeds_m_s[1], state.speeds_m_s[1]) +
+            sum += 0.5 * glm::dot(state.speeds_m_per_s[1], state.speeds_m_per_s[1]) +
                    gravity_m_s2 * (1.0 + glm::dot(state.places_m[1], up));
         }
         return sum / samples;
@@ -192,13 +192,13 @@ TEST(ClothLaws, HoursLeaveItAsItWas)
     }
     Lab lab(sheet);
     lab.air.air_kg_m3 = 1.2F;
-    lab.air.wind = {.speed_m_s = 9.0F};
+    lab.air.wind = {.speed_m_per_s = 9.0F};
     const int minutes = std::getenv("ESTAMPE_LONG") != nullptr ? 120 : 1;
     for (int minute = 0; minute < minutes; ++minute) {
         const State state = lab.run(60.0);
         for (size_t i = 0; i < state.places_m.size(); ++i) {
             ASSERT_LE(glm::distance(state.places_m[i], glm::dvec3(0.0)), 1.5) << minute; // no number is not
-            ASSERT_LE(glm::length(state.speeds_m_s[i]), 30.0) << minute;
+            ASSERT_LE(glm::length(state.speeds_m_per_s[i]), 30.0) << minute;
         }
         ASSERT_LE(strains(sheet, state).back(), 0.25) << minute; // so coarse, a gale stretches it
     }
@@ -216,12 +216,12 @@ TEST(ClothLaws, FallingSheetReachesItsTerminalSpeed)
         Lab lab(sheet);
         lab.air.air_kg_m3 = 1.2F;
         const State state = lab.run(3.0);
-        const double exact_m_s = std::sqrt(2.0 * 0.15 * gravity_m_s2 / (1.2 * 1.3));
-        double mean_m_s = 0.0;
-        for (const glm::dvec3& speed : state.speeds_m_s) {
-            mean_m_s -= speed.y / static_cast<double>(state.speeds_m_s.size());
+        const double exact_m_per_s = std::sqrt(2.0 * 0.15 * gravity_m_s2 / (1.2 * 1.3));
+        double mean_m_per_s = 0.0;
+        for (const glm::dvec3& speed : state.speeds_m_per_s) {
+            mean_m_per_s -= speed.y / static_cast<double>(state.speeds_m_per_s.size());
         }
-        EXPECT_NEAR(mean_m_s, exact_m_s, 0.02 * exact_m_s) << is_grid;
+        EXPECT_NEAR(mean_m_per_s, exact_m_per_s, 0.02 * exact_m_per_s) << is_grid;
     }
 }
 

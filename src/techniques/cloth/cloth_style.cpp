@@ -13,13 +13,13 @@ const style::Table<WindStyle>& wind_table()
                 "from", &WindStyle::from,
                 {{"auto", WindSource::automatic}, {"style", WindSource::style}, {"smoke", WindSource::smoke}},
                 "Source of the wind on cloth. auto: the terrain, or the style if there is none; style: "
-                "wind.speed_m_s and wind.direction_deg; smoke: the air of the smoke within smoke boxes, "
+                "wind.speed_m_per_s and wind.direction_deg; smoke: the air of the smoke within smoke boxes, "
                 "elsewhere as with style.")
-            .number("speed_m_s", &WindStyle::speed_m_s, {0.0F, 60.0F}, "m/s",
+            .number("speed_m_per_s", &WindStyle::speed_m_per_s, {0.0F, 60.0F}, "m/s",
                     "Mean speed of the wind on cloth: 0 is still air, 4 a breeze, 15 a storm. Not used when "
                     "wind.from is auto and the scene has a terrain.")
             .number("blown_m", &WindStyle::blown_m, {-1.0F, 1e7F}, "m",
-                    "Distance that the wind has blown already, for films in which wind.speed_m_s changes "
+                    "Distance that the wind has blown already, for films in which wind.speed_m_per_s changes "
                     "from frame to frame: without it, gusts would leap. -1 takes speed times time.")
             .number("direction_deg", &WindStyle::direction_deg, {-360.0F, 360.0F}, "deg",
                     "Direction towards which the wind on cloth blows: 0 is +x, 90 is +z. Not used when "
@@ -46,7 +46,7 @@ const style::Table<ClothStyle>& cloth_table()
                     "since it was laid out")
             .number("effort", &ClothStyle::effort, {0.25F, 8.0F}, "",
                     "Number of simulation steps for cloth, as a factor: more stretches less and takes longer")
-            .number("rest_mm_s", &ClothStyle::rest_mm_s, {0.0F, 100.0F}, "mm/s",
+            .number("rest_mm_per_s", &ClothStyle::rest_mm_per_s, {0.0F, 100.0F}, "mm/s",
                     "Speed below which cloth comes to rest after half a second in still air, until something "
                     "moves the cloth. 0 lets no cloth rest.")
             .choice(

@@ -12,7 +12,7 @@ enum class WindSource : uint8_t { automatic, style, smoke };
 /// The wind that moves cloth.
 struct WindStyle {
     WindSource from = WindSource::automatic;
-    float speed_m_s = 4.0F;
+    float speed_m_per_s = 4.0F;
     float blown_m = -1.0F;
     float direction_deg = 20.0F;
     float gustiness = 0.35F;
@@ -30,7 +30,7 @@ enum class ClothBodies : uint8_t { capsules, depth };
 struct ClothStyle {
     float settle_s = 3.0F;
     float effort = 1.0F;
-    float rest_mm_s = 5.0F;
+    float rest_mm_per_s = 5.0F;
     ClothBodies bodies = ClothBodies::capsules;
 
     bool operator==(const ClothStyle&) const = default;

@@ -19,7 +19,7 @@ inline constexpr double gravity_m_s2 = 9.81;
 
 struct State {
     std::vector<glm::dvec3> places_m;
-    std::vector<glm::dvec3> speeds_m_s;
+    std::vector<glm::dvec3> speeds_m_per_s;
     float calm_s = 0.0F; ///< how long all of it has been
 };
 
@@ -80,7 +80,7 @@ private:
         State state{.calm_s = shared::cloth_rest_s};
         for (size_t i = 0; i < sheet_.rest_m.size(); ++i) {
             state.places_m.emplace_back(glm::vec3(test::items_of<glm::vec4>(bytes[0])[i]));
-            state.speeds_m_s.emplace_back(glm::vec3(test::items_of<glm::vec4>(bytes[1])[i]));
+            state.speeds_m_per_s.emplace_back(glm::vec3(test::items_of<glm::vec4>(bytes[1])[i]));
             state.calm_s = std::min(state.calm_s, test::items_of<glm::vec4>(bytes[1])[i].w);
         }
         return state;

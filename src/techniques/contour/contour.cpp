@@ -21,80 +21,70 @@ namespace {
 
 using ContourTable = style::Table<ContourStyle>;
 
-void add_width_keys(ContourTable& table)
+void add_line_keys(ContourTable& table, const LineKind& kind, const char* lines)
 {
-    table
-        .number("outline_mm", &ContourStyle::outline_mm, {0.0F, 20.0F}, "mm",
-                "Width of outlines, around objects and in front of what lies behind. 0 draws none.")
-        .number("boundary_mm", &ContourStyle::boundary_mm, {0.0F, 20.0F}, "mm",
-                "Width of lines between two materials. 0 draws none.")
-        .number("crease_mm", &ContourStyle::crease_mm, {0.0F, 20.0F}, "mm",
-                "Width of lines along sharp folds (creases). 0 draws none.")
-        .number("crease_deg", &ContourStyle::crease_deg, {1.0F, 180.0F}, "deg",
-                "Angle between two faces from which their fold counts as sharp: less draws more lines")
-        .number("marked_mm", &ContourStyle::marked_mm, {0.0F, 20.0F}, "mm",
-                "Width of lines along edges that a glTF file marks, instead of other folds and borders of "
-                "that mesh. 0 ignores the marks. Only used when contour.lines is chains.")
-        .number("ridge_mm", &ContourStyle::ridge_mm, {0.0F, 20.0F}, "mm",
-                "Width of ridge lines, along rounded folds that point outwards. 0 draws none. Only used when "
-                "contour.lines is chains.")
-        .number("valley_mm", &ContourStyle::valley_mm, {0.0F, 20.0F}, "mm",
-                "Width of valley lines, along rounded folds that point inwards. 0 draws none. Only used when "
-                "contour.lines is chains.")
-        .number("ridge_deg", &ContourStyle::ridge_deg, {0.5F, 180.0F}, "deg",
-                "How sharply a surface must bend for ridges and valleys: its turn over a hundredth of the "
-                "object's size. Less draws more lines. Only used when contour.lines is chains.")
-        .number("suggestive_mm", &ContourStyle::suggestive_mm, {0.0F, 20.0F}, "mm",
-                "Width of suggestive contours: lines where an outline would appear if the eye moved. 0 draws "
-                "none. Only used when contour.lines is chains.")
-        .number("suggestive_growth", &ContourStyle::suggestive_growth, {0.0F, 10000.0F}, "",
-                "How quickly a surface must start to bend towards the eye for a suggestive contour, whatever "
-                "the object's size: less draws more lines. Only used when contour.lines is chains.")
-        .number("suggestive_deg", &ContourStyle::suggestive_deg, {1.0F, 89.0F}, "deg",
-                "Smallest angle between the view and the surface normal for a suggestive contour: more "
-                "leaves out surfaces that face the eye. Only used when contour.lines is chains.")
-        .number("crest_mm", &ContourStyle::crest_mm, {0.0F, 20.0F}, "mm",
-                "Width of lines along the crests of dunes, which are drawn even from above. 0 draws none. "
-                "Only used when contour.lines is chains.")
-        .number("crest_deg", &ContourStyle::crest_deg, {0.5F, 89.0F}, "deg",
-                "How sharply the ground must bend at a crest, across the wind and within one cell of its "
-                "mesh: less draws more lines. Only used when contour.lines is chains.")
-        .number("intersection_mm", &ContourStyle::intersection_mm, {0.0F, 20.0F}, "mm",
-                "Width of lines where surfaces pass through each other. 0 draws none. Only used when "
-                "contour.lines is chains.")
-        .number("shadow_mm", &ContourStyle::shadow_mm, {0.0F, 20.0F}, "mm",
-                "Width of lines along the edges of the sun's shadows. 0 draws none. Only used when "
-                "contour.lines is chains.")
+    const std::string name = kind.name;
+    const auto of = [&](auto LineStyle::*member) { return style::within(kind.style, member); };
+    table.toggle(name + ".enabled", of(&LineStyle::enabled), fmt::format("Turns {} on", lines))
+        .number(name + ".width_mm", of(&LineStyle::width_mm), {0.02F, 20.0F}, "mm",
+                fmt::format("Width of lines {} on the page", kind.place))
         .number(
-            "depth_step", &ContourStyle::depth_step, {0.05F, 100.0F}, "",
-            "Step in depth from which a surface gets an outline against the surface behind: less draws more "
-            "lines. Only used when contour.lines is page, and for shapes cut out by a texture's alpha.");
+            name + ".width_m", of(&LineStyle::width_m), {0.0F, 1000.0F}, "m",
+            fmt::format("Width of lines {} in the scene, so that near lines are wider. 0 takes "
+                        "contour.{}.width_mm, a width on the page. Only used when contour.lines is chains.",
+                        kind.place, name))
+        .file_or_name(name + ".brush", of(&LineStyle::brush), brush_names(),
+                      fmt::format("Tool that draws lines {}, with the values of contour.brush. An empty "
+                                  "text takes contour.brush. Only used when contour.lines is chains.",
+                                  kind.place));
 }
 
-/// Calls `add` for every kind of line that has its own keys.
-template <typename Add>
-void for_each_line_name(const Add& add)
+void add_kind_keys(ContourTable& table)
 {
-    for (uint32_t kind = 0; kind < shared::line_kind_count; ++kind) {
-        if (kind != shared::line_border) { // borders use the keys of outlines
-            add(line_kind_keys.at(kind));
-        }
-    }
+    const auto add = [&table](uint32_t kind, const char* lines) {
+        add_line_keys(table, line_kinds.at(kind), lines);
+    };
+    add(shared::line_silhouette, "outlines, around objects and in front of what lies behind,");
+    add(shared::line_boundary, "lines between two materials");
+    add(shared::line_crease, "lines along sharp folds (creases)");
+    table.number("crease.angle_deg", &ContourStyle::crease_deg, {1.0F, 180.0F}, "deg",
+                 "Angle between two faces from which their fold counts as sharp: less draws more lines");
+    add(shared::line_marked,
+        "lines along edges that a glTF file marks, instead of other folds and borders of "
+        "that mesh,");
+    add(shared::line_ridge, "ridge lines, along rounded folds that point outwards,");
+    table.number("ridge.turn_deg", &ContourStyle::ridge_deg, {0.5F, 180.0F}, "deg",
+                 "How sharply a surface must bend for ridges and valleys: its turn over a hundredth of the "
+                 "object's size. Less draws more lines. Only used when contour.lines is chains.");
+    add(shared::line_valley, "valley lines, along rounded folds that point inwards,");
+    add(shared::line_suggestive,
+        "suggestive contours, lines where an outline would appear if the eye moved,");
+    table
+        .number("suggestive.growth", &ContourStyle::suggestive_growth, {0.0F, 10000.0F}, "",
+                "How quickly a surface must start to bend towards the eye for a suggestive contour, whatever "
+                "the object's size: less draws more lines. Only used when contour.lines is chains.")
+        .number("suggestive.angle_deg", &ContourStyle::suggestive_deg, {1.0F, 89.0F}, "deg",
+                "Smallest angle between the view and the surface normal for a suggestive contour: more "
+                "leaves out surfaces that face the eye. Only used when contour.lines is chains.");
+    add(shared::line_crest, "lines along the crests of dunes, even seen from above,");
+    table.number("crest.angle_deg", &ContourStyle::crest_deg, {0.5F, 89.0F}, "deg",
+                 "How sharply the ground must bend at a crest, across the wind and within one cell of its "
+                 "mesh: less draws more lines. Only used when contour.lines is chains.");
+    add(shared::line_intersection, "lines where surfaces pass through each other");
+    add(shared::line_shadow, "lines along the edges of the sun's shadows");
 }
 
 void add_brush_keys(ContourTable& table)
 {
-    table.file_or_name(
-        "brush", &ContourStyle::brush, brush_names(),
-        "Tool that draws ink lines: pen, pencil, charcoal, brush, or a PNG of one stroke from left to right, "
-        "in its alpha or black on white. Only used when contour.lines is chains.");
-    for_each_line_name([&](const LineKindKeys& keys) {
-        table.file_or_name(fmt::format("{}_brush", keys.name), keys.brush, brush_names(),
-                           fmt::format("Tool that draws lines {}, with the values of contour.brush. An empty "
-                                       "text takes contour.brush. Only used when contour.lines is chains.",
-                                       keys.place));
-    });
     table
+        .number(
+            "depth_step", &ContourStyle::depth_step, {0.05F, 100.0F}, "",
+            "Step in depth from which a surface gets an outline against the surface behind: less draws more "
+            "lines. Only used when contour.lines is page, and for shapes cut out by a texture's alpha.")
+        .file_or_name(
+            "brush", &ContourStyle::brush, brush_names(),
+            "Tool that draws ink lines: pen, pencil, charcoal, brush, or a PNG of one stroke from left "
+            "to right, in its alpha or black on white. Only used when contour.lines is chains.")
         .choice(
             "brush_fit", &ContourStyle::brush_fit,
             {{"repeat", BrushFit::repeat}, {"stretch", BrushFit::stretch}},
@@ -103,13 +93,6 @@ void add_brush_keys(ContourTable& table)
         .number("brush_mm", &ContourStyle::brush_mm, {0.0F, 1000.0F}, "mm",
                 "Length after which a brush repeats along a stroke: more stretches its picture. 0 takes the "
                 "natural length at the line's width. Only used when contour.brush_fit is repeat.");
-    for_each_line_name([&](const LineKindKeys& keys) {
-        table.number(
-            fmt::format("{}_m", keys.name), keys.width_m, {0.0F, 1000.0F}, "m",
-            fmt::format("Width of lines {} in the scene, so that near lines are wider. 0 takes "
-                        "contour.{}_mm, a width on the page. Only used when contour.lines is chains.",
-                        keys.place, keys.name));
-    });
 }
 
 void add_hand_keys(ContourTable& table)
@@ -156,17 +139,18 @@ void add_hand_keys(ContourTable& table)
 
 void add_hidden_keys(ContourTable& table)
 {
+    const auto of = [](auto HiddenStyle::*member) { return style::within(&ContourStyle::hidden, member); };
     table
-        .choice("hidden", &ContourStyle::hidden, {{"none", Hidden::none}, {"dashed", Hidden::dashed}},
-                "Lines behind other surfaces. none: not drawn; dashed: drawn with dashes, as in a technical "
-                "drawing. Only used when contour.lines is chains.")
-        .number("hidden_mm", &ContourStyle::hidden_mm, {0.0F, 20.0F}, "mm",
-                "Width of hidden lines. Only used when contour.hidden is dashed.")
-        .number("hidden_dash_mm", &ContourStyle::hidden_dash_mm, {0.1F, 100.0F}, "mm",
-                "Length of the dashes of hidden lines. Only used when contour.hidden is dashed.")
-        .number("hidden_gap_mm", &ContourStyle::hidden_gap_mm, {0.1F, 100.0F}, "mm",
-                "Length of the gaps between the dashes of hidden lines. Only used when contour.hidden is "
-                "dashed.");
+        .toggle("hidden.enabled", of(&HiddenStyle::enabled),
+                "Draws lines behind other surfaces with dashes, as in a technical drawing. Only used when "
+                "contour.lines is chains.")
+        .number("hidden.width_mm", of(&HiddenStyle::width_mm), {0.02F, 20.0F}, "mm",
+                "Width of hidden lines. Only used when contour.hidden.enabled is true.")
+        .number("hidden.dash_mm", of(&HiddenStyle::dash_mm), {0.1F, 100.0F}, "mm",
+                "Length of the dashes of hidden lines. Only used when contour.hidden.enabled is true.")
+        .number("hidden.gap_mm", of(&HiddenStyle::gap_mm), {0.1F, 100.0F}, "mm",
+                "Length of the gaps between the dashes of hidden lines. Only used when "
+                "contour.hidden.enabled is true.");
 }
 
 } // namespace
@@ -175,7 +159,7 @@ const style::Table<ContourStyle>& contour_table()
 {
     static const ContourTable table = [] {
         ContourTable made("contour", "Ink lines: outlines, folds, and where surfaces meet");
-        made.toggle("drawn", &ContourStyle::drawn,
+        made.toggle("enabled", &ContourStyle::enabled,
                     "Turns ink lines on: outlines, folds, material boundaries and other contours")
             .choice("lines", &ContourStyle::lines, {{"chains", Lines::chains}, {"page", Lines::page}},
                     "How ink lines are found. chains: along the edges of the mesh, as whole strokes; page: "
@@ -187,15 +171,14 @@ const style::Table<ContourStyle>& contour_table()
             .color(
                 "ink", &ContourStyle::ink,
                 "Colour of the ink lines. A toon material with an outline of its own keeps its own colour.");
-        add_width_keys(made);
         add_brush_keys(made);
+        add_kind_keys(made);
         add_hand_keys(made);
         add_hidden_keys(made);
-        made.integer("seed", &ContourStyle::seed, {0, 1000000}, "",
-                     "Random seed of the ink lines: another value draws them with another hand");
-        made.by_surface({"drawn", "ink"});
-        for (const LineKindKeys& keys : line_kind_keys) {
-            made.by_surface({fmt::format("{}_mm", keys.name), fmt::format("{}_m", keys.name)});
+        made.by_surface({"enabled", "ink"});
+        for (const LineKind& kind : line_kinds) {
+            made.by_surface({fmt::format("{}.enabled", kind.name), fmt::format("{}.width_mm", kind.name),
+                             fmt::format("{}.width_m", kind.name)});
         }
         return made;
     }();
@@ -228,11 +211,11 @@ Seeds add_seeds(gpu::Graph& graph, const ContourInputs& in, const ContourStyle& 
         detect.write(graph.buffer("contour/edges", {.size_bytes = capacity * sizeof(shared::EdgePixel)}));
     const gpu::ImageId nearest = detect.write(graph.image(
         "contour/nearest", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r32ui}));
-    const float on = style.drawn ? in.pixels_per_mm : 0.0F;
+    const float on = style.enabled ? in.pixels_per_mm : 0.0F;
     detect
-        .push(shared::EdgeConstants{.outline_px = style.outline_mm * on,
-                                    .boundary_px = style.boundary_mm * on,
-                                    .crease_px = style.crease_mm * on,
+        .push(shared::EdgeConstants{.outline_px = width_on_page_mm(style, shared::line_silhouette) * on,
+                                    .boundary_px = width_on_page_mm(style, shared::line_boundary) * on,
+                                    .crease_px = width_on_page_mm(style, shared::line_crease) * on,
                                     .crease_cosine = std::cos(glm::radians(style.crease_deg)),
                                     .depth_step = 12.0F * style.depth_step * in.pixel_m_at_one,
                                     .capacity = capacity})
@@ -269,7 +252,9 @@ gpu::ImageId add_flood(gpu::Graph& graph, gpu::ImageId nearest, glm::uvec2 size_
 /// Half of the widest line's width, plus a pixel.
 float half_widest_px(const ContourStyle& style, float pixels_per_mm)
 {
-    const float widest_mm = std::max({style.outline_mm, style.boundary_mm, style.crease_mm});
+    const float widest_mm = std::max({width_on_page_mm(style, shared::line_silhouette),
+                                      width_on_page_mm(style, shared::line_boundary),
+                                      width_on_page_mm(style, shared::line_crease)});
     return 0.5F * widest_mm * pixels_per_mm * most_swelling + 1.0F;
 }
 
@@ -283,7 +268,7 @@ uint32_t first_step_px(float reach)
 
 uint32_t reach_px(const ContourStyle& style, float pixels_per_mm)
 {
-    return style.drawn ? 2 * first_step_px(half_widest_px(style, pixels_per_mm)) : 0;
+    return style.enabled ? 2 * first_step_px(half_widest_px(style, pixels_per_mm)) : 0;
 }
 
 gpu::ImageId add_contours(gpu::Graph& graph, const ContourInputs& in, const ContourStyle& style)

@@ -26,52 +26,46 @@ enum class PressureFrom : uint8_t { light, turn, both };
 
 enum class Joints : uint8_t { round, mitre };
 
-enum class Hidden : uint8_t { none, dashed };
+/// What each kind of line has.
+struct LineStyle {
+    bool enabled = true;
+    float width_mm = 0.24F; ///< on the page
+    float width_m = 0.0F;   ///< in the scene; unless 0, replaces the width on the page
+    std::string brush;      ///< empty uses ContourStyle::brush
+};
+
+/// Lines behind other surfaces, drawn with dashes.
+struct HiddenStyle {
+    bool enabled = false;
+    float width_mm = 0.2F;
+    float dash_mm = 1.6F;
+    float gap_mm = 1.2F;
+};
 
 struct ContourStyle {
-    bool drawn = true;
+    bool enabled = true;
     Lines lines = Lines::chains;
     Silhouettes silhouettes = Silhouettes::smooth;
     glm::vec3 ink = style::srgb(0x141318);
-    float outline_mm = 0.58F; ///< width on the page; line_kind_keys lists the settings of each kind of line
-    float boundary_mm = 0.24F;
-    float crease_mm = 0.2F;
+    LineStyle outline{.width_mm = 0.58F};
+    LineStyle border;
+    LineStyle crease{.width_mm = 0.2F};
     float crease_deg = 60.0F;
-    float marked_mm = 0.24F;
-    float ridge_mm = 0.0F;
-    float valley_mm = 0.0F;
+    LineStyle marked;
+    LineStyle ridge{.enabled = false};
+    LineStyle valley{.enabled = false};
     float ridge_deg = 15.0F;
-    float suggestive_mm = 0.0F;
+    LineStyle suggestive{.enabled = false};
     float suggestive_growth = 15.0F;
     float suggestive_deg = 20.0F;
-    float crest_mm = 0.3F;
+    LineStyle crest{.width_mm = 0.3F};
     float crest_deg = 3.0F;
-    float intersection_mm = 0.24F;
-    float shadow_mm = 0.0F;
+    LineStyle intersection;
+    LineStyle shadow_edge{.enabled = false};
     float depth_step = 1.0F;
     std::string brush = "pen";
-    std::string outline_brush;      ///< brush of outlines; empty uses `brush`
-    std::string boundary_brush;     ///< brush of boundaries; empty uses `brush`
-    std::string crease_brush;       ///< brush of creases; empty uses `brush`
-    std::string marked_brush;       ///< brush of marked edges; empty uses `brush`
-    std::string ridge_brush;        ///< brush of ridges; empty uses `brush`
-    std::string valley_brush;       ///< brush of valleys; empty uses `brush`
-    std::string suggestive_brush;   ///< brush of suggestive contours; empty uses `brush`
-    std::string crest_brush;        ///< brush of crests; empty uses `brush`
-    std::string intersection_brush; ///< brush of intersections; empty uses `brush`
-    std::string shadow_brush;       ///< brush of edges of shadows; empty uses `brush`
     BrushFit brush_fit = BrushFit::repeat;
     float brush_mm = 0.0F;
-    float outline_m = 0.0F; ///< width in the scene; unless 0, replaces the width on the page
-    float boundary_m = 0.0F;
-    float crease_m = 0.0F;
-    float marked_m = 0.0F;
-    float ridge_m = 0.0F;
-    float valley_m = 0.0F;
-    float suggestive_m = 0.0F;
-    float crest_m = 0.0F;
-    float intersection_m = 0.0F;
-    float shadow_m = 0.0F;
     Joints joints = Joints::round;
     float pressure = 0.65F;
     PressureFrom pressure_from = PressureFrom::light;
@@ -84,61 +78,49 @@ struct ContourStyle {
     float jitter_ends_mm = 0.0F;
     float jitter_offset_mm = 0.0F;
     float jitter_width = 0.0F;
-    Hidden hidden = Hidden::none;
-    float hidden_mm = 0.2F;
-    float hidden_dash_mm = 1.6F;
-    float hidden_gap_mm = 1.2F;
+    HiddenStyle hidden;
     int seed = 1;
 };
 
-/// Settings that each kind of line has.
-struct LineKindKeys {
-    const char* name;  ///< prefix of the style keys
-    const char* place; ///< where such lines run, for help: "lines around objects"
-    float ContourStyle::*width_mm;
-    float ContourStyle::*width_m;
-    std::string ContourStyle::*brush;
+/// A kind of line in the style: its table and its help.
+struct LineKind {
+    const char* name;  ///< of the table: [contour.outline]
+    const char* place; ///< where such lines run: "lines around objects"
+    LineStyle ContourStyle::*style;
 };
 
-/// Indexed by kind of line: shared::line_silhouette and so on.
-inline constexpr std::array<LineKindKeys, shared::line_kind_count> line_kind_keys{{
-    {"outline", "around objects", &ContourStyle::outline_mm, &ContourStyle::outline_m,
-     &ContourStyle::outline_brush},
-    {"outline", "where surfaces end", &ContourStyle::outline_mm, &ContourStyle::outline_m,
-     &ContourStyle::outline_brush},
-    {"boundary", "between materials", &ContourStyle::boundary_mm, &ContourStyle::boundary_m,
-     &ContourStyle::boundary_brush},
-    {"crease", "along sharp folds", &ContourStyle::crease_mm, &ContourStyle::crease_m,
-     &ContourStyle::crease_brush},
-    {"marked", "along marked edges", &ContourStyle::marked_mm, &ContourStyle::marked_m,
-     &ContourStyle::marked_brush},
-    {"ridge", "along ridges", &ContourStyle::ridge_mm, &ContourStyle::ridge_m, &ContourStyle::ridge_brush},
-    {"valley", "along valleys", &ContourStyle::valley_mm, &ContourStyle::valley_m,
-     &ContourStyle::valley_brush},
-    {"suggestive", "along suggestive contours", &ContourStyle::suggestive_mm, &ContourStyle::suggestive_m,
-     &ContourStyle::suggestive_brush},
-    {"crest", "along crests of dunes", &ContourStyle::crest_mm, &ContourStyle::crest_m,
-     &ContourStyle::crest_brush},
-    {"intersection", "where surfaces pass through each other", &ContourStyle::intersection_mm,
-     &ContourStyle::intersection_m, &ContourStyle::intersection_brush},
-    {"shadow", "along edges of the sun's shadows", &ContourStyle::shadow_mm, &ContourStyle::shadow_m,
-     &ContourStyle::shadow_brush},
-}};
+/// Indexed by kind of line: shared::line_silhouette and so on. Silhouettes and the open edges of a mesh
+/// (shared::line_border) are both outlines to who draws; what the style calls a border divides materials
+/// (shared::line_boundary).
+inline constexpr std::array<LineKind, shared::line_kind_count> line_kinds{
+    {{"outline", "around objects", &ContourStyle::outline},
+     {"outline", "where surfaces end", &ContourStyle::outline},
+     {"border", "between materials", &ContourStyle::border},
+     {"crease", "along sharp folds", &ContourStyle::crease},
+     {"marked", "along marked edges", &ContourStyle::marked},
+     {"ridge", "along ridges", &ContourStyle::ridge},
+     {"valley", "along valleys", &ContourStyle::valley},
+     {"suggestive", "along suggestive contours", &ContourStyle::suggestive},
+     {"crest", "along crests of dunes", &ContourStyle::crest},
+     {"intersection", "where surfaces pass through each other", &ContourStyle::intersection},
+     {"shadow_edge", "along edges of the sun's shadows", &ContourStyle::shadow_edge}}};
 
-/// Whether a style draws a kind of line, because it has a width on the page or in the scene.
-[[nodiscard]] inline bool has_lines(const ContourStyle& style, uint32_t kind)
+[[nodiscard]] inline const LineStyle& line_style(const ContourStyle& style, uint32_t kind)
 {
-    const LineKindKeys& keys = line_kind_keys.at(kind);
-    return style.*keys.width_mm > 0.0F || style.*keys.width_m > 0.0F;
+    return style.*line_kinds.at(kind).style;
 }
 
-/// Width of a kind of line on the page. Hidden lines and the length of a brush need it, because they ignore
-/// widths in the scene. If the style has only a width in the scene, a usual width; 0 if it has none.
+[[nodiscard]] inline bool has_lines(const ContourStyle& style, uint32_t kind)
+{
+    return line_style(style, kind).enabled;
+}
+
+/// Width of a kind of line on the page, 0 if the style does not draw it. Hidden lines and the length of a
+/// brush need it, because they ignore widths in the scene.
 [[nodiscard]] inline float width_on_page_mm(const ContourStyle& style, uint32_t kind)
 {
-    constexpr float usual_mm = 0.3F;
-    const float width_mm = style.*line_kind_keys.at(kind).width_mm;
-    return width_mm > 0.0F || !has_lines(style, kind) ? width_mm : usual_mm;
+    const LineStyle& line = line_style(style, kind);
+    return line.enabled ? line.width_mm : 0.0F;
 }
 
 /// Names of the built-in brushes; any other name is the path of a picture.

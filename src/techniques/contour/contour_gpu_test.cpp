@@ -21,7 +21,7 @@ ContourStyle even_lines(float width_px)
 {
     ContourStyle style;
     style.lines = Lines::page;
-    style.outline_mm = style.boundary_mm = style.crease_mm = width_px;
+    style.outline.width_mm = style.border.width_mm = style.crease.width_mm = width_px;
     style.pressure = 0.0F;
     style.distance_thinning = 0.0F;
     return style;
@@ -139,7 +139,7 @@ TEST(Contour, OneObjectBeforeAnotherIsOutlined)
                           glm::uvec2(side_px));
     EXPECT_GT(Ink(drawing, even_lines(2.0F)).inside(5), 200.0);
     ContourStyle none = even_lines(2.0F);
-    none.drawn = false;
+    none.enabled = false;
     EXPECT_EQ(Ink(drawing, none).total(), 0.0);
 }
 

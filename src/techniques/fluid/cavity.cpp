@@ -120,7 +120,7 @@ Grid cavity_grid(uint32_t side_cells)
 {
     return {.cells = {side_cells, side_cells, 1},
             .cell_m = 1.0F / static_cast<float>(side_cells),
-            .lid_m_s = {1.0F, 0.0F, 0.0F}};
+            .lid_m_per_s = {1.0F, 0.0F, 0.0F}};
 }
 
 CavityFit cavity_fit(const Grid& grid, std::span<const float> velocity, int reynolds)

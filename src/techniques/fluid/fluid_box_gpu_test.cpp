@@ -84,7 +84,7 @@ TEST(FluidBox, AirAtOpenEndsTakesUpTheWind)
     Fluid fluid(test::shared_device(), grid);
     FluidStyle style{.step_s = 0.05F, .stepping = Stepping::project};
     style.forces.rim = {.breadth_m = 0.4F, .share_per_s = 10.0F};
-    style.forces.outside_m_s = {0.8F, 0.0F, 0.3F};
+    style.forces.outside_m_per_s = {0.8F, 0.0F, 0.3F};
     const auto velocity = velocity_after(fluid, style, 40);
     EXPECT_NEAR(number_at(velocity, 0, {8, 15, 8}), 0.8F, 0.05F);
     EXPECT_NEAR(number_at(velocity, 2, {8, 15, 8}), 0.3F, 0.05F);

@@ -26,7 +26,7 @@ shared::FluidGrid grid_constants(const Grid& grid)
             .depth = grid.cells.z,
             .texel_x = 1.0F / static_cast<float>(grid.cells.x),
             .texel_y = 1.0F / static_cast<float>(grid.cells.y),
-            .lid_speed = {grid.lid_m_s.x, 0.0F, grid.lid_m_s.z}};
+            .lid_speed = {grid.lid_m_per_s.x, 0.0F, grid.lid_m_per_s.z}};
 }
 
 uint32_t grid_bits(const Grid& grid)

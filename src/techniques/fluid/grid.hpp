@@ -26,7 +26,7 @@ struct Grid {
     glm::uvec3 cells{0, 0, 1}; ///< 4 to 4096 along x and y; along z 1 for two dimensions, or 4 to 256
     float cell_m = 1.0F;
     std::array<Edge, 3> edges{Edge::no_slip, Edge::no_slip, Edge::no_slip};
-    glm::vec3 lid_m_s{0.0F}; ///< of the wall at the high end of y, along itself
+    glm::vec3 lid_m_per_s{0.0F}; ///< of the wall at the high end of y, along itself
 
     [[nodiscard]] bool is_volume() const { return cells.z > 1; }
 

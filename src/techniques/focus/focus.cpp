@@ -50,7 +50,7 @@ glm::vec2 middle_px(const FocusStyle& style, const Window& window)
 std::vector<shared::FocusLine> focus_lines(const FocusStyle& style, const Window& window, float pixels_per_mm,
                                            double time_s)
 {
-    if (!style.drawn) {
+    if (!style.enabled) {
         return {};
     }
     const glm::vec2 middle = middle_px(style, window);
@@ -100,8 +100,8 @@ gpu::ImageId add_focus(gpu::Graph& graph, const FocusInputs& in, const FocusStyl
 const style::Table<FocusStyle>& focus_table()
 {
     static const auto table =
-        style::Table<FocusStyle>("focus", "Focus lines: wedges that point at what matters, as in manga")
-            .toggle("drawn", &FocusStyle::drawn,
+        style::Table<FocusStyle>("focus_lines", "Focus lines: wedges that point at what matters, as in manga")
+            .toggle("enabled", &FocusStyle::enabled,
                     "Turns focus lines on: wedges from the edge of the picture towards one point")
             .number("x", &FocusStyle::x, {-1.0F, 2.0F}, "",
                     "Horizontal place that focus lines point at: 0 is the left edge of the picture, 1 is the "
@@ -123,9 +123,7 @@ const style::Table<FocusStyle>& focus_table()
             .color("ink", &FocusStyle::ink, "Colour of the ink of focus lines")
             .number("redraws_per_s", &FocusStyle::redraws_per_s, {0.0F, 60.0F}, "",
                     "How often focus lines are redrawn by another hand, per second of a film: 12 flickers as "
-                    "hand animation does. 0 never redraws them.")
-            .integer("seed", &FocusStyle::seed, {0, 1000000}, "",
-                     "Random seed of the focus lines: another value draws other lines");
+                    "hand animation does. 0 never redraws them.");
     return table;
 }
 

@@ -10,7 +10,7 @@
 namespace estampe::focus {
 
 struct FocusStyle {
-    bool drawn = false;
+    bool enabled = false;
     float x = 0.5F;
     float y = 0.5F;
     float clear = 0.75F;

@@ -62,7 +62,7 @@ float covered(const std::vector<shared::FocusLine>& lines, const glm::vec2& midd
 TEST(Focus, InkIsTheAreaOfAllWedges)
 {
     FocusStyle style;
-    style.drawn = true;
+    style.enabled = true;
     style.clear = 0.3F;
     const auto lines = focus_lines(style, window, pixels_per_mm, 0.0);
     const auto ink = inked(style, glm::vec4(0.0F));
@@ -83,7 +83,7 @@ TEST(Focus, InkIsTheAreaOfAllWedges)
 TEST(Focus, TheDarkerInkStands)
 {
     FocusStyle style;
-    style.drawn = true;
+    style.enabled = true;
     style.ink = {1.0F, 0.0F, 0.0F};
     const glm::vec4 before(0.0F, 1.0F, 0.0F, 0.6F);
     size_t red = 0;

@@ -15,7 +15,7 @@ constexpr float pixels_per_mm = 2.0F;
 FocusStyle drawn()
 {
     FocusStyle style;
-    style.drawn = true;
+    style.enabled = true;
     return style;
 }
 

@@ -98,8 +98,8 @@ shared::LineConstants line_constants(const HatchInputs& in, const HatchStyle& st
             .cell_px = style.length_mm * in.pixels_per_mm,
             .pressure = style.pressure,
             .growth = style.growth,
-            .black_above = style.drawn ? style.black_above : 2.0F,
-            .layers = style.drawn ? static_cast<uint32_t>(style.layers) : 0U,
+            .black_above = style.enabled ? style.black_above : 2.0F,
+            .layers = style.enabled ? static_cast<uint32_t>(style.layers) : 0U,
             .seed = layer.seed,
             .flat_axis_0 = layer.flat_axis,
             .flat_axis_1 = turned(style.slant_deg + 62.0F),
@@ -217,11 +217,11 @@ namespace {
 gpu::ImageId add_look(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style)
 {
     const Darkness darkness = add_darkness(graph, in, style);
-    if (in.map && style.drawn && style.strokes == Strokes::map) {
+    if (in.map && style.enabled && style.strokes == Strokes::map) {
         return add_map(graph, in, darkness, style);
     }
-    return style.drawn && style.strokes == Strokes::dots ? add_dots(graph, in, darkness, style)
-                                                         : add_lines(graph, in, darkness, style);
+    return style.enabled && style.strokes == Strokes::dots ? add_dots(graph, in, darkness, style)
+                                                           : add_lines(graph, in, darkness, style);
 }
 
 } // namespace
@@ -250,7 +250,7 @@ const style::Table<HatchStyle>& hatch_table()
 {
     static const auto table =
         style::Table<HatchStyle>("hatch", "Hatching: pen strokes that carry the tone")
-            .toggle("drawn", &HatchStyle::drawn,
+            .toggle("enabled", &HatchStyle::enabled,
                     "Turns hatching on: strokes or dots that show light and shade")
             .choice("strokes", &HatchStyle::strokes,
                     {{"lines", Strokes::lines}, {"map", Strokes::map}, {"dots", Strokes::dots}},
@@ -281,9 +281,6 @@ const style::Table<HatchStyle>& hatch_table()
             .number("wind_deg", &HatchStyle::wind_deg, {-360.0F, 360.0F}, "deg",
                     "Bearing towards which the wind of the strokes blows: 0 is +z, 90 is +x. Only used where "
                     "strokes follow the wind.")
-            .text("materials", &HatchStyle::materials,
-                  "What strokes follow on single materials, with the values of hatch.coordinates. Example: "
-                  "\"Skin=form, Sea=wind\".")
             .number("wobble_mm", &HatchStyle::wobble_mm, {0.0F, 5.0F}, "mm",
                     "How far a hatching stroke strays sideways: 0 is ruled, more is a shaky hand. Only used "
                     "when hatch.strokes is lines.")
@@ -336,9 +333,7 @@ const style::Table<HatchStyle>& hatch_table()
             .integer("dots_tones", &HatchStyle::dots_tones, {0, 32}, "",
                      "Number of tones of the screentone, black included, as in bought sheets. 0 varies the "
                      "tone without steps. Only used when hatch.strokes is dots.")
-            .integer("seed", &HatchStyle::seed, {0, 1000000}, "",
-                     "Random seed of the hatching: another value draws other strokes of the same tone")
-            .by_surface_but({"materials"});
+            .by_surface_but({});
     return table;
 }
 

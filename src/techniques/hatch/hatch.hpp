@@ -66,14 +66,13 @@ enum class Coordinates : uint8_t {
 enum class Strokes : uint8_t { lines, map, dots };
 
 struct HatchStyle {
-    bool drawn = true;
+    bool enabled = true;
     Strokes strokes = Strokes::lines;
     float width_mm = 0.27F;
     int layers = 3;
     Coordinates coordinates = Coordinates::automatic;
     float slant_deg = 24.0F;
     float wind_deg = 20.0F;
-    std::string materials;
     float wobble_mm = 0.18F;
     float gap_mm = 0.6F;
     float taper_mm = 2.6F;

@@ -54,9 +54,9 @@ const style::Table<HazeStyle>& haze_table()
 {
     static const auto table =
         style::Table<HazeStyle>("haze", "Haze: distant parts fade into the sky")
-            .choice("mode", &HazeStyle::mode,
-                    {{"auto", HazeMode::automatic}, {"drawn", HazeMode::drawn}, {"none", HazeMode::none}},
-                    "When distant parts fade. drawn: always; none: never; auto: if the scene has a terrain.")
+            .auto_toggle(
+                "enabled", &HazeStyle::enabled,
+                "Lets distant parts fade. true: always; false: never; auto: if the scene has a terrain.")
             .number("start_m", &HazeStyle::start_m, {0.0F, 1e6F}, "m",
                     "Distance up to which the picture is clear of haze")
             .number("reach_m", &HazeStyle::reach_m, {0.01F, 1e6F}, "m",

@@ -11,10 +11,8 @@
 
 namespace estampe::haze {
 
-enum class HazeMode : uint8_t { automatic, drawn, none };
-
 struct HazeStyle {
-    HazeMode mode = HazeMode::automatic;
+    style::AutoToggle enabled = style::AutoToggle::automatic;
     float start_m = 80.0F;
     float reach_m = 700.0F;
     float ink = 3.0F;

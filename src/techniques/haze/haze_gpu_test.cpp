@@ -219,7 +219,7 @@ TEST(Haze, LeavesNoEdgeAtTheHorizon)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(flat_ground());
-    const LayeredImage drawn = renderer.render_layers(from_dune, smooth("haze.mode=auto"), small);
+    const LayeredImage drawn = renderer.render_layers(from_dune, smooth("haze.enabled=auto"), small);
     const auto ground = std::ranges::find(drawn.masks, std::string("terrain"), &PictureMask::name);
     ASSERT_NE(ground, drawn.masks.end());
     // Where the eye's own height is, infinitely far; the ground ends a third of a pixel below.
@@ -259,17 +259,17 @@ TEST(Haze, CostsNothingWhereItIsNotDrawn)
     const auto draw = [&](const Style& style) { return renderer.render(from_dune, style, small); };
     const auto has_pass = [&] { return renderer.graph_dot().find("haze") != std::string::npos; };
     renderer.set_scene(test::scene_of(shapes::box({20.0F, 2.0F, 20.0F})));
-    const Image before = draw(smooth("haze.mode=auto"));
+    const Image before = draw(smooth("haze.enabled=auto"));
     EXPECT_FALSE(has_pass());
-    EXPECT_EQ(draw(smooth("haze.mode=none")).rgba, before.rgba);
-    Style far = smooth("haze.mode=drawn");
+    EXPECT_EQ(draw(smooth("haze.enabled=false")).rgba, before.rgba);
+    Style far = smooth("haze.enabled=true");
     far.set("haze.start_m=1e6");
     EXPECT_EQ(draw(far).rgba, before.rgba);
     EXPECT_TRUE(has_pass());
     renderer.set_scene(flat_ground());
-    std::ignore = draw(smooth("haze.mode=none"));
+    std::ignore = draw(smooth("haze.enabled=false"));
     EXPECT_FALSE(has_pass());
-    std::ignore = draw(smooth("haze.mode=auto"));
+    std::ignore = draw(smooth("haze.enabled=auto"));
     EXPECT_TRUE(has_pass());
 }
 
@@ -293,13 +293,13 @@ TEST(Haze, ThinsPathsAndLeavesOutTheThinnest)
     };
     const std::string near_box = "object 0";
     const std::string far_box = "object 1";
-    EXPECT_GT(width_mm("haze.mode=none", far_box), 0.05F);
-    EXPECT_EQ(width_mm("haze.mode=drawn", near_box), width_mm("haze.mode=none", near_box));
-    const float thinned = width_mm("haze.mode=drawn", far_box) / width_mm("haze.mode=none", far_box);
+    EXPECT_GT(width_mm("haze.enabled=false", far_box), 0.05F);
+    EXPECT_EQ(width_mm("haze.enabled=true", near_box), width_mm("haze.enabled=false", near_box));
+    const float thinned = width_mm("haze.enabled=true", far_box) / width_mm("haze.enabled=false", far_box);
     const auto left_of = [](float away_m) { return std::exp2(-3.0F * (away_m - 80.0F) / 700.0F); };
     EXPECT_LT(thinned, left_of(406.0F));
     EXPECT_GT(thinned, left_of(480.0F));
-    Style thick = smooth("haze.mode=drawn");
+    Style thick = smooth("haze.enabled=true");
     thick.set("haze.reach_m=50");
     const VectorDrawing drawing = renderer.draw_strokes(over, thick, small);
     EXPECT_EQ(std::ranges::count(drawing.objects, far_box), 0);

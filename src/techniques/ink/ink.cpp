@@ -44,11 +44,11 @@ void set_flow(shared::InkGlobals& globals, const InkStyle& style, const Page& pa
     for (size_t i = 0; i < waves.size(); ++i) {
         globals.waves[i] = waves.at(i).wave;
     }
-    globals.wind_mm_s = wind_mm_s(style);
+    globals.wind_mm_per_s = wind_mm_per_s(style);
     const glm::vec3 right = glm::cross(view.forward, view.up);
-    const glm::vec3 blows = globals.wind_mm_s.x * right - globals.wind_mm_s.y * view.up;
+    const glm::vec3 blows = globals.wind_mm_per_s.x * right - globals.wind_mm_per_s.y * view.up;
     globals.wind_axis = page.rad_per_mm * glm::cross(view.forward, blows);
-    globals.map_mm_s = style.flow_mm_s;
+    globals.map_mm_per_s = style.flow_mm_per_s;
 }
 
 void set_look(shared::InkGlobals& globals, const InkStyle& style)
@@ -107,7 +107,7 @@ shared::InkStep step_of(const InkStyle& style, const Waves& waves, const std::ve
     const auto phases = phases_at(waves, time_s);
     std::ranges::copy(phases, step.phases);
     for (size_t i = 0; i < zones.size(); ++i) {
-        step.zone_streams[i] = stream_at(waves, phases, wind_mm_s(style), zones[i].middle_mm);
+        step.zone_streams[i] = stream_at(waves, phases, wind_mm_per_s(style), zones[i].middle_mm);
     }
     return step;
 }
@@ -176,7 +176,7 @@ Plan plan_of(const InkStyle& style, const Page& page, const Time& time, const Vi
     const bool is_around = plan.grid.face_side > 0;
     const std::vector<shared::InkZone> flat_zones = is_around ? std::vector<shared::InkZone>() : zones;
     InkStyle swirling = style;
-    swirling.swirl_mm_s *= 1.0F - style.solved;
+    swirling.swirl_mm_per_s *= 1.0F - style.solved;
     const Waves waves = is_around ? sphere_waves(style, 1.0F / page.rad_per_mm) : page_waves(swirling);
     plan.globals = globals_of(style, page, plan.grid, view, flat_zones);
     set_flow(plan.globals, style, page, view, waves);
@@ -234,7 +234,7 @@ void add_stream(Plan& plan, std::vector<float> stream)
         }
     }
     plan.variant |= shared::ink_has_map;
-    plan.globals.map_mm_s = 1.0F;
+    plan.globals.map_mm_per_s = 1.0F;
     plan.stream = std::move(stream);
 }
 
@@ -295,7 +295,7 @@ void Memory::ensure(gpu::Device& device, const InkStyle& style, const Plan& plan
     if (!plan.stream.empty()) {
         std::vector<float> stream = plan.stream;
         for (size_t i = 0; has_picture && i < stream.size(); ++i) {
-            stream[i] += style.flow_mm_s * map_stream_[i];
+            stream[i] += style.flow_mm_per_s * map_stream_[i];
         }
         map_ = gpu::upload_buffer(device, "ink flow map", stream);
         holds_picture_ = false;

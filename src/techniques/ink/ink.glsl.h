@@ -42,7 +42,7 @@ struct InkZone {
     vec2 middle_mm; // on the page
     float radius_mm;
     float amount; // of what the drawing gives there, how much is taken
-    vec2 velocity_mm_s;
+    vec2 velocity_mm_per_s;
     float turn_rad_s; // about its middle, clockwise on the page
     float gives;      // 0 to 1: ink of its own
 };
@@ -62,10 +62,10 @@ struct InkGlobals {
     float cells_per_px;
     float mm_per_cell;
     float px_per_mm;
-    vec2 wind_mm_s;
+    vec2 wind_mm_per_s;
     float plane_depth; // reversed depth at which ink lies, unless on surfaces
     float drag;        // of what moves by itself, the share that ink follows
-    float map_mm_s;
+    float map_mm_per_s;
     vec2 page_mm;
     // What is given, and where: within the page's margin.
     vec2 window_min_px;

@@ -268,9 +268,9 @@ TEST(InkCamera, HasNoSeamsAroundTheEye)
     InkStyle style = still_ink();
     style.follow = Follow::around;
     style.cell_mm = 2.0F;
-    style.wind_mm_s = 12.0F;
+    style.wind_mm_per_s = 12.0F;
     style.swirl_mm = 60.0F;
-    style.swirl_mm_s = 10.0F;
+    style.swirl_mm_per_s = 10.0F;
     Bench bench({camera_side, camera_side}, start_camera);
     const Grid grid = grid_of(style, bench.page());
     ASSERT_GT(grid.face_side, 60U);

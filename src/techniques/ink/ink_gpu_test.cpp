@@ -32,7 +32,7 @@ TEST(Ink, DriesIntoThePaperWhereItIs)
     InkStyle style = still_ink();
     style.life_s = 1.0F;
     style.soak = 0.5F;
-    style.wind_mm_s = 8.0F;
+    style.wind_mm_per_s = 8.0F;
     style.wind_deg = 0.0F;
     Bench bench({64, 32});
     bench.fill(style,
@@ -135,7 +135,7 @@ InkStyle flood()
     style.amount_per_s = 100.0F;
     style.spot_mm = 4.0F;
     style.spacing_mm = 8.0F;
-    style.swirl_mm_s = 9.0F;
+    style.swirl_mm_per_s = 9.0F;
     style.swirl_mm = 30.0F;
     style.life_s = 3.0F;
     style.age_s = 4.0F;
@@ -167,7 +167,7 @@ TEST(Ink, StaysWithinItsBudget)
 TEST(Ink, ComesOutOfWhatIsDarkInSpots)
 {
     InkStyle style = flood();
-    style.swirl_mm_s = 0.0F;
+    style.swirl_mm_per_s = 0.0F;
     style.spot_mm = 1.0F;
     style.age_s = 1.0F;
     Bench bench({96, 64});

@@ -43,7 +43,7 @@ void main()
     }
     float node_mm = globals.mm_per_cell * float(ink_node_cells);
     vec2 place_mm = (vec2(node) - 1.0) * node_mm - globals.margin_cells * globals.mm_per_cell;
-    float psi = wind_stream(place_mm, globals.wind_mm_s);
+    float psi = wind_stream(place_mm, globals.wind_mm_per_s);
     for (uint i = 0u; i < ink_wave_count; ++i) {
         psi += wave_stream(globals.waves[i].wave.xy, globals.waves[i].amplitude, step.phases[i], place_mm);
     }
@@ -53,8 +53,8 @@ void main()
     if (has_zones) {
         for (uint i = 0u; i < globals.zone_count; ++i) {
             InkZone zone = globals.zones[i];
-            psi = in_zone(psi, place_mm - zone.middle_mm, zone.radius_mm, zone.velocity_mm_s, zone.turn_rad_s,
-                          step.zone_streams[i]);
+            psi = in_zone(psi, place_mm - zone.middle_mm, zone.radius_mm, zone.velocity_mm_per_s,
+                          zone.turn_rad_s, step.zone_streams[i]);
         }
     }
     stream[node.y * count.x + node.x] = psi / (node_mm * node_mm);

@@ -9,7 +9,7 @@ const style::Table<InkStyle>& ink_table()
 {
     static const auto table =
         style::Table<InkStyle>("ink", "Flowing ink: ink that runs out of the drawing in threads and swirls")
-            .toggle("drawn", &InkStyle::drawn,
+            .toggle("enabled", &InkStyle::enabled,
                     "Turns flowing ink on: ink runs out of the drawing in threads and swirls")
             .choice("follow", &InkStyle::follow,
                     {{"page", Follow::page},
@@ -38,14 +38,14 @@ const style::Table<InkStyle>& ink_table()
                     "Distance from one source spot of flowing ink to the next: less gives more threads")
             .number("spot_s", &InkStyle::spot_s, {0.1F, 1000.0F}, "s",
                     "How long a spot gives flowing ink before another takes over: more gives longer threads")
-            .number("wind_mm_s", &InkStyle::wind_mm_s, {0.0F, 500.0F}, "mm/s",
+            .number("wind_mm_per_s", &InkStyle::wind_mm_per_s, {0.0F, 500.0F}, "mm/s",
                     "Speed of the wind that carries all flowing ink over the page")
             .number("wind_deg", &InkStyle::wind_deg, {-360.0F, 360.0F}, "deg",
                     "Direction on the page towards which the wind carries flowing ink: 0 is right, 90 is up")
             .number(
                 "swirl_mm", &InkStyle::swirl_mm, {1.0F, 1000.0F}, "mm",
                 "Size of the largest swirls in flowing ink: less curls in small scrolls, more in wide bends")
-            .number("swirl_mm_s", &InkStyle::swirl_mm_s, {0.0F, 500.0F}, "mm/s",
+            .number("swirl_mm_per_s", &InkStyle::swirl_mm_per_s, {0.0F, 500.0F}, "mm/s",
                     "Speed of the swirls in flowing ink: 0 leaves threads straight, more curls them up")
             .number("turn_s", &InkStyle::turn_s, {0.1F, 1000.0F}, "s",
                     "Time in which a swirl of flowing ink changes: less is restless, more is calm")
@@ -56,7 +56,7 @@ const style::Table<InkStyle>& ink_table()
                 "flow_map", &InkStyle::flow_map,
                 "Picture of directions that carry flowing ink: red to the right, green down, 0.5 not at all")
             .number(
-                "flow_mm_s", &InkStyle::flow_mm_s, {0.0F, 500.0F}, "mm/s",
+                "flow_mm_per_s", &InkStyle::flow_mm_per_s, {0.0F, 500.0F}, "mm/s",
                 "Speed of flowing ink where ink.flow_map has full red or green. Only used with ink.flow_map.")
             .number("drag", &InkStyle::drag, {0.0F, 1.0F}, "",
                     "How far ink that lies on a moving object is taken along: 0 not at all, 1 fully. Not "
@@ -99,9 +99,7 @@ const style::Table<InkStyle>& ink_table()
                 "Side of a cell of the grid on which ink flows, at least one pixel: less is finer and slower")
             .number("oversize", &InkStyle::oversize, {1.0F, 3.0F}, "",
                     "Size of the grid of flowing ink, as a factor of the page: more keeps ink that leaves "
-                    "the view for a while. Only used when ink.follow is turn or advance.")
-            .integer("seed", &InkStyle::seed, {0, 1000000}, "",
-                     "Random seed of flowing ink: another value gives other swirls");
+                    "the view for a while. Only used when ink.follow is turn or advance.");
     return table;
 }
 

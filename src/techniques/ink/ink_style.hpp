@@ -20,7 +20,7 @@ enum class Follow : uint8_t {
 enum class Source : uint8_t { strokes, light, things };
 
 struct InkStyle {
-    bool drawn = false;
+    bool enabled = false;
     Follow follow = Follow::surface;
     Source source = Source::strokes;
     std::string objects = "*";
@@ -29,14 +29,14 @@ struct InkStyle {
     float spot_mm = 1.1F;
     float spacing_mm = 6.5F;
     float spot_s = 4.0F;
-    float wind_mm_s = 18.0F;
+    float wind_mm_per_s = 18.0F;
     float wind_deg = 12.0F;
     float swirl_mm = 60.0F;
-    float swirl_mm_s = 11.0F;
+    float swirl_mm_per_s = 11.0F;
     float turn_s = 5.0F;
     float solved = 0.0F;
     std::string flow_map;
-    float flow_mm_s = 15.0F;
+    float flow_mm_per_s = 15.0F;
     float drag = 0.5F;
     std::string zones;
     float life_s = 3.0F;

@@ -19,10 +19,10 @@ namespace estampe::ink {
 inline InkStyle still_ink()
 {
     InkStyle style;
-    style.drawn = true;
+    style.enabled = true;
     style.amount_per_s = 0.0F;
-    style.wind_mm_s = 0.0F;
-    style.swirl_mm_s = 0.0F;
+    style.wind_mm_per_s = 0.0F;
+    style.swirl_mm_per_s = 0.0F;
     style.life_s = 1e9F;
     style.stain_s = 1e9F;
     style.soak = 0.0F;

@@ -24,14 +24,15 @@ const style::Table<LensStyle>& lens_table()
 {
     static const auto table =
         style::Table<LensStyle>("lens", "Depth of field: a lens that is sharp at one distance")
+            .toggle("enabled", &LensStyle::enabled,
+                    "Turns depth of field on: what is nearer or farther than the focus blurs")
             .choice("mode", &LensStyle::mode,
-                    {{"none", Mode::none},
-                     {"gather", Mode::gather},
+                    {{"gather", Mode::gather},
                      {"separable", Mode::separable},
                      {"mips", Mode::mips},
                      {"sums", Mode::sums},
                      {"circles", Mode::circles}},
-                    "How blur is computed. none: all is sharp; gather: best, with clean edges; separable: "
+                    "How blur is computed. gather: best, with clean edges; separable: "
                     "Gaussian blur; mips, sums: quicker, blur runs over edges; circles: shows the blur "
                     "circles, red in front of the focus and blue behind.")
             .choice("acts_on", &LensStyle::acts_on,
@@ -231,7 +232,7 @@ double circle_mm(double focal_mm, double f_number, double focus_m, double distan
 
 std::optional<shared::LensConstants> lens_on(const LensStyle& style, const LensPage& page)
 {
-    if (style.mode == Mode::none) {
+    if (!style.enabled) {
         return std::nullopt;
     }
     // On the plane in focus the circle is as wide as the aperture where it is infinitely far: by similar
@@ -258,7 +259,7 @@ std::optional<shared::LensConstants> lens_on(const LensStyle& style, const LensP
 
 uint32_t reach_px(const LensStyle& style, float pixels_per_mm)
 {
-    if (style.mode == Mode::none) {
+    if (!style.enabled) {
         return 0;
     }
     // A tile looks as far as the circles of its neighbours reach, in texels that lie on whole blocks.

@@ -12,11 +12,12 @@
 
 namespace estampe::lens {
 
-enum class Mode : uint8_t { none, gather, separable, mips, sums, circles };
+enum class Mode : uint8_t { gather, separable, mips, sums, circles };
 enum class ActsOn : uint8_t { picture, wash, strokes };
 
 struct LensStyle {
-    Mode mode = Mode::none;
+    bool enabled = false;
+    Mode mode = Mode::gather;
     ActsOn acts_on = ActsOn::picture;
     float focal_mm = 50.0F;
     float f_number = 2.8F;

@@ -117,7 +117,7 @@ TEST(LensGpu, KeepsWhatIsInFocusToTheBit)
     page.depth = [](glm::uvec2 p) { return depth_of(0.49F * (2.0F * noise(p, 9) - 1.0F)); };
     const Seen drawn = look(page, {}, Through::nothing);
     for (const Mode mode : blurring) {
-        const Seen seen = look(page, {.mode = mode});
+        const Seen seen = look(page, {.enabled = true, .mode = mode});
         EXPECT_EQ(seen.wash, drawn.wash) << static_cast<int>(mode);
         EXPECT_EQ(seen.hatch, drawn.hatch) << static_cast<int>(mode);
         EXPECT_EQ(seen.lines, drawn.lines) << static_cast<int>(mode);
@@ -134,10 +134,10 @@ TEST(LensGpu, BlursWhatIsNotInFocus)
         return most - least;
     };
     for (const Mode mode : blurring) {
-        const Seen seen = look(page, {.mode = mode});
+        const Seen seen = look(page, {.enabled = true, .mode = mode});
         EXPECT_LT(spread(seen.hatch), 0.5F * spread(drawn.hatch)) << static_cast<int>(mode);
     }
-    const Seen wash_alone = look(page, {.mode = Mode::gather, .acts_on = ActsOn::wash});
+    const Seen wash_alone = look(page, {.enabled = true, .mode = Mode::gather, .acts_on = ActsOn::wash});
     EXPECT_EQ(wash_alone.hatch, drawn.hatch);
     EXPECT_EQ(wash_alone.lines, drawn.lines);
     EXPECT_NE(wash_alone.wash, drawn.wash);
@@ -179,7 +179,7 @@ Blot blot_of(const LensStyle& style, glm::uvec2 place, float radius_px, float gr
 
 TEST(LensGpu, KeepsTheEnergyOfAPoint)
 {
-    const LensStyle style{.mode = Mode::gather};
+    const LensStyle style{.enabled = true, .mode = Mode::gather};
     double worst = 0.0;
     for (const float radius_px : {-9.0F, -6.5F, -4.0F, 3.0F, 5.0F, 7.5F}) {
         double energy = 0.0;
@@ -203,8 +203,8 @@ TEST(LensGpu, KeepsTheEnergyOfAPoint)
 TEST(LensGpu, DrawsThePolygonOfTheBlades)
 {
     // Three blades: farther out towards a corner than towards a side, and as much light.
-    const LensStyle round{.mode = Mode::gather};
-    const LensStyle bladed{.mode = Mode::gather, .blades = 3};
+    const LensStyle round{.enabled = true, .mode = Mode::gather};
+    const LensStyle bladed{.enabled = true, .mode = Mode::gather, .blades = 3};
     const glm::uvec2 place(48, 36);
     const Blot disc = blot_of(round, place, 7.5F, 7.5F);
     const Blot triangle = blot_of(bladed, place, 7.5F, 7.5F);
@@ -225,7 +225,7 @@ Painted halves(float left_px, float right_px)
 
 TEST(LensGpu, KeepsTheSharpOutOfTheBlurredBehindIt)
 {
-    const Seen seen = look(halves(0.0F, 6.0F), {.mode = Mode::gather});
+    const Seen seen = look(halves(0.0F, 6.0F), {.enabled = true, .mode = Mode::gather});
     for (uint32_t y = 0; y < size_px.y; ++y) {
         for (uint32_t x = 0; x < size_px.x; ++x) {
             EXPECT_NEAR(seen.paint(x, y).x, x < 48 ? 0.9F : 0.1F, 0.01F) << x << ", " << y;
@@ -237,7 +237,7 @@ TEST(LensGpu, KeepsTheBlurredBehindOffTheSharp)
 {
     const Painted page = halves(0.0F, 6.0F);
     const Seen drawn = look(page, {}, Through::nothing);
-    const Seen seen = look(page, {.mode = Mode::gather});
+    const Seen seen = look(page, {.enabled = true, .mode = Mode::gather});
     for (uint32_t y = 0; y < size_px.y; ++y) {
         for (uint32_t x = 0; x < 48; ++x) {
             EXPECT_EQ(seen.paint(x, y), drawn.paint(x, y)) << x << ", " << y;
@@ -248,7 +248,7 @@ TEST(LensGpu, KeepsTheBlurredBehindOffTheSharp)
 TEST(LensGpu, SpreadsWhatIsNearOverWhatIsSharp)
 {
     constexpr float radius = 6.0F;
-    const Seen seen = look(halves(-radius, 0.0F), {.mode = Mode::gather});
+    const Seen seen = look(halves(-radius, 0.0F), {.enabled = true, .mode = Mode::gather});
     for (uint32_t x = 48; x < 64; ++x) {
         // The share of a disc about the pixel that lies to the left of the edge.
         const double off = std::min((static_cast<double>(x) + 0.5 - 48.0) / static_cast<double>(radius), 1.0);
@@ -272,7 +272,7 @@ TEST(LensGpu, FindsTheSameOnATileOfThePage)
         page.lines = [](glm::uvec2) { return glm::vec4(0.0F); };
         return page;
     };
-    const LensStyle style{.mode = Mode::gather, .largest_mm = 4.0F}; // radii up to 8 pixels
+    const LensStyle style{.enabled = true, .mode = Mode::gather, .largest_mm = 4.0F}; // radii up to 8 pixels
     const glm::uvec2 by(13, 7);
     const Seen whole = look(shifted({0, 0}), style, Through::lens, {0, 0});
     const Seen tile = look(shifted(by), style, Through::lens, by);

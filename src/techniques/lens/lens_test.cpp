@@ -23,7 +23,8 @@ TEST(Lens, MakesTheCirclesOfAThinLens)
 TEST(Lens, MakesTheSameCirclesOnThePage)
 {
     // A sensor that stands where the lens throws the image of the plane in focus.
-    const LensStyle style{.mode = Mode::gather, .focal_mm = 85.0F, .f_number = 1.8F, .largest_mm = 60.0F};
+    const LensStyle style{
+        .enabled = true, .mode = Mode::gather, .focal_mm = 85.0F, .f_number = 1.8F, .largest_mm = 60.0F};
     constexpr double focus_m = 3.0;
     constexpr double fov_rad = 0.5;
     constexpr double height_px = 720.0;
@@ -49,7 +50,7 @@ TEST(Lens, IsNoneWhereTheStyleHasNone)
 {
     EXPECT_FALSE(lens_on({}, {}).has_value());
     EXPECT_EQ(reach_px({}, 10.0F), 0U);
-    EXPECT_GE(reach_px({.mode = Mode::gather, .largest_mm = 8.0F}, 10.0F), 80U);
+    EXPECT_GE(reach_px({.enabled = true, .mode = Mode::gather, .largest_mm = 8.0F}, 10.0F), 80U);
 }
 
 } // namespace

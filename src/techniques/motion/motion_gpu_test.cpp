@@ -75,7 +75,7 @@ RenderSettings settings_at(double time_s, const std::optional<Moment>& since, gl
 const Motion& draw_motion(const Moment& since, const Moment& now)
 {
     Style bare;
-    bare.set("picture.ground=none");
+    bare.set("picture.ground=false");
     bare.set("paper.margin_mm=0");
     static_cast<void>(test::shared_renderer().render(now.camera, bare, settings_at(now.time_s, since)));
     return test::shared_renderer().motion();
@@ -301,9 +301,9 @@ TEST(Motion, HatchingHoldsStillUnderIt)
 {
     Style ink;
     for (const char* assignment :
-         {"wash.strength=0", "contour.drawn=false", "paper.grain=0", "paper.ink_break=0",
-          "paper.color=#ffffff", "paper.ink=#000000", "sky.mode=paper", "hatch.width_mm=10",
-          "paper.granulation=0", "picture.ground=none", "light.exposure_stops=-2", "paper.margin_mm=0"}) {
+         {"wash.strength=0", "contour.enabled=false", "paper.grain=0", "paper.ink_break=0",
+          "paper.color=#ffffff", "paper.ink=#000000", "sky.enabled=false", "hatch.width_mm=10",
+          "paper.granulation=0", "picture.ground=false", "light.exposure_stops=-2", "paper.margin_mm=0"}) {
         ink.set(assignment);
     }
     Scene scene = test::scene_of(shapes::plane(60.0F, 60.0F));

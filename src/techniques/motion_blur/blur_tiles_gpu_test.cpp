@@ -42,7 +42,7 @@ std::vector<glm::vec4> blurred(bool by_groups, const Window& window = {})
     auto sky_ink = test::Layer::coverage(size_px, [](glm::uvec2) { return 0.0F; });
     gpu::Graph graph;
     const gpu::ImageId moved = motion.in(graph);
-    const MotionBlurStyle style{.mode = Mode::tiles};
+    const MotionBlurStyle style{.enabled = true, .mode = Mode::tiles};
     const MotionBlurLayers layers = add_motion_blur(graph,
                                                     {.motion = moved,
                                                      .own_motion = moved,

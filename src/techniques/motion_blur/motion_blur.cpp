@@ -28,15 +28,21 @@ namespace estampe::motion_blur {
 
 const style::Table<MotionBlurStyle>& motion_blur_table()
 {
+    const auto of_lines = [](auto MotionMarks::*member) {
+        return style::within(&MotionBlurStyle::speed_lines, member);
+    };
+    const auto of_smear = [](auto MotionMarks::*member) {
+        return style::within(&MotionBlurStyle::smear, member);
+    };
     static const auto table =
         style::Table<MotionBlurStyle>("motion_blur", "Motion blur, speed lines and smear strokes")
+            .toggle("enabled", &MotionBlurStyle::enabled, "Turns motion blur on: moving objects blur")
             .choice("mode", &MotionBlurStyle::mode,
-                    {{"none", Mode::none},
-                     {"tiles", Mode::tiles},
+                    {{"tiles", Mode::tiles},
                      {"own", Mode::own},
                      {"stretched", Mode::stretched},
                      {"velocity", Mode::velocity}},
-                    "How moving objects blur. none: not; tiles: over what they pass; own: within their "
+                    "How moving objects blur. tiles: over what they pass; own: within their "
                     "outline; stretched: within their outline, stretched along the motion; velocity: shows "
                     "velocities as colours, red to the right and green up.")
             .number("shutter_deg", &MotionBlurStyle::shutter_deg, {0.0F, 360.0F}, "deg",
@@ -48,41 +54,43 @@ const style::Table<MotionBlurStyle>& motion_blur_table()
             .number("largest_mm", &MotionBlurStyle::largest_mm, {0.1F, 60.0F}, "mm",
                     "Longest motion on the page that is blurred or smeared: faster objects are cut to this "
                     "length")
-            .toggle("lines", &MotionBlurStyle::lines, "Turns speed lines on, behind objects that move fast")
-            .number("lines_length", &MotionBlurStyle::lines_length, {0.1F, 20.0F}, "",
+            .toggle("speed_lines.enabled", of_lines(&MotionMarks::enabled),
+                    "Turns speed lines on, behind objects that move fast")
+            .number("speed_lines.length", of_lines(&MotionMarks::length), {0.1F, 20.0F}, "",
                     "Length of speed lines, as a factor of the motion while the shutter is open, up to 30 "
-                    "mm: more is faster to the eye. Only used when motion_blur.lines is true.")
-            .number("lines_spacing_mm", &MotionBlurStyle::lines_spacing_mm, {0.5F, 50.0F}, "mm",
+                    "mm: more is faster to the eye. Only used when motion_blur.speed_lines.enabled is true.")
+            .number("speed_lines.spacing_mm", of_lines(&MotionMarks::spacing_mm), {0.5F, 50.0F}, "mm",
                     "Distance from one speed line to the next, about: less gives more lines. Only used when "
-                    "motion_blur.lines is true.")
-            .number("lines_width_mm", &MotionBlurStyle::lines_width_mm, {0.05F, 5.0F}, "mm",
+                    "motion_blur.speed_lines.enabled is true.")
+            .number("speed_lines.width_mm", of_lines(&MotionMarks::width_mm), {0.05F, 5.0F}, "mm",
                     "Width of a speed line at its start, next to the object. Only used when "
-                    "motion_blur.lines is true.")
-            .number("lines_from_mm", &MotionBlurStyle::lines_from_mm, {0.0F, 60.0F}, "mm",
-                    "Motion on the page, while the shutter is open, from which an object has speed lines: "
-                    "less gives slow objects lines, too. Only used when motion_blur.lines is true.")
-            .color("lines_ink", &MotionBlurStyle::lines_ink,
-                   "Colour of the ink of speed lines. Only used when motion_blur.lines is true.")
-            .toggle("smear", &MotionBlurStyle::smear,
+                    "motion_blur.speed_lines.enabled is true.")
+            .number(
+                "speed_lines.from_mm", of_lines(&MotionMarks::from_mm), {0.0F, 60.0F}, "mm",
+                "Motion on the page, while the shutter is open, from which an object has speed lines: "
+                "less gives slow objects lines, too. Only used when motion_blur.speed_lines.enabled is true.")
+            .color(
+                "speed_lines.ink", of_lines(&MotionMarks::ink),
+                "Colour of the ink of speed lines. Only used when motion_blur.speed_lines.enabled is true.")
+            .toggle("smear.enabled", of_smear(&MotionMarks::enabled),
                     "Turns smear strokes on: strokes of a dry brush, drawn from the trailing edge of moving "
                     "objects")
             .number(
-                "smear_length", &MotionBlurStyle::smear_length, {0.1F, 20.0F}, "",
+                "smear.length", of_smear(&MotionMarks::length), {0.1F, 20.0F}, "",
                 "Length of the longest smear strokes, as a factor of the motion while the shutter is open, "
-                "which counts up to motion_blur.largest_mm. Only used when motion_blur.smear is true.")
-            .number("smear_spacing_mm", &MotionBlurStyle::smear_spacing_mm, {0.2F, 50.0F}, "mm",
+                "which counts up to motion_blur.largest_mm. Only used when motion_blur.smear.enabled is "
+                "true.")
+            .number("smear.spacing_mm", of_smear(&MotionMarks::spacing_mm), {0.2F, 50.0F}, "mm",
                     "Distance from one smear stroke to the next, across the motion: less gives more strokes. "
-                    "Only used when motion_blur.smear is true.")
-            .number("smear_width_mm", &MotionBlurStyle::smear_width_mm, {0.05F, 10.0F}, "mm",
+                    "Only used when motion_blur.smear.enabled is true.")
+            .number("smear.width_mm", of_smear(&MotionMarks::width_mm), {0.05F, 10.0F}, "mm",
                     "Width of the broadest smear strokes at their start, next to the object. Only used when "
-                    "motion_blur.smear is true.")
-            .number("smear_from_mm", &MotionBlurStyle::smear_from_mm, {0.0F, 60.0F}, "mm",
+                    "motion_blur.smear.enabled is true.")
+            .number("smear.from_mm", of_smear(&MotionMarks::from_mm), {0.0F, 60.0F}, "mm",
                     "Motion on the page, while the shutter is open, from which an object has smear strokes: "
-                    "less gives slow objects strokes, too. Only used when motion_blur.smear is true.")
-            .color("smear_ink", &MotionBlurStyle::smear_ink,
-                   "Colour of the ink of smear strokes. Only used when motion_blur.smear is true.")
-            .integer("seed", &MotionBlurStyle::seed, {0, 1000000}, "",
-                     "Random seed of speed lines and smear strokes: another value draws others");
+                    "less gives slow objects strokes, too. Only used when motion_blur.smear.enabled is true.")
+            .color("smear.ink", of_smear(&MotionMarks::ink),
+                   "Colour of the ink of smear strokes. Only used when motion_blur.smear.enabled is true.");
     return table;
 }
 
@@ -158,12 +166,12 @@ shared::SmearConstants smear_constants_of(const MotionBlurStyle& style, float sc
 {
     return {.scale = scale,
             .most_px = most_px,
-            .length_share = 2.0F * style.smear_length,
-            .spacing_px = style.smear_spacing_mm * pixels_per_mm,
-            .width_px = style.smear_width_mm * pixels_per_mm,
-            .from_px = 0.5F * style.smear_from_mm * pixels_per_mm,
+            .length_share = 2.0F * style.smear.length,
+            .spacing_px = style.smear.spacing_mm * pixels_per_mm,
+            .width_px = style.smear.width_mm * pixels_per_mm,
+            .from_px = 0.5F * style.smear.from_mm * pixels_per_mm,
             .seed = static_cast<uint32_t>(style.seed),
-            .ink = style.smear_ink};
+            .ink = style.smear.ink};
 }
 
 gpu::ImageId add_smear(gpu::Graph& graph, const SmearScene& scene, const SmearPage& page, gpu::ImageId lines,
@@ -321,7 +329,7 @@ double exposure_s(const MotionBlurStyle& style)
 
 bool is_wanted(const MotionBlurStyle& style)
 {
-    return style.shutter_deg > 0.0F && (style.mode != Mode::none || style.lines || style.smear);
+    return style.shutter_deg > 0.0F && (style.enabled || style.speed_lines.enabled || style.smear.enabled);
 }
 
 shared::MotionBlurConstants constants_of(const MotionBlurStyle& style, float scale, float pixels_per_mm,
@@ -330,13 +338,13 @@ shared::MotionBlurConstants constants_of(const MotionBlurStyle& style, float sca
     return {.scale = scale,
             .most_px = 0.5F * style.largest_mm * pixels_per_mm,
             .line_reach_px = std::ceil(std::max(line_half_px, 0.0F)) + 1.0F,
-            .cell_px = std::max(style.lines_spacing_mm * pixels_per_mm, 2.0F),
-            .line_length = 2.0F * style.lines_length,
+            .cell_px = std::max(style.speed_lines.spacing_mm * pixels_per_mm, 2.0F),
+            .line_length = 2.0F * style.speed_lines.length,
             .line_most_px = longest_line_mm * pixels_per_mm,
-            .line_half_px = 0.5F * style.lines_width_mm * pixels_per_mm,
-            .line_from_px = 0.5F * style.lines_from_mm * pixels_per_mm,
+            .line_half_px = 0.5F * style.speed_lines.width_mm * pixels_per_mm,
+            .line_from_px = 0.5F * style.speed_lines.from_mm * pixels_per_mm,
             .seed = static_cast<uint32_t>(style.seed),
-            .line_ink = style.lines_ink};
+            .line_ink = style.speed_lines.ink};
 }
 
 struct Memory::Kept {
@@ -347,9 +355,18 @@ Memory::Memory() : kept_(std::make_unique<Kept>()) {}
 
 Memory::~Memory() = default;
 
+namespace {
+
+bool blurs_by(const MotionBlurStyle& style, Mode mode)
+{
+    return style.enabled && style.mode == mode;
+}
+
+} // namespace
+
 bool Memory::lacks_vertices(const MotionBlurStyle& style) const
 {
-    return style.mode == Mode::stretched && kept_->coincident.empty();
+    return blurs_by(style, Mode::stretched) && kept_->coincident.empty();
 }
 
 void Memory::set_vertices(gpu::Device& device, std::span<const glm::vec3> places,
@@ -366,8 +383,8 @@ void Memory::forget()
 std::optional<VelocityShape> add_velocity_shape(gpu::Graph& graph, Memory& memory,
                                                 const VelocityShapeInputs& in, const MotionBlurStyle& style)
 {
-    return style.mode == Mode::stretched ? std::optional(add_stretch(graph, memory.kept_->coincident, in))
-                                         : std::nullopt;
+    return blurs_by(style, Mode::stretched) ? std::optional(add_stretch(graph, memory.kept_->coincident, in))
+                                            : std::nullopt;
 }
 
 MotionBlurLayers add_motion_blur(gpu::Graph& graph, const MotionBlurInputs& in, const MotionBlurStyle& style,
@@ -377,8 +394,8 @@ MotionBlurLayers add_motion_blur(gpu::Graph& graph, const MotionBlurInputs& in, 
     constants.window_min_px = in.window_min_px;
     constants.window_max_px = in.window_max_px;
     const uint32_t variant = in.has_sky ? shared::blur_has_sky : 0U;
-    const bool blurs_within = style.mode == Mode::own || style.mode == Mode::stretched;
-    const bool lays_sky = in.has_sky && style.mode != Mode::none && !blurs_within;
+    const bool blurs_within = blurs_by(style, Mode::own) || blurs_by(style, Mode::stretched);
+    const bool lays_sky = in.has_sky && style.enabled && !blurs_within;
     const Packed packed = add_pack(graph, in, variant | (lays_sky ? shared::blur_lays_sky : 0U), constants);
     MotionBlurLayers layers{.wash = in.wash,
                             .hatch = lays_sky ? packed.hatch : in.hatch,
@@ -386,11 +403,11 @@ MotionBlurLayers add_motion_blur(gpu::Graph& graph, const MotionBlurInputs& in, 
                             .holds_sky = lays_sky};
     if (blurs_within) {
         layers = add_own_blur(graph, in, packed.page, constants);
-    } else if (style.mode != Mode::none) {
+    } else if (style.enabled) {
         blur_in_place(graph, in, packed, style.mode == Mode::velocity ? shared::blur_shows_velocity : 0U,
                       constants, layers);
     }
-    if (style.lines) {
+    if (style.speed_lines.enabled) {
         layers.lines = add_speed_lines(graph, in, packed, layers.lines, constants);
     }
     if (in.smear) {

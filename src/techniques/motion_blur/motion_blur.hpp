@@ -16,25 +16,26 @@
 
 namespace estampe::motion_blur {
 
-enum class Mode : uint8_t { none, tiles, own, stretched, velocity };
+enum class Mode : uint8_t { tiles, own, stretched, velocity };
+
+/// Speed lines or smear strokes: drawn marks of motion.
+struct MotionMarks {
+    bool enabled = false;
+    float length = 5.0F;
+    float spacing_mm = 3.0F;
+    float width_mm = 0.0F;
+    float from_mm = 0.0F;
+    glm::vec3 ink = style::srgb(0x1c1a20);
+};
 
 struct MotionBlurStyle {
-    Mode mode = Mode::none;
+    bool enabled = false; ///< the blur; speed lines and smear strokes have their own
+    Mode mode = Mode::tiles;
     float shutter_deg = 180.0F;
     float frames_per_s = 24.0F;
     float largest_mm = 12.0F;
-    bool lines = false;
-    float lines_length = 5.0F;
-    float lines_spacing_mm = 3.0F;
-    float lines_width_mm = 0.3F;
-    float lines_from_mm = 1.5F;
-    glm::vec3 lines_ink = style::srgb(0x1c1a20);
-    bool smear = false;
-    float smear_length = 5.0F;
-    float smear_spacing_mm = 3.0F;
-    float smear_width_mm = 2.5F;
-    float smear_from_mm = 1.0F;
-    glm::vec3 smear_ink = style::srgb(0x1c1a20);
+    MotionMarks speed_lines{.width_mm = 0.3F, .from_mm = 1.5F};
+    MotionMarks smear{.width_mm = 2.5F, .from_mm = 1.0F};
     int seed = 1;
 };
 

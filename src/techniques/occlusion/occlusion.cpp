@@ -17,7 +17,7 @@ const style::Table<OcclusionStyle>& occlusion_table()
 {
     static const auto table =
         style::Table<OcclusionStyle>("occlusion", "Ambient occlusion: corners and narrow gaps are darker")
-            .toggle("drawn", &OcclusionStyle::drawn,
+            .toggle("enabled", &OcclusionStyle::enabled,
                     "Turns ambient occlusion on: corners, folds and places of contact are darker")
             .choice("method", &OcclusionStyle::method,
                     {{"horizon", Method::horizon},
@@ -79,12 +79,13 @@ uint32_t reach_px(const OcclusionStyle& style, float pixels_per_mm)
 {
     // Beside what is looked at, four neighbours of the half page.
     constexpr uint32_t smoothed_px = 8;
-    return style.drawn ? static_cast<uint32_t>(std::ceil(style.reach_mm * pixels_per_mm)) + smoothed_px : 0U;
+    return style.enabled ? static_cast<uint32_t>(std::ceil(style.reach_mm * pixels_per_mm)) + smoothed_px
+                         : 0U;
 }
 
 std::optional<uint32_t> map_texels(const OcclusionStyle& style)
 {
-    return style.drawn && style.method == Method::uv ? std::optional(style.texels) : std::nullopt;
+    return style.enabled && style.method == Method::uv ? std::optional(style.texels) : std::nullopt;
 }
 
 struct Memory::Kept {
@@ -98,7 +99,7 @@ Memory::~Memory() = default;
 
 bool Memory::lacks_surfaces(const OcclusionStyle& style) const
 {
-    return style.drawn && has_discs(style.method) && kept_->discs.empty();
+    return style.enabled && has_discs(style.method) && kept_->discs.empty();
 }
 
 void Memory::set_surfaces(gpu::Device& device, const OccluderMesh& surfaces)

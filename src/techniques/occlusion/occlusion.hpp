@@ -24,7 +24,7 @@ enum class Method : uint8_t { horizon, discs, splats, uv, unsharp };
 enum class Feeds : uint8_t { ambient, tone, layer };
 
 struct OcclusionStyle {
-    bool drawn = false;
+    bool enabled = false;
     Method method = Method::horizon;
     Feeds feeds = Feeds::ambient;
     float radius_m = 0.0F;

@@ -67,7 +67,7 @@ TEST_F(OcclusionInPictures, OcclusionCostsNothingWhenOff)
     EXPECT_EQ(draw({"occlusion.strength=3", "occlusion.radius_m=2"}).rgba, plain.rgba);
     for (const char* method : {"horizon", "discs", "splats", "uv", "unsharp"}) {
         // Nobody reads what lies in layers alone.
-        EXPECT_EQ(draw({"occlusion.drawn=true", "occlusion.feeds=layer",
+        EXPECT_EQ(draw({"occlusion.enabled=true", "occlusion.feeds=layer",
                         fmt::format("occlusion.method={}", method)})
                       .rgba,
                   plain.rgba);
@@ -81,9 +81,9 @@ TEST_F(OcclusionInPictures, OcclusionDarkensWhatItFeeds)
         const std::string by = fmt::format("occlusion.method={}", method);
         const std::string ambient = "tone.exposure=0.5";
         const double plain = mean_of(draw({ambient}));
-        const double of_ambient = mean_of(draw({ambient, "occlusion.drawn=true", by}));
+        const double of_ambient = mean_of(draw({ambient, "occlusion.enabled=true", by}));
         EXPECT_TRUE(test::has_pass("occlusion"));
-        const double of_all = mean_of(draw({ambient, "occlusion.drawn=true", "occlusion.feeds=tone", by}));
+        const double of_all = mean_of(draw({ambient, "occlusion.enabled=true", "occlusion.feeds=tone", by}));
         EXPECT_LT(of_ambient, plain - 0.05) << method;
         EXPECT_LT(of_all, of_ambient - 0.05) << method;
     }
@@ -94,7 +94,7 @@ TEST_F(OcclusionInPictures, OcclusionOfAmbientLeavesTheSunAlone)
     // Without ambient light and fill there is nothing that it could take.
     const std::vector<std::string> sun_alone{"light.ambient=0", "light.fill=0"};
     std::vector<std::string> occluded = sun_alone;
-    occluded.emplace_back("occlusion.drawn=true");
+    occluded.emplace_back("occlusion.enabled=true");
     EXPECT_EQ(draw(occluded).rgba, draw(sun_alone).rgba);
     occluded.emplace_back("light.fill=0.5");
     EXPECT_NE(draw(occluded).rgba, draw({"light.ambient=0", "light.fill=0.5"}).rgba);
@@ -103,17 +103,17 @@ TEST_F(OcclusionInPictures, OcclusionOfAmbientLeavesTheSunAlone)
 TEST_F(OcclusionInPictures, OcclusionIsAMaskOfItsOwn)
 {
     EXPECT_TRUE(mask_of({}).empty());
-    const std::vector<float> alone = mask_of({"occlusion.drawn=true", "occlusion.feeds=layer"});
+    const std::vector<float> alone = mask_of({"occlusion.enabled=true", "occlusion.feeds=layer"});
     ASSERT_EQ(alone.size(), size_t{small.width} * small.height);
     EXPECT_GT(std::ranges::max(alone), 0.3F);
     EXPECT_EQ(std::ranges::min(alone), 0.0F);
-    EXPECT_EQ(mask_of({"occlusion.drawn=true", "occlusion.feeds=tone"}), alone);
+    EXPECT_EQ(mask_of({"occlusion.enabled=true", "occlusion.feeds=tone"}), alone);
 }
 
 TEST_F(OcclusionInPictures, UnsharpDepthsLeavePlanesAlone)
 {
     // Behind the edges of a box, and nowhere on a slanted floor itself, however strong it is.
-    const std::vector<std::string> unsharp{"occlusion.drawn=true", "occlusion.method=unsharp",
+    const std::vector<std::string> unsharp{"occlusion.enabled=true", "occlusion.method=unsharp",
                                            "occlusion.feeds=layer", "occlusion.strength=8"};
     EXPECT_GT(std::ranges::max(mask_of(unsharp)), 0.2F);
     renderer.set_scene(test::scene_of(shapes::plane(400.0F, 400.0F)));
@@ -127,7 +127,7 @@ TEST_F(OcclusionInPictures, DiscsThrowTheirColorOnWhatIsBeside)
     renderer.set_scene(scene);
     const auto redness_of = [&](const char* method, const char* bleeding) {
         Style style = Style::load("cel");
-        for (const char* assignment : {"occlusion.drawn=true", "contour.drawn=false", "wash.light_tint=1",
+        for (const char* assignment : {"occlusion.enabled=true", "contour.enabled=false", "wash.light_tint=1",
                                        "occlusion.radius_m=2", method, bleeding}) {
             style.set(assignment);
         }
@@ -157,8 +157,8 @@ TEST_F(OcclusionInPictures, DiscsThrowTheirColorOnWhatIsBeside)
 
 TEST_F(OcclusionInPictures, OcclusionHasNoSeamsBetweenTiles)
 {
-    const Style style = with({"occlusion.drawn=true", "occlusion.feeds=tone", "occlusion.radius_m=2",
-                              "occlusion.reach_mm=18", "hatch.drawn=false"});
+    const Style style = with({"occlusion.enabled=true", "occlusion.feeds=tone", "occlusion.radius_m=2",
+                              "occlusion.reach_mm=18", "hatch.enabled=false"});
     EXPECT_LE(test::most_between_tiles(camera, style, 130), 2);
 }
 

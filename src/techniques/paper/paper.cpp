@@ -183,9 +183,7 @@ const style::Table<PaperStyle>& paper_table()
                     "How far strokes and lines catch only on the tooth of the paper, as graphite and chalk "
                     "do: 0 is liquid ink, 1 dry chalk")
             .number("ink_tint", &PaperStyle::ink_tint, {0.0F, 1.0F}, "",
-                    "How far coloured light colours the ink of hatching strokes: 0 keeps the ink's colour")
-            .integer("seed", &PaperStyle::seed, {0, 1000000}, "",
-                     "Random seed of the paper: another value gives another sheet");
+                    "How far coloured light colours the ink of hatching strokes: 0 keeps the ink's colour");
     return table;
 }
 

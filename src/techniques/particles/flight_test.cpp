@@ -17,10 +17,10 @@ ParticleStyle still_air()
 {
     return {.per_s = 40.0F,
             .life_s = 3.0F,
-            .speed_mps = 2.0F,
+            .speed_m_per_s = 2.0F,
             .spread_deg = 0.0F,
-            .wind_mps = 0.0F,
-            .swirl_mps = 0.0F};
+            .wind_m_per_s = 0.0F,
+            .swirl_m_per_s = 0.0F};
 }
 
 std::vector<Particle> alive(const ParticleStyle& style, double time_s)
@@ -68,9 +68,9 @@ TEST(Particles, InStillAirFlyAsAirSlowsThem)
         const double age_s = 3.0 * static_cast<double>(particle.age);
         const double way = 0.4 * age_s + 0.6 * 0.8 * (1.0 - std::exp(-age_s / 0.8));
         const double flown_m = particle.place.y - chimney.place.y;
-        const double speed_mps = flown_m / way;
-        EXPECT_GT(speed_mps, 2.0 * 0.69);
-        EXPECT_LT(speed_mps, 2.0 * 1.31);
+        const double speed_m_per_s = flown_m / way;
+        EXPECT_GT(speed_m_per_s, 2.0 * 0.69);
+        EXPECT_LT(speed_m_per_s, 2.0 * 1.31);
         EXPECT_NEAR(particle.place.x, chimney.place.x, 1e-9);
         EXPECT_NEAR(particle.place.z, chimney.place.z, 1e-9);
     }

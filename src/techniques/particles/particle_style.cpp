@@ -24,19 +24,19 @@ const style::Table<ParticleStyle>& particle_table()
                     "Number of particles that each emitter gives per second")
             .number("life_s", &ParticleStyle::life_s, {0.05F, 100.0F}, "s",
                     "How long a particle lives before it is gone")
-            .number("speed_mps", &ParticleStyle::speed_mps, {0.0F, 100.0F}, "m/s",
+            .number("speed_m_per_s", &ParticleStyle::speed_m_per_s, {0.0F, 100.0F}, "m/s",
                     "Speed at which particles leave their emitter")
             .number("spread_deg", &ParticleStyle::spread_deg, {0.0F, 180.0F}, "deg",
                     "Largest angle between a particle's first direction and the emitter's: 0 is a jet, 90 a "
                     "half sphere, 180 every direction")
-            .number("lift_mps2", &ParticleStyle::lift_mps2, {-20.0F, 20.0F}, "m/s2",
+            .number("lift_m_per_s2", &ParticleStyle::lift_m_per_s2, {-20.0F, 20.0F}, "m/s2",
                     "Upward acceleration of particles: above 0 they rise like smoke, below 0 they fall like "
                     "sparks")
-            .number("wind_mps", &ParticleStyle::wind_mps, {0.0F, 100.0F}, "m/s",
+            .number("wind_m_per_s", &ParticleStyle::wind_m_per_s, {0.0F, 100.0F}, "m/s",
                     "Speed of the wind that carries particles along")
             .number("wind_deg", &ParticleStyle::wind_deg, {-360.0F, 360.0F}, "deg",
                     "Bearing towards which the wind carries particles: 0 is +z, 90 is +x")
-            .number("swirl_mps", &ParticleStyle::swirl_mps, {0.0F, 100.0F}, "m/s",
+            .number("swirl_m_per_s", &ParticleStyle::swirl_m_per_s, {0.0F, 100.0F}, "m/s",
                     "Speed of the swirls that particles drift through: 0 lets them fly smoothly, more "
                     "scatters them")
             .number("swirl_m", &ParticleStyle::swirl_m, {0.01F, 1000.0F}, "m",
@@ -63,8 +63,6 @@ const style::Table<ParticleStyle>& particle_table()
             .number(
                 "soft_m", &ParticleStyle::soft_m, {0.001F, 100.0F}, "m",
                 "Distance in front of a surface over which particles fade: more hides where they cut into it")
-            .integer("seed", &ParticleStyle::seed, {0, 1000000}, "",
-                     "Random seed of the particles: another value gives other particles")
             .by_surface_but({"emitters"});
     return table;
 }

@@ -14,12 +14,12 @@ struct ParticleStyle {
     Look look = Look::drawn;
     float per_s = 8.0F;
     float life_s = 6.0F;
-    float speed_mps = 1.5F;
+    float speed_m_per_s = 1.5F;
     float spread_deg = 12.0F;
-    float lift_mps2 = 0.0F;
-    float wind_mps = 0.8F;
+    float lift_m_per_s2 = 0.0F;
+    float wind_m_per_s = 0.8F;
     float wind_deg = 90.0F;
-    float swirl_mps = 0.6F;
+    float swirl_m_per_s = 0.6F;
     float swirl_m = 2.0F;
     float size_m = 0.5F;
     float grown_m = 2.2F;

@@ -73,12 +73,12 @@ Particle fly(const ParticleStyle& style, const Emitter& emitter, uint32_t number
     const auto trait = [&](uint32_t which) { return hashed(number, emitter_number, which, seed); };
     const double bearing = glm::radians(static_cast<double>(style.wind_deg));
     const glm::dvec3 wind =
-        static_cast<double>(style.wind_mps) * glm::dvec3(std::sin(bearing), 0.0, std::cos(bearing));
+        static_cast<double>(style.wind_m_per_s) * glm::dvec3(std::sin(bearing), 0.0, std::cos(bearing));
     const double spread_rad = glm::radians(static_cast<double>(style.spread_deg));
-    const double speed = static_cast<double>(style.speed_mps) * (0.7 + 0.6 * trait(2));
+    const double speed = static_cast<double>(style.speed_m_per_s) * (0.7 + 0.6 * trait(2));
     glm::dvec3 own = speed * scattered(emitter.direction, spread_rad, trait(3), trait(4));
-    const auto gains = static_cast<double>(style.lift_mps2);
-    const auto swirls = static_cast<double>(style.swirl_mps);
+    const auto gains = static_cast<double>(style.lift_m_per_s2);
+    const auto swirls = static_cast<double>(style.swirl_m_per_s);
     const auto swirl_m = static_cast<double>(style.swirl_m);
     Particle particle{.place = emitter.place,
                       .velocity = own,

@@ -161,9 +161,10 @@ TEST(DrawnLines, LeaveInkAlongTheirWholeLengthAndNowhereElse)
     constexpr RenderSettings settings{.width = 640, .height = 480};
     Style style;
     // A pen of 2.6 pixels covers some pixel in full wherever it passes.
-    for (const char* assignment : {"paper.color=#ffffff", "paper.grain=0", "paper.margin_mm=0",
-                                   "sky.mode=paper", "picture.ground=none", "contour.outline_mm=0.8",
-                                   "contour.pressure=0", "contour.distance_thinning=0"}) {
+    for (const char* assignment :
+         {"paper.color=#ffffff", "paper.grain=0", "paper.margin_mm=0", "sky.enabled=false",
+          "picture.ground=false", "contour.outline.width_mm=0.8", "contour.pressure=0",
+          "contour.distance_thinning=0"}) {
         style.set(assignment);
     }
     Camera camera = magnifier({0.0, 0.0});

@@ -121,10 +121,9 @@ const style::Table<SkyStyle>& sky_table()
 {
     static const auto table =
         style::Table<SkyStyle>("sky", "Sky: a wash with long level strokes")
-            .choice("mode", &SkyStyle::mode,
-                    {{"auto", SkyMode::automatic}, {"drawn", SkyMode::drawn}, {"paper", SkyMode::paper}},
-                    "Background of the picture. drawn: a sky; paper: bare paper; auto: a sky if the scene "
-                    "brings a camera and a sun.")
+            .auto_toggle("enabled", &SkyStyle::enabled,
+                         "Draws a sky behind the scene. true: always; false: never, which leaves bare paper; "
+                         "auto: if the scene brings a camera and a sun.")
             .color("horizon", &SkyStyle::horizon,
                    "Colour of the sky at the horizon, or at the horizon under a sun 4 to 12 degrees high if "
                    "the sky follows the sun")

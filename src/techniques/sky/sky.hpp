@@ -9,12 +9,10 @@
 
 namespace estampe::sky {
 
-enum class SkyMode : uint8_t { automatic, drawn, paper };
-
 enum class SkyFollow : uint8_t { automatic, sun, none };
 
 struct SkyStyle {
-    SkyMode mode = SkyMode::automatic;
+    style::AutoToggle enabled = style::AutoToggle::automatic;
     glm::vec3 horizon = style::srgb(0xf0dca2);
     glm::vec3 zenith = style::srgb(0x5f9a92);
     float darkness = 0.22F;

@@ -364,7 +364,7 @@ Layer add_ink(gpu::Graph& graph, const SmokeStyle& style, const InkInputs& in)
 
 uint32_t reach_px(const SmokeStyle& style, float pixels_per_mm)
 {
-    return style.drawn ? static_cast<uint32_t>(std::ceil(1.5F * style.line_mm * pixels_per_mm)) + 2U : 0U;
+    return style.enabled ? static_cast<uint32_t>(std::ceil(1.5F * style.line_mm * pixels_per_mm)) + 2U : 0U;
 }
 
 } // namespace estampe::smoke

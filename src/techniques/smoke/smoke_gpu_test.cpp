@@ -125,8 +125,8 @@ TEST(Smoke, LightIsWeakenedOnItsWayIn)
 TEST(Smoke, NothingIsDrawnWhereThereIsNone)
 {
     const Camera away{.eye = {0.4, 0.3, 2.2}, .target = {0.0, 0.3, 5.0}, .near_m = near_m};
-    for (const Drawn& drawn : {draw([](glm::vec3) { return 0.0F; }, {.drawn = true}),
-                               draw([](glm::vec3) { return 1.0F; }, {.drawn = true}, {.camera = away})}) {
+    for (const Drawn& drawn : {draw([](glm::vec3) { return 0.0F; }, {.enabled = true}),
+                               draw([](glm::vec3) { return 1.0F; }, {.enabled = true}, {.camera = away})}) {
         for (size_t i = 0; i < drawn.marched.size(); ++i) {
             EXPECT_EQ(drawn.marched[i].x, 0.0F);
             EXPECT_EQ(drawn.cover(i), 0.0F);
@@ -179,7 +179,7 @@ TEST(Smoke, LinesOfWhatStandsBeforeItStay)
 TEST(Smoke, PuffsAreRoundAndOnlyWhereItIsDense)
 {
     const Density half = [](glm::vec3 place) { return place.x < 0.5F ? 1.0F : 0.0F; };
-    SmokeStyle style{.drawn = true};
+    SmokeStyle style{.enabled = true};
     style.puff = 0.2F;
     const Drawn drawn = draw(half, style);
     size_t drawn_far = 0;

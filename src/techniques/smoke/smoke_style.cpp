@@ -10,7 +10,8 @@ const style::Table<SmokeStyle>& smoke_table()
     static const auto table =
         style::Table<SmokeStyle>("smoke",
                                  "Smoke, fire and clouds, simulated in boxes around objects without a mesh")
-            .toggle("drawn", &SmokeStyle::drawn, "Turns smoke on, at the objects that smoke.objects names")
+            .toggle("enabled", &SmokeStyle::enabled,
+                    "Turns smoke on, at the objects that smoke.objects names")
             .text("objects", &SmokeStyle::objects,
                   "Objects without a mesh that smoke rises from, as a name pattern. Each fills a box, 2 m "
                   "wide each way in the object's own space, from the middle of the box's floor.")
@@ -26,7 +27,7 @@ const style::Table<SmokeStyle>& smoke_table()
                     "How quickly smoke gets dense at its source: more gives thicker smoke")
             .number("rise_s", &SmokeStyle::rise_s, {0.2F, 100.0F}, "s",
                     "Time in which smoke rises to the top of its box, about: less rises faster")
-            .number("wind_m_s", &SmokeStyle::wind_m_s, {0.0F, 100.0F}, "m/s",
+            .number("wind_m_per_s", &SmokeStyle::wind_m_per_s, {0.0F, 100.0F}, "m/s",
                     "Speed of the wind around the smoke: more bends the column over")
             .number("wind_deg", &SmokeStyle::wind_deg, {-360.0F, 360.0F}, "deg",
                     "Bearing towards which the wind carries the smoke: 0 is +z, 90 is +x")
@@ -138,9 +139,7 @@ const style::Table<SmokeStyle>& smoke_table()
             .number("flame", &SmokeStyle::flame, {0.0F, 10.0F}, "",
                     "How dense flames are for the fuel that burns: less is pale, more is solid. 0 draws no "
                     "flames. Only used when smoke.fuel_per_s is above 0.")
-            .color("flame_color", &SmokeStyle::flame_color, "Colour that flames are painted with")
-            .integer("seed", &SmokeStyle::seed, {0, 1000000}, "",
-                     "Random seed of the smoke: another value gives other puffs");
+            .color("flame_color", &SmokeStyle::flame_color, "Colour that flames are painted with");
     return table;
 }
 

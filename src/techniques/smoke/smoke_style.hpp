@@ -24,14 +24,14 @@ enum class Stepping : uint8_t { project, reflect };
 enum class Medium : uint8_t { wash, strokes, both };
 
 struct SmokeStyle {
-    bool drawn = false;
+    bool enabled = false;
     std::string objects = "smoke*";
     uint32_t cells = 64;
     float age_s = 5.0F;
     float source = 0.24F;
     float amount_per_s = 6.0F;
     float rise_s = 3.0F;
-    float wind_m_s = 0.0F;
+    float wind_m_per_s = 0.0F;
     float wind_deg = 90.0F;
     float curl = 1.0F;
     bool obstacles = false;

@@ -149,7 +149,7 @@ inline Drawn draw(const Density& density, const SmokeStyle& style, const Seen& s
 
 inline SmokeStyle plain(float extinction_per_m, Sampling sampling = Sampling::rays, float step = 0.7F)
 {
-    return {.drawn = true,
+    return {.enabled = true,
             .thickness = 0.1F * extinction_per_m,
             .puffs = false,
             .sampling = sampling,

@@ -37,7 +37,7 @@ struct Painted {
 
 SubsurfaceStyle spreading(double scatter_px, const glm::vec3& color = glm::vec3(1.0F))
 {
-    return {.drawn = true,
+    return {.enabled = true,
             .scatter_m = static_cast<float>(scatter_px * pixel_m()),
             .scatter_color = color,
             .depth_m = 0.0F,

@@ -28,7 +28,7 @@ const style::Table<SubsurfaceStyle>& subsurface_table()
         style::Table<SubsurfaceStyle>("subsurface",
                                       "Subsurface scattering: light within skin, wax, leaves and glass")
             .toggle(
-                "drawn", &SubsurfaceStyle::drawn,
+                "enabled", &SubsurfaceStyle::enabled,
                 "Turns subsurface scattering on: light spreads under surfaces and shines through thin ones")
             .number("scatter_m", &SubsurfaceStyle::scatter_m, {0.0F, 1e4F}, "m",
                     "How far light spreads under a surface: half of the light leaves within 1.5 times this "
@@ -197,7 +197,7 @@ shared::SubsurfaceLook look_of(const SubsurfaceStyle& style)
 SubsurfaceStyle seen_through(SubsurfaceStyle style, const Material& material, float color_share)
 {
     const Transmission& seen = *material.transmission;
-    style.drawn = true;
+    style.enabled = true;
     style.scatter_m = 0.0F;
     style.strength = 0.0F; // light that comes through is what is seen behind
     style.depth_m = seen.attenuation_m;
@@ -211,17 +211,17 @@ SubsurfaceStyle seen_through(SubsurfaceStyle style, const Material& material, fl
 
 bool shines(const SubsurfaceStyle& style)
 {
-    return style.drawn && style.depth_m > 0.0F && style.strength > 0.0F;
+    return style.enabled && style.depth_m > 0.0F && style.strength > 0.0F;
 }
 
 bool scatters(const SubsurfaceStyle& style)
 {
-    return style.drawn && style.scatter_m * widest(style) > 0.0F;
+    return style.enabled && style.scatter_m * widest(style) > 0.0F;
 }
 
 bool is_clear(const SubsurfaceStyle& style)
 {
-    return style.drawn && style.behind > 0.0F;
+    return style.enabled && style.behind > 0.0F;
 }
 
 bool shows_lines(const SubsurfaceStyle& style)

@@ -20,7 +20,7 @@ namespace estampe::subsurface {
 enum class Space : uint8_t { page, texture };
 
 struct SubsurfaceStyle {
-    bool drawn = false;
+    bool enabled = false;
     float scatter_m = 0.004F;
     glm::vec3 scatter_color = style::srgb(0xffa58a);
     float depth_m = 0.02F;

@@ -36,7 +36,7 @@ Scene against_the_sun()
 
 Style with(const std::vector<std::string>& assignments)
 {
-    return test::effect_style({"hatch.drawn=false", "sky.mode=paper"}, assignments);
+    return test::effect_style({"hatch.enabled=false", "sky.enabled=false"}, assignments);
 }
 
 /// Mean of a channel over a part of the page.
@@ -69,14 +69,14 @@ TEST_F(SubsurfaceInPictures, LightInThingsCostsNothingWhenOff)
     EXPECT_FALSE(test::has_pass("subsurface"));
     EXPECT_EQ(draw({"subsurface.scatter_m=0.1", "subsurface.depth_m=1"}).rgba, plain.rgba);
     EXPECT_FALSE(test::has_pass("subsurface"));
-    EXPECT_EQ(draw({"subsurface.drawn=true", "subsurface.scatter_m=0", "subsurface.depth_m=0"}).rgba,
+    EXPECT_EQ(draw({"subsurface.enabled=true", "subsurface.scatter_m=0", "subsurface.depth_m=0"}).rgba,
               plain.rgba);
     EXPECT_FALSE(test::has_pass("subsurface"));
 }
 
 TEST_F(SubsurfaceInPictures, LightComesThroughNamedMaterialsAlone)
 {
-    const std::vector<std::string> glowing{"material.sk*.subsurface.drawn=true",
+    const std::vector<std::string> glowing{"material.sk*.subsurface.enabled=true",
                                            "material.sk*.subsurface.depth_m=0.1",
                                            "material.sk*.subsurface.tint=#e04020"};
     const Image plain = draw({});
@@ -95,7 +95,7 @@ TEST_F(SubsurfaceInPictures, LightComesThroughNamedMaterialsAlone)
 
 TEST_F(SubsurfaceInPictures, LightInThingsHasNoSeamsBetweenTiles)
 {
-    const Style style = with({"subsurface.drawn=true", "subsurface.depth_m=0.1", "subsurface.scatter_m=0.2",
+    const Style style = with({"subsurface.enabled=true", "subsurface.depth_m=0.1", "subsurface.scatter_m=0.2",
                               "subsurface.reach_mm=18"});
     EXPECT_LE(test::most_between_tiles(body_camera, style, 130), 2);
 }
@@ -135,14 +135,14 @@ protected:
     }
 
     std::vector<std::string> clear{
-        "material.glass.subsurface.drawn=true", "material.glass.subsurface.behind=1",
+        "material.glass.subsurface.enabled=true", "material.glass.subsurface.behind=1",
         "material.glass.subsurface.depth_m=0.2", "material.glass.subsurface.tint=#808080",
         "material.glass.subsurface.behind_blur=0"};
 };
 
 TEST_F(SeenBehind, IsTintedByTheThickness)
 {
-    const LinearImage bare = draw(0.01F, {"object.*.subsurface.drawn=false", "picture.ground=none"});
+    const LinearImage bare = draw(0.01F, {"object.*.subsurface.enabled=false", "picture.ground=false"});
     const double gray = std::pow((128.0 / 255.0 + 0.055) / 1.055, 2.4);
     const LinearImage thin = draw(0.001F, clear);
     // Paper adds a share of its own to all three alike.
@@ -190,9 +190,9 @@ class SeenThroughGlass : public testing::Test {
 protected:
     [[nodiscard]] static LinearImage draw(const Scene& scene, const std::vector<std::string>& more = {})
     {
-        std::vector<std::string> all{"paper.margin_mm=0",  "paper.color=#ffffff", "wash.strength=1",
-                                     "wash.neutral=1",     "wash.least=0",        "light.shadows=false",
-                                     "picture.ground=none"};
+        std::vector<std::string> all{"paper.margin_mm=0",   "paper.color=#ffffff", "wash.strength=1",
+                                     "wash.neutral=1",      "wash.least=0",        "light.shadows=false",
+                                     "picture.ground=false"};
         all.insert(all.end(), more.begin(), more.end());
         Camera parallel{.eye = {0.0, 0.0, 4.0}, .target = {0.0, 0.0, 0.0}};
         parallel.orthographic_half_height_m = 0.8;
@@ -212,7 +212,7 @@ TEST_F(SeenThroughGlass, IsWhatTheFileSays)
     Scene plain = glass_before_halves({});
     plain.materials.front().transmission.reset();
     const LinearImage by_style =
-        draw(plain, {"material.glass.subsurface.drawn=true", "material.glass.subsurface.behind=0.75",
+        draw(plain, {"material.glass.subsurface.enabled=true", "material.glass.subsurface.behind=0.75",
                      "material.glass.subsurface.behind_blur=0", "material.glass.subsurface.depth_m=0.2",
                      "material.glass.subsurface.strength=0", "material.glass.subsurface.scatter_m=0",
                      "material.glass.subsurface.tint=#00ffff"});

@@ -122,7 +122,7 @@ TEST(Through, KnowsHowThickASphereIs)
         for (const RasterPath path : {RasterPath::compute, RasterPath::hardware}) {
             Scene scene = test::scene_of(shapes::sphere(1.0F, 256, 128));
             scene.materials.front().double_sided = is_two_sided;
-            const SubsurfaceStyle style{.drawn = true, .depth_m = 1.0F, .tint = glm::vec3(0.5F)};
+            const SubsurfaceStyle style{.enabled = true, .depth_m = 1.0F, .tint = glm::vec3(0.5F)};
             const Far far = far_side_of(scene, camera, style, path);
             double worst = 0.0;
             int count = 0;
@@ -150,7 +150,7 @@ TEST(Through, AbsorbsAsBeerAndLambertSay)
     for (const float thickness_m : {0.05F, 0.2F, 0.5F}) {
         const Scene scene = test::scene_of(shapes::box({0.5F, 0.5F, thickness_m}));
         const SubsurfaceStyle style{
-            .drawn = true, .depth_m = 0.1F, .tint = {0.8F, 0.5F, 0.1F}, .strength = 0.75F};
+            .enabled = true, .depth_m = 0.1F, .tint = {0.8F, 0.5F, 0.1F}, .strength = 0.75F};
         const Far far = far_side_of(scene, camera, style);
         const glm::vec4 through = far.light[half_at(through_px / 2U)];
         for (int channel = 0; channel < 3; ++channel) {
@@ -168,7 +168,7 @@ TEST(Through, LightsNothingWhereNothingComesThrough)
     const Scene scene = test::scene_of(shapes::box({0.5F, 0.5F, 0.5F}));
     const Camera camera{
         .eye = {0.0, 0.25, 3.0}, .target = {0.0, 0.25, 0.0}, .orthographic_half_height_m = 0.4};
-    const Far far = far_side_of(scene, camera, {.drawn = true, .depth_m = 0.01F, .tint = glm::vec3(0.5F)});
+    const Far far = far_side_of(scene, camera, {.enabled = true, .depth_m = 0.01F, .tint = glm::vec3(0.5F)});
     EXPECT_NEAR(far.thickness_m[half_at({60, 48})], 0.5, 1e-3);
     EXPECT_EQ(std::ranges::max(far.draw), 0U);
     for (const glm::vec4& light : far.light) {
@@ -182,7 +182,7 @@ TEST(Through, TakesASheetForThin)
     Scene scene = test::scene_of(shapes::quad(1.0F, 1.0F));
     test::add_object(scene, shapes::box({2.0F, 2.0F, 0.5F}), glm::vec3(1.0F), {0.0, -1.0, -2.0});
     const Camera camera{.eye = {0.0, 0.5, 3.0}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.3};
-    const Far far = far_side_of(scene, camera, {.drawn = true});
+    const Far far = far_side_of(scene, camera, {.enabled = true});
     EXPECT_EQ(far.draw[half_at({60, 48})], 1U);
     EXPECT_NEAR(far.thickness_m[half_at({60, 48})], 0.0, 1e-4);
 }
@@ -195,8 +195,9 @@ TEST(Through, LiesBetweenItsNeighboursOnThePage)
     const Camera camera{
         .eye = {0.0, 0.25, 3.0}, .target = {0.0, 0.25, 0.0}, .orthographic_half_height_m = 0.4};
     for (const RasterPath path : {RasterPath::compute, RasterPath::hardware}) {
-        const Far far = far_side_of(
-            scene, camera, {.drawn = true, .depth_m = 0.2F, .tint = glm::vec3(0.5F), .strength = 1.0F}, path);
+        const Far far =
+            far_side_of(scene, camera,
+                        {.enabled = true, .depth_m = 0.2F, .tint = glm::vec3(0.5F), .strength = 1.0F}, path);
         int count = 0;
         for (size_t i = 0; i < far.on_page.size(); ++i) {
             const float light = far.on_page[i].x;

@@ -77,8 +77,6 @@ const style::Table<TamStyle>& tam_table()
             .integer("candidates", &TamStyle::candidates, {1, 1000}, "",
                      "Number of random strokes tried for each one that is kept: more spreads strokes more "
                      "evenly and takes longer")
-            .integer("seed", &TamStyle::seed, {0, 1000000}, "",
-                     "Random seed of the tonal art map: another value draws other strokes")
             .by_surface_but({});
     return table;
 }

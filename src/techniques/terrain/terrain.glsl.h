@@ -255,10 +255,10 @@ struct DriftConstants {
     uint side;    // cells
     uint first_x; // number of the first cell on the ground, which wraps
     uint first_y;
-    vec2 wind;        // unit, x and z
-    float speed_m_s;  // of sand in the air
-    uint life;        // number of the life that streaks are in
-    float life_share; // of it that has passed for a streak born at its beginning
+    vec2 wind;           // unit, x and z
+    float speed_m_per_s; // of sand in the air
+    uint life;           // number of the life that streaks are in
+    float life_share;    // of it that has passed for a streak born at its beginning
     float length_m;
     float lift_m;
     float reach_m;

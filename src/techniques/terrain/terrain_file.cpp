@@ -29,7 +29,7 @@ const style::Table<TerrainWind>& wind_table()
         style::Table<TerrainWind>("wind", "Wind over the ground, which dunes and ripples move along")
             .number("direction_deg", &TerrainWind::direction_deg, {-360.0F, 360.0F}, "deg",
                     "Direction towards which the wind over the ground blows: 0 is +x, 90 is +z")
-            .number("speed_m_s", &TerrainWind::speed_m_s, {0.0F, 100.0F}, "m/s",
+            .number("speed_m_per_s", &TerrainWind::speed_m_per_s, {0.0F, 100.0F}, "m/s",
                     "Speed of the wind over the ground, called `wind` in formulas of heights. From 6 m/s on, "
                     "sand drifts off crests.");
     return table;
@@ -77,7 +77,7 @@ const style::Table<TerrainRipples>& ripples_table()
                     "Height of a ripple from trough to crest. 0 draws no ripples.")
             .number("meander", &TerrainRipples::meander, {0.0F, 1.0F}, "",
                     "How much ripples wind: 0 is straight and unbroken, 1 winds, forks and ends everywhere")
-            .number("drift_m_s", &TerrainRipples::drift_m_s, {-1.0F, 1.0F}, "m/s",
+            .number("drift_m_per_s", &TerrainRipples::drift_m_per_s, {-1.0F, 1.0F}, "m/s",
                     "Speed at which ripples move with the wind");
     return table;
 }

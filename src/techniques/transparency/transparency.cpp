@@ -84,13 +84,13 @@ Transparency add_no_transparency(gpu::Graph& graph)
 const style::Table<TransparencyStyle>& transparency_table()
 {
     static const auto table =
-        style::Table<TransparencyStyle>("screen", "Transparent surfaces")
+        style::Table<TransparencyStyle>("transparency", "Transparent surfaces")
             .choice("mode", &TransparencyStyle::mode, {{"ink", Mode::ink}, {"sorted", Mode::sorted}},
                     "How transparent surfaces (glTF's BLEND) are drawn. ink: as one flat screen that tints "
                     "what lies behind; sorted: each surface lit and painted, from back to front.")
             .integer("layers", &TransparencyStyle::layers, {1, most_sorted_layers}, "",
                      "Largest number of transparent surfaces that count per pixel, the nearest first, and at "
-                     "most 4 when screen.mode is ink. Each one takes time if the scene has as many.");
+                     "most 4 when transparency.mode is ink. Each one takes time if the scene has as many.");
     return table;
 }
 

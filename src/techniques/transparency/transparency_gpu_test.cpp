@@ -268,8 +268,8 @@ TEST(Transparency, CoverPalesWhatIsBehindAndHidesItsPaintAtLast)
 {
     Style paint; // without ink: what is behind shows in the wash alone
     for (const char* assignment :
-         {"hatch.drawn=false", "contour.drawn=false", "wash.strength=1", "paper.grain=0",
-          "paper.granulation=0", "paper.color=#ffffff", "sky.mode=paper"}) {
+         {"hatch.enabled=false", "contour.enabled=false", "wash.strength=1", "paper.grain=0",
+          "paper.granulation=0", "paper.color=#ffffff", "sky.enabled=false"}) {
         paint.set(assignment);
     }
     const auto reds = [&](float opacity) {
@@ -333,16 +333,16 @@ TEST(Transparency, AsManyLayersAreDrawnAsTheSceneCanShow)
         EXPECT_EQ(layers(scene), count);
     }
     Style nearest;
-    nearest.set("screen.layers=1");
+    nearest.set("transparency.layers=1");
     EXPECT_EQ(layers(scene, nearest), 1U);
 }
 
 TEST(Transparency, APaleScreenThinsTheStrokesBehindIt)
 {
     Style strokes;
-    for (const char* assignment : {"wash.strength=0", "contour.drawn=false", "paper.grain=0",
+    for (const char* assignment : {"wash.strength=0", "contour.enabled=false", "paper.grain=0",
                                    "paper.ink_break=0", "paper.color=#ffffff", "paper.ink=#000000",
-                                   "sky.mode=paper", "light.exposure_stops=-3", "paper.margin_mm=0"}) {
+                                   "sky.enabled=false", "light.exposure_stops=-3", "paper.margin_mm=0"}) {
         strokes.set(assignment);
     }
     const auto ink = [&](float opacity) {
@@ -372,10 +372,10 @@ TEST(Transparency, SortedPanesAreEachPaintedOverWhatLiesBehind)
 {
     Style style;
     for (const char* flat : {"paper.grain=0", "paper.granulation=0", "paper.ink_break=0", "paper.margin_mm=0",
-                             "paper.color=#ffffff", "hatch.drawn=false", "contour.drawn=false",
-                             "picture.ground=none", "sky.mode=paper", "wash.strength=1", "wash.neutral=1",
+                             "paper.color=#ffffff", "hatch.enabled=false", "contour.enabled=false",
+                             "picture.ground=false", "sky.enabled=false", "wash.strength=1", "wash.neutral=1",
                              "wash.least=0", "wash.saturation=1", "wash.detail=1", "wash.light_tint=0",
-                             "wash.shadow_from=1", "screen.mode=sorted", "screen.layers=8"}) {
+                             "wash.shadow_from=1", "transparency.mode=sorted", "transparency.layers=8"}) {
         style.set(flat);
     }
     Renderer& renderer = test::shared_renderer();
@@ -419,7 +419,7 @@ TEST(Transparency, SortedPanesAreEachPaintedOverWhatLiesBehind)
 TEST(Transparency, SortedPanesBehindWhatIsSolidAreNotSeen)
 {
     Style style;
-    style.set("screen.mode=sorted");
+    style.set("transparency.mode=sorted");
     Renderer& renderer = test::shared_renderer();
     Scene scene = test::scene_of(pane());
     add_pane(scene, blue, 0.7F, -0.5);

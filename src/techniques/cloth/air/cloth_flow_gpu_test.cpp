@@ -81,14 +81,15 @@ TEST(ClothFlow, EvenAirInABoxIsAsEvenWind)
         const float turn_rad = 0.7F;
         Lab blown(sheet);
         blown.air.air_kg_m3 = 1.2F;
-        blown.air.wind = {.speed_m_s = 3.0F, .direction_deg = 50.0F, .gustiness = 0.0F, .turbulence = 0.0F};
+        blown.air.wind = {
+            .speed_m_per_s = 3.0F, .direction_deg = 50.0F, .gustiness = 0.0F, .turbulence = 0.0F};
         const float angle_rad = glm::radians(50.0F);
-        const glm::vec3 wind_m_s(3.0F * std::cos(angle_rad), 0.0F, 3.0F * std::sin(angle_rad));
+        const glm::vec3 wind_m_per_s(3.0F * std::cos(angle_rad), 0.0F, 3.0F * std::sin(angle_rad));
         const glm::mat3 turned_back(glm::rotate(glm::mat4(1.0F), -turn_rad, glm::vec3(0.0F, 1.0F, 0.0F)));
         Lab stirred_lab(sheet);
         stirred_lab.air.air_kg_m3 = 1.2F;
         fill(stirred_lab, box_about(box_middle_m, turn_rad),
-             [&](glm::vec3) { return turned_back * wind_m_s; });
+             [&](glm::vec3) { return turned_back * wind_m_per_s; });
         const double seconds = side == 12 ? 0.25 : 0.1;
         const State hung = Lab(sheet).run(seconds);
         const State wanted = blown.run(seconds);
@@ -109,7 +110,7 @@ TEST(ClothFlow, IsReadWhereTheSheetIs)
     });
     const State state = lab.run(1.0 / 120.0);
     // Of particles that as many triangles meet at, which are by turns.
-    const auto speed_at = [&](size_t row) { return state.speeds_m_s[12 * row + 8 + (row + 1) % 2].z; };
+    const auto speed_at = [&](size_t row) { return state.speeds_m_per_s[12 * row + 8 + (row + 1) % 2].z; };
     EXPECT_GT(speed_at(1), 0.05);
     EXPECT_NEAR(speed_at(10), -speed_at(1), 0.01 * speed_at(1));
     // A pressure goes by the square of the speed: 9 / 22 and 5 / 22 of a metre from the middle.

@@ -41,16 +41,16 @@ vec4 noise_and_slope(vec3 place, uint seed)
 // Gusts go with the wind, and eddies go with it and turn over slowly.
 vec3 open_wind_at(vec3 place, float time_s)
 {
-    vec3 wind = run.wind_m_s;
+    vec3 wind = run.wind_m_per_s;
     if ((variant & cloth_bit_gusts) == 0u) {
         return wind;
     }
     vec3 blown = place + run.origin_m - time_s * wind - run.ahead_m;
-    float speed_m_s = length(wind);
+    float speed_m_per_s = length(wind);
     float gust = noise_and_slope(vec3(vec2(blown.x, blown.z) / run.gust_m, 0.2f * time_s), 17u).w;
     vec3 in_eddies = blown / run.eddy_m + vec3(0.0f, 0.35f * time_s, 0.0f);
     vec3 eddy = cross(vec3(noise_and_slope(in_eddies, 31u)), vec3(noise_and_slope(in_eddies, 57u)));
-    return wind * (1.0f + run.gustiness * gust) + 0.5f * run.turbulence * speed_m_s * eddy;
+    return wind * (1.0f + run.gustiness * gust) + 0.5f * run.turbulence * speed_m_per_s * eddy;
 }
 
 // On a face of the area vector `area`, by air that comes with `relative`: pressure along its normal, and lift
@@ -58,13 +58,13 @@ vec3 open_wind_at(vec3 place, float time_s)
 vec3 force_on(vec3 area, vec3 relative)
 {
     float area_m2 = length(area);
-    float speed_m_s = length(relative);
-    if (area_m2 < 1e-12f || speed_m_s < 1e-9f) {
+    float speed_m_per_s = length(relative);
+    if (area_m2 < 1e-12f || speed_m_per_s < 1e-9f) {
         return vec3(0.0f);
     }
     vec3 normal = area / area_m2;
     float across = dot(relative, normal);
-    vec3 lift = across * (speed_m_s * normal - across * relative / speed_m_s);
+    vec3 lift = across * (speed_m_per_s * normal - across * relative / speed_m_per_s);
     return 0.5f * run.air_kg_m3 * area_m2 * (sheet.drag * abs(across) * across * normal + sheet.lift * lift);
 }
 

@@ -50,16 +50,16 @@ TEST(ClothAir, LiftIsAcrossTheFlow)
 
 TEST(ClothAir, EddiesHaveNoSourcesAndNoDrift)
 {
-    air::run = {.wind_m_s = {4.0F, 0.0F, 3.0F}, .gust_m = 6.0F, .turbulence = 1.0F, .eddy_m = 1.2F};
+    air::run = {.wind_m_per_s = {4.0F, 0.0F, 3.0F}, .gust_m = 6.0F, .turbulence = 1.0F, .eddy_m = 1.2F};
     const auto eddy_at = [](const glm::dvec3& place) {
-        return glm::dvec3(air::open_wind_at(glm::vec3(place), 0.3F) - air::run.wind_m_s);
+        return glm::dvec3(air::open_wind_at(glm::vec3(place), 0.3F) - air::run.wind_m_per_s);
     };
     constexpr double off_m = 0.01;
     double divergence2 = 0.0;
     double gradient2 = 0.0;
     glm::dvec3 sum(0.0);
     double squares = 0.0;
-    double fastest_m_s = 0.0;
+    double fastest_m_per_s = 0.0;
     constexpr int side = 32; // places each way, a third of an eddy apart
     for (int i = 0; i < side * side * side; ++i) {
         const glm::dvec3 place = 0.41 * glm::dvec3(i % side, i / side % side, i / side / side);
@@ -75,13 +75,13 @@ TEST(ClothAir, EddiesHaveNoSourcesAndNoDrift)
         const glm::dvec3 eddy = eddy_at(place);
         sum += eddy;
         squares += glm::dot(eddy, eddy);
-        fastest_m_s = std::max(fastest_m_s, glm::length(eddy));
+        fastest_m_per_s = std::max(fastest_m_per_s, glm::length(eddy));
     }
     constexpr double count = side * side * side;
     EXPECT_LE(std::sqrt(divergence2 / gradient2), 0.01);
     EXPECT_LE(glm::length(sum) / count, 0.05 * std::sqrt(squares / count));
     EXPECT_GT(std::sqrt(squares / count), 0.5);
-    EXPECT_LE(fastest_m_s, 4.0 * 5.0); // of wind
+    EXPECT_LE(fastest_m_per_s, 4.0 * 5.0); // of wind
 }
 
 } // namespace

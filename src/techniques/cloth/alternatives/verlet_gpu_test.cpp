@@ -31,7 +31,8 @@ TEST(ClothVerlet, FreeSheetFallsAsAParabola)
             const double exact_m = 0.5 * gravity_m_s2 * seconds * seconds;
             for (size_t i = 0; i < state.places_m.size(); ++i) {
                 ASSERT_NEAR(sheet.rest_m[i].y - state.places_m[i].y, exact_m, 0.03 * exact_m) << step_s;
-                ASSERT_NEAR(state.speeds_m_s[i].y, -gravity_m_s2 * seconds, 0.01 * gravity_m_s2) << step_s;
+                ASSERT_NEAR(state.speeds_m_per_s[i].y, -gravity_m_s2 * seconds, 0.01 * gravity_m_s2)
+                    << step_s;
             }
         }
     }
@@ -70,7 +71,8 @@ TEST(ClothVerlet, HungSheetGainsNoEnergy)
             double potential_j = 0.0; // 0 at the beginning
             for (size_t k = 0; k < masses_kg.size(); ++k) {
                 if (sheet.held[k] < 1.0F) {
-                    kinetic_j += 0.5 * masses_kg[k] * glm::dot(state.speeds_m_s[k], state.speeds_m_s[k]);
+                    kinetic_j +=
+                        0.5 * masses_kg[k] * glm::dot(state.speeds_m_per_s[k], state.speeds_m_per_s[k]);
                     const double risen_m = state.places_m[k].y - static_cast<double>(sheet.rest_m[k].y);
                     potential_j += masses_kg[k] * gravity_m_s2 * risen_m;
                 }

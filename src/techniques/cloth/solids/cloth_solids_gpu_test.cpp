@@ -139,7 +139,7 @@ TEST(ClothSolids, HeightsFarBelowAreLeftOutToTheBit)
             lab.cloths().set_wide(test::shared_device(), is_wide);
             lab.cloths().set_grids(test::shared_device(), {&grid, 1});
             lab.air.air_kg_m3 = 1.2F;
-            lab.air.wind = {.speed_m_s = 3.0F, .direction_deg = 70.0F};
+            lab.air.wind = {.speed_m_per_s = 3.0F, .direction_deg = 70.0F};
             std::vector<std::vector<glm::dvec3>> places;
             for (int i = 0; i < 5; ++i) {
                 std::vector<Solid> solids(others, ball({90.0F, 0.0F, 0.0F}, 0.5F));
@@ -241,17 +241,17 @@ TEST(ClothSolids, LimbsThatSwingThroughStraightDownTouchNothingElse)
         sheet.held[i] = 1.0F;
     }
     Lab lab(sheet);
-    double quickest_m_s = 0.0;
+    double quickest_m_per_s = 0.0;
     for (int i = 0; i < 20; ++i) {
         const float angle = 0.4F * static_cast<float>(i);
         const glm::vec3 end(0.5F + 0.1F * std::sin(angle), -0.8F, 0.25F + 0.1F * std::cos(1.3F * angle));
         lab.cloths().set_solids(test::shared_device(),
                                 std::array{capsule_between({0.5F, -0.1F, 0.25F}, end, 0.05F)});
-        for (const glm::dvec3& speed : lab.run(1.0 / 30.0).speeds_m_s) {
-            quickest_m_s = std::max(quickest_m_s, glm::length(speed));
+        for (const glm::dvec3& speed : lab.run(1.0 / 30.0).speeds_m_per_s) {
+            quickest_m_per_s = std::max(quickest_m_per_s, glm::length(speed));
         }
     }
-    EXPECT_LE(quickest_m_s, 0.05);
+    EXPECT_LE(quickest_m_per_s, 0.05);
 }
 
 /// How near two particles come that are not near at rest, when a strip falls on its edge and heaps up.
@@ -261,7 +261,7 @@ double least_gap_m(float self_m)
                              {.friction = 0.6F, .self_m = self_m});
     Lab lab(sheet);
     lab.air.air_kg_m3 = 1.2F;
-    lab.air.wind = {.speed_m_s = 0.3F, .direction_deg = 90.0F, .gustiness = 0.0F, .turbulence = 0.0F};
+    lab.air.wind = {.speed_m_per_s = 0.3F, .direction_deg = 90.0F, .gustiness = 0.0F, .turbulence = 0.0F};
     lab.cloths().set_solids(test::shared_device(), std::array{below({}, {0.0F, 1.0F, 0.0F})});
     const State state = lab.run(1.5);
     double least_m = 1.0;

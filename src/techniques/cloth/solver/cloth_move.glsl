@@ -70,15 +70,15 @@ vec3 speed_after(vec3 from, vec3 to)
 {
     float time_s = small_step_s();
     vec3 speed = (to - from) * (exp(-sheet.damping_per_s * time_s) / time_s);
-    float speed_m_s = length(speed);
-    return speed_m_s > run.most_speed_m_s ? speed * (run.most_speed_m_s / speed_m_s) : speed;
+    float speed_m_per_s = length(speed);
+    return speed_m_per_s > run.most_speed_m_per_s ? speed * (run.most_speed_m_per_s / speed_m_per_s) : speed;
 }
 
 // How long a particle has been calm, at the end of a step: a small one's way is too short
 // to be told from rounding.
 float calm_after(float calm_s, vec3 began, vec3 ended)
 {
-    bool is_calm = distance(began, ended) <= run.rest_m_s * run.step_s;
+    bool is_calm = distance(began, ended) <= run.rest_m_per_s * run.step_s;
     return is_calm ? min(calm_s + run.step_s, cloth_rest_s) : 0.0;
 }
 

@@ -39,7 +39,8 @@ bool is_roused(uint local, vec3 place, uint step)
     vec4 before = texelFetch(target_before_texels, int(sheet.first + local));
     vec4 after = texelFetch(target_after_texels, int(sheet.first + local));
     bool is_led = after.w > 0.0 && before.xyz != after.xyz;
-    bool is_blown = (variant & cloth_bit_flow) != 0u && length(in_flows(place, vec3(0.0))) > cloth_breath_m_s;
+    bool is_blown =
+        (variant & cloth_bit_flow) != 0u && length(in_flows(place, vec3(0.0))) > cloth_breath_m_per_s;
     return step < run.roused_steps || is_led || is_blown || is_neared(place);
 }
 

@@ -66,10 +66,10 @@ TEST(ClothRest, ComesAndStaysBitByBit)
         EXPECT_EQ(before.calm_s, shared::cloth_rest_s) << kind.name;
         place_balls(lab, ball_m, far_ball_m + glm::vec3(0.0F, 0.2F, 0.0F)); // none of its business
         lab.air.air_kg_m3 = 1.2F;
-        lab.air.wind.speed_m_s = 0.02F; // a breath
+        lab.air.wind.speed_m_per_s = 0.02F; // a breath
         const State after = lab.run(0.5);
         EXPECT_TRUE(after.places_m == before.places_m) << kind.name;
-        EXPECT_TRUE(after.speeds_m_s == before.speeds_m_s) << kind.name;
+        EXPECT_TRUE(after.speeds_m_per_s == before.speeds_m_per_s) << kind.name;
     }
 }
 
@@ -91,7 +91,7 @@ TEST(ClothRest, IsNotForWhatIsSlowForAMoment)
     EXPECT_GT(farthest_m - nearest_m, 0.003);
     sheet.cloth.damping_per_s = 12.0F;
     Lab never(sheet);
-    never.air.rest_m_s = 0.0F;
+    never.air.rest_m_per_s = 0.0F;
     EXPECT_EQ(never.run(2.0).calm_s, 0.0F);
 }
 
@@ -114,7 +114,7 @@ TEST(ClothRest, BeginsAtTheSameStepHoweverStepsAreCutIntoRuns)
             last = in_parts.run(10.0 / 120.0);
         }
         EXPECT_TRUE(last.places_m == whole.places_m) << kind.name;
-        EXPECT_TRUE(last.speeds_m_s == whole.speeds_m_s) << kind.name;
+        EXPECT_TRUE(last.speeds_m_per_s == whole.speeds_m_per_s) << kind.name;
         at_once.cloths().set_grids(test::shared_device(), {}); // wakes it, and no more
         EXPECT_EQ(at_once.run(0.75).calm_s, shared::cloth_rest_s) << kind.name;
     }
@@ -131,7 +131,7 @@ std::vector<Reason> reasons()
         {"wind",
          [](Lab& lab) {
              lab.air.air_kg_m3 = 1.2F;
-             lab.air.wind = {.speed_m_s = 1.0F, .direction_deg = 90.0F};
+             lab.air.wind = {.speed_m_per_s = 1.0F, .direction_deg = 90.0F};
          }},
         {"a held edge",
          [](Lab& lab) { lab.move_to([](glm::vec3 rest) { return rest + glm::vec3(0.0F, 0.0F, 2e-3F); }); }},

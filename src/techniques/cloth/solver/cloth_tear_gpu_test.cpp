@@ -20,7 +20,7 @@ std::vector<glm::uvec2> torn_of(Lab& lab)
     return {words.begin(), words.end()};
 }
 
-void start_with(Lab& lab, const std::vector<glm::vec4>& speeds_m_s)
+void start_with(Lab& lab, const std::vector<glm::vec4>& speeds_m_per_s)
 {
     gpu::Device& device = test::shared_device();
     gpu::Graph graph;
@@ -28,7 +28,7 @@ void start_with(Lab& lab, const std::vector<glm::vec4>& speeds_m_s)
     const auto bytes = test::run_and_read(graph, std::array{handles.places, handles.torn});
     std::vector<gpu::Buffer> state;
     state.push_back(gpu::upload_buffer(device, "places", bytes[0]));
-    state.push_back(gpu::upload_buffer(device, "speeds", speeds_m_s));
+    state.push_back(gpu::upload_buffer(device, "speeds", speeds_m_per_s));
     state.push_back(gpu::upload_buffer(device, "torn", bytes[1]));
     lab.cloths().recall(std::move(state));
 }
@@ -87,7 +87,7 @@ glm::dvec2 fall_of(const State& state, const std::vector<uint32_t>& parts)
     double count = 0.0;
     for (size_t i = 0; i < parts.size(); ++i) {
         if (parts[i] >= 4) {
-            sum += glm::dvec2(state.places_m[i].y, state.speeds_m_s[i].y);
+            sum += glm::dvec2(state.places_m[i].y, state.speeds_m_per_s[i].y);
             ++count;
         }
     }
@@ -130,7 +130,7 @@ TEST(ClothTear, NothingIsTornByLess)
             Lab falling(is_grid ? lying : out_of_rank(lying, 1e-3F));
             falling.air.air_kg_m3 = 1.2F;
             falling.air.effort = tear > 0.0F ? 1.0F : 4.0F; // as many small steps
-            falling.air.wind = {.speed_m_s = 3.0F};
+            falling.air.wind = {.speed_m_per_s = 3.0F};
             falling.cloths().set_solids(test::shared_device(), std::array{ball({0.1F, -0.4F, 0.0F}, 0.2F)});
             return falling.run(0.22).places_m;
         };
@@ -161,7 +161,7 @@ Pulled pull(float side, ClothSolver solver)
     Lab lab(sheet);
     lab.cloths().set_solver(test::shared_device(), solver);
     lab.air.air_kg_m3 = 1.2F;
-    lab.air.wind = {.speed_m_s = 3.0F,
+    lab.air.wind = {.speed_m_per_s = 3.0F,
                     .direction_deg = side > 0.0F ? 50.0F : 130.0F,
                     .gustiness = 0.0F,
                     .turbulence = 0.0F};
@@ -202,7 +202,7 @@ TEST(ClothTear, AllSolversTearAndSameRunsGiveSameBytes)
 double energy_of(const State& state)
 {
     return std::accumulate(
-        state.speeds_m_s.begin(), state.speeds_m_s.end(), 0.0,
+        state.speeds_m_per_s.begin(), state.speeds_m_per_s.end(), 0.0,
         [](double sum, const glm::dvec3& speed) { return sum + 0.5 * glm::dot(speed, speed); });
 }
 
@@ -241,7 +241,7 @@ TEST(ClothTear, EnergyNeverGrowsAndACarryMendsAll)
         for (size_t i = 0; i < sheet.rest_m.size(); ++i) {
             const glm::vec3& rest = sheet.rest_m[i];
             speeds[i] = {rest.x > 0.0F ? 20.0F + 4.0F * rest.z : 0.0F, rest.x, 0.0F, 0.0F};
-            state.speeds_m_s.emplace_back(speeds[i]);
+            state.speeds_m_per_s.emplace_back(speeds[i]);
         }
         start_with(lab, speeds);
         const double first = energy_of(state); // all that there is: links are as long as at rest

@@ -70,8 +70,8 @@ void expect_edges_as_searched(const Scene& scene, const Camera& camera, const st
 {
     test::Drawing drawing(scene, camera, small_page_px);
     const EdgeMesh mesh = features::edge_mesh_of(drawing.layout);
-    const auto lists =
-        drawing.chains({.silhouettes = Silhouettes::edges, .crease_deg = 180.0F, .intersection_mm = 0.0F});
+    const auto lists = drawing.chains(
+        {.silhouettes = Silhouettes::edges, .crease_deg = 180.0F, .intersection = {.enabled = false}});
     const Facing facing(drawing, mesh);
     size_t wrong_triangles = 0;
     for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {

@@ -70,7 +70,7 @@ inline Camera view_from_above()
 inline ContourStyle even_lines(float width_px)
 {
     ContourStyle style;
-    style.outline_mm = style.boundary_mm = style.crease_mm = width_px;
+    style.outline.width_mm = style.border.width_mm = style.crease.width_mm = width_px;
     style.pressure = 0.0F;
     style.distance_thinning = 0.0F;
     style.taper_mm = 0.0F;

@@ -20,7 +20,7 @@ shared::FluidShape as_shared(const Shape& shape)
             .radius_m = shape.radius_m,
             .half_m = shape.half_m,
             .angle_rad = shape.angle_rad,
-            .speed = shape.velocity_m_s,
+            .speed = shape.velocity_m_per_s,
             .spin = shape.spin_rad_s};
 }
 

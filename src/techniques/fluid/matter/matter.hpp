@@ -22,7 +22,7 @@ struct Shape {
     glm::vec3 half_m{0.0F};   ///< of the box, along its own axes
     float radius_m = 0.0F;
     float angle_rad = 0.0F; ///< from x towards y
-    glm::vec3 velocity_m_s{0.0F};
+    glm::vec3 velocity_m_per_s{0.0F};
     float spin_rad_s = 0.0F;
 };
 

@@ -63,11 +63,11 @@ double divergence_left(Fluid& fluid, const FluidStyle& style, uint32_t steps)
 std::vector<Shape> walkers()
 {
     Shape ball = disc({2.0F, 3.0F, 0.0F}, 0.6F);
-    ball.velocity_m_s = {1.0F, 0.4F, 0.0F};
+    ball.velocity_m_per_s = {1.0F, 0.4F, 0.0F};
     Shape oar = box({4.4F, 3.2F, 0.0F}, {0.9F, 0.15F, 0.0F}, 0.5F);
     oar.spin_rad_s = 2.0F;
     Shape pill = capsule({3.0F, 5.0F, 0.0F}, 1.0F, 0.3F);
-    pill.velocity_m_s = {0.0F, -0.7F, 0.0F};
+    pill.velocity_m_per_s = {0.0F, -0.7F, 0.0F};
     return {ball, oar, pill};
 }
 
@@ -83,7 +83,7 @@ TEST(FluidMatter, ObstaclesMoveInVolumesToo)
     const Grid room{.cells = {24, 24, 24}, .cell_m = 0.1F};
     Fluid fluid(test::shared_device(), room);
     Shape ball = disc({1.2F, 1.2F, 1.2F}, 0.5F);
-    ball.velocity_m_s = {0.3F, 0.2F, 0.5F};
+    ball.velocity_m_per_s = {0.3F, 0.2F, 0.5F};
     fluid.set_shapes(std::vector{ball}, {});
     EXPECT_LE(divergence_left(fluid, {.step_s = 0.05F}, 2), 2e-3);
 }
@@ -93,7 +93,7 @@ TEST(FluidMatter, FacesOfObstaclesMoveAsTheyDo)
     Fluid fluid(test::shared_device(), meadow);
     Shape oar = box({3.2F, 3.2F, 0.0F}, {1.0F, 0.4F, 0.0F});
     oar.spin_rad_s = 1.5F;
-    oar.velocity_m_s = {0.0F, 0.25F, 0.0F};
+    oar.velocity_m_per_s = {0.0F, 0.25F, 0.0F};
     fluid.set_shapes(std::vector{oar}, {});
     const std::vector<float> velocity = after(fluid, {.step_s = 0.001F}, 1).velocity;
     // In its middle, a step later.
@@ -108,7 +108,7 @@ TEST(FluidMatter, ObstaclesGoOnFromGraphToGraph)
 {
     Fluid fluid(test::shared_device(), meadow);
     Shape ball = disc({2.05F, 3.2F, 0.0F}, 0.4F);
-    ball.velocity_m_s = {1.0F, 0.0F, 0.0F};
+    ball.velocity_m_per_s = {1.0F, 0.0F, 0.0F};
     fluid.set_shapes(std::vector{ball}, {});
     const std::vector<float> velocity = velocity_after(fluid, {.step_s = 0.05F}, 20, 3);
     for (uint32_t x = 28; x <= 33; ++x) {
@@ -122,7 +122,7 @@ TEST(FluidMatter, SourcesBringWhatTheySay)
 {
     Fluid fluid(test::shared_device(), meadow, 5);
     Source source{.shape = disc({3.2F, 3.2F, 0.0F}, 1.0F), .push_per_s = 20.0F};
-    source.shape.velocity_m_s = {0.0F, 0.0F, 0.0F};
+    source.shape.velocity_m_per_s = {0.0F, 0.0F, 0.0F};
     source.gain_per_s = {0.5F, 2.0F, 0.0F, 0.0F, 3.0F};
     fluid.set_shapes({}, std::vector{source});
     const Seen seen = after(fluid, {.step_s = 0.02F}, 25);
@@ -189,7 +189,7 @@ TEST(FluidMatter, EvenQuantitiesStayEvenHoweverTheFlowRuns)
 {
     Fluid fluid(test::shared_device(), meadow, 3, {}, even(meadow, {0.25F, -3.0F, 7.0F}));
     Source push{.shape = disc({2.0F, 2.5F, 0.0F}, 0.5F), .push_per_s = 10.0F};
-    push.shape.velocity_m_s = {2.0F, 1.0F, 0.0F};
+    push.shape.velocity_m_per_s = {2.0F, 1.0F, 0.0F};
     fluid.set_shapes({}, std::vector{push});
     const Seen seen = after(fluid, {.step_s = 0.05F}, 10);
     EXPECT_GT(norm(seen.velocity), 5.0);
@@ -324,10 +324,10 @@ void stir(const Grid& grid, uint32_t seconds)
     double fastest = 0.0;
     for (uint32_t i = 0; i < seconds / stir_s; ++i) {
         Source spoon{.shape = disc(anywhere(0.0, 3.2), any(0.1, 0.5)), .push_per_s = 10.0F};
-        spoon.shape.velocity_m_s = anywhere(-3.0, 3.0);
+        spoon.shape.velocity_m_per_s = anywhere(-3.0, 3.0);
         spoon.gain_per_s = {any(0.0, 1.0), any(-1.0, 2.0), any(0.0, 1.0), any(0.0, 1.0), 0.0F};
         Shape stone = disc(anywhere(0.0, 3.2), any(0.1, 0.5));
-        stone.velocity_m_s = anywhere(-1.0, 1.0);
+        stone.velocity_m_per_s = anywhere(-1.0, 1.0);
         // Now and then without an obstacle, so that solvers change.
         fluid.set_shapes(i % 3 == 0 ? std::vector{stone} : std::vector<Shape>{}, std::vector{spoon});
         const std::vector<float> speeds = velocity_after(fluid, all_that_stirs(), 2 * stir_s);

@@ -217,7 +217,7 @@ gpu::ImageId add_forces(gpu::Graph& graph, const Grid& grid, const ForceStyle& s
                                              .confinement = time_s * style.confinement_per_s,
                                              .rim_share = 1.0F - std::exp(-style.rim.share_per_s * time_s),
                                              .rim_cells = style.rim.breadth_m / grid.cell_m,
-                                             .outside = style.outside_m_s}})
+                                             .outside = style.outside_m_per_s}})
         .variant(grid_bits(grid) | (is_buoyant ? shared::fluid_bit_buoyant : 0U) |
                  (is_confined ? shared::fluid_bit_confined : 0U));
     dispatch_over_cells(pass, grid);

@@ -74,8 +74,8 @@ struct ForceStyle {
     float weight_m_s2 = 0.0F;          ///< down y, by a unit of density
     /// Feeds the vortices with so much of the speed that they have within a cell, each second.
     float confinement_per_s = 0.0F;
-    Rim rim; ///< where what moves takes up `outside_m_s`
-    glm::vec3 outside_m_s{0.0F};
+    Rim rim; ///< where what moves takes up `outside_m_per_s`
+    glm::vec3 outside_m_per_s{0.0F};
 
     bool operator==(const ForceStyle&) const = default;
 };

@@ -207,7 +207,7 @@ gpu::BufferId add_trace(gpu::Graph& graph, const HatchInputs& in, const std::vec
         vkCmdFillBuffer(recorder.commands(), recorder.buffer(crossings).handle(), 0, sizeof(uint32_t), 0);
     });
     for (uint32_t look = 0; look < looks.size(); ++look) {
-        if (looks[look].style.drawn) {
+        if (looks[look].style.enabled) {
             crossings =
                 add_crossings(graph, inputs_of_look(in, looks, look, {}), looks[look].style, crossings);
         }

@@ -61,7 +61,7 @@ std::array<PlaneWave, shared::ink_wave_count> plane_waves(const InkStyle& style)
         square += 0.5 * speed * speed;
     }
     for (PlaneWave& wave : waves) {
-        wave.amplitude *= static_cast<double>(style.swirl_mm_s) / std::sqrt(square);
+        wave.amplitude *= static_cast<double>(style.swirl_mm_per_s) / std::sqrt(square);
     }
     return waves;
 }
@@ -111,9 +111,9 @@ std::array<float, shared::ink_wave_count> phases_at(const Waves& waves, double t
 }
 
 float stream_at(const Waves& waves, const std::array<float, shared::ink_wave_count>& phases,
-                glm::vec2 wind_mm_s, glm::vec2 place_mm)
+                glm::vec2 wind_mm_per_s, glm::vec2 place_mm)
 {
-    float stream = wind_mm_s.x * place_mm.y - wind_mm_s.y * place_mm.x;
+    float stream = wind_mm_per_s.x * place_mm.y - wind_mm_per_s.y * place_mm.x;
     for (size_t i = 0; i < waves.size(); ++i) {
         const shared::InkWave& wave = waves.at(i).wave;
         stream += wave.amplitude * std::sin(2.0F * static_cast<float>(std::numbers::pi) *
@@ -122,10 +122,10 @@ float stream_at(const Waves& waves, const std::array<float, shared::ink_wave_cou
     return stream;
 }
 
-glm::vec2 wind_mm_s(const InkStyle& style)
+glm::vec2 wind_mm_per_s(const InkStyle& style)
 {
     const float angle = glm::radians(style.wind_deg);
-    return style.wind_mm_s * glm::vec2(std::cos(angle), -std::sin(angle));
+    return style.wind_mm_per_s * glm::vec2(std::cos(angle), -std::sin(angle));
 }
 
 // A picture of flow, made into a stream function.

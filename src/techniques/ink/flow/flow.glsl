@@ -5,9 +5,9 @@
 // What drives ink, as stream functions, square millimetres a second. The velocity is the curl, (d psi / dy,
 // -d psi / dx), so ink gathers nowhere and thins nowhere. y points down on the page.
 
-float wind_stream(vec2 place_mm, vec2 wind_mm_s)
+float wind_stream(vec2 place_mm, vec2 wind_mm_per_s)
 {
-    return wind_mm_s.x * place_mm.y - wind_mm_s.y * place_mm.x;
+    return wind_mm_per_s.x * place_mm.y - wind_mm_per_s.y * place_mm.x;
 }
 
 const float rad_per_turn = 6.2831853f;
@@ -27,11 +27,11 @@ float zone_share(float square)
 
 // Within a zone its own flow takes the place of the one around. Stream functions are mixed, not velocities:
 // the flow goes round where they differ. `in_middle` is the outer stream function in the zone's middle.
-float in_zone(float outer, vec2 from_middle_mm, float radius_mm, vec2 velocity_mm_s, float turn_rad_s,
+float in_zone(float outer, vec2 from_middle_mm, float radius_mm, vec2 velocity_mm_per_s, float turn_rad_s,
               float in_middle)
 {
     float square_mm = dot(from_middle_mm, from_middle_mm);
-    float inner = in_middle + wind_stream(from_middle_mm, velocity_mm_s) - 0.5f * turn_rad_s * square_mm;
+    float inner = in_middle + wind_stream(from_middle_mm, velocity_mm_per_s) - 0.5f * turn_rad_s * square_mm;
     return mix(outer, inner, zone_share(square_mm / (radius_mm * radius_mm)));
 }
 

@@ -21,7 +21,7 @@ struct Wave {
 
 using Waves = std::array<Wave, shared::ink_wave_count>;
 
-/// Waves on the page, whose velocity is `swirl_mm_s` on the root mean square.
+/// Waves on the page, whose velocity is `swirl_mm_per_s` on the root mean square.
 [[nodiscard]] Waves page_waves(const InkStyle& style);
 
 /// The same for the unit sphere around an eye that sees `mm_per_rad` of the page in a radian.
@@ -32,10 +32,10 @@ using Waves = std::array<Wave, shared::ink_wave_count>;
 
 /// The stream function of waves and wind at a place of the page, square millimetres a second.
 [[nodiscard]] float stream_at(const Waves& waves, const std::array<float, shared::ink_wave_count>& phases,
-                              glm::vec2 wind_mm_s, glm::vec2 place_mm);
+                              glm::vec2 wind_mm_per_s, glm::vec2 place_mm);
 
 /// In millimetres a second to the right and down.
-[[nodiscard]] glm::vec2 wind_mm_s(const InkStyle& style);
+[[nodiscard]] glm::vec2 wind_mm_per_s(const InkStyle& style);
 
 /// Velocities of a picture of flow, `shared::ink_map_side` each way, row by row: red is to the right, green
 /// is down, half of each is none. Throws Error naming the file when it is no picture.

@@ -21,7 +21,7 @@ float flow_map_stream(vec2 place_mm)
             psi += across[column] * down[row] * texelFetch(map_texels, from.y * int(ink_map_side) + from.x).x;
         }
     }
-    return globals.map_mm_s * psi;
+    return globals.map_mm_per_s * psi;
 }
 
 #endif

@@ -25,7 +25,7 @@ using shared::ink_node_cells;
 struct Globals {
     uvec2 grid_size{200, 150};
     vec2 page_mm{200.0F, 150.0F}; // a cell is a millimetre
-    float map_mm_s = 20.0F;
+    float map_mm_per_s = 20.0F;
 };
 
 static Globals globals;
@@ -60,16 +60,16 @@ struct Flow {
     {
         const Waves waves = page_waves(style);
         const auto phases = phases_at(waves, time_s);
-        float psi = ink_flow::wind_stream(place_mm, wind_mm_s(style));
+        float psi = ink_flow::wind_stream(place_mm, wind_mm_per_s(style));
         for (size_t i = 0; i < waves.size(); ++i) {
             const shared::InkWave& wave = waves.at(i).wave;
             psi += ink_flow::wave_stream(glm::vec2(wave.wave), wave.amplitude, phases.at(i), place_mm);
         }
         psi += has_map ? ink_flow::flow_map_stream(place_mm) : 0.0F;
         for (const shared::InkZone& zone : zones) {
-            psi = ink_flow::in_zone(psi, place_mm - zone.middle_mm, zone.radius_mm, zone.velocity_mm_s,
+            psi = ink_flow::in_zone(psi, place_mm - zone.middle_mm, zone.radius_mm, zone.velocity_mm_per_s,
                                     zone.turn_rad_s,
-                                    stream_at(waves, phases, wind_mm_s(style), zone.middle_mm));
+                                    stream_at(waves, phases, wind_mm_per_s(style), zone.middle_mm));
         }
         return psi;
     }
@@ -141,7 +141,7 @@ TEST(InkFlow, HasNoDivergence)
     Flow flow;
     const double of_waves = most_divergence(flow);
     EXPECT_LT(of_waves, rounding);
-    flow.zones = {{.middle_mm = {60.0F, 70.0F}, .radius_mm = 40.0F, .velocity_mm_s = {30.0F, 10.0F}},
+    flow.zones = {{.middle_mm = {60.0F, 70.0F}, .radius_mm = 40.0F, .velocity_mm_per_s = {30.0F, 10.0F}},
                   {.middle_mm = {90.0F, 80.0F}, .radius_mm = 30.0F, .turn_rad_s = 2.0F}};
     const double of_zones = most_divergence(flow);
     EXPECT_LT(of_zones, rounding);
@@ -158,7 +158,7 @@ TEST(InkFlow, HasNoDivergence)
 TEST(InkFlow, IsAsFastAsTheStyleSays)
 {
     Flow flow;
-    flow.style.wind_mm_s = 0.0F;
+    flow.style.wind_mm_per_s = 0.0F;
     double square = 0.0;
     int count = 0;
     for (int moment = 0; moment < 40; ++moment) {
@@ -171,12 +171,12 @@ TEST(InkFlow, IsAsFastAsTheStyleSays)
             }
         }
     }
-    const auto wanted = static_cast<double>(flow.style.swirl_mm_s);
+    const auto wanted = static_cast<double>(flow.style.swirl_mm_per_s);
     // Nodes 4 mm apart smooth the smallest swirls, of 10 mm, a little.
     EXPECT_NEAR(std::sqrt(square / count), wanted, 0.1 * wanted);
-    flow.style.wind_mm_s = 20.0F;
+    flow.style.wind_mm_per_s = 20.0F;
     flow.style.wind_deg = 90.0F;
-    const glm::vec2 up = wind_mm_s(flow.style);
+    const glm::vec2 up = wind_mm_per_s(flow.style);
     EXPECT_NEAR(up.x, 0.0F, 1e-5F);
     EXPECT_NEAR(up.y, -20.0F, 1e-5F) << "up on the page, whose y points down";
 }
@@ -184,7 +184,7 @@ TEST(InkFlow, IsAsFastAsTheStyleSays)
 TEST(InkFlow, ObeysAZoneInItsMiddle)
 {
     Flow flow;
-    flow.zones = {{.middle_mm = {100.0F, 70.0F}, .radius_mm = 40.0F, .velocity_mm_s = {3.0F, -4.0F}}};
+    flow.zones = {{.middle_mm = {100.0F, 70.0F}, .radius_mm = 40.0F, .velocity_mm_per_s = {3.0F, -4.0F}}};
     flow.keep(1.0);
     const glm::dvec2 blown = velocity({105.0, 73.0});
     EXPECT_NEAR(blown.x, 3.0, 1e-3);
@@ -226,10 +226,10 @@ TEST(InkFlow, OfAPictureKeepsWhatTurnsAndDropsWhatSpreads)
                            page_mm.x / page_mm.y * std::sin(turns.x) * std::cos(turns.y));
     };
     Flow flow;
-    flow.style.wind_mm_s = 0.0F;
-    flow.style.swirl_mm_s = 0.0F;
+    flow.style.wind_mm_per_s = 0.0F;
+    flow.style.swirl_mm_per_s = 0.0F;
     flow.has_map = true;
-    ink_flow::globals.map_mm_s = 1.0F;
+    ink_flow::globals.map_mm_per_s = 1.0F;
     for (const bool turns : {true, false}) {
         std::vector<glm::vec2> velocities;
         for (uint32_t row = 0; row < side; ++row) {

@@ -239,7 +239,7 @@ TEST(MappedDiscs, ComeNearWhatRaysTell)
 std::vector<float> mask_by(const char* method, uint32_t texels = 512)
 {
     const Style style = test::effect_style(
-        {"occlusion.drawn=true", "occlusion.feeds=layer", "occlusion.radius_m=1"},
+        {"occlusion.enabled=true", "occlusion.feeds=layer", "occlusion.radius_m=1"},
         {fmt::format("occlusion.method={}", method), fmt::format("occlusion.texels={}", texels)});
     const LayeredImage image = test::shared_renderer().render_layers(
         {.eye = {0.0, 2.0, 5.0}, .target = {0.0, 0.3, 0.0}, .vertical_fov_rad = 0.6}, style,

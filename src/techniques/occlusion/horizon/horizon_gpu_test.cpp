@@ -14,7 +14,7 @@ namespace estampe::occlusion {
 namespace {
 
 constexpr glm::uvec2 size_px(160, 120);
-const OcclusionStyle far_reaching{.drawn = true, .reach_mm = 60.0F, .thickness = 1.0F};
+const OcclusionStyle far_reaching{.enabled = true, .reach_mm = 60.0F, .thickness = 1.0F};
 
 /// Openness on a floor at a distance of an endless wall, as a share of the radius: of the rays of the cosine
 /// through a unit disc those beyond the chord meet the wall, at a distance that the fall-off weighs.

@@ -38,7 +38,7 @@ const style::Table<CloudStyle>& cloud_table()
                     "Width of a bundle of white streaks in the sky (cirrus)")
             .number("streaks_mm", &CloudStyle::streaks_mm, {0.05F, 10.0F}, "mm",
                     "Width of a single white streak (cirrus) on the page")
-            .number("wind_mps", &CloudStyle::wind_mps, {0.0F, 1000.0F}, "m/s",
+            .number("wind_m_per_s", &CloudStyle::wind_m_per_s, {0.0F, 1000.0F}, "m/s",
                     "Speed at which all clouds drift")
             .number("wind_deg", &CloudStyle::wind_deg, {-360.0F, 360.0F}, "deg",
                     "Bearing towards which clouds drift: 0 is +z, 90 is +x")
@@ -65,9 +65,7 @@ const style::Table<CloudStyle>& cloud_table()
                     "Darkness of the shadows that clouds throw on the ground: 0 throws none, 1 takes all of "
                     "the sun")
             .number("reach_m", &CloudStyle::reach_m, {1000.0F, 200000.0F}, "m",
-                    "Distance at which clouds have dissolved into the sky")
-            .integer("seed", &CloudStyle::seed, {0, 1000000}, "",
-                     "Random seed of the clouds: another value gives other clouds");
+                    "Distance at which clouds have dissolved into the sky");
     return table;
 }
 
@@ -133,7 +131,7 @@ Wind wind_of(const CloudStyle& style, double time_s)
 {
     const double bearing = glm::radians(static_cast<double>(style.wind_deg));
     return {.along = {std::sin(bearing), std::cos(bearing)},
-            .drifted_m = static_cast<double>(style.wind_mps) * time_s};
+            .drifted_m = static_cast<double>(style.wind_m_per_s) * time_s};
 }
 
 /// Where their cells begin.

@@ -29,7 +29,7 @@ struct CloudStyle {
     float streaks_base_m = 8000.0F;
     float streaks_size_m = 9000.0F;
     float streaks_mm = 0.9F;
-    float wind_mps = 9.0F;
+    float wind_m_per_s = 9.0F;
     float wind_deg = 90.0F;
     float change_s = 3600.0F;
     glm::vec3 color = style::srgb(0xffffff);

@@ -98,7 +98,7 @@ TEST(Clouds, StandStillInTheWorldAsTheCameraTurns)
 TEST(Clouds, DriftAsFastAsTheWindAndPassOverAnEyeThatMoves)
 {
     CloudStyle style = all_kinds;
-    style.wind_mps = 20.0F;
+    style.wind_m_per_s = 20.0F;
     style.wind_deg = 60.0F;
     style.change_s = 1e6F;
     const View view{.camera = looking(14.0, 30.0, 0.7), .size_px = {160, 100}};
@@ -358,7 +358,7 @@ TEST(CloudMemories, HoldWhatWouldBeMade)
     const auto first = shapes_at(style, 0.0);
     EXPECT_EQ(shapes_at(style, 0.02), first) << "an eye sees no change in a fiftieth of a second";
     EXPECT_NE(shapes_at(style, 60.0), first);
-    style.wind_mps = 2.0F;
+    style.wind_m_per_s = 2.0F;
     const auto other = shapes_at(style, 0.0);
     style.flocks = 0.5F;
     EXPECT_NE(shapes_at(style, 0.0)->starts, other->starts);

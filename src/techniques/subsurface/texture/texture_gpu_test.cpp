@@ -38,7 +38,7 @@ public:
     /// What comes from elsewhere at each texel.
     [[nodiscard]] std::vector<glm::vec4> spread(const test::Painter<glm::vec4>& paint, float scatter_tx)
     {
-        const SubsurfaceStyle style{.drawn = true,
+        const SubsurfaceStyle style{.enabled = true,
                                     .scatter_m = scatter_tx / data.texels_per_m,
                                     .scatter_color = glm::vec3(1.0F),
                                     .depth_m = 0.0F};
@@ -154,7 +154,7 @@ protected:
 
     [[nodiscard]] LinearImage draw(const std::vector<std::string>& assignments, double x_m = 0.0)
     {
-        std::vector<std::string> all{"paper.margin_mm=0", "hatch.drawn=false",    "sky.mode=paper",
+        std::vector<std::string> all{"paper.margin_mm=0", "hatch.enabled=false",  "sky.enabled=false",
                                      "wash.strength=1",   "wash.light_tint=1",    "light.ambient=0.1",
                                      "wash.neutral=1",    "light.turn_sun=false", "wash.least=0"};
         all.insert(all.end(), assignments.begin(), assignments.end());
@@ -176,7 +176,7 @@ protected:
     }
 
     Renderer& renderer = test::shared_renderer();
-    std::vector<std::string> skin{"material.skin.subsurface.drawn=true",
+    std::vector<std::string> skin{"material.skin.subsurface.enabled=true",
                                   "material.skin.subsurface.scatter_m=0.08",
                                   "material.skin.subsurface.depth_m=0", "subsurface.reach_mm=200"};
 };

@@ -13,7 +13,7 @@ namespace estampe::terrain {
 namespace {
 
 constexpr uint32_t grid_side = 128;
-constexpr double least_wind_m_s = 6.0;
+constexpr double least_wind_m_per_s = 6.0;
 constexpr double sand_by_wind = 0.6; ///< speed of sand in the air
 constexpr double life_s = static_cast<double>(shared::drift_life_s);
 
@@ -21,10 +21,11 @@ constexpr double life_s = static_cast<double>(shared::drift_life_s);
 
 std::optional<DriftPlan> drift_at(const TerrainWind& wind, const DriftStyle& style, const DriftView& view)
 {
-    const auto speed_m_s = static_cast<double>(wind.speed_m_s);
-    const bool blows = style.mode == DriftMode::drawn
-                           ? speed_m_s > 0.0
-                           : style.mode == DriftMode::automatic && speed_m_s >= least_wind_m_s;
+    const auto speed_m_per_s = static_cast<double>(wind.speed_m_per_s);
+    const bool blows =
+        style.enabled == style::AutoToggle::on
+            ? speed_m_per_s > 0.0
+            : style.enabled == style::AutoToggle::automatic && speed_m_per_s >= least_wind_m_per_s;
     if (!blows || style.amount <= 0.0F) {
         return std::nullopt;
     }
@@ -39,7 +40,7 @@ std::optional<DriftPlan> drift_at(const TerrainWind& wind, const DriftStyle& sty
                                  .first_x = wrapped_cells(first.x),
                                  .first_y = wrapped_cells(first.y),
                                  .wind = glm::vec2(std::cos(direction_rad), std::sin(direction_rad)),
-                                 .speed_m_s = static_cast<float>(sand_by_wind * speed_m_s),
+                                 .speed_m_per_s = static_cast<float>(sand_by_wind * speed_m_per_s),
                                  .life = wrapped_cells(std::floor(lives)),
                                  .life_share = static_cast<float>(lives - std::floor(lives)),
                                  .length_m = style.length_m,
@@ -71,10 +72,10 @@ const style::Table<DriftStyle>& drift_table()
 {
     static const auto table =
         style::Table<DriftStyle>("drift", "Drifting sand that the wind blows off the crests of a terrain")
-            .choice("mode", &DriftStyle::mode,
-                    {{"auto", DriftMode::automatic}, {"drawn", DriftMode::drawn}, {"none", DriftMode::none}},
-                    "When sand drifts. drawn: in any wind; none: never; auto: if the terrain's wind is 6 m/s "
-                    "or more.")
+            .auto_toggle(
+                "enabled", &DriftStyle::enabled,
+                "Lets sand drift. true: in any wind; false: never; auto: if the terrain's wind is 6 m/s "
+                "or more.")
             .number("amount", &DriftStyle::amount, {0.0F, 1.0F}, "",
                     "Amount of drifting sand: 0 is none, 1 draws all streaks that the crests can give")
             .number("length_m", &DriftStyle::length_m, {0.05F, 20.0F}, "m",

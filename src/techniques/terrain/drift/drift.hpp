@@ -13,10 +13,8 @@
 
 namespace estampe::terrain {
 
-enum class DriftMode : uint8_t { automatic, drawn, none };
-
 struct DriftStyle {
-    DriftMode mode = DriftMode::automatic;
+    style::AutoToggle enabled = style::AutoToggle::automatic;
     float amount = 0.8F;
     float length_m = 5.0F;
     float lift_m = 1.8F;

@@ -61,7 +61,7 @@ vec3 crest_near(vec2 place_m)
 
 vec3 flown(vec3 from, float age_s, float rises, float swerves)
 {
-    float away_m = drift.speed_m_s * age_s;
+    float away_m = drift.speed_m_per_s * age_s;
     vec2 across = vec2(-drift.wind.y, drift.wind.x);
     vec2 place = from.xz + away_m * drift.wind + swerves * away_m * across;
     float up = rises * drift.lift_m * (1.0 - exp(-2.5 * age_s)) - 0.5 * sinking_m_s2 * age_s * age_s;
@@ -121,7 +121,7 @@ void main()
     }
     float rises = unit_float(hash(key, 5u, 0u));
     float swerves = 0.14 * (unit_float(hash(key, 6u, 0u)) - 0.5);
-    float streak_s = drift.length_m / drift.speed_m_s * (0.5 + unit_float(hash(key, 7u, 0u)));
+    float streak_s = drift.length_m / drift.speed_m_per_s * (0.5 + unit_float(hash(key, 7u, 0u)));
     vec3 from = vec3(place.x, height + 0.05, place.y);
     vec3 tail = on_page(flown(from, age_s, rises, swerves));
     vec3 head = on_page(flown(from, age_s + streak_s, rises, swerves));

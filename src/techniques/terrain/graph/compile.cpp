@@ -143,7 +143,7 @@ private:
             return coordinate(clock, true);
         }
         if (at.word == "wind") {
-            return constant(terrain_.wind.speed_m_s);
+            return constant(terrain_.wind.speed_m_per_s);
         }
         if (at.word == "pi") {
             return constant(std::numbers::pi);

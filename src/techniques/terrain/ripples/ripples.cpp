@@ -18,7 +18,7 @@ std::optional<shared::RippleConstants> ripples_at(const TerrainDescription& terr
     const double direction_rad = glm::radians(static_cast<double>(terrain.wind.direction_deg));
     const glm::dvec2 wind(std::cos(direction_rad), std::sin(direction_rad));
     const glm::dvec2 place(anchor_m.x, anchor_m.z);
-    const double along_m = glm::dot(place, wind) - static_cast<double>(ripples.drift_m_s) * time_s;
+    const double along_m = glm::dot(place, wind) - static_cast<double>(ripples.drift_m_per_s) * time_s;
     const double across_m = wind.x * place.y - wind.y * place.x;
     const glm::dvec2 cell_m = static_cast<double>(ripples.wavelength_m) *
                               glm::dvec2(shared::ripple_cell_along, shared::ripple_cell_across);

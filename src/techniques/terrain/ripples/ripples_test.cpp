@@ -92,7 +92,7 @@ TEST(Ripples, GoWithTheWind)
 {
     TerrainDescription terrain;
     terrain.wind.direction_deg = 90.0F;
-    terrain.ripples.drift_m_s = 0.01F;
+    terrain.ripples.drift_m_per_s = 0.01F;
     const auto later = ripples_at(terrain, 1, {640.0, 0.0, 64.0}, 500.0);
     const auto upwind = ripples_at(terrain, 1, {640.0, 0.0, 59.0}, 0.0);
     ASSERT_TRUE(later && upwind);

@@ -42,7 +42,7 @@ struct Setting {
 };
 
 constexpr std::array settings{
-    Setting{"pace", 0.01, 100.0, &TerrainTrack::pace_m_s},
+    Setting{"pace", 0.01, 100.0, &TerrainTrack::pace_m_per_s},
     Setting{"stride", 0.05, 10.0, &TerrainTrack::stride_m}, Setting{"foot", 0.02, 5.0, &TerrainTrack::foot_m},
     Setting{"depth", 0.001, 2.0, &TerrainTrack::depth_m}, Setting{"drag", 0.0, 10.0, &TerrainTrack::drag_m}};
 
@@ -201,7 +201,7 @@ std::vector<TimedStamp> stamps_of(const TerrainTrack& track)
 {
     const Curve curve = curve_through(track.path_m);
     const double length_m = curve.along_m.back();
-    const double start_s = track.start_s.value_or(-length_m / track.pace_m_s);
+    const double start_s = track.start_s.value_or(-length_m / track.pace_m_per_s);
     const bool is_dragged = track.drag_m > 0.0;
     const double step_m = is_dragged ? std::max(track.drag_m, 0.1) : track.stride_m;
     std::mt19937 random; // the same for every track
@@ -212,7 +212,7 @@ std::vector<TimedStamp> stamps_of(const TerrainTrack& track)
         const glm::dvec2 place = curve.at(along);
         const double ahead_m = std::min(along + 0.1, length_m);
         const glm::dvec2 towards = direction_of(curve.at(ahead_m) - curve.at(ahead_m - 0.2));
-        TimedStamp stamp{.time_s = start_s + along / track.pace_m_s};
+        TimedStamp stamp{.time_s = start_s + along / track.pace_m_per_s};
         if (is_dragged) {
             stamp.stamp =
                 TrailStamp::drag(place, curve.at(std::min(along + step_m, length_m)),

@@ -14,7 +14,7 @@ TEST(Track, IsReadAndWritten)
         parse_track("0,0 3,4 10,-2.5 pace=2 start=-1.5 stride=0.5 foot=0.25 depth=0.1", "rider", "a:1:1");
     EXPECT_EQ(track.path_m.size(), 3U);
     EXPECT_EQ(track.path_m[2], glm::dvec2(10.0, -2.5));
-    EXPECT_EQ(track.pace_m_s, 2.0);
+    EXPECT_EQ(track.pace_m_per_s, 2.0);
     EXPECT_EQ(track.start_s, -1.5);
     EXPECT_EQ(parse_track(track_text(track), "rider", ""), track);
     EXPECT_EQ(track_text(parse_track("0,0 1,1", "plain", "")), "0,0 1,1");

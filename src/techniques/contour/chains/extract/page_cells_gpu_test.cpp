@@ -20,7 +20,7 @@ constexpr glm::vec3 grey(0.5F);
 
 ContourStyle with_intersections()
 {
-    return {.intersection_mm = 0.3F};
+    return {.intersection = {.width_mm = 0.3F}};
 }
 
 /// Lines of one kind, in the scene and on the page.
@@ -184,7 +184,7 @@ TEST(ContourIntersections, WhatStandsOnAnotherHasItsOwnEdgeOnly)
 TEST(ContourIntersections, AreNoneUnlessAskedFor)
 {
     test::Drawing drawing(two_balls(0.6), {.eye = {1.1, 1.7, 5.0}}, page_px);
-    const Found found(drawing, {.intersection_mm = 0.0F}, shared::line_intersection);
+    const Found found(drawing, {.intersection = {.enabled = false}}, shared::line_intersection);
     EXPECT_EQ(found.points.size(), 0U);
 }
 
@@ -223,7 +223,7 @@ protected:
 
 TEST_F(ShadowEdges, LieWhereTheShadowEnds)
 {
-    const Found found(drawing_, {.shadow_mm = 0.3F}, shared::line_shadow);
+    const Found found(drawing_, {.shadow_edge = {.width_mm = 0.3F}}, shared::line_shadow);
     const glm::dvec3 low = shadow_of(-1.5, -0.5);
     const glm::dvec3 high = shadow_of(0.5, 0.5);
     ASSERT_GT(found.points.size(), 60U);
@@ -253,7 +253,7 @@ TEST_F(ShadowEdges, AreNotWhereLightTurnsAway)
 {
     test::Drawing ball(test::scene_of(shapes::sphere(1.0F, 96, 48)), {.eye = {0.0, 0.5, 5.0}}, page_px);
     ball.line_light = drawing_.line_light;
-    const Found found(ball, {.shadow_mm = 0.3F}, shared::line_shadow);
+    const Found found(ball, {.shadow_edge = {.width_mm = 0.3F}}, shared::line_shadow);
     EXPECT_EQ(found.strokes, 0U);
 }
 

@@ -38,7 +38,7 @@ void expect_bends_as_searched(const Scene& scene, const Camera& camera, const st
 {
     test::Drawing drawing(scene, camera, small_page_px);
     const EdgeMesh mesh = features::edge_mesh_of(drawing.layout);
-    const auto lists = drawing.chains({.suggestive_mm = 0.3F, .intersection_mm = 0.0F});
+    const auto lists = drawing.chains({.suggestive = {.width_mm = 0.3F}, .intersection = {.enabled = false}});
     ASSERT_EQ(lists.view_bends.size(), drawing.layout.draw_of_vertex.size()) << name;
     const size_t triangle_words = (mesh.triangles.size() + 31) / 32;
     const size_t first_item = 32 * (lists.marks.size() - triangle_words);
@@ -156,7 +156,8 @@ protected:
     }
 
     const glm::dvec3 eye_{0.6, 1.4, 4.2};
-    const ContourStyle style_{.suggestive_mm = 0.3F, .suggestive_growth = 2.0F, .suggestive_deg = 15.0F};
+    const ContourStyle style_{
+        .suggestive = {.width_mm = 0.3F}, .suggestive_growth = 2.0F, .suggestive_deg = 15.0F};
     Scene scene_;
     test::Drawing drawing_;
     Torus torus_;
@@ -247,9 +248,10 @@ TEST_F(SuggestiveTorus, HasAllOfThem)
 TEST(SuggestiveContours, AreNoneUnlessAskedFor)
 {
     test::Drawing drawing(shapes_scene(), view_from_above(), small_page_px);
-    const auto lists = drawing.chains({.intersection_mm = 0.0F});
+    const auto lists = drawing.chains({.intersection = {.enabled = false}});
     EXPECT_TRUE(lists.view_bends.empty());
-    const auto with_lines = drawing.chains({.suggestive_mm = 0.3F, .intersection_mm = 0.0F});
+    const auto with_lines =
+        drawing.chains({.suggestive = {.width_mm = 0.3F}, .intersection = {.enabled = false}});
     const size_t words = (drawing.layout.triangles.size() + 31) / 32;
     EXPECT_EQ(lists.marks.size() + words, with_lines.marks.size());
     for (size_t i = 0; i < lists.marks.size(); ++i) {

@@ -166,7 +166,7 @@ TEST(LineBrush, ARepeatedBrushHoldsToTheSurfaceInMotion)
 TEST(LineBrush, DashesOfHiddenLinesHoldToo)
 {
     ContourStyle style = even_lines(2.0F);
-    style.hidden = Hidden::dashed;
+    style.hidden.enabled = true;
     const Steadiness film_of_dashes = steadiness_of(orbit(shapes_scene(), style, 6, LineClass::hidden));
     EXPECT_GT(film_of_dashes.compared, 300U);
     EXPECT_LT(film_of_dashes.slip_px, 0.15)

@@ -107,12 +107,12 @@ TEST(LineBrush, AMarkedEdgeHasItsOwnAndNotThatOfCreases)
     test::Drawing marked(test::scene_of(marked_box), view_of_box(), page_px);
     test::Drawing creased(test::scene_of(large_box()), view_of_box(), page_px);
     ContourStyle style = even_lines(12.0F);
-    style.marked_mm = 12.0F;
+    style.marked.width_mm = 12.0F;
     style.brush_fit = BrushFit::stretch;
-    style.marked_brush = (folder / "stroke.png").string();
+    style.marked.brush = (folder / "stroke.png").string();
     EXPECT_EQ(count_pictured(marked, style).of_picture, 1U);
     EXPECT_EQ(count_pictured(creased, style).of_picture, 0U);
-    std::swap(style.marked_brush, style.crease_brush);
+    std::swap(style.marked.brush, style.crease.brush);
     EXPECT_EQ(count_pictured(marked, style).of_picture, 0U);
     EXPECT_EQ(count_pictured(creased, style).of_picture, 3U);
 }
@@ -123,7 +123,7 @@ TEST(LineBrush, APenBesideOtherBrushesDrawsAsItDoesAlone)
     style.crease_deg = 180.0F;
     test::Drawing drawing(shapes_scene(), view_from_above(), page_px);
     const std::vector<float> alone = drawing.lines(style, 1.0F);
-    style.crease_brush = "pencil";
+    style.crease.brush = "pencil";
     const std::vector<float> beside = drawing.lines(style, 1.0F);
     double sum = 0.0;
     double off = 0.0;

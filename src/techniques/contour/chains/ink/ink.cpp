@@ -97,7 +97,7 @@ struct Inked {
 float period_mm(const BrushImages& brushes, uint32_t use, const ContourStyle& style)
 {
     if (use == shared::brush_hidden) {
-        return style.hidden_dash_mm + style.hidden_gap_mm;
+        return style.hidden.dash_mm + style.hidden.gap_mm;
     }
     if (style.brush_fit == BrushFit::stretch) {
         return 0.0F;

@@ -89,7 +89,7 @@ Scene by_joint(const Primitive& primitive, const glm::dmat4& turn)
 uint32_t segments_of(const Scene& scene)
 {
     test::Drawing drawing(scene, view_from_above(), turned_page_px);
-    return drawing.chain_sizes({.intersection_mm = 0.0F})[shared::list_segments].count;
+    return drawing.chain_sizes({.intersection = {.enabled = false}})[shared::list_segments].count;
 }
 
 glm::dmat4 random_turn(std::mt19937& random)

@@ -36,7 +36,7 @@ double outline_px(double distance_m, const ContourStyle& style)
 TEST(LineHand, WidthsOfTheSceneHalveWhenTheDistanceDoubles)
 {
     ContourStyle style = even_lines(1.0F);
-    style.outline_m = 0.12F;
+    style.outline.width_m = 0.12F;
     style.distance_thinning = 0.7F; // must not affect widths in metres
     std::vector<double> widths_px;
     for (const double distance_m : {4.0, 8.0}) {
@@ -46,7 +46,7 @@ TEST(LineHand, WidthsOfTheSceneHalveWhenTheDistanceDoubles)
         EXPECT_NEAR(widths_px.back(), 0.12 / pixel_m, 0.3) << distance_m;
     }
     EXPECT_NEAR(widths_px[0] / widths_px[1], 2.1, 0.1);
-    style.outline_m = 0.0F;
+    style.outline.width_m = 0.0F;
     style.distance_thinning = 0.0F;
     EXPECT_NEAR(outline_px(4.0, style), outline_px(8.0, style), 0.2);
 }
@@ -102,21 +102,23 @@ TEST(LineHand, WidthsOfTheSceneAreThoseOfEachKind)
     Primitive marked_fold = fold;
     marked_fold.edge_marks = {2, 0, 0, 0};
     const Primitive wave = folded_sheet(true);
-    const auto expect_width = [&](const Primitive& sheet, float ContourStyle::*width_m, const char* name) {
+    const auto expect_width = [&](const Primitive& sheet, LineStyle ContourStyle::*line, const char* name) {
         ContourStyle wide = style;
-        wide.*width_m = 0.12F;
+        (wide.*line).enabled = true;
+        (wide.*line).width_m = 0.12F;
         for (const double distance_m : {4.0, 6.0}) {
             const double pixel_m = 2.0 * distance_m * std::tan(0.5 * hand_fov_rad) / hand_page_px.y;
             EXPECT_NEAR(middle_px(sheet, distance_m, wide), 0.12 / pixel_m, 0.3)
                 << name << ", " << distance_m;
         }
     };
-    expect_width(fold, &ContourStyle::crease_m, "crease");
-    expect_width(marked_fold, &ContourStyle::marked_m, "marked");
-    expect_width(wave, &ContourStyle::ridge_m, "ridge");
+    expect_width(fold, &ContourStyle::crease, "crease");
+    expect_width(marked_fold, &ContourStyle::marked, "marked");
+    expect_width(wave, &ContourStyle::ridge, "ridge");
     // Widths of other kinds have no effect.
-    style.crease_m = style.valley_m = style.suggestive_m = 0.12F;
-    style.marked_mm = 1.0F;
+    style.crease.width_m = 0.12F;
+    style.valley = style.suggestive = {.width_m = 0.12F};
+    style.marked.width_mm = 1.0F;
     EXPECT_NEAR(middle_px(marked_fold, 4.0, style), 1.0, 0.3);
     EXPECT_NEAR(middle_px(wave, 4.0, style), 0.0, 0.01);
 }
@@ -203,7 +205,7 @@ TEST(LineHand, StrokesDrawnAgainLieOverTheFirstAndDependOnTheSeed)
 TEST(LineHand, JitterMovesEndsPlaceAndWidthAsFarAsItSays)
 {
     ContourStyle style = even_lines(4.0F);
-    style.crease_mm = 0.0F;
+    style.crease.enabled = false;
     test::Drawing drawing(test::scene_of(shapes::sphere(1.0F, 96, 48)), test::front_camera(3.0, hand_fov_rad),
                           hand_page_px);
     const std::vector<float> plain = drawing.lines(style, 1.0F);
@@ -249,13 +251,13 @@ TEST(LineHand, PressureFromTurnsSwellsWhereALineBends)
 TEST(LineHand, HiddenLinesAreDashedAndNowhereElse)
 {
     ContourStyle style = even_lines(3.0F);
-    style.hidden_mm = 4.0F;
-    style.hidden_dash_mm = 12.0F;
-    style.hidden_gap_mm = 8.0F;
+    style.hidden.width_mm = 4.0F;
+    style.hidden.dash_mm = 12.0F;
+    style.hidden.gap_mm = 8.0F;
     test::Drawing drawing(test::scene_of(shapes::box({1.6F, 1.6F, 1.6F})),
                           {.eye = {2.2, 2.7, 3.1}, .target = {0.0, 0.75, 0.0}}, hand_page_px);
     const std::vector<float> seen = drawing.lines(style, 1.0F);
-    style.hidden = Hidden::dashed;
+    style.hidden.enabled = true;
     const std::vector<float> all = drawing.lines(style, 1.0F);
     const test::ChainLists hidden = drawing.chains(style, LineClass::hidden);
     double ink = 0.0;

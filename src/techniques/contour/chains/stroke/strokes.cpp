@@ -214,8 +214,10 @@ uint32_t shape_variant(const ShapeInputs& in, const ContourStyle& style)
     }
     const bool strays = in.hand > 0 || style.jitter_ends_mm > 0.0F || style.jitter_offset_mm > 0.0F ||
                         style.jitter_width > 0.0F;
-    const bool has_widths_m = std::ranges::any_of(
-        line_kind_keys, [&](const LineKindKeys& keys) { return style.*keys.width_m > 0.0F; });
+    const bool has_widths_m = std::ranges::any_of(line_kinds, [&](const LineKind& kind) {
+        const LineStyle& line = style.*kind.style;
+        return line.enabled && line.width_m > 0.0F;
+    });
     return basic | (stretches(style, in.lines) ? shared::shape_stretches : 0U) |
            (in.page.own_outlines ? shared::shape_has_own_outlines : 0U) |
            (strays ? shared::shape_has_jitter : 0U) | (has_widths_m ? shared::shape_has_widths_m : 0U) |
@@ -227,18 +229,18 @@ uint32_t shape_variant(const ShapeInputs& in, const ContourStyle& style)
 template <class To>
 void set_width(const ContourStyle& style, uint32_t kind, float pixels_per_mm, To& to)
 {
-    const LineKindKeys& keys = line_kind_keys.at(kind);
-    const float width_m = style.*keys.width_m;
-    to.width_of_kind[kind] = width_m > 0.0F ? width_m : style.*keys.width_mm * pixels_per_mm;
-    to.metre_kinds |= width_m > 0.0F ? 1U << kind : 0U;
+    const LineStyle& line = line_style(style, kind);
+    const bool is_in_metres = line.enabled && line.width_m > 0.0F;
+    to.width_of_kind[kind] = is_in_metres ? line.width_m : width_on_page_mm(style, kind) * pixels_per_mm;
+    to.metre_kinds |= is_in_metres ? 1U << kind : 0U;
 }
 
 void set_widths(const ShapeInputs& in, const ContourStyle& style, shared::ShapeConstants& constants)
 {
-    for (uint32_t kind = 0; kind < shared::line_kind_count && style.drawn; ++kind) {
+    for (uint32_t kind = 0; kind < shared::line_kind_count && style.enabled; ++kind) {
         if (in.lines == LineClass::hidden) {
             constants.width_of_kind[kind] =
-                has_lines(style, kind) ? style.hidden_mm * in.page.pixels_per_mm : 0.0F;
+                has_lines(style, kind) ? style.hidden.width_mm * in.page.pixels_per_mm : 0.0F;
         } else {
             set_width(style, kind, in.page.pixels_per_mm, constants);
         }
@@ -247,7 +249,7 @@ void set_widths(const ShapeInputs& in, const ContourStyle& style, shared::ShapeC
 
 shared::ShapeConstants shape_constants(const ShapeInputs& in, const ContourStyle& style)
 {
-    const float pixels_per_mm = style.drawn ? in.page.pixels_per_mm : 0.0F;
+    const float pixels_per_mm = style.enabled ? in.page.pixels_per_mm : 0.0F;
     shared::ShapeConstants constants{.taper_px = style.taper_mm * pixels_per_mm,
                                      .overshoot_px = style.overshoot_mm * pixels_per_mm,
                                      .wobble_px = style.wobble_mm * pixels_per_mm,
@@ -332,7 +334,7 @@ add_class(gpu::Graph& graph, const ContourInputs& page, const ChainInputs& mesh,
 shared::LineLook line_look(const ContourStyle& style, float pixels_per_mm)
 {
     shared::LineLook look{.ink = style.ink};
-    for (uint32_t kind = 0; kind < shared::line_kind_count && style.drawn; ++kind) {
+    for (uint32_t kind = 0; kind < shared::line_kind_count && style.enabled; ++kind) {
         set_width(style, kind, pixels_per_mm, look);
     }
     return look;
@@ -350,7 +352,7 @@ ShapedStrokes add_shaped_strokes(gpu::Graph& graph, const ContourInputs& in, Lin
     auto [seen, hands] =
         add_class(graph, page, lines, chains.facing, samples, history, style, LineClass::seen);
     ShapedStrokes shaped{.strokes = seen, .facing = chains.facing, .hands = hands, .hidden = {}};
-    if (style.hidden == Hidden::dashed) {
+    if (style.hidden.enabled) {
         samples.sizes = seen.sizes;
         auto [hidden, hidden_hands] =
             add_class(graph, in, lines, chains.facing, samples, history, style, LineClass::hidden);

@@ -121,7 +121,7 @@ TEST(ContourChains, VisibilityAgreesWithRays)
 ContourStyle inner_lines()
 {
     ContourStyle style;
-    style.ridge_mm = style.valley_mm = style.suggestive_mm = 0.3F;
+    style.ridge = style.valley = style.suggestive = {.width_mm = 0.3F};
     style.ridge_deg = 4.0F;
     style.suggestive_growth = 1.0F;
     return style;

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "features/common/drawing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "features/common/style_tables.hpp"
+
+namespace estampe::features {
+
+const style::Table<DrawingStyle>& drawing_table()
+{
+    static const auto table =
+        style::Table<DrawingStyle>("drawing", "The drawing as a whole: factors over what the preset says")
+            .number(
+                "line_weight", &DrawingStyle::line_weight, {0.1F, 10.0F}, "",
+                "Width of all ink lines, as a factor: 2 draws lines twice as wide as the preset, 0.5 half "
+                "as wide")
+            .number("hatch_spacing", &DrawingStyle::hatch_spacing, {0.1F, 10.0F}, "",
+                    "Distance between hatching strokes or dots, as a factor: 2 is coarse, 0.5 fine. Strokes "
+                    "widen along with it, so tones stay.")
+            .number("hatch_weight", &DrawingStyle::hatch_weight, {0.1F, 10.0F}, "",
+                    "Width of hatching strokes at the same distance, as a factor: more draws heavier, darker "
+                    "hatching")
+            .number("darkness", &DrawingStyle::darkness, {0.1F, 10.0F}, "",
+                    "Darkness of the tones, as a factor: more closes them, less leaves more white paper")
+            .number("contrast", &DrawingStyle::contrast, {0.1F, 10.0F}, "",
+                    "Contrast of the tones, as a factor: less is flat and even, more gives whites and blacks")
+            .number("detail", &DrawingStyle::detail, {0.0F, 4.0F}, "",
+                    "Detail within objects, as a factor: 0 draws outlines and flat colour, more draws more "
+                    "folds, texture and inner lines")
+            .number(
+                "wobble", &DrawingStyle::wobble, {0.0F, 10.0F}, "",
+                "Unsteadiness of the hand, as a factor: 0 is ruled with a machine, more is a shaky sketch")
+            .number(
+                "color", &DrawingStyle::color, {0.0F, 2.0F}, "",
+                "Strength of the colour, as a factor: 0 draws in ink alone, 1 as the preset, 2 paints more "
+                "strongly")
+            .choice("paper", &DrawingStyle::paper,
+                    {{"preset", PaperKind::preset},
+                     {"white", PaperKind::white},
+                     {"cream", PaperKind::cream},
+                     {"none", PaperKind::none}},
+                    "Paper below the drawing. preset: as the preset says; white, cream: plain paper of that "
+                    "colour; none: transparent, to lay the drawing over something else.")
+            .integer(
+                "seed", &DrawingStyle::seed, {0, 1000000}, "",
+                "Random seed of the whole drawing: another value gives other strokes, lines, paper, clouds "
+                "and smoke, as if drawn a second time");
+    return table;
+}
+
+namespace {
+
+class Change {
+public:
+    explicit Change(StyleTables& style) : style_(style) {}
+
+    /// Multiplies a number all over the picture, and where single materials and objects have their own.
+    void multiply(std::string_view key, float factor)
+    {
+        const style::AnySchema::Found found = style_schema().find(key);
+        if (factor == 1.0F) {
+            return;
+        }
+        void* const values = found.section->place.in(static_cast<void*>(&style_));
+        const auto scaled = [&](const style::Value& value) {
+            const style::Range& range = found.parameter->range;
+            return std::clamp(std::get<float>(value) * factor, range.minimum, range.maximum);
+        };
+        found.parameter->set(values, scaled(found.parameter->get(values)));
+        for (style::Override& other : style_.overrides) {
+            if (other.section == found.section->name && other.key == found.parameter->key) {
+                other.value = scaled(other.value);
+            }
+        }
+    }
+
+    void multiply(std::span<const std::string_view> keys, float factor)
+    {
+        for (const std::string_view key : keys) {
+            multiply(key, factor);
+        }
+    }
+
+private:
+    StyleTables& style_;
+};
+
+constexpr std::array<std::string_view, 24> line_widths{"contour.outline.width_mm",
+                                                       "contour.outline.width_m",
+                                                       "contour.border.width_mm",
+                                                       "contour.border.width_m",
+                                                       "contour.crease.width_mm",
+                                                       "contour.crease.width_m",
+                                                       "contour.marked.width_mm",
+                                                       "contour.marked.width_m",
+                                                       "contour.ridge.width_mm",
+                                                       "contour.ridge.width_m",
+                                                       "contour.valley.width_mm",
+                                                       "contour.valley.width_m",
+                                                       "contour.suggestive.width_mm",
+                                                       "contour.suggestive.width_m",
+                                                       "contour.crest.width_mm",
+                                                       "contour.crest.width_m",
+                                                       "contour.intersection.width_mm",
+                                                       "contour.intersection.width_m",
+                                                       "contour.shadow_edge.width_mm",
+                                                       "contour.shadow_edge.width_m",
+                                                       "contour.hidden.width_mm",
+                                                       "smoke.line_mm",
+                                                       "clouds.outline_mm",
+                                                       "particles.outline_mm"};
+constexpr std::array<std::string_view, 5> stroke_widths{"hatch.width_mm", "hatch.map_texel_mm",
+                                                        "sky.width_mm", "smoke.stroke_mm", "clouds.hatch_mm"};
+constexpr std::array<std::string_view, 6> unsteadiness{"hatch.wobble_mm",          "contour.wobble_mm",
+                                                       "contour.retrace_mm",       "contour.jitter_ends_mm",
+                                                       "contour.jitter_offset_mm", "contour.jitter_width"};
+constexpr std::array<std::string_view, 2> texture{"wash.detail", "tone.local_value"};
+constexpr std::array<std::string_view, 4> fewer_inner_lines{
+    "contour.crease.angle_deg", "contour.ridge.turn_deg", "contour.suggestive.growth",
+    "contour.crest.angle_deg"};
+
+/// Takes a share of a colour's difference from the grey of the same luminance (ITU-R BT.709).
+void fade_to_grey(glm::vec3& color, float kept)
+{
+    const float grey = glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F));
+    color = glm::mix(glm::vec3(grey), color, kept);
+}
+
+void change_color(StyleTables& style, Change& change, float color)
+{
+    change.multiply("wash.strength", color);
+    change.multiply("wash.saturation", color);
+    if (color >= 1.0F) {
+        return;
+    }
+    for (glm::vec3* const each :
+         {&style.sky.horizon,       &style.sky.zenith,         &style.sky.noon_horizon,
+          &style.sky.noon_zenith,   &style.sky.dusk_horizon,   &style.sky.dusk_zenith,
+          &style.sky.night_horizon, &style.sky.night_zenith,   &style.sky.high_band,
+          &style.sky.low_band,      &style.sky.sun_color,      &style.sky.moon_color,
+          &style.clouds.color,      &style.clouds.shade_color, &style.wash.shadow_tint,
+          &style.wash.air_color,    &style.smoke.color,        &style.smoke.shade_color,
+          &style.smoke.deep_color,  &style.smoke.flame_color,  &style.particles.color}) {
+        fade_to_grey(*each, color);
+    }
+}
+
+void change_paper(paper::PaperStyle& paper, PaperKind kind)
+{
+    if (kind == PaperKind::white || kind == PaperKind::cream) {
+        paper.color = style::srgb(kind == PaperKind::white ? 0xffffff : 0xf6f0e2);
+        paper.transparent = paper::Transparency::none;
+    } else if (kind == PaperKind::none) {
+        paper.transparent = paper::Transparency::background;
+    }
+}
+
+} // namespace
+
+const StyleTables& with_drawing(const StyleTables& style, StyleTables& room)
+{
+    const DrawingStyle& drawing = style.drawing;
+    if (drawing == DrawingStyle()) {
+        return style;
+    }
+    room = style;
+    room.drawing = {};
+    Change change(room);
+    change.multiply(line_widths, drawing.line_weight);
+    change.multiply(stroke_widths, drawing.hatch_spacing * drawing.hatch_weight);
+    change.multiply("hatch.dots_mm", drawing.hatch_spacing);
+    // The gap between strokes is their width over the darkness. The exponent of the tone curve darkens tones
+    // and leaves white paper white, as less exposure would not.
+    const float darkening = drawing.hatch_weight * drawing.darkness;
+    if (room.tone.curve == light::ToneCurve::linear && darkening != 1.0F) {
+        room.tone.curve = light::ToneCurve::gamma;
+        room.tone.gamma = 1.0F;
+    }
+    change.multiply("tone.gamma", darkening);
+    change.multiply("tone.contrast", drawing.contrast);
+    change.multiply(texture, drawing.detail);
+    change.multiply(fewer_inner_lines, 1.0F / std::max(drawing.detail, 1e-3F));
+    if (drawing.detail == 0.0F) {
+        for (contour::LineStyle* const line :
+             {&room.contour.border, &room.contour.crease, &room.contour.ridge, &room.contour.valley,
+              &room.contour.suggestive, &room.contour.intersection, &room.contour.shadow_edge}) {
+            line->enabled = false;
+        }
+    }
+    change.multiply(unsteadiness, drawing.wobble);
+    change_color(room, change, drawing.color);
+    change_paper(room.paper, drawing.paper);
+    for (int* const seed : {&room.hatch.seed, &room.tam.seed, &room.contour.seed, &room.ink.seed,
+                            &room.smoke.seed, &room.focus_lines.seed, &room.motion_blur.seed,
+                            &room.particles.seed, &room.clouds.seed, &room.paper.seed}) {
+        *seed = drawing.seed;
+    }
+    return room;
+}
+
+} // namespace estampe::features
