@@ -62,7 +62,7 @@ Style line_style(const bench::FilmOptions& film)
     bench::FilmOptions plain = film;
     plain.assignments = {"hatch.enabled=false", "picture.ground=false", "wash.strength=0",
                          "paper.grain=0",       "paper.color=#ffffff",  "paper.ink_break=0",
-                         "bleed.enabled=false",    "contour.ink=#000000"};
+                         "bleed.enabled=false", "contour.ink=#000000"};
     plain.assignments.insert(plain.assignments.end(), film.assignments.begin(), film.assignments.end());
     return plain.load_style();
 }

@@ -8,14 +8,14 @@
 
 namespace estampe::frame {
 
-/// What of the light is asked for.
+/// The light that a lightmap is to hold.
 struct BakedLight {
-    uint32_t direct = 0; ///< kinds of lights whose own light goes into the map, see BakedLights
-    float sky = 1.0F;    ///< the style's ambient light is multiplied by this
+    uint32_t direct = 0; ///< bit mask of the kinds of lights whose direct light is baked, see BakedLights
+    float sky = 1.0F;    ///< multiplies the style's ambient light
 };
 
-/// Gives `settings` the light that a picture of `scene` in this style has: its lamps, or the sun or lamp that
-/// it would get, and its ambient light as a sky.
+/// Fills `settings` with the light that a picture of `scene` in this style has: the scene's lamps, or the sun
+/// or lamp that the style adds, and the ambient light as a sky.
 void set_light(bake::BakeSettings& settings, const Scene& scene, const features::StyleTables& style,
                const BakedLight& wanted);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is baked of lamps against the light that the frame finds for itself.
+// Compares baked light of lamps with the light that a frame computes itself.
 #include "frame/baking.hpp"
 
 #include <fmt/format.h>
@@ -67,7 +67,7 @@ float on_floor(const StaticTriangles& still, const Lightmap& map, const glm::dve
 
 struct Likeness {
     size_t compared = 0;
-    size_t off = 0; ///< by more than 0.04
+    size_t off = 0; ///< pixels that differ by more than 0.04
     double mean_off = 0.0;
     double mean = 0.0;
 };
@@ -133,7 +133,7 @@ TEST(Baking, LampsAreWhatTheFrameMakesOfThem)
                    found.mean, found.mean_off, found.off, found.compared);
         EXPECT_GT(found.mean, 0.05);
         EXPECT_LT(found.mean_off, 0.02 * found.mean + 0.002);
-        // Edges of shadows, and what the box hides.
+        // Shadow edges and places that the box occludes may differ.
         EXPECT_LT(found.off, found.compared / 40);
         EXPECT_GT(found.compared, 3000U);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shaders are used, and nothing of the graph's own is touched.
+// Shaders are compiled ahead without touching the graph's own resources.
 #include <gtest/gtest.h>
 
 #include "gpu/graph/execute.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whole pictures through a lens, against as many pictures through points of it.
+// Compares pictures through a lens with the mean of many pictures from points of its aperture.
 #include <cmath>
 #include <cstdio>
 #include <tuple>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr RenderSettings lens_page{.width = 128, .height = 96};
 constexpr double focus_m = 4.8;
-// So narrow a view that cameras which turn are as good as a lens that shifts the picture.
+// The view is so narrow that rotating the camera is as good as shifting the picture of a lens.
 const Camera lens_camera{.eye = {0.0, 0.6, 4.8}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.3};
 
 /// Colours without paper, and a lens of 150 mm at f/1.
@@ -54,7 +54,7 @@ Scene posts(double post_x_m = 0.2, float post_width_m = 0.06F)
     return scene;
 }
 
-/// A camera at a point of the aperture that turns so that what is in focus stays where it is.
+/// A camera at a point of the aperture, rotated so that the plane in focus keeps its place in the picture.
 Camera through(int i, int count, double radius_m)
 {
     const double away = radius_m * std::sqrt((i + 0.5) / count);
@@ -105,8 +105,8 @@ TEST(DepthOfField, IsThatOfManyPicturesThroughTheLens)
 
 TEST(DepthOfField, GuessesWhatIsHidden)
 {
-    // The post stands before the edge of what is sharp, and an edge far behind: neither is to be seen. Nobody
-    // can know where behind the post they are, and a guess is off by half of what it hides at most.
+    // The post is in front of the sharp surface's edge and of an edge far behind; it hides both. Their places
+    // behind the post can only be guessed, with an error of at most half of what it hides.
     for (const float width_m : {0.03F, 0.06F}) {
         test::shared_renderer().set_scene(posts(0.16, width_m));
         const test::Exposure truth = through_the_lens(64);
@@ -128,7 +128,7 @@ TEST(DepthOfField, CostsNothingWhereThereIsNone)
     const auto has_pass = [&] { return renderer.graph_dot().find("lens") != std::string::npos; };
     const Image plain = renderer.render(lens_camera, {}, lens_page);
     EXPECT_FALSE(has_pass());
-    Style sharp; // all of it in focus, through a hole
+    Style sharp; // a pinhole keeps everything in focus
     sharp.set("lens.enabled=true");
     sharp.set("lens.f_number=128");
     sharp.set("lens.focal_mm=1");
@@ -180,7 +180,7 @@ TEST(DepthOfField, LeavesNoSeamsBetweenTiles)
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(posts());
     Style style;
-    // Without ink, whose own reach would hide that the lens has none.
+    // Without ink, because its own reach would hide that the lens has none.
     for (const char* assignment :
          {"lens.enabled=true", "lens.focal_mm=150", "lens.f_number=1", "lens.focus_m=4.8",
           "lens.largest_mm=20", "hatch.enabled=false", "contour.enabled=false"}) {
@@ -227,7 +227,7 @@ TEST(DepthOfField, DrawsFewerAndPalerStrokesWhereItIsToldTo)
     };
     const LayeredImage sharp = draw({});
     const LayeredImage pale = draw({"lens.enabled=true", "lens.acts_on=strokes"});
-    // To the left there is nothing but what is far behind.
+    // The left part only shows surfaces far behind the focus.
     EXPECT_LT(ink_between(pale, "hatch", 0, 30), 0.9 * ink_between(sharp, "hatch", 0, 30));
     EXPECT_GT(ink_between(pale, "hatch", 0, 30), 0.1 * ink_between(sharp, "hatch", 0, 30));
 }

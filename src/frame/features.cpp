@@ -14,10 +14,10 @@ namespace {
 using features::FilmReader;
 using features::FilmSection;
 
-/// The first of the bytes: it changes when the form of the sections does.
+/// First bytes of a film's memory; change them when the layout of the sections changes.
 constexpr uint64_t signature = 0x38304d4c49465345ULL;
 
-/// A section is its name, its version, its size, and its bytes.
+/// A section is stored as its name, version, size and bytes.
 struct Section {
     std::string_view name;
     uint32_t version = 0;
@@ -56,7 +56,7 @@ std::vector<Section> sections_of(gpu::Device& device, std::span<const std::byte>
     return sections;
 }
 
-/// Throws Error unless each section belongs to a feature that still writes that version.
+/// Throws Error unless each section belongs to a feature that still writes its version.
 void check_sections(const std::vector<Section>& sections, std::span<features::Feature* const> all)
 {
     for (const Section& section : sections) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The features of a renderer in one place: events go to each of them, and a film's memory is what they save.
+// All features of a renderer in one place: an event goes to each of them, and a film's memory is the list of
+// what they save.
 
 #include <array>
 #include <cstddef>
@@ -35,18 +36,19 @@ struct Features {
     features::Particles particles;
     features::MotionBlur motion_blur;
 
-    /// In the order in which a film's memory holds them.
+    /// All features, in the order of their sections in a film's memory.
     [[nodiscard]] std::array<features::Feature*, 11> all();
 
     void invalidate(features::Event event);
 };
 
-/// What the next frame of a film takes from the last one. Cost: a copy from the device.
+/// The state that the next frame of a film takes over from the last one. Cost: a copy from the device.
 [[nodiscard]] std::vector<std::byte> save_film(Features& features, gpu::Device& device,
                                                gpu::Executor& executor);
 
-/// Makes the next frame go on from what save_film() returned. Throws Error when `memory` is damaged, another
-/// version's, or another scene's; the next frame then goes on from nothing.
+/// Restores the state that save_film() returned, so that the next frame continues from it. Throws Error when
+/// `memory` is damaged or comes from another version or another scene; the next frame then starts without a
+/// history.
 void load_film(Features& features, gpu::Device& device, std::span<const std::byte> memory);
 
 } // namespace estampe::frame

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A film that is drawn in two runs is the film drawn in one.
+// A film that is drawn in two runs equals the film drawn in one.
 #include <algorithm>
 #include <span>
 #include <string>
@@ -85,7 +85,7 @@ TEST(FilmMemory, AnotherRunGoesOnToTheByte)
     EXPECT_FALSE(frame(renderer, style, 4) == film[4]) << "without its memory it is another";
 }
 
-/// Coarse smoke without lines, and what else is asked for.
+/// Coarse smoke without lines, with further assignments.
 Style coarse_smoke(const std::vector<std::string>& more)
 {
     Style style;
@@ -160,7 +160,7 @@ TEST(FilmMemory, KeepsFuelAndWaterOfSmoke)
     EXPECT_TRUE(frame(renderer, style, 3) == after_that);
     renderer.set_scene(scene);
     EXPECT_FALSE(frame(renderer, style, 2) == next) << "without its memory it is another";
-    // Smoke that is to carry something else begins anew.
+    // Smoke restarts when it has to carry another quantity.
     renderer.recall_film(memory);
     style.set("smoke.humidity=0");
     EXPECT_NO_THROW(frame(renderer, style, 2));
@@ -183,7 +183,7 @@ TEST(FilmMemory, RefusesWhatIsNone)
     EXPECT_THROW(renderer.recall_film(memory), Error) << "of another kind";
 }
 
-/// Where `name` stands as a section's name in a film's memory; the section's version follows it.
+/// Offset of the version that follows the section `name` in a film's memory.
 size_t version_of(const std::vector<std::byte>& memory, std::string_view name)
 {
     const auto bytes = std::as_bytes(std::span(name));

@@ -9,14 +9,14 @@ void declare_frame(const FrameContext& context)
 {
     const FramePlan& plan = context.plan;
 
-    // What is seen.
+    // Visibility.
     const PosedScene scene = add_posed_scene(context);
     const gpu::BufferId visibility = add_visibility(context, scene);
     const surface::Surface surface = add_surface(context, scene, visibility);
     add_motion(context, scene, visibility);
     const SeenThrough screen = add_transparency(context, scene, visibility);
 
-    // What light falls on it.
+    // Light.
     const light::ShadowMaps maps = add_shadow_maps(context, scene);
     const std::optional<gpu::ImageId> lightmap = add_lightmap_light(context, scene, visibility);
     const auto occlusion = add_occlusion(context, scene, visibility, surface);
@@ -25,7 +25,7 @@ void declare_frame(const FrameContext& context)
         add_light(context, scene, visibility, surface,
                   {.maps = maps, .smoke = volume, .lightmap = lightmap, .occlusion = occlusion});
 
-    // What ink that is: as paths, or as layers.
+    // Ink, as paths or as layers.
     const hatch::HatchInputs hatching = hatch_inputs(context, scene, surface, lit, screen);
     const contour::ContourInputs outlining = contour_inputs(context, scene, visibility, surface, lit, screen);
     if (context.job.lists != nullptr) {
@@ -50,7 +50,7 @@ void declare_frame(const FrameContext& context)
                                                .size_px = context.sample.size_px},
                                               context.style.bleed);
 
-    // What colour lies under it, and all of it on paper.
+    // Colour under the ink, and the composition on paper.
     const std::optional<gpu::BufferId> far_tiles = add_far_tiles(context, scene, surface);
     Colors colors = add_colors(context, scene, surface, lit.light, screen, far_tiles);
     colors = add_seen_through(context, scene, visibility, surface, maps, screen, colors);
@@ -58,7 +58,7 @@ void declare_frame(const FrameContext& context)
                                       {.wash = colors.wash, .hatch = ink, .lines = lines});
     faded.lines = add_drift(context, scene, surface, faded.lines);
     faded = add_particles(context, scene, surface, colors.sky_wash, faded);
-    // Ink runs out of what was drawn, whatever lens and shutter make of it.
+    // Flowing ink is emitted from the sharp drawing, so it runs before lens and motion blur.
     const auto flowing = add_flowing_ink(context, scene, visibility, surface, lit.light, faded);
     const auto cover = add_cover(context, scene, visibility, surface, faded, colors);
     const lens::LensLayers focused = add_lens(context, surface, faded, colors);

@@ -10,45 +10,48 @@
 
 namespace estampe::frame {
 
-/// What is uploaded for each frame, or read back from it, beside the features' own.
+/// Buffers that are uploaded for each frame or read back from it, in addition to those of the features.
 struct FrameBuffers {
-    gpu::Buffer frame_globals;      ///< FrameGlobals
-    gpu::Buffer map_frame_globals;  ///< FrameGlobals of a page as large as the map that light spreads in
-    gpu::Buffer half_frame_globals; ///< FrameGlobals of every second pixel each way
-    gpu::Buffer look_of_draw;       ///< one per draw, where the plan has several style variants
-    gpu::Buffer subsurface_looks;   ///< SubsurfaceLook, where light goes into things
-    gpu::Buffer motion_pixels;      ///< read back where the plan asks for motion
+    gpu::Buffer frame_globals;      ///< FrameGlobals of the page
+    gpu::Buffer map_frame_globals;  ///< FrameGlobals of a page with the size of the map in which subsurface
+                                    ///< light spreads
+    gpu::Buffer half_frame_globals; ///< FrameGlobals of the page at half resolution
+    gpu::Buffer look_of_draw;       ///< style variant of each draw call, if the plan has several variants
+    gpu::Buffer subsurface_looks;   ///< SubsurfaceLook of each style variant, with subsurface scattering
+    gpu::Buffer motion_pixels;      ///< read back if the settings ask for motion
     Page page;
 };
 
-/// One frame of a picture: which sample, of which part of the page, and what is wanted of it.
+/// One frame of a picture: which sample it is, which part of the page it covers, and which outputs are
+/// wanted.
 struct FrameJob {
     paper::Accumulation accumulation;
-    bool is_first = true;                            ///< of the picture's frames
-    std::optional<features::PixelRect> tile;         ///< part of the page to draw; otherwise all of it
-    std::optional<features::Survey> survey;          ///< the page in fewer pixels
-    StrokeLists* lists = nullptr;                    ///< strokes as paths in place of pixels
-    LinearPage* linear = nullptr;                    ///< floats beside bytes
-    std::optional<features::LinkedPart> linked = {}; ///< lines that were found for the whole page
-    contour::LinkedLines* linked_out = nullptr;      ///< what tiles share, in place of a picture
-    const VulkanPicture* target = nullptr;           ///< the host's, in place of bytes
+    bool is_first = true;                            ///< the first frame of this picture
+    std::optional<features::PixelRect> tile;         ///< part of the page to draw; none draws the whole page
+    std::optional<features::Survey> survey;          ///< set when the whole page is drawn in fewer pixels
+    StrokeLists* lists = nullptr;                    ///< not null: output strokes as paths instead of pixels
+    LinearPage* linear = nullptr;                    ///< not null: output floats in addition to bytes
+    std::optional<features::LinkedPart> linked = {}; ///< lines that were already linked for the whole page
+    contour::LinkedLines* linked_out = nullptr;      ///< not null: output linked lines, and no picture
+    const VulkanPicture* target = nullptr;           ///< not null: the host's image, output instead of bytes
 };
 
-/// What the steps of a frame are declared from.
+/// The inputs that every step of a frame is declared from.
 struct FrameContext {
     gpu::Graph& graph;
     gpu::Device& device;
-    LoadedScene& loaded; ///< posed
+    LoadedScene& loaded; ///< already posed
     Features& features;
     FrameBuffers& buffers;
     const FrameJob& job;
     const FramePlan& plan;
     const SamplePlan& sample;
     const features::StyleTables& style;
-    std::vector<wash::LookWash>& wash_looks; ///< filled anew, in the room that the frame before took
+    std::vector<wash::LookWash>& wash_looks; ///< cleared for each frame; keeps its capacity
 };
 
-/// Declares one sample of a picture, top to bottom; or, where the job has lists, what fills those instead.
+/// Declares the passes of one sample of a picture, in order. If the job has stroke lists, declares the passes
+/// that fill those instead.
 void declare_frame(const FrameContext& context);
 
 } // namespace estampe::frame

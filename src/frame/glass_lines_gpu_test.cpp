@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines of what stands behind glass that a file calls transmissive.
+// Lines of objects behind glass that a file marks as transmissive.
 #include <gtest/gtest.h>
 
 #include <estampe/shapes.hpp>
@@ -13,14 +13,14 @@ namespace {
 constexpr RenderSettings glass_page{.width = 240, .height = 120};
 const Camera glass_camera{.eye = {0.0, 0.0, 8.0}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.5};
 
-/// What one pane is made of.
+/// Material of a pane.
 struct Pane {
     float share = 0.0F; ///< of what lies behind
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha = 1.0F;
 };
 
-/// Two balls side by side, and one pane before each.
+/// Two balls side by side, with a pane in front of each.
 Scene balls_behind(const Pane& left, const Pane& right)
 {
     Scene scene = test::scene_of(shapes::sphere(0.7F));
@@ -53,7 +53,7 @@ Style lines_alone()
     return style;
 }
 
-/// Dark pixels where the left and the right ball are, away from the edges of the panes.
+/// Dark pixels in the areas of the left and the right ball, without the edges of the panes.
 struct GlassInk {
     int left = 0;
     int right = 0;
@@ -85,7 +85,7 @@ TEST(GlassLines, WhatStandsBehindClearGlassHasItsLines)
     for (const char* const raster : {"hardware", "compute"}) {
         const GlassInk soft = glass_ink(balls_behind(blended, blended), raster);
         ASSERT_GT(soft.left, 60) << raster;
-        const double bound = 0.15 * soft.left; // each stroke strays by its own number
+        const double bound = 0.15 * soft.left; // each stroke deviates at random
         const GlassInk glass = glass_ink(balls_behind(clear, clear), raster);
         EXPECT_NEAR(glass.left, soft.left, bound) << raster;
         EXPECT_NEAR(glass.right, soft.right, bound) << raster;

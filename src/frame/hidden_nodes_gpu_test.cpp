@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is hidden is drawn as if it were not there; a material variant is drawn as its materials.
+// A hidden node is drawn as if it did not exist; a material variant is drawn with its materials.
 #include <gtest/gtest.h>
 
 #include <estampe/renderer.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures with transparent paper in an image of the host's.
+// Pictures with transparent paper, drawn to an image of the host.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ private:
                                   .queue_family = device_.queue_family()}};
 };
 
-/// The largest difference of `over`, blended by VK_BLEND_FACTOR_SRC_ALPHA over one colour, from `wanted`.
+/// Largest difference between `wanted` and `over` blended over one colour with VK_BLEND_FACTOR_SRC_ALPHA.
 double difference_over(const glm::dvec3& background, const Image& over, const Image& wanted)
 {
     double largest = 0.0;

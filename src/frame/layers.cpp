@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the renderer does for pictures in floats, and in layers, alone: from what the stages of a picture
-// come to, to its layers.
+// Pictures in floats and in layers: how the renderer derives a picture's layers from its stages.
 #include <algorithm>
 #include <cstdint>
 #include <map>
@@ -19,44 +18,45 @@
 namespace estampe::frame {
 namespace {
 
-/// Which share of each pixel belongs to what, over several samples. Most pixels are of one thing alone.
+/// Coverage of each pixel per object, over several samples. Most pixels show a single object, so the first
+/// one is stored in place and only others in a map.
 class Shares {
 public:
     explicit Shares(size_t pixel_count) : first_(pixel_count), first_count_(pixel_count) {}
 
-    /// Another sample: a number for each pixel, 0 for nothing.
+    /// Adds a sample: the object number of each pixel, 0 for none.
     void add(std::span<const uint32_t> things);
 
-    /// How often each thing was seen where it was seen at all: pixel and count, in the order of pixels.
+    /// The pixels where an object was seen and in how many samples, in the order of pixels.
     using Places = std::vector<std::pair<uint32_t, uint32_t>>;
     [[nodiscard]] std::map<uint32_t, Places> places() const;
 
 private:
-    std::vector<uint32_t> first_; ///< the first thing seen there
+    std::vector<uint32_t> first_; ///< the first object seen at each pixel
     std::vector<uint32_t> first_count_;
-    std::map<std::pair<uint32_t, uint32_t>, uint32_t> rest_; ///< by pixel and thing
+    std::map<std::pair<uint32_t, uint32_t>, uint32_t> rest_; ///< counts of other objects, by pixel and object
 };
 
-/// What the first layers come to, pixel by pixel; colours opaque, with the cover of the topmost in alpha.
+/// The picture after each stage, per pixel. Colours are opaque; alpha is the coverage of the topmost layer.
 struct StageColors {
     std::span<const glm::vec4> paper;
     std::span<const glm::vec4> wash;
-    std::span<const glm::vec4> ink; ///< that flows; empty where there is none, which has no layer then
+    std::span<const glm::vec4> ink; ///< flowing ink; empty without flowing ink, which then has no layer
     std::span<const glm::vec4> hatch;
     std::span<const glm::vec4> lines;
-    std::span<const glm::vec4> smoke; ///< empty where there is none
-    bool is_transparent = false;      ///< the wash's alpha is that of what lies on paper of this colour
+    std::span<const glm::vec4> smoke; ///< empty without smoke
+    bool is_transparent = false;      ///< the wash's alpha is its coverage over paper of `paper_color`
     glm::vec3 paper_color{1.0F};
 };
 
-/// What multiplies `below` so that it becomes `wanted`.
+/// The factor that turns `below` into `wanted`.
 float factor(float below, float wanted)
 {
     return below > 0.0F ? wanted / below : 1.0F;
 }
 
-/// What lies on `below` so that it becomes `wanted`, colour multiplied by alpha. Means over samples may ask
-/// for more alpha than the mean of their covers: no colour is less than none.
+/// Returns the premultiplied colour that turns `below` into `wanted` when laid over it. Means over samples
+/// may need more alpha than their mean coverage, so alpha is raised until no colour is negative.
 glm::vec4 laid_over(const glm::vec3& below, const glm::vec4& wanted)
 {
     float alpha = std::clamp(wanted.w, 0.0F, 1.0F);
@@ -107,7 +107,7 @@ std::map<uint32_t, Shares::Places> Shares::places() const
     return places;
 }
 
-/// A mask that holds no more of the page than it has to.
+/// Crops a mask to the pixels that it covers.
 PictureMask cropped_mask(std::string name, uint32_t page_width, const Shares::Places& places,
                          uint32_t sample_count)
 {
@@ -132,8 +132,9 @@ PictureMask cropped_mask(std::string name, uint32_t page_width, const Shares::Pl
     return mask;
 }
 
-/// The layers between these: laid on each other they give each stage again, but for the last bits of floats.
-/// The paper of a transparent picture is a hidden layer, and its wash has alpha in place of multiplying.
+/// Derives the layers between the stages. Composed in order, they reproduce each stage up to float rounding.
+/// In a transparent picture the paper is a hidden layer, and the wash is blended by alpha instead of
+/// multiplied.
 std::vector<PictureLayer> layers_between(const StageColors& stages, uint32_t width, uint32_t height)
 {
     const size_t count = size_t{width} * height;
@@ -185,7 +186,7 @@ namespace {
 
 constexpr uint32_t draw_number_mask = (1U << 26U) - 1U; // DRAW_NUMBER_MASK of shaders/surface_images.glsl
 
-/// Things of a scene as numbers: a node is its index + 2, the ground 1.
+/// Numbers the objects of a scene: 1 is the ground, a node is its index + 2.
 std::vector<uint32_t> thing_of_draw(const pose::MeshData& layout)
 {
     std::vector<uint32_t> things(layout.draws.size(), 1);
@@ -203,7 +204,7 @@ std::string name_of_thing(const Scene& scene, uint32_t thing)
     return name.empty() ? fmt::format("object {}", thing - 2) : name;
 }
 
-/// No two alike: the second "leaf" is "leaf 2".
+/// Makes names unique: the second "leaf" becomes "leaf 2".
 class Names {
 public:
     std::string make(const std::string& wanted)
@@ -220,7 +221,7 @@ private:
                                  "smoke", "shadow", "occlusion", "clouds"};
 };
 
-/// The part of the page that its margin leaves: from the first pixel to before the last.
+/// The part of the page inside its margin; `last` is exclusive.
 struct PixelWindow {
     glm::uvec2 first{0};
     glm::uvec2 last{0};
@@ -235,7 +236,7 @@ PixelWindow window_px(const paper::PaperStyle& style, const RenderSettings& sett
             glm::uvec2(glm::min(glm::ceil(window.max_mm * px_per_mm), size_px))};
 }
 
-/// What the samples of a picture have seen within its window.
+/// Accumulates what the samples of a picture show inside the window.
 class Seen {
 public:
     Seen(const pose::MeshData& layout, const RenderSettings& settings, const PixelWindow& window)
@@ -258,7 +259,7 @@ public:
                 const size_t i = size_t{y} * width_ + x;
                 const uint32_t number = words[i] & draw_number_mask;
                 pixel_things_[i] = number > 0 ? things_.at(number - 1) : 0;
-                // Negative: turned away from the sun, or never lit by it.
+                // A negative value means that the surface faces away from the sun or is never lit by it.
                 shadow_[i] += sun[i] >= 0.0F ? 1.0F - std::min(sun[i], 1.0F) : 0.0F;
                 clouds_[i] += number == 0 && !clouds.empty() ? glm::unpackHalf1x16(clouds[i]) : 0.0F;
                 closed_[i] += number > 0 && !open.empty() ? 1.0F - glm::unpackHalf1x16(open[i]) : 0.0F;
@@ -302,11 +303,11 @@ private:
     std::vector<uint32_t> things_;
     uint32_t width_;
     PixelWindow window_;
-    std::vector<uint32_t> pixel_things_; ///< of the sample in hand
+    std::vector<uint32_t> pixel_things_; ///< objects of the current sample
     frame::Shares shares_;
     std::vector<float> shadow_; ///< sum over the samples
-    std::vector<float> closed_; ///< sum over the samples of what occlusion takes of the light
-    std::vector<float> clouds_; ///< sum over the samples of what clouds cover of the sky
+    std::vector<float> closed_; ///< sum over the samples of the light that occlusion removes
+    std::vector<float> clouds_; ///< sum over the samples of cloud cover
 };
 
 } // namespace
@@ -316,10 +317,9 @@ LinearImage Renderer::render_linear(const Camera& camera, const Style& style, co
     frame::check_size(impl_->device, settings);
     const features::StyleTables& tables = impl_->tables_of(style);
     const std::optional<glm::vec3> paper = paper::transparent_color(tables.paper);
-    frame::LinearPage page = frame::make_linear_page(impl_->device, settings,
-                                                     {.has_layers = false,
-                                                      .has_smoke = tables.smoke.enabled,
-                                                      .is_transparent = paper.has_value()});
+    frame::LinearPage page = frame::make_linear_page(
+        impl_->device, settings,
+        {.has_layers = false, .has_smoke = tables.smoke.enabled, .is_transparent = paper.has_value()});
     std::ignore = impl_->draw_picture(camera, style, settings, &page);
     LinearImage image{.width = settings.width, .height = settings.height, .pixels = {}, .paper = paper};
     const auto pixels = gpu::items_of<glm::vec4>(page.stages.front().pixels);

@@ -20,7 +20,7 @@
 namespace estampe {
 namespace {
 
-/// A box and a ball of one name on a floor, in the sun.
+/// A box and a ball with equal names on a floor, in the sun.
 Scene still_life_of_things()
 {
     Scene scene = test::scene_of(shapes::plane(6.0F, 6.0F));
@@ -41,7 +41,7 @@ struct LayerCase {
     Style style;
 };
 
-/// One that is painted in colours; and one of light ink on dark paper, with coloured ink, from above.
+/// One case is painted in colours; the other has light and coloured ink on dark paper, seen from above.
 std::vector<LayerCase> cases()
 {
     std::vector<LayerCase> cases;
@@ -61,7 +61,7 @@ std::vector<LayerCase> cases()
     return cases;
 }
 
-/// The largest difference of a linear picture from bytes, after it has been encoded, in steps of 1/255.
+/// Largest difference in steps of 1/255 between a linear picture, once encoded, and bytes.
 double largest_difference(const LinearImage& linear, const Image& image)
 {
     std::vector<glm::dvec3> values;
@@ -248,7 +248,7 @@ TEST(PictureLayers, ShadowIsWhereTheSunIsKeptOff)
               "shadow");
 }
 
-/// Beyond the margin there is nothing but paper, and the border is a line.
+/// There is only paper beyond the margin, and the border is a line.
 TEST(PictureLayers, EndAtTheMargin)
 {
     Renderer& renderer = test::shared_renderer();
@@ -286,7 +286,7 @@ TEST(LinearPicture, IsThePictureInMoreThanBytes)
         const LinearImage linear = renderer.render_linear(test::corner_camera, {}, settings);
         EXPECT_LE(largest_difference(linear, renderer.render(test::corner_camera, {}, settings)), 0.6);
         EXPECT_EQ(linear, renderer.render_linear(test::corner_camera, {}, settings));
-        // What bytes cannot tell apart: far more values than 256, and several within one byte.
+        // Floats must resolve more than bytes: far more than 256 values, and several within one byte.
         std::map<int, std::set<float>> of_byte;
         size_t values = 0;
         for (const glm::vec4& pixel : linear.pixels) {

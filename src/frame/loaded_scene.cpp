@@ -16,10 +16,11 @@
 namespace estampe::frame {
 namespace {
 
-/// A copy of the scene that is enough to pose it: geometry and images are on the device by now.
+/// Copies the parts of the scene that posing needs. Geometry and images are already on the device.
 Scene without_images(const Scene& scene)
 {
-    // All of its members; pictures may take most of its bytes.
+    // The binding lists all members, so that a new one cannot be forgotten. Images may take most of the
+    // bytes.
     const auto& [name, textures, materials, meshes, nodes, roots, skins, lights, cameras, animations,
                  frames_per_s, variants, terrain, used, ignored, missing, unit, warnings] = scene;
     Scene copy{name,       {},           materials, meshes,  nodes, roots,   skins,   lights, cameras,
@@ -31,7 +32,7 @@ Scene without_images(const Scene& scene)
     return copy;
 }
 
-/// The same triangles seen from behind.
+/// Returns the primitive with its triangles facing the other way.
 Primitive turned_over(const Primitive& primitive, Index material)
 {
     Primitive back = primitive;
@@ -46,7 +47,7 @@ Primitive turned_over(const Primitive& primitive, Index material)
     return back;
 }
 
-/// A material of one side, which is as it was otherwise.
+/// Adds a single-sided copy of a material.
 Index add_one_sided(Scene& scene, Index material)
 {
     Material copy = scene.materials.at(material);
@@ -55,8 +56,8 @@ Index add_one_sided(Scene& scene, Index material)
     return static_cast<Index>(scene.materials.size() - 1);
 }
 
-/// Gives the other side of a node's cloth, where it is of a material of its own, triangles of its own, each
-/// primitive's behind it.
+/// If the back of a node's cloth has a material of its own, adds back-facing triangles for it to each
+/// primitive.
 void part_sides(Scene& scene, Node& node)
 {
     Mesh parted = scene.meshes[node.mesh];
@@ -78,12 +79,12 @@ void part_sides(Scene& scene, Node& node)
     }
     if (parted.primitives.size() > scene.meshes[node.mesh].primitives.size()) {
         node.mesh = static_cast<Index>(scene.meshes.size());
-        node.cloth.reset(); // its materials say so
+        node.cloth.reset(); // the materials now describe both sides
         scene.meshes.push_back(std::move(parted));
     }
 }
 
-/// Cloth is seen from both sides.
+/// Gives cloth a front and a back.
 Scene with_both_sides(const Scene& scene)
 {
     Scene result = scene;
@@ -115,7 +116,7 @@ pose::MeshData layout_of(const Scene& scene)
     return pose::build_meshes(scene, ground_material, &ground);
 }
 
-/// Brings a layout of the loaded scene to the device, and forgets what was made of the one before.
+/// Uploads a layout of the loaded scene, and discards everything that was derived from the previous one.
 void take_layout(gpu::Device& device, LoadedScene& loaded, pose::MeshData layout)
 {
     loaded.layout = std::move(layout);
@@ -155,8 +156,8 @@ LoadedScene load_onto_device(gpu::Device& device, const Scene& given, const Ligh
     const bool has_cloth = features::MovingCloth::is_in(given);
     const Scene two_sided = has_cloth ? with_both_sides(given) : Scene{};
     const Scene& whole = has_cloth ? two_sided : given;
-    const Scene grounded =
-        whole.terrain ? features::with_terrain_node(whole) : Scene{}; // its material comes last
+    // The terrain's material is added last.
+    const Scene grounded = whole.terrain ? features::with_terrain_node(whole) : Scene{};
     const Scene& scene = whole.terrain ? grounded : whole;
     LoadedScene loaded;
     if (lightmap != nullptr) {

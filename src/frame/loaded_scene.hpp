@@ -24,63 +24,65 @@
 
 namespace estampe::frame {
 
-/// Everything of one scene that lives on the device, and the scene itself without its pictures.
+/// All device resources of one scene, and the scene itself without its images.
 struct LoadedScene {
     Scene scene;
-    features::LightingOfScene own_lighting;    ///< lights and links as the file has them
-    features::LightingOfScene styled_lighting; ///< lights and links as `scene` has them now
+    features::LightingOfScene own_lighting;    ///< lights and light links as the file has them
+    features::LightingOfScene styled_lighting; ///< lights and light links of `scene` with the style applied
     std::optional<features::LightingWords>
-        styled_by; ///< the style's words that `styled_lighting` was made by
+        styled_by; ///< the style's lighting settings that produced `styled_lighting`
     pose::MeshData layout;
-    uint32_t layout_number = 0; ///< counts how often the scene was laid out
+    uint32_t layout_number = 0; ///< incremented each time the meshes are laid out
     std::vector<features::StillCaster>
-        still_casters;                  ///< triangles of `layout` that never move and throw shadows
-    Bounds still_room;                  ///< the box about all of `still_casters`
+        still_casters;                  ///< triangles of `layout` that never move and cast shadows
+    Bounds still_room;                  ///< bounding box of `still_casters`
     pose::MeshBuffers meshes;           ///< `layout` on the device
-    raster::ClusterBoxes cluster_boxes; ///< boxes about runs of triangles of `meshes`
+    raster::ClusterBoxes cluster_boxes; ///< bounding boxes of clusters of triangles in `meshes`
     surface::MaterialBuffers materials;
     surface::SceneNeeds needs;
-    std::vector<std::string> notes;           ///< what became of textures
-    std::optional<Lightmap> lightmap;         ///< only where one was given
-    std::optional<features::WornLight> baked; ///< `lightmap` laid on the triangles of `layout`
+    std::vector<std::string> notes;           ///< warnings about textures
+    std::optional<Lightmap> lightmap;         ///< none unless the caller gave one
+    std::optional<features::WornLight> baked; ///< `lightmap` mapped to the triangles of `layout`
     std::optional<pose::PoseData> pose;       ///< the pose that the device holds; none after a new layout
     std::map<uint32_t, features::SurfaceMap>
-        surface_maps; ///< maps that styles ask for, by their side in texels
+        surface_maps; ///< maps that styles ask for, keyed by their side in texels
     features::DefaultLight default_light;
     light::ExposureKeyCache exposure_key;
-    features::PlacedNodes placed;                     ///< nodes that a program moves
+    features::PlacedNodes placed;                     ///< nodes that the program has placed
     std::unique_ptr<terrain::TerrainBuffers> terrain; ///< null where the scene has no terrain
     std::unique_ptr<terrain::Footprints> footprints;  ///< null where the scene has no terrain
     bool terrain_moved = false;  ///< the terrain's vertices on the device are out of date
-    bool has_plain_links = true; ///< every object stands to all lights alike
+    bool has_plain_links = true; ///< every object is lit and shadowed by all lights
     bool pose_moved = true;      ///< the posed vertices on the device are out of date
 };
 
-/// Uploads `scene`, with a lightmap unless that is null. Throws Error when it does not fit the device, or
-/// when the lightmap is another scene's.
+/// Uploads `scene`, and `lightmap` unless that is null. Throws Error when the scene does not fit the device,
+/// or when the lightmap belongs to another scene.
 [[nodiscard]] LoadedScene load_onto_device(gpu::Device& device, const Scene& scene, const Lightmap* lightmap);
 
-/// The scene at a moment, what a program moves among it.
+/// The pose of the scene at a time, including the nodes that the program has placed.
 [[nodiscard]] ScenePose pose_at(LoadedScene& loaded, double time_s, Index animation);
 
-/// Moves nodes, as Renderer::place() does; lays out afresh when one of them was taken to stand for ever.
-/// Throws Error for a node or a place that is none.
+/// Moves nodes, as Renderer::place() does. Lays the scene out again when one of them was treated as static.
+/// Throws Error for an invalid node or place.
 void place_nodes(gpu::Device& device, LoadedScene& loaded, std::span<const NodePlace> places, double time_s);
 
-/// Makes the meshes of the loaded scene as its objects' links want them, and forgets what was made of those
-/// before.
+/// Rebuilds the meshes of the loaded scene according to its objects' light links, and discards everything
+/// that was derived from the old meshes.
 void lay_out(gpu::Device& device, LoadedScene& loaded);
 
-/// Gives the loaded scene another terrain in place of its own, and lays out afresh when that is cut into
-/// other triangles. Returns whether it was. Throws Error when it does not fit, and the one before stays.
+/// Replaces the terrain of the loaded scene, and lays the scene out again when the new one is divided into
+/// other triangles. Returns whether it was laid out again. Throws Error when the terrain does not fit, and
+/// keeps the old one.
 [[nodiscard]] bool swap_terrain(gpu::Device& device, LoadedScene& loaded, const Terrain& terrain);
 
-/// Brings lights and objects to what `style` says of them, and lays out afresh when an object stands
-/// otherwise to the lights than before. Returns whether shadows may fall otherwise, which they do not where
-/// lights are brighter or lower. Throws Error as styled_lighting() does.
+/// Applies the lighting settings of `style` to lights and objects, and lays the scene out again when light
+/// links change. Returns whether shadows may change; a change of brightness alone does not change them.
+/// Throws Error as styled_lighting() does.
 [[nodiscard]] bool style_lighting(gpu::Device& device, LoadedScene& loaded, const light::LightStyle& style);
 
-/// How far from the eye what stands in front is; a terrain, which is everywhere, keeps it near.
+/// Distance from the eye to the nearby objects of the scene. A terrain surrounds the eye, so it limits the
+/// result to a short distance.
 [[nodiscard]] float nearby_m(const pose::MeshData& layout, const glm::dvec3& eye);
 
 } // namespace estampe::frame

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whole pictures of what moves, against as many pictures while the shutter is open.
+// Compares blurred pictures of moving objects with the mean of many pictures during the exposure.
 #include <cmath>
 #include <cstdio>
 #include <tuple>
@@ -57,7 +57,7 @@ void turn(Scene& scene, Index node)
                                                  .values = {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, half, half}});
 }
 
-/// A wall of boards, a box that passes before it, one that turns, and one that stands.
+/// A wall of boards, with a box that passes in front, one that turns, and one that stands still.
 Scene passing()
 {
     Scene scene;
@@ -109,7 +109,7 @@ TEST(MotionBlur, IsThatOfManyPicturesWhileTheShutterIsOpen)
     EXPECT_GE(test::psnr_db(seen, truth), 30.0);
     EXPECT_GT(test::psnr_db(own, truth), test::psnr_db(none, truth));
     EXPECT_LT(test::psnr_db(none, truth), test::psnr_db(seen, truth) - 3.0);
-    // What stands, and what nothing passes, is the same to the bit.
+    // Pixels that stand still and are not passed by anything are equal bit for bit.
     const Image sharp = renderer.render(shutter_camera, still, shutter_page);
     const Image blurred =
         renderer.render(shutter_camera, shutter_colors({"motion_blur.enabled=true"}), shutter_page);
@@ -182,8 +182,8 @@ TEST(MotionBlur, ShowsTheVelocityOfWhatMoves)
 
 TEST(MotionBlur, SpreadsABarAsFarAsItGoes)
 {
-    // Along a row the bar's cover rises from nothing to all over the way that its edge goes: the one in front
-    // as the one behind, which is drawn out backwards.
+    // Along a row, the bar's coverage rises from 0 to 1 over the path of its edge: at the leading edge and at
+    // the trailing edge, which is stretched backwards.
     Renderer& renderer = test::shared_renderer();
     Scene scene;
     const Index bar = test::add_object(scene, shapes::box({1.6F, 3.0F, 0.02F}), {0.0F, 0.0F, 0.0F});
@@ -213,7 +213,7 @@ TEST(MotionBlur, SpreadsABarAsFarAsItGoes)
 
 TEST(MotionBlur, LeavesNothingSharpOfWhatIsDrawnOut)
 {
-    // A blade that turns: drawn out, its ends leave the place where they are seen.
+    // A rotating blade: when it is stretched, its ends leave the place where they are visible.
     Renderer& renderer = test::shared_renderer();
     Scene scene;
     test::add_object(scene, shapes::quad(12.0F, 12.0F), {0.9F, 0.9F, 0.9F}, {0.0, 0.0, -1.5});
@@ -254,7 +254,7 @@ TEST(MotionBlur, CostsNothingWhereThereIsNone)
     shut.set("motion_blur.shutter_deg=0");
     EXPECT_EQ(renderer.render(shutter_camera, shut, shutter_page).rgba, plain.rgba);
     EXPECT_FALSE(has_pass("motion"));
-    // Nothing moves: every bit stays, though there are passes.
+    // If nothing moves, every bit stays the same although the passes run.
     Scene still = passing();
     still.animations.clear();
     renderer.set_scene(still);

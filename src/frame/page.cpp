@@ -60,7 +60,7 @@ void check_size(const gpu::Device& device, const RenderSettings& settings)
 SeenWindow seen_window(const paper::PaperStyle& style, glm::uvec2 page_px, float pixels_per_mm,
                        glm::vec2 from_px)
 {
-    constexpr float strays_mm = 0.3F; // the edge, and more than that
+    constexpr float strays_mm = 0.3F; // more than the window's edge strays, see edge_stray_mm in compose.comp
     const paper::Window window = paper::window_of(style, static_cast<float>(page_px.x) / pixels_per_mm);
     const glm::vec2 min_px = (window.min_mm - strays_mm) * pixels_per_mm - from_px;
     const glm::vec2 max_px = (window.max_mm + strays_mm) * pixels_per_mm - from_px;
@@ -91,7 +91,7 @@ Tile whole_page(glm::uvec2 page_px)
 
 uint32_t overlap_px(const features::StyleTables& style, float pixels_per_mm)
 {
-    // A pixel's own neighbours: the slope of a surface, an edge found between two.
+    // A pixel also depends on its neighbours: for a surface's slope and for edges between pixels.
     constexpr uint32_t neighbours_px = 4;
     return bleed::reach_px(style.bleed, pixels_per_mm) +
            std::max(hatch::reach_px(style.hatch, pixels_per_mm),
@@ -188,7 +188,7 @@ void declare_page(gpu::Graph& graph, const paper::ComposeInputs& layers, const p
 {
     const glm::uvec2 size_px = layers.size_px;
     const bool is_last = accumulation.is_last();
-    // Samples before the last end in their sums, and nobody sees pixels yet.
+    // Only the last sample writes visible pixels; earlier samples are added to the sums.
     gpu::BufferId pixels = target == nullptr && is_last
                                ? gpu::import_whole(graph, "pixels", page.pixels)
                                : graph.buffer("pixels", {.size_bytes = 4ULL * size_px.x * size_px.y});

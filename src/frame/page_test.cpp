@@ -10,7 +10,7 @@ namespace {
 
 TEST(SeenWindow, HoldsEveryPixelThatTheMarginsEdgeLeaves)
 {
-    constexpr float strays_mm = 0.085F; // of compose.comp's edge, to either side
+    constexpr float strays_mm = 0.085F; // how far the edge in compose.comp strays to either side
     for (const glm::uvec2 page_px : {glm::uvec2(96, 54), glm::uvec2(640, 360), glm::uvec2(1920, 1080)}) {
         for (const glm::vec2 from_px : {glm::vec2(0.0F), glm::vec2(32.0F, 16.0F)}) {
             const paper::PaperStyle style;

@@ -18,7 +18,8 @@ namespace {
 
 PagePlan plan_page(const PlanInputs& in)
 {
-    // A file with a camera is a picture already; one with a sun besides is a picture out of doors.
+    // By default, a file with a camera is treated as a composed picture, and one with a camera and a sun as
+    // outdoors.
     const Scene& scene = in.loaded.scene;
     const bool is_composed = !scene.cameras.empty();
     const bool is_outdoors = is_composed && in.lighting.directional_count > 0 && !scene.lights.empty();
@@ -155,7 +156,7 @@ std::optional<sky::CloudPlan> plan_clouds(const PlanInputs& in, const PagePlan& 
         in.clouds);
 }
 
-/// Runs of solid triangles whose looks are chosen.
+/// Runs of solid triangles whose style variants satisfy `chosen`.
 template <typename Chosen>
 std::vector<raster::Batch> runs_of(const pose::MeshData& layout, const features::StyleVariants& looks,
                                    const Chosen& chosen)
@@ -295,7 +296,7 @@ FramePlan plan_frame(const PlanInputs& in, PlanLists room)
 
 namespace {
 
-/// About where a draw stands in the world.
+/// Approximate bounds of a draw call in world space.
 Bounds place_of(const LoadedScene& loaded, const ScenePose& pose, size_t draw)
 {
     const Scene& scene = loaded.scene;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What is decided on the processor before a picture is declared, in parts; also where its lens is focused.
+// The plan of a picture: everything that the processor decides before passes are declared, in parts, and the
+// focus distance of the lens.
 
 #include <algorithm>
 #include <optional>
@@ -33,84 +34,84 @@
 
 namespace estampe::frame {
 
-/// The page, and what stands on it besides the scene.
+/// The page, with its ground and sky.
 struct PagePlan {
     glm::uvec2 size_px{0};
     float pixels_per_mm = 1.0F;
-    features::PixelSize pixel; ///< what one of them spans in the scene
+    features::PixelSize pixel; ///< size of a pixel in the scene
     bool has_ground = false;
     bool has_sky = false;
-    bool shows_sky = false; ///< it is painted behind the scene, and not only into its haze
+    bool shows_sky = false; ///< the sky is painted behind the scene; otherwise only haze takes its colour
     bool has_haze = false;
 };
 
-/// How triangles become pixels.
+/// How triangles are rasterised.
 struct RasterPlan {
     raster::Paths paths;
     raster::Tuning tuning;
 };
 
-/// The first of the directional lights.
+/// The first directional light.
 struct SunPlan {
     glm::vec3 towards{0.0F, 1.0F, 0.0F};
-    bool shines = false;               ///< else there is none
-    std::optional<float> daylight_rad; ///< height of a sun that stands by place and hour
-    Groups casters = all_groups;       ///< whose shadows it throws
+    bool shines = false;               ///< false without a directional light
+    std::optional<float> daylight_rad; ///< elevation of a sun that is placed by location and time of day
+    Groups casters = all_groups;       ///< groups of objects whose shadows this light casts
     features::SunMapPlan map;
     features::GroundShadowPlan ground;
 };
 
-/// The light but for the sun's place.
+/// All lights, except for the sun's position.
 struct LightPlan {
     uint32_t local_count = 0;
-    bool leads_strokes = false;  ///< some strokes run along the light, and there are local lights
-    bool has_links = false;      ///< not every light lights and shadows everything
-    float lightmap_scale = 1.0F; ///< from the lightmaps' exposure to the frame's
-    float ambient = 0.0F;        ///< luminance, where there is smoke
+    bool leads_strokes = false;  ///< some strokes follow the light, and there are local lights
+    bool has_links = false;      ///< some objects are not lit or shadowed by all lights
+    float lightmap_scale = 1.0F; ///< factor from the lightmap's exposure to the frame's
+    float ambient = 0.0F;        ///< luminance of the ambient light; set only if there is smoke
     bool meters_page = false;
-    float adapt_stops = -1.0F; ///< most that the exposure by the page changes; negative: any
+    float adapt_stops = -1.0F; ///< largest change of the automatic exposure; negative sets no limit
 };
 
-/// Light that goes into things.
+/// Subsurface scattering and transmission, and clear bodies.
 struct SubsurfacePlan {
-    std::vector<shared::SubsurfaceLook> looks; ///< as many as StyleVariants has styles
-    std::vector<raster::Batch> bodies;         ///< that light comes through
-    std::vector<raster::Batch> clear;          ///< that what lies behind is seen through
-    std::vector<raster::Batch> others;         ///< where there are such, all else that is solid
-    std::vector<raster::Batch> line_hiders;    ///< where some clear bodies show lines behind them and some do
-                                               ///< not, all that is solid but the former
-    bool lines_show = false;                   ///< behind all clear bodies
+    std::vector<shared::SubsurfaceLook> looks; ///< one per style of StyleVariants
+    std::vector<raster::Batch> bodies;         ///< triangles that transmit light
+    std::vector<raster::Batch> clear;          ///< triangles that show what lies behind them
+    std::vector<raster::Batch> others;         ///< solid triangles not in `clear`; empty if `clear` is empty
+    std::vector<raster::Batch> line_hiders; ///< all solid triangles that hide lines; filled if only some of
+                                            ///< the clear bodies show lines
+    bool lines_show = false;                ///< all clear bodies show the lines behind them
     bool scatters = false;
 };
 
-/// How the edges of shadows look.
+/// The look of shadow edges.
 struct EdgePlan {
-    shared::EdgeLook look; ///< their teeth
-    uint32_t variant = 0;  ///< see shadow/shadow_style.hpp
+    shared::EdgeLook look; ///< jagged edges
+    uint32_t variant = 0;  ///< shader variant, see shadow/shadow_style.hpp
 };
 
 struct LinePlan {
-    float half_px = 1.0F;        ///< of the widest of the scene
-    bool of_shadows = false;     ///< edges of the sun's shadow are lines
-    bool are_remembered = false; ///< the picture goes on from one before, or another may from this
+    float half_px = 1.0F;        ///< half of the widest line of the scene
+    bool of_shadows = false;     ///< the edges of the sun's shadow are drawn as lines
+    bool are_remembered = false; ///< lines continue from picture to picture
 };
 
-/// Lines that point at what matters.
+/// Focus lines, which point at the centre of attention.
 struct FocusPlan {
     std::vector<shared::FocusLine> lines;
     glm::vec2 middle_px{0.0F};
 };
 
-/// What is exposed for a while.
+/// Motion during the exposure time.
 struct MotionBlurPlan {
     features::MotionPlan motion;
     shared::MotionBlurConstants constants;
     shared::SmearConstants smear;
 };
 
-/// A picture, all of its samples alike.
+/// The plan of one picture, equal for all of its samples.
 struct FramePlan {
-    glm::uvec2 page_px{0}; ///< of the whole page, also where `page` has it smaller
+    glm::uvec2 page_px{0}; ///< size of the whole page, even if `page` has a smaller one
     PagePlan page;
     RasterPlan raster;
     surface::SceneNeeds needs;
@@ -121,47 +122,47 @@ struct FramePlan {
     EdgePlan shadow_edges;
     features::LocalMapPlan local_shadows;
     float occlusion_radius_m = 1.0F;
-    std::optional<uint32_t> occlusion_texels; ///< side of the map in which it is found
-    std::optional<uint32_t> scatter_texels;   ///< of that in which light spreads
+    std::optional<uint32_t> occlusion_texels; ///< side of the map for occlusion; none computes it per pixel
+    std::optional<uint32_t> scatter_texels;   ///< side of the map for subsurface light; none uses the page
     std::optional<SubsurfacePlan> subsurface;
     LinePlan lines;
     FocusPlan focus;
-    std::optional<shared::RippleConstants> ripples; ///< of a terrain's sand
-    std::optional<terrain::DriftPlan> drift;        ///< of it in the air
+    std::optional<shared::RippleConstants> ripples; ///< ripples in a terrain's sand
+    std::optional<terrain::DriftPlan> drift;        ///< wind-blown sand in the air
     std::optional<sky::CloudPlan> clouds;
-    std::vector<particles::ParticlePlan> particles; ///< one a look of particles, the farthest first
+    std::vector<particles::ParticlePlan> particles; ///< one per particle look, the farthest first
     std::optional<shared::LensConstants> lens;
     std::optional<features::MotionPlan> motion;
     std::optional<MotionBlurPlan> motion_blur;
-    std::optional<features::InkPlan> ink;         ///< that flows
-    std::optional<std::vector<smoke::Box>> risen; ///< where smoke rose already, for cloth
-    std::vector<smoke::Lamp> lamps;               ///< that smoke stands in, where the style has any
+    std::optional<features::InkPlan> ink;         ///< flowing ink
+    std::optional<std::vector<smoke::Box>> risen; ///< boxes of smoke already simulated for cloth
+    std::vector<smoke::Lamp> lamps;               ///< lamps that light smoke; empty without smoke
     std::optional<features::SmokePlan> smoke;
 };
 
-/// What of a picture differs from sample to sample, and from tile to tile. The first one leaves on the device
-/// what the others find there.
+/// The part of a picture's plan that differs between samples and tiles. The first sample leaves results on
+/// the device that the others reuse.
 struct SamplePlan {
     paper::Accumulation accumulation;
-    bool is_first = true;             ///< nothing of the picture has been drawn yet
-    glm::uvec2 size_px{0};            ///< of what is drawn: the page, or a tile
-    glm::vec2 from_px{0.0F};          ///< where on the page that begins
-    glm::mat4 clip_from_anchor{1.0F}; ///< shifted within a pixel
-    bool pose_moved = true;           ///< the posed vertices are not yet those of this moment
-    bool terrain_moved = false;       ///< nor are the ground's
+    bool is_first = true;             ///< true before anything of the picture has been drawn
+    glm::uvec2 size_px{0};            ///< size of the image that is drawn: page or tile
+    glm::vec2 from_px{0.0F};          ///< position of the image's first pixel on the page
+    glm::mat4 clip_from_anchor{1.0F}; ///< with subpixel jitter
+    bool pose_moved = true;           ///< the posed vertices on the device are out of date
+    bool terrain_moved = false;       ///< the terrain's vertices on the device are out of date
     features::SunMapWork sun_map;
-    float line_step_px = 3.0F; ///< between samples of lines, about
+    float line_step_px = 3.0F; ///< approximate distance between samples along a line
 };
 
-/// Lists of a plan that is done with, for the next one to fill.
+/// Lists of an old plan, whose capacity the next plan reuses.
 struct PlanLists {
     std::vector<features::StyleTables> styles;
     std::vector<uint32_t> kind_of_draw;
 };
 
-/// What a plan is made from.
+/// The inputs of a plan.
 struct PlanInputs {
-    const LoadedScene& loaded; ///< posed
+    const LoadedScene& loaded; ///< already posed
     const light::Lighting& lighting;
     const std::optional<light::Daylight>& daylight;
     const Camera& camera;
@@ -169,23 +170,24 @@ struct PlanInputs {
     const features::StyleTables& style;
     const gpu::Device& device;
     RasterPath raster_path = RasterPath::compute;   ///< never automatic
-    RasterPath wanted_path = RasterPath::automatic; ///< before it was chosen
+    RasterPath wanted_path = RasterPath::automatic; ///< as the options have it; may be automatic
     sky::CloudMemory& clouds;
 };
 
-/// The plan of the same page in pixels `shrink` times as large each way, of which `size_px` hold it: what its
-/// shadows and lights are stays as it was.
+/// Returns the plan of the same page with pixels `shrink` times as large in each direction, `size_px` in all.
+/// Shadows and lights stay unchanged.
 [[nodiscard]] FramePlan shrunk_plan(const FramePlan& plan, uint32_t shrink, glm::uvec2 size_px,
                                     const features::StyleTables& style);
 
-/// Between samples of lines, about, so that they bend as finely on a page that is `shrink` times as large.
+/// Approximate distance between samples along a line, chosen so that lines bend as finely on a page that is
+/// `shrink` times as large.
 [[nodiscard]] inline float line_step_px(uint32_t shrink)
 {
     return std::max(3.0F / static_cast<float>(shrink), 1.0F);
 }
 
-/// Plans all that needs no room on the device: shadows of local lights, motion, what the eye is used to and
-/// what lines remember are left as they are by default. Cost: linear in draws.
+/// Plans everything that allocates nothing on the device. Leaves the defaults for shadows of local lights,
+/// motion, exposure adaptation and the history of lines. Cost: linear in draw calls.
 [[nodiscard]] FramePlan plan_frame(const PlanInputs& in, PlanLists room = {});
 
 struct LensSetting {
@@ -197,11 +199,13 @@ struct LensSetting {
     float line_half_px = 1.0F;
 };
 
-/// How far before the eye, along the view, the plane in focus stands: as far as the style says, or the middle
-/// of the objects that it names, or the middle of the scene. Adds a note for a name of nothing.
+/// Distance from the eye to the plane in focus, along the view direction: the style's distance, or the middle
+/// of the objects that the style names, or the middle of the scene. Adds a note for a name that matches no
+/// object.
 [[nodiscard]] double focus_distance_m(const LensSetting& in, std::vector<std::string>& notes);
 
-/// The lens of a picture; none where the style has none, and in parallel projection, which adds a note.
+/// Plans the lens of a picture. Returns none if the style has no lens, and in parallel projection, for which
+/// it adds a note.
 [[nodiscard]] std::optional<shared::LensConstants> plan_lens(const LensSetting& in,
                                                              std::vector<std::string>& notes);
 

@@ -136,7 +136,7 @@ void Renderer::Impl::posed()
 
 namespace {
 
-/// What the camera's globals are where a map is lit in place of the page.
+/// The camera's globals for lighting a square map instead of the page.
 shared::FrameGlobals map_globals(const shared::FrameGlobals& globals, uint32_t size)
 {
     shared::FrameGlobals of_map = globals;
@@ -199,12 +199,12 @@ void Renderer::Impl::draw_frame(const Camera& camera, const features::StyleTable
                                 .wash_looks = wash_looks};
     declared.clear();
     frame::declare_frame(context);
-    std::unique_ptr<gpu::CompileAhead> compiling = std::move(ahead); // ends before the graph does
+    std::unique_ptr<gpu::CompileAhead> compiling = std::move(ahead); // must be destroyed before the graph
     if (compiling) {
         compiling->start(declared);
     }
     executor.run(declared);
-    executor.replace_timings(); // by those of the next sample
+    executor.replace_timings(); // the next sample's timings replace these
     posed();
     loaded->terrain_moved = false;
     features.cloth.drawn();
@@ -215,13 +215,13 @@ void Renderer::Impl::draw_frame(const Camera& camera, const features::StyleTable
     if (plan.sun.ground.is_thrown) {
         features.shadows.ground().drawn(plan.sun.ground, *loaded->terrain);
     }
-    compiling.reset(); // it reads the graph
+    compiling.reset(); // reads the graph
     std::swap(drawn, declared);
 }
 
 namespace {
 
-/// How much of the page's height its margin leaves.
+/// The fraction of the page's height inside its margin.
 double window_share(const paper::PaperStyle& style, const RenderSettings& settings)
 {
     const float page_width_mm =
@@ -254,7 +254,7 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
     plan.ink = features.ink.ensure(device, executor, ink_inputs(seen_by, tables, settings), notes);
     plan.smoke = plan_smoke(plan, tables, settings);
     frame::ensure_page(device, buffers.page, plan.page_px, settings.samples);
-    // Later samples of a picture of several go their own way by a pixel at most.
+    // Later samples of one picture differ from the first by a pixel at most and keep no history.
     plan.lines.are_remembered =
         is_of_film && features.lines.meshes().ensure(device, loaded->layout, plan.looks.lines) != nullptr;
     if (plan.lines.are_remembered) {
@@ -339,8 +339,8 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
     frame::FramePlan plan = impl.prepare(seen_by, tables, settings);
     frame::check_has_paths(plan.looks);
     plan.motion.reset();
-    if (tables.wash.strength > 0.0F || plan.page.has_sky || tables.bleed.enabled ||
-        tables.ink.enabled || tables.smoke.enabled) {
+    if (tables.wash.strength > 0.0F || plan.page.has_sky || tables.bleed.enabled || tables.ink.enabled ||
+        tables.smoke.enabled) {
         impl.notes.emplace_back(
             "a drawing of strokes has neither wash nor sky, nor ink that runs or flows, nor smoke");
     }
@@ -368,7 +368,7 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
                              plan, hidden == HiddenLines::kept);
 }
 
-// What a renderer tells of the last picture.
+// Information about the last picture.
 
 const Motion& Renderer::motion() const
 {

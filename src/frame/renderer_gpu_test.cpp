@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The whole way from a scene to a picture.
+// The whole path from a scene to a picture.
 #include <estampe/renderer.hpp>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ Scene placed_still_life(const glm::dvec3& place = glm::dvec3(0.0))
     return scene;
 }
 
-/// A tall box that a joint bends aside as time goes.
+/// A tall box that a joint bends sideways over time.
 Scene bending()
 {
     Primitive box = shapes::box({0.5F, 2.0F, 0.5F});
@@ -61,7 +61,7 @@ Image draw_still_life(const Scene& scene, const Camera& from = test::corner_came
     return test::shared_renderer().render(from, style, settings);
 }
 
-/// How many values of red there are: 1 for an even page, dozens in a drawing.
+/// Number of different red values: 1 for an even page, dozens in a drawing.
 size_t shades(const Image& image)
 {
     std::vector<bool> seen(256, false);
@@ -239,7 +239,7 @@ TEST(Renderer, DrawsNearlyTheSameByEitherRasterPath)
         images.push_back(renderer.render(test::corner_camera, {}, renderer_page));
         EXPECT_EQ(images.back(), renderer.render(test::corner_camera, {}, renderer_page)) << name_of(path);
     }
-    // A pixel in ten thousand may see another triangle, and a stroke or a line may end beside it.
+    // One pixel in ten thousand may show another triangle, and a stroke or a line may end beside it.
     const test::ImageDifference difference = test::compare_images(images[0], images[1]);
     EXPECT_LE(difference.failing_fraction, 1e-3) << test::describe(difference);
     EXPECT_LE(difference.delta_e_p95, 0.1) << test::describe(difference);
@@ -256,7 +256,7 @@ TEST(Renderer, DrawsInParallelProjection)
     parallel.orthographic_half_height_m = 2.0;
     const Image image = draw_still_life(placed_still_life(), parallel);
     EXPECT_GT(shades(image), 50U);
-    // In parallel projection the distance of the eye does not matter, but for the lines' weight.
+    // In parallel projection the eye's distance only affects the weight of lines.
     parallel.eye = parallel.target + 3.0 * (test::corner_camera.eye - test::corner_camera.target);
     Style even;
     even.set("contour.distance_thinning=0");
@@ -277,7 +277,7 @@ TEST(Renderer, StandsACameraInsideOfThings)
         EXPECT_EQ(image, test::shared_renderer().render(
                              {.eye = eye, .target = eye + glm::dvec3(0.3, 0.1, -1.0)}, {}, renderer_page));
     }
-    // A near plane through the sphere opens it, and takes nothing from what lies behind.
+    // A near plane inside the sphere opens it, and removes nothing behind it.
     const Image cut =
         draw_still_life(scene, {.eye = {3.0, 3.0, 5.0}, .target = {0.0, 0.5, 0.0}, .near_m = 5.0});
     EXPECT_GT(shades(cut), 30U);

@@ -19,13 +19,13 @@ namespace estampe {
 
 using frame::FrameJob;
 
-/// The scene as it stood when it was asked for last.
+/// The pose of the scene that was asked for last.
 struct PosedScene {
     ScenePose pose;
     double time_s = 0.0;
     Index animation = 0;
     bool is_known = false;
-    bool is_on_device = false; ///< as far as the processor has a part in that
+    bool is_on_device = false; ///< the processor has finished its part of the upload
 };
 
 struct Renderer::Impl {
@@ -33,7 +33,8 @@ struct Renderer::Impl {
         : options(std::move(renderer_options)), device(options), executor(device),
           raster_path(raster::choose_path(device, executor, options.raster))
     {
-        // Under validation names are given to objects by functions that a second instance would take away.
+        // With validation, objects get names through global function pointers, which a second instance would
+        // replace.
         if (device.info().software && !options.validation) {
             ahead = std::make_unique<gpu::CompileAhead>(options);
         }
@@ -45,7 +46,8 @@ struct Renderer::Impl {
     {
     }
 
-    /// What the style says, with its section [drawing] carried out; valid until the next call.
+    /// Returns the style's tables with the factors of its section [drawing] applied; valid until the next
+    /// call.
     [[nodiscard]] const features::StyleTables& tables_of(const Style& style)
     {
         return features::with_drawing(style.tables(), drawn_style);
@@ -53,79 +55,82 @@ struct Renderer::Impl {
 
     void update_pose(const ScenePose& scene_pose);
 
-    /// Poses what does not stand as it does now; pose::keep_posed() is to be called when the graph has run.
+    /// Adds passes that pose the vertices that moved. After the graph has run, call pose::keep_posed().
     [[nodiscard]] gpu::BufferId add_moved(gpu::Graph& graph);
-    /// The device has posed the vertices.
+    /// Records that the device has posed the vertices.
     void posed();
-    /// Poses the scene, unless that is how it stands; valid until another moment is asked for.
+    /// Poses the scene at the settings' time, unless it already has that pose. The result is valid until the
+    /// next call.
     const ScenePose& pose_at(const RenderSettings& settings);
-    /// Takes the anchor along with an eye that has gone far over the ground, so that floats stay fine there.
+    /// Moves the anchor with an eye that has travelled far over the ground, so that floats stay precise
+    /// there.
     void follow_eye(const Camera& camera);
     [[nodiscard]] light::Lighting gather_lights(const Camera& camera, const ScenePose& scene_pose,
                                                 const features::StyleTables& tables);
-    /// Brings the ground to where the eye is.
+    /// Updates the terrain's mesh for the position of the eye.
     void update_terrain(const Camera& camera, const RenderSettings& settings,
                         const features::StyleTables& style);
-    /// To be called when the scene may have been laid out afresh: tells the features, and cuts its cloth.
+    /// Call after the scene may have been laid out again: informs the features, and cuts the cloth.
     void note_layout();
-    /// Passes the velocity of smoke to cloth as wind, if the style asks for it: simulates that smoke first,
+    /// Passes the velocity of smoke to cloth as wind, if the style asks for it. Simulates the smoke first,
     /// and returns its boxes.
     [[nodiscard]] std::optional<std::vector<smoke::Box>>
     blow_cloth(const ScenePose& pose, const features::StyleTables& style, const RenderSettings& settings);
     [[nodiscard]] features::ClothInputs cloth_inputs(const RenderSettings& settings,
                                                      const features::StyleTables& style);
-    /// What the ink of a picture that has been prepared is planned from.
+    /// The inputs for planning the flowing ink of a prepared picture.
     [[nodiscard]] features::FlowingInkInputs
     ink_inputs(const Camera& camera, const features::StyleTables& tables, const RenderSettings& settings);
-    /// The smoke of a picture that has been prepared; risen and lit on the device.
+    /// Plans the smoke of a prepared picture, and simulates and lights it on the device.
     [[nodiscard]] std::optional<features::SmokePlan> plan_smoke(const frame::FramePlan& plan,
                                                                 const features::StyleTables& tables,
                                                                 const RenderSettings& settings);
-    /// The moment before that a picture looks back to, where it does: of its motion, of the ink that flows,
-    /// of its exposure.
+    /// The earlier time that a picture needs for motion, flowing ink or exposure; none if it needs none of
+    /// these.
     [[nodiscard]] std::optional<double> moment_before(const RenderSettings& settings,
                                                       const features::StyleTables& style) const;
     [[nodiscard]] std::optional<frame::MotionBlurPlan>
     plan_motion_blur(const Camera& camera, const frame::PagePlan& page_plan, float line_half_px,
                      const features::StyleTables& style, const RenderSettings& settings);
-    /// Poses the scene on the device as it was at another moment, so that the next update_pose() keeps that
-    /// beside it.
+    /// Poses the scene on the device at another time, so that the next update_pose() keeps that pose as the
+    /// previous one.
     void pose_before(const ScenePose& scene_pose);
-    /// To be called when the scene has been posed as it is now.
+    /// Call after the scene has been posed at the time of the picture.
     [[nodiscard]] features::MotionPlan motion_between(const Camera& before, const Camera& now,
                                                       const RenderSettings& settings) const;
     [[nodiscard]] features::MotionPlan plan_motion(const Camera& camera, const RenderSettings& settings);
     [[nodiscard]] features::LocalMapScene local_map_scene(const frame::PagePlan& page_plan,
                                                           const Camera& camera,
                                                           const features::StyleTables& tables) const;
-    /// Hands the device what the light's shaders read.
+    /// Uploads the data that the lighting shaders read.
     void upload_lighting(const frame::FramePlan& plan, const light::Lighting& lighting,
                          const features::StyleTables& tables);
-    /// What of that, and of lines, hangs on how large a pixel is.
+    /// Uploads the data of lighting and lines that depends on the size of a pixel.
     void upload_pixel_sizes(const frame::FramePlan& plan, const features::StyleTables& tables);
     void ensure_looks(const frame::FramePlan& plan);
-    /// Maps that lie on all surfaces, where the style wants any.
+    /// Creates the surface maps that the style asks for.
     void ensure_surface_maps(const frame::FramePlan& plan);
-    /// All that comes before the first sample. Throws Error as Renderer::render() does.
+    /// Prepares everything that the first sample needs. Throws Error as Renderer::render() does.
     [[nodiscard]] frame::FramePlan prepare(const Camera& camera, const features::StyleTables& tables,
                                            const RenderSettings& settings);
-    /// Draws into the page, and what else the job asks for.
+    /// Draws one frame into the page, and fills the other outputs of the job.
     void draw_frame(const Camera& camera, const features::StyleTables& style, const frame::FramePlan& plan,
                     const FrameJob& job);
-    /// Whether a picture is to be drawn in tiles: it is wanted so, or too large for the device.
+    /// Returns whether a picture is drawn in tiles: because the settings ask for it, or because it is too
+    /// large for the device.
     [[nodiscard]] bool is_tiled(const RenderSettings& settings) const;
-    /// The same picture as draw_picture() makes, tile by tile.
+    /// Draws the picture of draw_picture() tile by tile.
     void draw_tiles(const Camera& camera, const Style& style, const RenderSettings& settings,
                     const BandSink& sink);
-    /// Has ink flow over a page that is drawn in one go, for one in tiles.
+    /// Runs the flowing ink on a page that is drawn in one pass, for a page that is drawn in tiles.
     [[nodiscard]] features::InkPlan let_ink_flow(const Camera& camera, const features::StyleTables& tables,
                                                  const RenderSettings& settings);
-    /// What tiles share: the lines of each sample, and how bright the page is.
+    /// Computes the data that tiles share: the lines of each sample, and the brightness of the page.
     [[nodiscard]] std::vector<contour::LinkedLines>
     survey_page(const Camera& camera, const features::StyleTables& style, const frame::FramePlan& plan,
                 const features::Survey& survey, uint32_t samples);
-    /// All samples of a picture, which is empty where it goes into a `target`. `after_sample` is called after
-    /// each.
+    /// Draws all samples of a picture. The returned image is empty if a `target` is given. Calls
+    /// `after_sample` after each sample.
     [[nodiscard]] Image draw_picture(const Camera& camera, const Style& style, const RenderSettings& settings,
                                      frame::LinearPage* linear = nullptr,
                                      const std::function<void()>& after_sample = {},
@@ -134,27 +139,27 @@ struct Renderer::Impl {
     RendererOptions options;
     gpu::Device device;
     gpu::Executor executor;
-    std::unique_ptr<gpu::CompileAhead> ahead; ///< until the first frame is drawn
-    RasterPath raster_path;                   ///< chosen as the device was opened
-    std::optional<RasterPath> page_path;      ///< of the last page
+    std::unique_ptr<gpu::CompileAhead> ahead; ///< null after the first frame
+    RasterPath raster_path;                   ///< chosen when the device was opened
+    std::optional<RasterPath> page_path;      ///< path of the last page
     std::optional<frame::LoadedScene> loaded;
-    uint32_t known_layout = 0; ///< LoadedScene::layout_number that note_layout() has told of
+    uint32_t known_layout = 0; ///< LoadedScene::layout_number of the last note_layout()
     PosedScene posed_scene;
-    bool force_repose = false; ///< the scene is posed again even if no node moved
-    bool is_of_film = false;   ///< the last frame
-    features::StyleTables drawn_style; ///< room for tables_of()
+    bool force_repose = false;         ///< the scene is posed again even if no node moved
+    bool is_of_film = false;           ///< the last frame was part of a film
+    features::StyleTables drawn_style; ///< storage for tables_of()
     frame::Features features;
     frame::FrameBuffers buffers;
     Motion motion;
-    frame::PlanLists plan_lists;            ///< of the picture before
-    std::vector<wash::LookWash> wash_looks; ///< room for the next frame's
-    gpu::Graph declared;                    ///< room for the next frame's
-    gpu::Graph drawn;                       ///< the last frame, to look at; its resources may be gone
+    frame::PlanLists plan_lists;            ///< lists of the last picture, to reuse
+    std::vector<wash::LookWash> wash_looks; ///< storage for the next frame
+    gpu::Graph declared;                    ///< storage for the next frame
+    gpu::Graph drawn; ///< the last frame, for inspection; its resources may no longer exist
     std::vector<std::string> notes;
 };
 
-/// The camera of the whole page, whose window shows what `camera` does. Throws Error for one that nothing can
-/// be seen by.
+/// The camera of the whole page, which shows the view of `camera` inside the paper's margin. Throws Error for
+/// an invalid camera.
 [[nodiscard]] Camera page_camera(const Camera& camera, const paper::PaperStyle& style,
                                  const RenderSettings& settings);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the renderer does for what moves: nodes that a program places, motion that a picture looks back to,
-// and the ground, which comes along with the eye and with time.
+// Motion in the renderer: nodes that a program places, the earlier moment for motion blur and ink, and the
+// terrain, which follows the eye and changes over time.
 #include <algorithm>
 #include <cmath>
 
@@ -57,14 +57,15 @@ std::optional<double> Renderer::Impl::moment_before(const RenderSettings& settin
     if (settings.exposure_end) {
         return settings.exposure_end->time_s;
     }
-    // Before the beginning an animation would be at its end.
+    // An animation has no pose before its start (it would loop to its end), so the first half exposure looks
+    // forward.
     const double half_s = 0.5 * motion_blur::exposure_s(style.motion_blur);
     return settings.time_s + (settings.time_s < half_s ? half_s : -half_s);
 }
 
 namespace {
 
-/// Where a camera stood `share` as long ago as it stood at `before`, if it went straight on.
+/// The camera extrapolated linearly: `share` = 0 gives `now`, 1 gives `before`.
 Camera carried_back(const Camera& now, const Camera& before, double share)
 {
     Camera back = before;
@@ -75,7 +76,7 @@ Camera carried_back(const Camera& now, const Camera& before, double share)
 
 } // namespace
 
-/// To be called when the scene has been posed as it is now.
+/// Call after the scene has been posed at the time of the picture.
 std::optional<frame::MotionBlurPlan>
 Renderer::Impl::plan_motion_blur(const Camera& camera, const frame::PagePlan& page_plan, float line_half_px,
                                  const features::StyleTables& style, const RenderSettings& settings)
@@ -87,7 +88,7 @@ Renderer::Impl::plan_motion_blur(const Camera& camera, const frame::PagePlan& pa
     const double half_s = settings.exposure_end ? settings.time_s - settings.exposure_end->time_s
                                                 : 0.5 * motion_blur::exposure_s(style.motion_blur);
     const double back_s = settings.time_s - *before_s;
-    // Where a camera alone goes both may be nothing.
+    // If only the camera moves, both may be 0.
     const double share = back_s == half_s ? 1.0 : back_s / half_s;
     if (share == 0.0 || !std::isfinite(share)) {
         return std::nullopt;
@@ -123,10 +124,11 @@ features::MotionPlan Renderer::Impl::plan_motion(const Camera& camera, const Ren
 
 namespace {
 
-/// Where the square lies in which trails are seen: before the eye, about it where that looks straight down.
+/// Centre of the square in which trails are visible: ahead of the eye, or around it when the camera looks
+/// straight down.
 glm::dvec2 middle_of_trails(const Camera& camera, double extent_m)
 {
-    constexpr double ahead = 0.35; // of the side
+    constexpr double ahead = 0.35; // fraction of the square's side
     const glm::dvec3 view = glm::normalize(camera.target - camera.eye);
     const glm::dvec2 level(view.x, view.z);
     return glm::dvec2(camera.eye.x, camera.eye.z) +
@@ -202,7 +204,7 @@ void Renderer::Impl::update_terrain(const Camera& camera, const RenderSettings& 
         loaded->footprints->add_catching_up(graph);
         executor.run(graph);
     }
-    // What poses the rest writes over all.
+    // Posing the scene overwrites the terrain's vertices, too.
     loaded->terrain_moved = loaded->terrain_moved || has_moved || loaded->pose_moved;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All that comes before the first sample of a picture: features are brought to its moment, the frame is
-// planned, and what it reads beside the scene goes to the device.
+// Everything before the first sample of a picture: brings features to the picture's time, plans the frame,
+// and uploads the data that it reads in addition to the scene.
 #include "frame/renderer_impl.hpp"
 
 #include <algorithm>
@@ -83,7 +83,7 @@ features::ClothInputs Renderer::Impl::cloth_inputs(const RenderSettings& setting
 light::Lighting Renderer::Impl::gather_lights(const Camera& camera, const ScenePose& scene_pose,
                                               const features::StyleTables& tables)
 {
-    // What lines will want is found in the meantime.
+    // The edges that lines need are found on another thread meanwhile.
     const std::future<void> edges = features.lines.meshes().find_edges(loaded->layout, tables.contour);
     return light::gather_lights(
         loaded->scene, scene_pose, loaded->layout.bounds, loaded->layout.anchor, tables.light,
@@ -119,10 +119,10 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const features::S
     }
     const bool has_cloth_moved = features.cloth.has_moved();
     const std::optional<double> before_s = moment_before(settings, tables);
-    // Of the picture before, which ink goes on from, the device has it.
+    // The device still holds the previous picture's pose, from which the ink continues.
     const bool is_there = before_s && !settings.motion_since && loaded->pose && !advance.posed_scene &&
                           before_s == features.ink.before_s(settings, tables.ink);
-    // Both moments are posed, though nothing but cloth may differ.
+    // Cloth changes without a new pose, so both moments are posed again.
     force_repose = before_s && has_cloth_moved;
     if (before_s && !is_there) {
         pose_before(frame::pose_at(*loaded, *before_s, settings.animation));

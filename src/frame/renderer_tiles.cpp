@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the renderer does for pages that are drawn in tiles, see docs/decisions/0016.
+// Pages that are drawn in tiles, see docs/decisions/0016.
 #include "frame/renderer_impl.hpp"
 
 #include <algorithm>
@@ -18,10 +18,11 @@ namespace {
 constexpr uint32_t usual_tile_px = 2048;
 constexpr uint64_t most_survey_pixels = uint64_t{1} << 27U;
 
-/// About what the device holds of a picture while it is drawn.
+/// Approximate device memory per pixel while a picture is drawn.
 constexpr uint64_t bytes_a_pixel = 160;
 
-/// Of half of the device's memory: all that tiles share is kept beside it.
+/// Pixels of the survey, which draws the whole page at a lower resolution. It gets half of the device's
+/// memory, as the data that tiles share needs the rest.
 uint64_t survey_pixels(const gpu::Device& device, const frame::PageLimits& limits)
 {
     return std::min({limits.pixels, most_survey_pixels, device.memory().whole_bytes() / (2 * bytes_a_pixel)});
@@ -29,11 +30,11 @@ uint64_t survey_pixels(const gpu::Device& device, const frame::PageLimits& limit
 
 uint32_t automatic_tile_px(const frame::PageLimits& limits, uint32_t overlap)
 {
-    // At least half of what is drawn is kept.
+    // A side of at least 7 overlaps keeps half or more of the drawn pixels.
     return std::min(std::max(usual_tile_px, 7 * overlap), limits.side_px);
 }
 
-/// Copies the kept part of a tile to where it lies in a band of rows.
+/// Copies the kept part of a tile to its place in a band of rows.
 void copy_kept(const gpu::Buffer& pixels, const frame::Tile& tile, Image& band)
 {
     const glm::uvec2 skipped = tile.kept.from_px - tile.drawn.from_px;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Strokes of a dry brush behind what moves, on whole pictures.
+// Smear strokes behind moving objects, in whole pictures.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -36,7 +36,7 @@ Style paper(std::initializer_list<const char*> more)
     return style;
 }
 
-/// A box before nothing, in its middle place in the middle of the second.
+/// A box without a background, which passes its middle position in the middle of the second.
 Scene going(const glm::vec3& way_m)
 {
     Scene scene;
@@ -57,7 +57,7 @@ double px_per_m(double away_m)
     return 0.5 * smear_page.height / std::tan(0.5 * smear_camera.vertical_fov_rad) / away_m;
 }
 
-/// What strokes add to a picture, 0 to 1 a pixel.
+/// Ink that strokes add to a picture, 0 to 1 per pixel.
 struct SmearInk {
     std::vector<double> of_pixel;
     double sum = 0.0;
@@ -94,7 +94,7 @@ bool is_inked(double added)
     return added > 0.3;
 }
 
-/// The farthest to the left that ink reaches.
+/// Smallest x that ink reaches.
 int leftmost(const SmearInk& ink)
 {
     for (uint32_t x = 0; x < smear_page.width; ++x) {
@@ -122,7 +122,7 @@ TEST(SmearMotion, LeavesEveryBitWhereNothingMoves)
     const Image still = renderer.render(smear_camera, {}, smear_page);
     EXPECT_EQ(renderer.render(smear_camera, smear, smear_page).rgba, still.rgba);
     EXPECT_NE(renderer.graph_dot().find("smear"), std::string::npos);
-    // Nor where it goes less far than the style asks.
+    // Motion below the style's limit has no strokes.
     renderer.set_scene(going({3.0F, 0.0F, 0.0F}));
     smear.set("motion_blur.smear.from_mm=60");
     EXPECT_EQ(renderer.render(smear_camera, smear, smear_page).rgba, moving.rgba);
@@ -147,13 +147,13 @@ TEST(SmearMotion, LiesBehindWhatMovesAndNotOnIt)
             }
         }
     }
-    // Of the place that the strokes may take, some, and far from all.
+    // Strokes cover some of the area that they may reach, and far from all of it.
     const double reach_px = 3.0 * 3.0 * smear_s * near_px;
     const double share = behind / (reach_px * 1.2 * near_px);
     std::printf("ink behind %.0f px, %.3f of the place for it\n", behind, share);
     EXPECT_GT(share, 0.02);
     EXPECT_LT(share, 0.35);
-    // They begin at the edge itself, without a gap.
+    // Strokes begin directly at the edge, without a gap.
     double at_edge = 0.0;
     for (uint32_t y = top; y < smear_page.height - top; ++y) {
         at_edge += ink.at(left - 1, y);
@@ -161,7 +161,7 @@ TEST(SmearMotion, LiesBehindWhatMovesAndNotOnIt)
     EXPECT_GT(at_edge, 0.1 * 1.2 * near_px);
 }
 
-/// How alike the ink is to itself a way on.
+/// Correlation of the ink with itself at an offset.
 double likeness(const SmearInk& ink, const glm::dvec2& way_px)
 {
     double sum = 0.0;
@@ -249,7 +249,8 @@ TEST(SmearMotion, HasFewerStrokesFartherApart)
 
 TEST(SmearMotion, GoesAlongWithWhatMoves)
 {
-    // By one whole pixel later strokes are the same strokes a pixel on; drawn by another hand they are not.
+    // After a motion of one whole pixel the strokes are equal but for that pixel; with another seed they
+    // differ.
     Renderer& renderer = test::shared_renderer();
     constexpr double speed = 3.0;
     const double away_m = smear_camera.eye.z;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The steps of a frame: what each technique takes from the ones before it, and what it hands on. A step
-// declares passes and draws nothing yet. Handles go in and come out by name; what was known before the frame
-// was begun lies in FrameContext.
+// The steps of a frame: the inputs and outputs of each technique. A step declares passes and does not draw
+// yet. Resource handles are arguments and results; everything that is known before the frame begins is in
+// FrameContext.
 
 #include <optional>
 
@@ -20,95 +20,97 @@
 
 namespace estampe::frame {
 
-/// The camera, and the scene as it stands at this moment.
+/// The scene at the time of the frame, and the camera's globals.
 struct PosedScene {
     gpu::BufferId frame; ///< FrameGlobals
     gpu::BufferId stroke_coordinates;
-    gpu::BufferId vertices_before;               ///< posed as they were in the frame before
-    std::optional<gpu::BufferId> terrain_texels; ///< what a terrain's graph looks up
+    gpu::BufferId vertices_before;               ///< posed as in the previous frame
+    std::optional<gpu::BufferId> terrain_texels; ///< textures that a terrain's graph reads
     raster::RasterInputs meshes;
-    std::optional<gpu::BufferId> cluster_bounds; ///< of their triangles, where anything looks at them
+    std::optional<gpu::BufferId> cluster_bounds; ///< bounds of clusters of triangles, if a pass reads them
 };
 
-/// What is looked through, and whether there is any.
+/// Transparent surfaces and clear bodies of the frame.
 struct SeenThrough {
-    transparency::Transparency images; ///< one texel each where there is none
-    std::vector<gpu::BufferId> layers; ///< visibility, the nearest first
+    transparency::Transparency images; ///< one texel each without transparent surfaces
+    std::vector<gpu::BufferId> layers; ///< visibility buffers, the nearest first
     bool is_there = false;
-    std::optional<gpu::BufferId> background = {};  ///< visibility of what is solid but thick clear bodies
-    std::optional<gpu::BufferId> line_hiders = {}; ///< the same but for those that show lines behind them
+    std::optional<gpu::BufferId> background = {};  ///< visibility of solid surfaces without clear bodies
+    std::optional<gpu::BufferId> line_hiders = {}; ///< visibility of solid surfaces that hide lines
 };
 
-/// What lies under the ink.
+/// The colour layers, which lie under the ink.
 struct Colors {
     gpu::ImageId wash;
     gpu::ImageId sky_ink;
     gpu::ImageId sky_wash;
-    bool has_sky_ink = false;                     ///< else that ink is among the strokes, or there is none
-    std::optional<gpu::ImageId> cloud_cover = {}; ///< of pictures in layers that have clouds
+    bool has_sky_ink = false; ///< false if the sky's ink is among the strokes, or there is none
+    std::optional<gpu::ImageId> cloud_cover = {}; ///< set if there are layers and clouds
 };
 
-/// What goes on from picture to picture, where there is any.
+/// Layers that are simulated from picture to picture.
 struct MovingLayers {
-    std::optional<gpu::ImageId> ink; ///< that flows
+    std::optional<gpu::ImageId> ink; ///< flowing ink
     std::optional<smoke::Layer> smoke;
 };
 
-/// Whatever moves writes vertices. In a scene that stands as it stood they are there already.
+/// Adds the passes that pose moving vertices. In a scene without motion the vertices are already on the
+/// device.
 [[nodiscard]] PosedScene add_posed_scene(const FrameContext& context);
 
-/// What hides what is behind it.
+/// The batches of surfaces that hide what lies behind them.
 [[nodiscard]] InlineVector<raster::Batch, 3> solid_batches(const pose::MeshData& layout, bool with_ground);
 
-/// All that the camera sees.
+/// The camera's view, for rasterisation.
 [[nodiscard]] raster::View eye_view(const FrameContext& context);
 
-/// Rasterisation only writes identities: depth and triangle, 64 bits a pixel.
+/// Rasterises the visibility buffer: depth and triangle number, 64 bits per pixel.
 [[nodiscard]] gpu::BufferId add_visibility(const FrameContext& context, const PosedScene& scene,
                                            const char* name = "visibility");
 
-/// What is seen at each pixel.
+/// Computes the surface that is visible at each pixel.
 [[nodiscard]] surface::Surface add_surface(const FrameContext& context, const PosedScene& scene,
                                            gpu::BufferId visibility);
 
-/// Where the scene's vertices were when it `moved` from there.
+/// The scene's vertices before the motion `moved`.
 [[nodiscard]] gpu::BufferId vertices_before(const FrameContext& context, const PosedScene& scene,
                                             const features::MotionPlan& moved);
 
 [[nodiscard]] motion::MotionInputs motion_inputs(const FrameContext& context, const PosedScene& scene,
                                                  gpu::BufferId visibility, const features::MotionPlan& moved);
 
-/// Where that stood at another moment, for the processor, in the first sample of a picture that asks for it.
+/// Writes the motion of each pixel for reading back, in the first sample of a picture that asks for it.
 void add_motion(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility);
 
-/// What see-through surfaces are made out from.
+/// The inputs of the transparency technique.
 [[nodiscard]] transparency::TransparencyInputs transparency_inputs(const FrameContext& context,
                                                                    const PosedScene& scene,
                                                                    gpu::BufferId visibility,
                                                                    const std::vector<gpu::BufferId>& layers);
 
-/// What see-through surfaces show, and what lies behind thick clear bodies.
+/// Draws transparent surfaces, and what lies behind clear bodies.
 [[nodiscard]] SeenThrough add_transparency(const FrameContext& context, const PosedScene& scene,
                                            gpu::BufferId visibility);
 
-/// How far sun, lamps and spots see. Maps are kept, and drawn only where they are out of date.
+/// Adds the shadow maps of sun, lamps and spotlights. Maps are kept between frames, and drawn only if they
+/// are out of date.
 [[nodiscard]] light::ShadowMaps add_shadow_maps(const FrameContext& context, const PosedScene& scene);
 
-/// Light that is known ahead; none in a scene without lightmaps.
+/// Reads the lightmap's light at each pixel; none in a scene without lightmaps.
 [[nodiscard]] std::optional<gpu::ImageId>
 add_lightmap_light(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility);
 
-/// How much of the light from everywhere arrives there, where the style wants it.
+/// Computes the ambient occlusion at each pixel, if the style asks for it.
 [[nodiscard]] std::optional<occlusion::AmbientOcclusion> add_occlusion(const FrameContext& context,
                                                                        const PosedScene& scene,
                                                                        gpu::BufferId visibility,
                                                                        const surface::Surface& surface);
 
-/// Smoke, shaped and lit in the first sample, where there is any.
+/// Adds the smoke of the scene, if any; it is shaped and lit in the first sample.
 [[nodiscard]] std::optional<smoke::Volume>
 add_smoke_volume(const FrameContext& context, const PosedScene& scene, const light::ShadowMaps& maps);
 
-/// What keeps light from what is seen, or is known of it.
+/// Results that the light of the frame depends on.
 struct LightBefore {
     light::ShadowMaps maps;
     std::optional<smoke::Volume> smoke;
@@ -116,114 +118,114 @@ struct LightBefore {
     std::optional<occlusion::AmbientOcclusion> occlusion; ///< by add_occlusion()
 };
 
-/// The light that arrives there and goes into things, exposed for the page where the style meters that.
+/// Computes direct and subsurface light at each pixel, and exposes it if the style meters the page.
 [[nodiscard]] light::LitPixels add_light(const FrameContext& context, const PosedScene& scene,
                                          gpu::BufferId visibility, const surface::Surface& surface,
                                          const LightBefore& before);
 
-/// What light needs wherever it falls in the scene, set up for what is seen.
+/// The inputs of the light technique that do not depend on what is lit, completed for the visible surface.
 [[nodiscard]] light::LightInputs light_inputs(const FrameContext& context, const PosedScene& scene,
                                               const surface::Surface& surface, const light::ShadowMaps& maps);
 
-/// What is known of things that light goes into.
+/// The inputs of subsurface scattering.
 [[nodiscard]] subsurface::SubsurfaceInputs
 subsurface_inputs(const FrameContext& context, const PosedScene& scene, const surface::Surface& surface);
 
-/// The number of each draw's look, where surfaces differ.
+/// The style variant of each draw call; none if there is a single variant.
 [[nodiscard]] std::optional<gpu::BufferId> look_of_draw(const FrameContext& context);
 
-/// What strokes are drawn from.
+/// The inputs of hatching.
 [[nodiscard]] hatch::HatchInputs hatch_inputs(const FrameContext& context, const PosedScene& scene,
                                               const surface::Surface& surface, const light::LitPixels& lit,
                                               const SeenThrough& screen);
 
-/// What lines are found in.
+/// The inputs of line detection.
 [[nodiscard]] contour::ContourInputs contour_inputs(const FrameContext& context, const PosedScene& scene,
                                                     gpu::BufferId visibility, const surface::Surface& surface,
                                                     const light::LitPixels& lit, const SeenThrough& screen);
 
-/// Lines where surfaces end, meet or fold: linked to chains, or found between pixels, which is also how what
-/// a texture cuts gets its own.
+/// Draws lines where surfaces end, meet or fold. Lines are either linked chains of mesh edges or found
+/// between pixels; edges that a texture cuts out are always found between pixels.
 [[nodiscard]] gpu::ImageId add_lines(const FrameContext& context, const contour::ContourInputs& in);
 
-/// Sand in the air over the lines of the scene.
+/// Draws wind-blown sand over the lines of the scene.
 [[nodiscard]] gpu::ImageId add_drift(const FrameContext& context, const PosedScene& scene,
                                      const surface::Surface& surface, gpu::ImageId lines);
 
-/// Particles over colour and ink.
+/// Draws particles over colour and ink.
 [[nodiscard]] haze::HazeLayers add_particles(const FrameContext& context, const PosedScene& scene,
                                              const surface::Surface& surface, gpu::ImageId sky_wash,
                                              const haze::HazeLayers& layers);
 
-/// What the lens makes of the layers, where there is one.
+/// Applies the lens to the layers, if the plan has one.
 [[nodiscard]] lens::LensLayers add_lens(const FrameContext& context, const surface::Surface& surface,
                                         const haze::HazeLayers& layers, const Colors& colors);
 
-/// What moves while the shutter is open, where any is wanted.
+/// Applies motion blur to the layers, if the plan has it.
 [[nodiscard]] motion_blur::MotionBlurLayers
 add_motion_blur(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
                 const surface::Surface& surface, const haze::HazeLayers& layers, const Colors& colors);
 
-/// How much of each pixel things cover as lens and shutter see them, for a transparent background; nothing
-/// where neither blurs anything, as the wash's alpha says it then. `layers` and `colors` are those that lens
-/// and shutter are given; must be declared before these are drawn in place.
+/// Computes the coverage of each pixel after lens and motion blur, for a transparent background. Returns none
+/// if neither blurs: the wash's alpha is the coverage then. `layers` and `colors` are the inputs of lens and
+/// motion blur; call this before they are modified in place.
 [[nodiscard]] std::optional<gpu::ImageId> add_cover(const FrameContext& context, const PosedScene& scene,
                                                     gpu::BufferId visibility, const surface::Surface& surface,
                                                     const haze::HazeLayers& layers, const Colors& colors);
 
-/// Focus lines over those of the scene.
+/// Draws focus lines over the lines of the scene.
 [[nodiscard]] gpu::ImageId add_focus_lines(const FrameContext& context, gpu::ImageId lines);
 
-/// The tiles where sky shows, or haze lets it through; nothing where nobody asks, and on a GPU, which leaves
-/// out the rest for less than the list takes.
+/// Lists the tiles where the sky is visible, directly or through haze. Returns none if no pass needs the
+/// list, and on a GPU, where skipping pixels costs less than making the list.
 [[nodiscard]] std::optional<gpu::BufferId> add_far_tiles(const FrameContext& context, const PosedScene& scene,
                                                          const surface::Surface& surface);
 
-/// Colour, flat, and the sky behind it.
+/// Paints flat colours, and the sky behind them.
 [[nodiscard]] Colors add_colors(const FrameContext& context, const PosedScene& scene,
                                 const surface::Surface& surface, gpu::ImageId light,
                                 const SeenThrough& screen, const std::optional<gpu::BufferId>& far_tiles);
 
-/// Paints a surface of this light in its looks' colours, with `background` where there is none.
+/// Paints a lit surface in its style variants' colours, with `background` where there is no surface.
 [[nodiscard]] gpu::ImageId add_paint(const FrameContext& context, const PosedScene& scene,
                                      const surface::Surface& surface, gpu::ImageId light,
                                      const std::optional<gpu::ImageId>& background,
                                      const SeenThrough* screen = nullptr);
 
-/// `colors` with what is seen through thick bodies, and with see-through surfaces painted one by one over
-/// what lies behind them, where the style wants either.
+/// Adds to `colors` what is visible through clear bodies, and paints transparent surfaces one by one over
+/// what lies behind them, if the style asks for either.
 [[nodiscard]] Colors add_seen_through(const FrameContext& context, const PosedScene& scene,
                                       gpu::BufferId visibility, const surface::Surface& surface,
                                       const light::ShadowMaps& maps, const SeenThrough& screen,
                                       Colors colors);
 
-/// What haze is worked out from.
+/// The inputs of haze.
 [[nodiscard]] haze::HazeInputs haze_inputs(const FrameContext& context, const PosedScene& scene,
                                            const surface::Surface& surface);
 
-/// Haze as strokes that are paths meet it; nothing where there is no haze.
+/// Haze for strokes that are output as paths; none without haze.
 [[nodiscard]] std::optional<StrokeHaze> stroke_haze(const FrameContext& context, const PosedScene& scene,
                                                     const surface::Surface& surface);
 
-/// Colour and ink with what distance leaves of them.
+/// Applies haze to colour and ink.
 [[nodiscard]] haze::HazeLayers add_haze(const FrameContext& context, const PosedScene& scene,
                                         const surface::Surface& surface, gpu::ImageId sky_wash,
                                         const std::optional<gpu::BufferId>& far_tiles,
                                         const haze::HazeLayers& layers);
 
-/// Ink that flows out of these layers, where there is any.
+/// Lets ink flow out of these layers, if the style asks for it.
 [[nodiscard]] std::optional<gpu::ImageId> add_flowing_ink(const FrameContext& context,
                                                           const PosedScene& scene, gpu::BufferId visibility,
                                                           const surface::Surface& surface, gpu::ImageId light,
                                                           const haze::HazeLayers& layers);
 
-/// Smoke before the scene, where there is any.
+/// Draws smoke in front of the scene, if there is any.
 [[nodiscard]] std::optional<smoke::Layer> add_smoke(const FrameContext& context, const PosedScene& scene,
                                                     const surface::Surface& surface,
                                                     const std::optional<smoke::Volume>& volume,
                                                     gpu::ImageId sky_wash, gpu::ImageId lines);
 
-/// What is laid on the paper.
+/// The layers that are composed on the paper.
 [[nodiscard]] paper::ComposeInputs page_layers(const FrameContext& context, const PosedScene& scene,
                                                const haze::HazeLayers& layers, const Colors& colors,
                                                const MovingLayers& moving,

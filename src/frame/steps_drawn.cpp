@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From light to ink, colour and paper.
+// Steps from light to ink, colour and paper.
 #include "frame/steps.hpp"
 #include "gpu/resources.hpp"
 #include "techniques/contour/chains/chains.hpp"
@@ -17,7 +17,7 @@ const std::vector<wash::LookWash>& wash_looks(const FrameContext& context)
     return looks;
 }
 
-/// By what the strokes of surfaces find their size on the page.
+/// The footprint that determines the size of strokes on the page; a lens that acts on strokes widens it.
 gpu::ImageId stroke_footprint(const FrameContext& context, const surface::Surface& surface)
 {
     const bool are_wider = context.plan.lens && context.style.lens.acts_on == lens::ActsOn::strokes &&
@@ -27,7 +27,8 @@ gpu::ImageId stroke_footprint(const FrameContext& context, const surface::Surfac
                      : surface.footprint;
 }
 
-/// What blurs: the motion of the scene, or of the shape that the style's mode draws for its velocities alone.
+/// The motion that blurs: that of the scene, or that of the shape which the style's mode draws only for its
+/// velocities.
 gpu::ImageId blurring_motion_of(const FrameContext& context, const PosedScene& scene,
                                 const MotionBlurPlan& plan, gpu::ImageId own_motion)
 {
@@ -50,8 +51,8 @@ gpu::ImageId blurring_motion_of(const FrameContext& context, const PosedScene& s
     return motion::add_motion(context.graph, motion_inputs(context, drawn_out, visibility, moved));
 }
 
-/// Whether the pixels of 8 x 8 share what they find, as suits a GPU; where a tile of the page is drawn, only
-/// if these are those of the page.
+/// Returns whether groups of 8 x 8 pixels share their results, which is faster on a GPU. In a tile this
+/// requires that its groups coincide with those of the page.
 bool works_by_groups(const FrameContext& context)
 {
     const glm::uvec2 beside_px = glm::uvec2(context.sample.from_px) % 8U;
@@ -213,7 +214,7 @@ motion_blur::MotionBlurLayers add_motion_blur(const FrameContext& context, const
     }
     const gpu::ImageId own_motion =
         motion::add_motion(context.graph, motion_inputs(context, scene, visibility, plan->motion));
-    // Shifted within a pixel as the sample is, so that a way is that of the body alone.
+    // Both matrices have the sample's subpixel jitter, so that the difference is the body's own motion.
     const glm::mat4 shifted_before(glm::dmat4(context.sample.clip_from_anchor) *
                                    glm::inverse(glm::dmat4(plan->motion.clip_from_anchor)) *
                                    glm::dmat4(plan->motion.clip_from_anchor_before));
@@ -261,7 +262,8 @@ gpu::ImageId add_focus_lines(const FrameContext& context, gpu::ImageId lines)
 
 namespace {
 
-/// From the eye: what is nearer hides the sky, what is farther may be hazy.
+/// Distance from the eye beyond which pixels may show sky: nearer surfaces hide it, farther ones may have
+/// haze.
 float sky_shows_from_m(const FrameContext& context)
 {
     constexpr float nowhere_m = 1e30F;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shadows, light known ahead, and the light that arrives.
+// Steps for shadows, lightmap light, and direct light.
 #include <algorithm>
 
 #include "frame/steps.hpp"
@@ -17,7 +17,7 @@ std::optional<gpu::ImageId> add_ground_shadow(const FrameContext& context, const
     if (!context.loaded.terrain || !context.plan.sun.ground.is_thrown) {
         return std::nullopt;
     }
-    // Of a picture of several samples or tiles what one has found serves the others.
+    // With several samples or tiles, the first one finds the shadow and the others reuse it.
     const SamplePlan& sample = context.sample;
     const bool is_picture = sample.accumulation.sample_count == 1 && sample.size_px == context.plan.page_px;
     return context.features.shadows.ground().record(
@@ -30,7 +30,7 @@ std::optional<gpu::ImageId> add_ground_shadow(const FrameContext& context, const
          .clip_from_anchor = is_picture ? std::optional(sample.clip_from_anchor) : std::nullopt});
 }
 
-/// How much of the sun is left where that is not known by its map: by terrain, clouds and smoke.
+/// The fraction of sunlight that terrain, clouds and smoke leave, which the shadow map does not contain.
 std::optional<gpu::ImageId> add_sun_share(const FrameContext& context, const PosedScene& scene,
                                           const surface::Surface& surface,
                                           const std::optional<smoke::Volume>& volume)
@@ -100,7 +100,8 @@ light::LightInputs light_inputs(const FrameContext& context, const PosedScene& s
 
 namespace {
 
-/// `light`, the page's, spread in a map that lies on all surfaces; `to_light` is how that is lit.
+/// Spreads light in a map that covers all surfaces, lit with `to_light`, and returns the page's `light` with
+/// it.
 gpu::ImageId spread_in_map(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
                            light::LightInputs to_light, gpu::ImageId light)
 {
@@ -135,7 +136,7 @@ gpu::ImageId spread_in_map(const FrameContext& context, const PosedScene& scene,
                                         context.sample.size_px);
 }
 
-/// `light` with what of it goes into things and comes out elsewhere.
+/// Adds subsurface scattering to `light`.
 gpu::ImageId add_subsurface(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
                             const surface::Surface& surface, const light::ShadowMaps& maps,
                             gpu::ImageId light)

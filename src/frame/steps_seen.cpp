@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From triangles to what is seen at each pixel; what is seen through, thick bodies that blur what lies
-// behind them and see-through surfaces one by one; and how much of each pixel things cover, for a
-// transparent background.
+// Steps from triangles to the visible surface at each pixel, clear bodies that blur what lies behind them,
+// transparent surfaces, and the coverage of pixels for a transparent background.
 #include <algorithm>
 #include <vector>
 
@@ -26,7 +25,7 @@ bool wants_cluster_bounds(const FrameContext& context)
             context.loaded.layout.opaque.count >= plan.tuning.clusters_from);
 }
 
-/// What lies behind thick clear bodies, where there are such, for colour and for lines.
+/// Draws the surfaces behind clear bodies, if there are any, for colour and for lines.
 void add_backgrounds(const FrameContext& context, const PosedScene& scene, SeenThrough& screen)
 {
     const std::optional<SubsurfacePlan>& plan = context.plan.subsurface;
@@ -167,7 +166,7 @@ surface::Surface add_surface(const FrameContext& context, const PosedScene& scen
 gpu::BufferId vertices_before(const FrameContext& context, const PosedScene& scene,
                               const features::MotionPlan& moved)
 {
-    // A scene that stands as it stood has one set of vertices.
+    // A static scene has a single set of vertices.
     const bool has_moved = moved.pose_moved || context.loaded.terrain != nullptr;
     return has_moved ? scene.vertices_before : scene.meshes.posed_vertices;
 }
@@ -240,7 +239,7 @@ SeenThrough add_transparency(const FrameContext& context, const PosedScene& scen
 
 namespace {
 
-/// A visibility lit and painted as what is seen first is, without what lies in things.
+/// Lights and paints a visibility buffer like the first visible surface, without subsurface scattering.
 gpu::ImageId add_painted(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
                          const light::ShadowMaps& maps, const std::optional<gpu::ImageId>& background)
 {

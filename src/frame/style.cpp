@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The public doors to styles and to tonal art maps.
+// Public interface of styles and tonal art maps.
 #include <cmath>
 #include <optional>
 #include <variant>
@@ -20,7 +20,7 @@ namespace estampe {
 
 namespace {
 
-/// Nothing for a key that is none.
+/// Returns none for an unknown key.
 std::optional<style::Value> value_of(const features::StyleTables& tables, std::string_view key)
 {
     const auto [section, parameter] = features::style_schema().find(key);

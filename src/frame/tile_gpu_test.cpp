@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pages drawn in tiles are those drawn in one go.
+// Pages drawn in tiles equal pages drawn in one pass.
 #include <estampe/renderer.hpp>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ constexpr double most_differing = 0.001; // share of the pixels
 
 const Camera tile_camera{.eye = {3.0, 2.6, 5.0}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.65};
 
-/// Things in the sun's shadow and in a lamp's, one through another, and a pane before them.
+/// Objects in the shadows of the sun and of a lamp, intersecting objects, and a pane in front of them.
 Scene crowded()
 {
     Scene scene = test::scene_of(shapes::plane(8.0F, 8.0F));
@@ -54,7 +54,7 @@ Style preset_with(const std::string& preset, const std::vector<std::string>& ass
     return style;
 }
 
-/// The side of tiles of which four by four make a page.
+/// Side of a tile when four by four tiles make a page.
 uint32_t four_by_four(const Style& style, const RenderSettings& settings)
 {
     const float pixels_per_mm = features::pixels_per_mm(settings.height, style.tables().paper.height_mm);
@@ -92,7 +92,9 @@ INSTANTIATE_TEST_SUITE_P(
         TileCase{"PencilOfAMap", "pencil", {"hatch.strokes=map", "hatch.overrun_mm=2"}},
         TileCase{"Engraving", "engraving"}, TileCase{"WashMetered", "wash", {"light.metering=page"}, 2},
         TileCase{"Ukiyoe", "ukiyoe"},
-        TileCase{"Charcoal", "charcoal", {"contour.joints=mitre", "contour.strokes=2", "bleed.enabled=true", "bleed.width_mm=2"}},
+        TileCase{"Charcoal",
+                 "charcoal",
+                 {"contour.joints=mitre", "contour.strokes=2", "bleed.enabled=true", "bleed.width_mm=2"}},
         TileCase{"HiddenLines", "blueprint"},
         TileCase{"LinesOfThePage", "comic", {"contour.lines=page", "sky.enabled=true"}},
         TileCase{"FlowingInk", "flowing-ink"},
@@ -129,7 +131,7 @@ TEST(DrawnTiles, ComeInBandsFromTheTopDown)
     EXPECT_GT(share, 0.8);
 }
 
-/// How wide the line down the left side of a square is, in millimetres, by its ink.
+/// Width in millimetres of the line down the left side of a square, measured by its ink.
 double line_width_mm(uint32_t height_px, uint32_t tile_px)
 {
     const Style style = preset_with(

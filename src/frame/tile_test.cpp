@@ -20,7 +20,7 @@ bool holds(const features::PixelRect& outer, const features::PixelRect& inner)
            glm::all(glm::greaterThanEqual(outer.from_px + outer.size_px, inner.from_px + inner.size_px));
 }
 
-/// `rect` and as much around it as the page has.
+/// `rect` with the overlap around it, clamped to the page.
 features::PixelRect with_overlap(const features::PixelRect& rect, uint32_t overlap, glm::uvec2 page_px)
 {
     const glm::uvec2 from = rect.from_px - glm::min(rect.from_px, glm::uvec2(overlap));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures with transparent paper, from the scene to what they look like on other pictures.
+// Pictures with transparent paper, from the scene to their look on other pictures.
 #include <estampe/renderer.hpp>
 #include <estampe/shapes.hpp>
 
@@ -46,7 +46,8 @@ Image draw_transparent(const Style& style, const RenderSettings& settings = tran
     return test::shared_renderer().render(transparent_camera, style, settings);
 }
 
-/// The largest difference of a picture laid on paper, as programs do, from one that was drawn there.
+/// Largest difference between a transparent picture composed on paper, as programs do it, and one drawn
+/// there.
 double difference_on(const Image& transparent, const glm::dvec3& paper, const Image& drawn)
 {
     double largest = 0.0;
@@ -135,7 +136,7 @@ TEST(Transparent, ThingsHideWhatIsBehindThemAndTheirShadowDoesNot)
     EXPECT_GT(solid, 1000U);
     EXPECT_GT(shaded, 50U) << "there is a shadow on the ground";
     EXPECT_GT(bare, solid);
-    // All paper gone, the white box is not there.
+    // If all paper is removed, the white box disappears.
     const Image keyed = draw_transparent(with(style, {"paper.transparent=paper", "wash.strength=0"}));
     EXPECT_TRUE(std::ranges::all_of(keyed.rgba, [](uint8_t value) { return value == 0; }));
 }
@@ -148,7 +149,7 @@ TEST(Transparent, BackgroundHasNoSky)
     const Image without = draw_transparent(with(sky, {"paper.transparent=background"}));
     EXPECT_EQ(without.rgba[3], 0);
     EXPECT_LE(difference_on(without, own_paper, plain), 1.0);
-    // Keyed out like the white of a scan, the sky stays: it is paint.
+    // The sky is paint, so it stays when paper is keyed out like the white of a scan.
     const Image keyed = draw_transparent(with(sky, {"paper.transparent=paper"}));
     EXPECT_LE(difference_on(keyed, own_paper, draw_transparent(sky)), 1.0);
     EXPECT_NE(keyed, without);
@@ -214,7 +215,7 @@ TEST(Transparent, TilesAndFloatsAndLayersAgree)
                 const glm::vec3 wanted =
                     glm::vec3(linear.pixels[i]) + (1.0F - linear.pixels[i].w) * paper_linear;
                 ASSERT_LT(glm::length(shown - wanted), 2e-4F) << i;
-                // The mean of what several samples cover is not what their means cover.
+                // The mean coverage of several samples differs from the coverage of their means.
                 ASSERT_TRUE(samples > 1 || std::abs(flat.pixels[i].w - linear.pixels[i].w) < 1e-3F) << i;
             }
             test::OpenRaster raster = test::read_openraster(output::encode_openraster(layers));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What tests of pictures on transparent paper share.
+// Shared by tests of pictures on transparent paper.
 
 #include <initializer_list>
 
@@ -12,7 +12,7 @@ namespace estampe {
 inline constexpr RenderSettings transparent_page{.width = 200, .height = 120};
 inline const Camera transparent_camera{.eye = {3.0, 2.0, 5.0}, .target = {0.0, 0.5, 0.0}};
 
-/// Paper without grain, then the assignments.
+/// A style without paper grain, with further assignments.
 [[nodiscard]] inline Style grainless_style(std::initializer_list<const char*> assignments)
 {
     Style style;

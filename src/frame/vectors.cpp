@@ -22,10 +22,10 @@
 namespace estampe::frame {
 namespace {
 
-constexpr float hidden_share = 0.6F;     // of the width that a line would have if it were seen
-constexpr float least_ink_left = 0.125F; // thinner than by that haze leaves no stroke
+constexpr float hidden_share = 0.6F;     // width of a hidden line relative to the visible one
+constexpr float least_ink_left = 0.125F; // strokes with less of their width left by haze are dropped
 
-/// Copies what `from` holds into `to`.
+/// Reads the contents of `from` back into `to`.
 void read_back(gpu::Graph& graph, gpu::Device& device, gpu::BufferId from, gpu::Buffer& to)
 {
     to = gpu::Buffer(device, "read-back of strokes", graph.describe(from).size_bytes,
@@ -42,7 +42,7 @@ StrokeKind kind_of_line(uint32_t kind)
     return kinds.at(kind);
 }
 
-/// Gathers strokes, and numbers objects and inks as they occur.
+/// Collects strokes, and numbers objects and inks in order of appearance.
 class Gathering {
 public:
     Gathering(const DrawnScene& drawn, const features::StyleTables& style)
@@ -56,7 +56,7 @@ public:
         drawing_.has_paper = style.paper.transparent == paper::Transparency::none;
         drawing_.has_mitred_corners = style.contour.joints == contour::Joints::mitre;
         if (style.contour.hidden.enabled) {
-            // Round ends count as part of a dash in a picture, and come on top of it in paths.
+            // A picture's dashes include their round ends; ends of paths are added to the dash.
             const float ends_mm =
                 std::min(style.contour.hidden.width_mm, 0.9F * style.contour.hidden.dash_mm);
             drawing_.dash_mm = style.contour.hidden.dash_mm - ends_mm;
@@ -64,14 +64,15 @@ public:
         }
     }
 
-    /// Thins what is added from now on by what haze leaves: 0 of strokes, 1 of lines. Empty: by nothing.
+    /// Thins all strokes that are added after this call by the haze. `of` is the component to read: 0 for
+    /// strokes, 1 for lines. An empty span thins nothing.
     void thin_by(std::span<const glm::vec2> ink_left, int of)
     {
         ink_left_ = ink_left;
         ink_left_of_ = of;
     }
 
-    /// `Points` have a page_px and a width_px.
+    /// `Points` must have page_px and width_px.
     template <class Points>
     void add(VectorStroke stroke, uint32_t draw, const glm::vec3& ink, const Points& points)
     {
@@ -114,7 +115,7 @@ public:
         }
     }
 
-    /// The lines around the window, side by side as along a ruler.
+    /// Adds the four border lines around the window, with square corners as if drawn along a ruler.
     void add_border(const paper::PaperStyle& paper)
     {
         const auto object = static_cast<uint32_t>(drawing_.objects.size());
@@ -149,7 +150,7 @@ private:
         return ink_left_at(page_px) >= least_ink_left;
     }
 
-    /// What has two points; empties it.
+    /// Adds the stroke if it has at least two points, and clears its points.
     void add_line(VectorStroke& stroke)
     {
         if (stroke.points.size() > 1) {
@@ -213,7 +214,7 @@ void add_hatching(Gathering& gathering, const StrokeLists& lists, const DrawnSce
     }
 }
 
-/// Of hidden lines, one for each kind.
+/// Widths of hidden lines, one per kind.
 contour::LineWidths hidden_widths_px(const contour::ContourStyle& contour, float pixels_per_mm)
 {
     contour::LineWidths widths{};
@@ -225,7 +226,7 @@ contour::LineWidths hidden_widths_px(const contour::ContourStyle& contour, float
     return widths;
 }
 
-/// Of a line, by LinePoint::ink.
+/// The ink of a line, from its LinePoint::ink.
 glm::vec3 ink_of(uint32_t number, const Scene& scene, const features::StyleVariants& looks)
 {
     if ((number & shared::ink_of_look) != 0) {
@@ -255,7 +256,7 @@ void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene&
             hand = contour::join_paths(std::move(hand));
         }
         std::move(hand.begin(), hand.end(), std::back_inserter(paths));
-        with_hidden = false; // they are gone over once
+        with_hidden = false; // hidden lines are drawn by the first hand only
     }
     for (const contour::LinePath& path : paths) {
         const uint32_t draw = drawn.layout.triangles[path.triangle].w & shared::triangle_draw_mask;

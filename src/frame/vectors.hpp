@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A frame as strokes of the pen.
+// A frame as vector strokes.
 
 #include <optional>
 #include <vector>
@@ -17,57 +17,58 @@
 
 namespace estampe::frame {
 
-/// What the device hands back of one frame's strokes. Empty where lines or hatching are not drawn.
+/// The strokes of one frame, read back from the device. Empty if lines or hatching are not drawn.
 struct StrokeLists {
     explicit StrokeLists(gpu::Device& on_device) : device(on_device) {}
 
     gpu::Device& device;
-    gpu::Buffer line_sizes; ///< these six as in contour::LineLists; points once for each hand
+    gpu::Buffer line_sizes; ///< this and the next five are those of contour::LineLists
     gpu::Buffer line_samples;
     gpu::Buffer line_samples_before;
     gpu::Buffer line_strokes_before;
-    std::vector<gpu::Buffer> line_points;
+    std::vector<gpu::Buffer> line_points; ///< one per hand
     gpu::Buffer line_facing;
-    gpu::Buffer crossings; ///< as hatch::add_trace() writes them
-    gpu::Buffer ink_left;  ///< as haze::add_ink_left() writes it, where there is haze
+    gpu::Buffer crossings; ///< as written by hatch::add_trace()
+    gpu::Buffer ink_left;  ///< as written by haze::add_ink_left(); empty without haze
 };
 
-/// Throws Error when a look has strokes without paths: those of a tonal art map, and lines that are found
-/// between pixels.
+/// Throws Error when a style variant has strokes that have no paths: strokes of a tonal art map, and lines
+/// that are found between pixels.
 void check_has_paths(const features::StyleVariants& looks);
 
-/// What the strokes of hatching come from.
+/// The inputs of hatching strokes.
 struct HatchStrokes {
     hatch::HatchInputs inputs;
     std::vector<hatch::LookHatch> looks;
 };
 
-/// What those of lines come from.
+/// The inputs of line strokes.
 struct LineStrokes {
     contour::ContourInputs inputs;
-    contour::LineMesh* mesh; ///< null where there are none
+    contour::LineMesh* mesh; ///< null without lines
 };
 
-/// What thins them.
+/// Haze, which thins strokes.
 struct StrokeHaze {
     haze::HazeInputs inputs;
     haze::HazeStyle style;
 };
 
-/// Declares what fills `lists` in place of a picture. The lists must outlive the graph.
+/// Declares the passes that fill `lists` instead of drawing a picture. `lists` must outlive the graph.
 void declare_stroke_lists(gpu::Graph& graph, const HatchStrokes& hatch, const LineStrokes& chains,
                           const features::StyleVariants& looks, const std::optional<StrokeHaze>& haze,
                           StrokeLists& lists);
 
-/// What strokes belong to.
+/// The scene that the strokes were drawn from.
 struct DrawnScene {
     const Scene& scene;
     const pose::MeshData& layout;
-    const contour::EdgeMesh* edges; ///< where there are lines
+    const contour::EdgeMesh* edges; ///< null without lines
     glm::uvec2 size_px{0};
 };
 
-/// The strokes of `lists` on the page. Throws Error when there was no room for all of the hatching.
+/// Converts `lists` to strokes on the page. Throws Error when the lists were too short for all of the
+/// hatching.
 [[nodiscard]] VectorDrawing drawing_of(const StrokeLists& lists, const DrawnScene& drawn,
                                        const FramePlan& plan, bool with_hidden_lines);
 

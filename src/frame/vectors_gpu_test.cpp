@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Strokes as paths against the picture of the same strokes: what librsvg makes of the SVG and what the frame
-// draws have to lie upon each other.
+// Compares strokes as paths with the picture of the same strokes: the SVG drawn by librsvg and the frame must
+// coincide.
 #include <estampe/renderer.hpp>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ namespace {
 constexpr RenderSettings vector_page{.width = 240, .height = 180};
 const Camera vector_camera{.eye = {3.0, 3.0, 5.0}, .target = {0.0, 0.4, 0.0}};
 
-/// Things before and behind each other, some of them beyond the edge of the page.
+/// Objects in front of and behind each other, some of them partly outside the page.
 Scene crowded_still_life()
 {
     Scene scene = test::scene_of(shapes::plane(6.0F, 6.0F));
@@ -37,7 +37,7 @@ Scene crowded_still_life()
     return scene;
 }
 
-/// Black strokes on white, and nothing else.
+/// A style with nothing but black strokes on white.
 Style bare(const std::vector<std::string>& assignments)
 {
     Style style;
@@ -56,7 +56,7 @@ Style bare(const std::vector<std::string>& assignments)
 const std::vector<std::string> only_lines{"hatch.enabled=false"};
 const std::vector<std::string> only_hatching{"contour.enabled=false"};
 
-/// How much of each pixel is ink, by the encoding in which black was laid over white.
+/// Share of ink in each pixel, using the encoding in which black was laid over white.
 struct PageInk {
     uint32_t width = 0;
     uint32_t height = 0;
@@ -90,7 +90,7 @@ PageInk page_ink(const Image& image, bool is_linear)
     return ink;
 }
 
-/// Share of the ink of `a` that has ink of `b` within 1.5 pixels, at least half as much.
+/// Share of the ink of `a` that has ink of `b`, at least half as much, within 1.5 pixels.
 double covered(const PageInk& a, const PageInk& b)
 {
     double all = 0.0;
@@ -134,8 +134,8 @@ Both both_ways(const Scene& scene, const Camera& from, const Style& style, const
     return {page_ink(picture, true), page_ink(by_librsvg(folder / "strokes.svg", settings), false)};
 }
 
-/// Mean ink of lines may differ: where two meet within a pixel the picture keeps the darker, an SVG lays one
-/// over the other.
+/// The mean ink of lines may differ: where two lines meet within a pixel, the picture keeps the darker one,
+/// and an SVG lays one over the other.
 void expect_alike(const Both& both, double least_covered, double most_more_ink = 0.06)
 {
     EXPECT_GT(both.picture.mean(), 0.002);
@@ -289,7 +289,7 @@ TEST(Vectors, EachKindOfLineIsAKindOfStroke)
                      {2.1, 0.2, 0.0});
     Primitive box = shapes::box({1.0F, 1.0F, 1.0F});
     box.edge_marks.assign(box.indices.size() / 3, 0);
-    box.edge_marks[0] = 2; // upright, and both its sides are seen
+    box.edge_marks[0] = 2; // a vertical edge whose faces are both visible
     test::add_object(scene, box, glm::vec3(0.5F), {-2.0, 0.0, 0.0});
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(scene);
@@ -346,7 +346,7 @@ TEST(Vectors, HiddenLinesComeWhereAskedFor)
     EXPECT_EQ(total_mm(HiddenLines::left_out, true), 0.0);
     const double seen_mm = total_mm(HiddenLines::kept, false);
     EXPECT_DOUBLE_EQ(seen_mm, total_mm(HiddenLines::left_out, false));
-    // Nine edges of a box are seen, three are hidden, each about as long.
+    // Nine edges of a box are visible and three are hidden, all of similar length.
     EXPECT_NEAR(total_mm(HiddenLines::kept, true), seen_mm / 3.0, 0.12 * seen_mm);
 }
 
@@ -359,7 +359,7 @@ TEST(Vectors, HiddenLinesOfTheStyleComeWithItsDashes)
         bare({"hatch.enabled=false", "contour.hidden.enabled=true", "contour.hidden.width_mm=0.3",
               "contour.hidden.dash_mm=2", "contour.hidden.gap_mm=1"}),
         vector_page);
-    EXPECT_FLOAT_EQ(drawing.dash_mm, 1.7F); // and round ends
+    EXPECT_FLOAT_EQ(drawing.dash_mm, 1.7F); // plus the round ends
     EXPECT_FLOAT_EQ(drawing.dash_gap_mm, 1.3F);
     size_t hidden = 0;
     for (const VectorStroke& stroke : drawing.strokes) {
@@ -403,7 +403,7 @@ TEST(Vectors, ThePictureIsTheSameBeforeAndAfter)
     }
 }
 
-/// Looks at scenes outside of the project where ESTAMPE_MODELS names a folder of them.
+/// Uses models outside of the project, in the folder that ESTAMPE_MODELS names.
 TEST(Vectors, ModelsLieWhereThePictureHasThem)
 {
     // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody sets it

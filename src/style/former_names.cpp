@@ -12,7 +12,8 @@ namespace {
 
 using Pair = std::pair<std::string_view, std::string_view>;
 
-/// Former keys, sorted. No alias is read: an old style file says what to write, and is mended once.
+/// Former keys, sorted. They are not accepted as aliases: the error message of an old style file names the
+/// new key.
 constexpr std::array former_keys{Pair{"cloth.rest_mm_s", "cloth.rest_mm_per_s"},
                                  Pair{"clouds.seed", "drawing.seed"},
                                  Pair{"clouds.wind_mps", "clouds.wind_m_per_s"},
@@ -109,7 +110,7 @@ constexpr std::array former_keys{Pair{"cloth.rest_mm_s", "cloth.rest_mm_per_s"},
                                  Pair{"tam.seed", "drawing.seed"},
                                  Pair{"wind.speed_m_s", "wind.speed_m_per_s"}};
 
-/// What other programs call a parameter, by the last word of its key, sorted.
+/// Other programs' names of parameters, by the last word of the key, sorted.
 constexpr std::array foreign_words{Pair{"alpha", "paper.transparent"},
                                    Pair{"ambient_occlusion", "occlusion.enabled"},
                                    Pair{"ao", "occlusion.enabled"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Keys in tables of a section, toggles that are left to the scene, and colours by name.
+// Keys in tables of a section, automatic switches, and colours by name.
 #include <estampe/error.hpp>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

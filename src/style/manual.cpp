@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Without the quotes that TOML needs: a column of the manual reads better.
+/// Removes the quotes that TOML needs, to keep the manual's columns readable.
 std::string bare(std::string text)
 {
     text.erase(std::remove(text.begin(), text.end(), '"'), text.end());
@@ -40,7 +40,7 @@ std::string range_column(const Parameter& parameter)
     }
 }
 
-/// Of a choice, what TOML writes without quotes: the ends of an automatic toggle.
+/// Returns whether TOML writes this choice without quotes: true and false of an automatic switch.
 bool is_switch(const std::string& choice)
 {
     return choice == "true" || choice == "false";
@@ -58,7 +58,7 @@ std::string default_column(const Parameter& parameter)
     return bare(format_value(parameter.default_value));
 }
 
-/// A float as the decimal a person wrote, not as the double nearest to the float.
+/// Converts a float to the decimal that a person wrote, not to the double nearest to the float.
 double decimal(float value)
 {
     return std::stod(fmt::format("{}", value));
@@ -109,7 +109,8 @@ Json describe(const Parameter& parameter)
     return json;
 }
 
-/// Adds a key, below its table if it stands in one: "outline.width_mm" is a property of the object "outline".
+/// Adds a key. A key in a table becomes a nested property: "outline.width_mm" is a property of the object
+/// "outline".
 void add_key(Json& keys, const std::string& key, Json description)
 {
     const size_t dot = key.find('.');
@@ -128,7 +129,7 @@ std::string_view word_of(Surfaces::By by)
     return by == Surfaces::By::material ? "material" : "object";
 }
 
-/// The sections whose parameters single surfaces may have otherwise.
+/// Describes the sections whose parameters may differ by material or object.
 Json describe_surface(std::span<const Section> sections)
 {
     Json properties = Json::object();
@@ -151,7 +152,7 @@ Json describe_surface(std::span<const Section> sections)
     return {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
 }
 
-/// Lists those parameters, for the manual.
+/// Lists the parameters that may differ by material or object, for the manual.
 std::string surface_help(std::span<const Section> sections)
 {
     std::string text = "Parameters that may differ by material or object, in a section such as "
@@ -180,7 +181,7 @@ std::string AnySchema::write_any(const void* values) const
     const auto& overrides =
         overrides_ ? *static_cast<const std::vector<Override>*>(overrides_->in(values)) : none;
     std::string text;
-    // Before all sections, where keys of several levels may stand in any order.
+    // Overrides come before all sections, where dotted keys of any depth may come in any order.
     for (const Override& change : overrides) {
         text += fmt::format("{}.{}.{}.{} = {}\n", word_of(change.surfaces.by),
                             format_value(change.surfaces.pattern), change.section, change.key,

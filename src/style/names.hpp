@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Names in texts: lists of them, what is said of each ("Skin=form, Sea=wind"), and the known one that was
-// meant.
+// Names in texts: lists of names, assignments to names ("Skin=form, Sea=wind"), and suggestions for a
+// misspelt name.
 
 #include <cstddef>
 #include <span>
@@ -13,18 +13,18 @@
 
 namespace estampe::style {
 
-/// How many letters to insert, delete, replace or swap with the next one to turn `a` into `b` (optimal string
-/// alignment).
+/// Edit distance: how many letters to insert, delete, replace or swap with the next one to turn `a` into `b`
+/// (optimal string alignment).
 [[nodiscard]] size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The candidate nearest to `word`, the first of equals; empty when none is near enough to be what was meant.
+/// The candidate nearest to `word`, the first of equals; empty when none is similar enough to be meant.
 [[nodiscard]] std::string nearest(std::string_view word, std::span<const std::string> candidates);
 
-/// Today's full key of a parameter that had the key `key` before, or that other programs call so
-/// ("line_width", with or without a section); empty when there is none.
+/// The present full key of a parameter, given its former key or another program's name for it ("line_width",
+/// with or without a section); empty when `key` is unknown.
 [[nodiscard]] std::string_view name_today(std::string_view key);
 
-/// Names that name_today() knows, each with its answer.
+/// All names that name_today() knows, each with its present key.
 [[nodiscard]] std::vector<std::pair<std::string_view, std::string_view>> names_known_otherwise();
 
 struct Assignment {
@@ -32,17 +32,17 @@ struct Assignment {
     std::string value;
 };
 
-/// The parts of `text`, which commas divide; the last "=" of each ends its name. Throws Error, whose place is
-/// `key`, when a part has none: it is not of the `form` ("material=kind"), which `example` shows.
+/// Splits `text` at commas; the last "=" of each part ends its name. Throws Error with `key` as its place
+/// when a part has no "="; the message names the required `form` ("material=kind") and shows `example`.
 [[nodiscard]] std::vector<Assignment> assignments(std::string_view text, const std::string& key,
                                                   const std::string& form, const std::string& example);
 
-/// Throws Error: `wanted` ("the scene has no material") is not among `names`; the remedy is the nearest or
-/// all.
+/// Throws Error with the message `wanted` ("the scene has no material") and `name`. Suggests the nearest of
+/// `names`, or lists all.
 [[noreturn]] void fail_unknown(const std::string& wanted, const std::string& name, const std::string& key,
                                const std::vector<std::string>& names);
 
-/// The parts of a list in a style, without spaces about them; empty ones are left out.
+/// Splits a list of a style at commas, trims spaces, and skips empty parts.
 [[nodiscard]] std::vector<std::string> between_commas(std::string_view text);
 
 } // namespace estampe::style

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What single materials and objects have otherwise.
+// Overrides for single materials and objects.
 #include "style/style_test_support.hpp"
 
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@ namespace {
 
 using By = Surfaces::By;
 
-/// A style whose strokes and washes may differ from surface to surface, and whose lines' width.
+/// A style in which strokes and washes may differ between surfaces, and of lines only the width.
 struct Sample {
     test::HatchStyle hatch;
     test::LineStyle line;

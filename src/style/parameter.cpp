@@ -24,7 +24,7 @@ double encode(double linear)
     return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
 }
 
-/// The shortest decimal whose linear value is exactly `linear`.
+/// The shortest sRGB decimal that decodes to exactly `linear`.
 std::string shortest_srgb(float linear)
 {
     const double encoded = encode(linear);
@@ -61,7 +61,7 @@ glm::vec3 srgb(uint32_t rrggbb)
 
 namespace {
 
-/// "#rrggbb" or "#rgb" in sRGB as a linear colour; nothing when `text` is not one.
+/// Parses "#rrggbb" or "#rgb" in sRGB to a linear colour; returns none for any other text.
 std::optional<glm::vec3> parse_color(std::string_view text)
 {
     if ((text.size() != 7 && text.size() != 4) || text.front() != '#') {
@@ -201,8 +201,8 @@ public:
         return *text;
     }
 
-    /// A path, or where names may stand for one, one of those; what has neither a dot nor a slash is no path
-    /// then.
+    /// Returns a path, or one of the names if the parameter has names. With names, a text with neither a dot
+    /// nor a slash is treated as a name, not as a path.
     [[nodiscard]] Value file() const
     {
         Value value = text();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The description of a style's parameters, their values, and the surfaces that may have others.
+// The parameters of a style: their descriptions, their values, and overrides for single surfaces.
 
 #include <algorithm>
 #include <cstdint>
@@ -18,33 +18,33 @@
 
 namespace estampe::style {
 
-/// The linear colour of an sRGB-encoded one, components 0..1 (IEC 61966-2-1).
+/// Converts an sRGB-encoded colour to a linear one, components 0..1 (IEC 61966-2-1).
 [[nodiscard]] glm::vec3 linear_from_srgb(const glm::dvec3& srgb);
 
-/// The sRGB encoding of a linear colour, components 0..1.
+/// Converts a linear colour to sRGB encoding, components 0..1.
 [[nodiscard]] glm::dvec3 srgb_from_linear(const glm::vec3& linear);
 
-/// The linear colour of 0xrrggbb in sRGB: `glm::vec3 ink = style::srgb(0x1b1a22);`
+/// Converts 0xrrggbb in sRGB to a linear colour: `glm::vec3 ink = style::srgb(0x1b1a22);`
 [[nodiscard]] glm::vec3 srgb(uint32_t rrggbb);
 
-/// The linear colour that CSS gives that name, such as "ivory" (CSS Color Module Level 4); nothing when it
-/// gives none.
+/// The linear colour of a CSS colour name such as "ivory" (CSS Color Module Level 4); none for an unknown
+/// name.
 [[nodiscard]] std::optional<glm::vec3> named_color(std::string_view name);
 
-/// The CSS name of a colour nearest to `name`; empty when none is near enough to be what was meant.
+/// The CSS colour name nearest to `name`; empty when none is similar enough to be meant.
 [[nodiscard]] std::string nearest_color_name(std::string_view name);
 
-/// The TOML value of a linear colour: "#rrggbb" in quotes when that says it exactly, else [r, g, b] in sRGB
-/// with as many digits as read back to the same three floats.
+/// The TOML value of a linear colour: a quoted "#rrggbb" if that is exact, otherwise [r, g, b] in sRGB with
+/// enough digits to read back the same three floats.
 [[nodiscard]] std::string format_color(const glm::vec3& linear);
 
 enum class Kind : uint8_t { number, integer, toggle, color, choice, text, file };
 
-/// A parameter's value without its C++ type. A colour is linear; a choice is its name; a file its
-/// path.
+/// A parameter's value without its C++ type. A colour is linear; a choice is stored as its name, a file as
+/// its path.
 using Value = std::variant<float, int64_t, bool, glm::vec3, std::string>;
 
-/// Both ends are allowed.
+/// Allowed values, both ends included.
 struct Range {
     float minimum = 0.0F;
     float maximum = 1.0F;
@@ -55,10 +55,10 @@ struct IntegerRange {
     int64_t maximum = 1;
 };
 
-/// A switch that may be left to the scene. In texts: true, false or "auto".
+/// A switch that may depend on the scene. Its values in texts are true, false and "auto".
 enum class AutoToggle : uint8_t { automatic, on, off };
 
-/// The member `inner` of the member `outer` of a style struct, for the methods of Table:
+/// Accesses the member `inner` of the member `outer` of a style struct, for the methods of Table:
 /// `.number("outline.width_mm", within(&ContourStyle::outline, &LineStyle::width_mm), ...)`.
 template <typename Style, typename Outer, typename Inner>
 [[nodiscard]] auto within(Outer Style::*outer, Inner Outer::*inner)
@@ -69,24 +69,24 @@ template <typename Style, typename Outer, typename Inner>
     };
 }
 
-/// One parameter as every reader sees it. `get` and `set` take a pointer to the style struct of the table it
-/// belongs to; `set` expects a value of the right kind and range.
+/// The description of one parameter. `get` and `set` take a pointer to the style struct of the parameter's
+/// table; `set` requires a value of the right kind and within the range.
 struct Parameter {
-    std::string key; ///< without the section; "outline.width_mm" stands in a table of the section
+    std::string key; ///< key without its section; "outline.width_mm" is in the table `outline` of the section
     Kind kind = Kind::number;
-    Range range;                      ///< numbers
-    IntegerRange integers;            ///< integers
-    std::vector<std::string> choices; ///< choices, in the order of the table; of a file, names that may stand
-                                      ///< in its place
+    Range range;                      ///< only for numbers
+    IntegerRange integers;            ///< only for integers
+    std::vector<std::string> choices; ///< for choices, in the order of the table; for files, names that are
+                                      ///< accepted instead of a path
     std::string unit;                 ///< "mm", "px", "deg"; empty for none
-    std::string help;                 ///< a clause that stands alone, as a tooltip must
-    bool by_surface = false;          ///< may differ from material to material and from object to object
+    std::string help;                 ///< a full clause, as it is also shown as a tooltip
+    bool by_surface = false;          ///< may differ between materials and between objects
     Value default_value;
     std::function<Value(const void*)> get;
     std::function<void(void*, const Value&)> set;
 };
 
-/// The parameters of one style struct: each described once, in the order they are shown.
+/// The parameters of one style struct, each described once, in the order in which the manual lists them.
 ///
 ///     struct HatchStyle {
 ///         float width_mm = 0.35F;
@@ -103,9 +103,8 @@ struct Parameter {
 ///         return table;
 ///     }
 ///
-/// A member is a pointer to a member of the struct, or what within() returns. The defaults are those of a
-/// default-constructed Style; they must lie within the ranges (Schema
-/// asserts it).
+/// A member is a pointer to a member of the struct, or the result of within(). The defaults are those of a
+/// default-constructed Style; they must lie within the ranges (Schema asserts it).
 template <typename Style>
 class Table {
 public:
@@ -117,7 +116,8 @@ public:
 
     [[nodiscard]] const std::vector<Parameter>& parameters() const { return parameters_; }
 
-    /// A number; integers are taken too. Not finite or out of `range` is an error.
+    /// Adds a number; texts may also give an integer. A value that is not finite or out of `range` is an
+    /// error.
     template <typename Member>
     Table& number(std::string key, Member member, Range range, std::string unit, std::string help)
     {
@@ -127,7 +127,7 @@ public:
         return *this;
     }
 
-    /// A whole number, for int and uint32_t members.
+    /// Adds a whole number, for int and uint32_t members.
     template <typename Member>
     Table& integer(std::string key, Member member, IntegerRange range, std::string unit, std::string help)
     {
@@ -137,7 +137,7 @@ public:
         return *this;
     }
 
-    /// true or false.
+    /// Adds a switch: true or false.
     template <typename Member>
     Table& toggle(std::string key, Member member, std::string help)
     {
@@ -145,7 +145,7 @@ public:
         return *this;
     }
 
-    /// true, false or "auto".
+    /// Adds a switch that may be left to the scene: true, false or "auto".
     Table& auto_toggle(std::string key, AutoToggle Style::*member, std::string help)
     {
         return choice(std::move(key), member,
@@ -153,7 +153,8 @@ public:
                       std::move(help));
     }
 
-    /// A colour: linear in the struct, sRGB in texts: "#rrggbb", a name of CSS, or [r, g, b] of 0 to 1.
+    /// Adds a colour: linear in the struct, sRGB in texts: "#rrggbb", a CSS colour name, or [r, g, b] from 0
+    /// to 1.
     template <typename Member>
     Table& color(std::string key, Member member, std::string help)
     {
@@ -161,7 +162,7 @@ public:
         return *this;
     }
 
-    /// One of several names, each for a value of an enumeration.
+    /// Adds a choice between names, one per value of an enumeration.
     template <typename Enum>
     Table& choice(std::string key, Enum Style::*member, std::vector<std::pair<std::string, Enum>> names,
                   std::string help)
@@ -190,21 +191,21 @@ public:
         return *this;
     }
 
-    /// Words that a technique reads by itself.
+    /// Adds a text that the technique itself interprets.
     Table& text(std::string key, std::string Style::*member, std::string help)
     {
         connect<std::string>(add(std::move(key), Kind::text, {}, std::move(help)), member);
         return *this;
     }
 
-    /// The path of a file; in a TOML file relative to that file's folder.
+    /// Adds the path of a file; in a TOML file it is relative to that file's folder.
     Table& file(std::string key, std::string Style::*member, std::string help)
     {
         connect<std::string>(add(std::move(key), Kind::file, {}, std::move(help)), member);
         return *this;
     }
 
-    /// One of several names, or the path of a file as above. Empty is taken too.
+    /// Adds one of several names or the path of a file, see file(). An empty text is allowed.
     template <typename Member>
     Table& file_or_name(std::string key, Member member, std::vector<std::string> names, std::string help)
     {
@@ -214,7 +215,7 @@ public:
         return *this;
     }
 
-    /// The parameters of these keys may differ from material to material and from object to object.
+    /// Allows the parameters of these keys to differ between materials and between objects.
     Table& by_surface(const std::vector<std::string>& keys)
     {
         for (Parameter& parameter : parameters_) {
@@ -223,7 +224,7 @@ public:
         return *this;
     }
 
-    /// All but those may.
+    /// Allows all parameters but those of these keys to differ between materials and between objects.
     Table& by_surface_but(const std::vector<std::string>& keys)
     {
         for (Parameter& parameter : parameters_) {
@@ -262,25 +263,25 @@ private:
     std::vector<Parameter> parameters_;
 };
 
-/// What a part of a style speaks of.
+/// The surfaces that a part of a style applies to.
 struct Surfaces {
     enum class By : uint8_t {
         all,      ///< the whole picture
-        material, ///< surfaces of the materials that `pattern` names
-        object,   ///< those of the nodes that it names, and of what hangs on them
+        material, ///< surfaces whose material's name matches `pattern`
+        object,   ///< nodes whose name matches `pattern`, and their children
     };
 
     By by = By::all;
-    std::string pattern; ///< as file names in a shell: `brick*`, `pane_?`, `[AB]_wall`
+    std::string pattern; ///< wildcards as in a shell: `brick*`, `pane_?`, `[AB]_wall`
 
     bool operator==(const Surfaces&) const = default;
 };
 
-/// Whether `name` is one of those that `pattern` names.
+/// Returns whether `name` matches the wildcards of `pattern`.
 [[nodiscard]] bool matches(const std::string& pattern, const std::string& name);
 
-/// A value that a parameter has on some surfaces, in place of that of the whole picture. Of several for one
-/// surface the last holds.
+/// A parameter's value on some surfaces, which replaces the value of the whole picture there. If several
+/// apply to a surface, the last one is used.
 struct Override {
     Surfaces surfaces;
     std::string section;

@@ -40,7 +40,8 @@ bool looks_like_a_file(const std::string& name)
                 meant.empty() ? known : fmt::format("did you mean {}?", in_quotes(meant)));
 }
 
-/// Reads a style file. Throws Error naming it when it is missing, a folder, unreadable or beyond 1 MiB.
+/// Reads a style file. Throws Error with its name when it is missing, a folder, unreadable or larger than 1
+/// MiB.
 Source load_source(const std::filesystem::path& path)
 {
     constexpr uint64_t largest_bytes = uint64_t{1} << 20;
@@ -63,7 +64,7 @@ std::vector<std::string> parts_of(const std::string& style_name)
     std::vector<std::string> parts;
     size_t begin = 0;
     while (begin <= style_name.size()) {
-        // The longest part that is a file, else up to the next '+'.
+        // A part is the longest prefix that is an existing file, otherwise the text up to the next '+'.
         size_t end = style_name.size();
         while (end != std::string::npos && end > begin && !is_file(style_name.substr(begin, end - begin))) {
             end = style_name.rfind('+', end - 1);
@@ -106,20 +107,20 @@ std::string full_key(const Section& section, const Parameter& parameter)
     return section.name + "." + parameter.key;
 }
 
-/// `path` as seen from the working directory, when a text named `source` means it as seen from itself.
+/// Resolves `path` relative to the folder of the text named `source`.
 std::string beside(const std::string& source, const std::string& path)
 {
     const std::filesystem::path folder = std::filesystem::path(source).parent_path();
     return path.empty() || folder.empty() ? path : (folder / path).string();
 }
 
-/// A checked value on its way to its struct.
+/// A checked value that has not been written to its struct yet.
 struct Change {
     AnySchema::Found found;
     Value value;
 };
 
-/// Of several values for the same the last stays.
+/// Adds an override and removes an earlier one of the same parameter and surfaces.
 void append(std::vector<Override>& overrides, const Override& change)
 {
     std::erase_if(overrides, [&](const Override& before) {
@@ -129,7 +130,7 @@ void append(std::vector<Override>& overrides, const Override& change)
     overrides.push_back(change);
 }
 
-/// Turns entries of texts into changes; whatever a text may get wrong is found here.
+/// Turns the entries of texts into changes, and reports all errors of the texts.
 class Reader {
 public:
     Reader(const AnySchema& schema, std::optional<Place> overrides_place, Resolver resolver)
@@ -222,7 +223,7 @@ public:
         return found;
     }
 
-    /// Only now, when nothing was wrong.
+    /// Applies the changes; call this only after all texts were read without error.
     void apply(void* values) const
     {
         for (const Change& change : changes_) {
@@ -247,7 +248,7 @@ private:
                     meant.empty() ? manual : fmt::format("did you mean {}?", in_quotes(meant)));
     }
 
-    /// A key in the wrong section is meant before one that looks alike.
+    /// Suggests the same key in another section before a key that is spelt similarly.
     [[nodiscard]] std::string suggestion(const std::string& name, const std::string& key) const
     {
         std::vector<std::string> names;
@@ -298,13 +299,13 @@ private:
     const AnySchema& schema_;
     std::optional<Place> overrides_place_;
     Resolver resolver_;
-    std::vector<std::string> chain_; ///< names of the texts being read, outermost first
+    std::vector<std::string> chain_; ///< names of the texts being read, outermost first, to detect cycles
     std::vector<Change> changes_;
     std::vector<Override> overrides_;
 };
 
-/// What "section.key", "material.pattern.section.key" or "object.pattern.section.key" names; the pattern may
-/// stand in quotes, and hold dots.
+/// Splits "section.key", "material.pattern.section.key" or "object.pattern.section.key". The pattern may be
+/// in quotes, and may contain dots.
 Entry named_entry(const AnySchema& schema, std::string_view name, const std::string& where)
 {
     Entry entry;
@@ -315,7 +316,7 @@ Entry named_entry(const AnySchema& schema, std::string_view name, const std::str
         size_t before = last == std::string_view::npos ? last : name.rfind('.', last - 1);
         const size_t earlier = before == std::string_view::npos ? before : name.rfind('.', before - 1);
         if (earlier != std::string_view::npos && schema.find(name.substr(earlier + 1)).parameter != nullptr) {
-            before = earlier; // a key of a table in a section, "contour.outline.width_mm"
+            before = earlier; // a key in a table of a section, "contour.outline.width_mm"
         }
         if (name.starts_with(word) && before != std::string_view::npos && before > word.size()) {
             std::string_view pattern = name.substr(word.size(), before - word.size());

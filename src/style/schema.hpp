@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// All parameters of a style, described once: where texts come from, and how values are read and written.
+// The schema of a style: all parameters, where texts are loaded from, and how values are read and written.
 
 #include <cstddef>
 #include <functional>
@@ -17,35 +17,35 @@
 
 namespace estampe::style {
 
-/// Names of the presets built in: the files presets/*.toml of the source tree, in alphabetical order.
+/// Names of the built-in presets: the files presets/*.toml of the source tree, in alphabetical order.
 [[nodiscard]] std::vector<std::string> preset_names();
 
-/// Names of the additions built in, which are put behind a preset with '+': the files
+/// Names of the built-in additions, which are appended to a preset with '+': the files
 /// presets/additions/*.toml, in alphabetical order.
 [[nodiscard]] std::vector<std::string> addition_names();
 
-/// The parts of a style's name that '+' joins, as in "comic+no-color", from left to right. A '+' in the name
-/// of an existing file joins nothing. Throws Error if a part is empty.
+/// Splits a style's name at '+', as in "comic+no-color", from left to right. A '+' within the name of an
+/// existing file does not split. Throws Error if a part is empty.
 [[nodiscard]] std::vector<std::string> parts_of(const std::string& style_name);
 
-/// The TOML text of a preset or an addition; nothing when there is none of that name.
+/// The TOML text of a preset or an addition; none for an unknown name.
 [[nodiscard]] std::optional<std::string_view> preset_text(std::string_view name);
 
-/// A style text and the name that errors give it.
+/// A style text, and its name in error messages.
 struct Source {
     std::string name; ///< a path, or "preset pencil"
     std::string text;
 };
 
-/// Finds the text behind a name: a preset or a file. `from` is the Source::name of the text that names it,
-/// empty for the first. Throws Error when there is none.
+/// Finds the text for the name of a preset or file. `from` is the Source::name of the text that refers to it,
+/// empty for the first text. Throws Error when there is no such text.
 using Resolver = std::function<Source(const std::string& name, const std::string& from)>;
 
-/// The usual resolver: a preset or addition of that name, else a file, looked up from the folder of the file
-/// that names it. Throws Error listing the presets and additions when there is neither.
+/// The default resolver: a preset or addition of that name, otherwise a file, relative to the folder of the
+/// file that refers to it. Throws Error listing the presets and additions when neither exists.
 [[nodiscard]] Source resolve(const std::string& preset_or_file, const std::string& from);
 
-/// Where a member lies in the values of a schema, whose type is not known here.
+/// The offset of a member in the values of a schema, whose type is unknown here.
 struct Place {
     size_t offset_bytes = 0;
 
@@ -57,7 +57,8 @@ struct Place {
     }
 };
 
-/// The parameters of one struct, which `place` finds in the values for Parameter::get and Parameter::set.
+/// The parameters of one struct; `place` finds that struct in the values, for Parameter::get and
+/// Parameter::set.
 struct Section {
     std::string name;
     std::string help;
@@ -65,12 +66,13 @@ struct Section {
     Place place;
 };
 
-/// What a schema knows without the type of its values: the manual, and how texts are read and written.
+/// The part of a schema that does not depend on the type of its values: the manual, and reading and writing
+/// texts.
 class AnySchema {
 public:
-    /// The manual: a paragraph a section, a line a parameter with key, type, range, default and help in
-    /// columns. `section` is the name of one section; empty for all. Throws Error, naming the nearest, if
-    /// there is no such section.
+    /// Returns the manual: one paragraph per section, one line per parameter, with key, type, range, default
+    /// and help in columns. `section` is the name of one section, or empty for all sections. Throws Error
+    /// with the nearest name when there is no such section.
     [[nodiscard]] std::string help(std::string_view section = {}) const;
 
     /// A JSON schema (draft 2020-12) of the TOML file, for editors.
@@ -79,14 +81,16 @@ public:
     [[nodiscard]] std::span<const Section> sections() const { return sections_; }
 
     struct Found {
-        const Section* section = nullptr; ///< null: there is no such key
+        const Section* section = nullptr; ///< null for an unknown key
         const Parameter* parameter = nullptr;
     };
 
-    /// The parameter of a full key, "hatch.width_mm". Cost: logarithmic in the parameters.
+    /// Finds the parameter of a full key such as "hatch.width_mm". Cost: logarithmic in the number of
+    /// parameters.
     [[nodiscard]] Found find(std::string_view key) const;
 
-    /// Whether keys stand in a table of that name: "contour", "contour.outline". Cost as that of find().
+    /// Returns whether a section or a table in a section has that name: "contour", "contour.outline". Cost:
+    /// as find().
     [[nodiscard]] bool has_table(std::string_view name) const;
 
 protected:
@@ -96,14 +100,15 @@ protected:
     void apply_any(void* values, const Override& change) const;
     [[nodiscard]] std::string write_any(const void* values) const;
 
-    std::optional<Place> overrides_; ///< of what single surfaces have otherwise; empty: nothing differs
+    std::optional<Place> overrides_; ///< where the values store overrides for single surfaces; none:
+                                     ///< overrides are not supported
 
 private:
     std::vector<Section> sections_;
     std::map<std::string, std::pair<size_t, size_t>, std::less<>> index_; ///< section and parameter by key
 };
 
-/// All parameters of a style, described once; its methods read and write any number of `Values`.
+/// All parameters of a style, each described once. The methods read and write objects of type `Values`.
 ///
 ///     const style::Schema<StyleTables>& style_schema()
 ///     {
@@ -124,7 +129,7 @@ class Schema : public AnySchema {
 public:
     Schema() = default;
 
-    /// Of a single table, whose struct is all of the values.
+    /// Creates the schema of a single table, whose struct is the whole of the values.
     explicit Schema(const Table<Values>& table) { add({table.section(), table.help(), table.parameters()}); }
 
     template <typename Style>
@@ -134,38 +139,39 @@ public:
         return *this;
     }
 
-    /// What single surfaces have otherwise is kept there; without it a text that says so is in error.
+    /// Sets the member that stores overrides for single surfaces. Without it, overrides in a text are an
+    /// error.
     Schema& overrides(std::vector<Override> Values::*member)
     {
         overrides_ = place_of(member);
         return *this;
     }
 
-    /// Reads the preset or the TOML file of that name: one table a section, and `extends = "preset or file"`,
-    /// whose values come first.
+    /// Reads a preset or a TOML file, which has one table per section. The values of `extends = "preset or
+    /// file"` are applied before those of the text.
     void read(Values& values, const std::string& preset_or_file, const Resolver& resolver = resolve) const
     {
         read_any(&values, resolver(preset_or_file, {}), resolver);
     }
 
-    /// Reads a TOML text; `where` names it in errors.
+    /// Reads a TOML text. Error messages refer to it as `where`.
     void read_text(Values& values, std::string_view text, const std::string& where,
                    const Resolver& resolver = resolve) const
     {
         read_any(&values, {where, std::string(text)}, resolver);
     }
 
-    /// Applies "hatch.width_mm=0.5" or "material.brick*.hatch.width_mm=0.5". The value is written as in TOML,
-    /// but names and colours need no quotes.
+    /// Applies "hatch.width_mm=0.5" or "material.brick*.hatch.width_mm=0.5". The value has TOML syntax, but
+    /// names and colours need no quotes.
     void set(Values& values, std::string_view assignment, const std::string& where = "--set") const
     {
         set_any(&values, assignment, where);
     }
 
-    /// Gives the parameter the value that single surfaces have.
+    /// Sets the parameter to the value of the override.
     void apply(Values& values, const Override& change) const { apply_any(&values, change); }
 
-    /// Every parameter with its value, as a TOML text that reads back to equal values.
+    /// Writes every parameter with its value, as a TOML text that reads back to equal values.
     [[nodiscard]] std::string to_toml(const Values& values) const { return write_any(&values); }
 
 private:

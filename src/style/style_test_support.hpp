@@ -74,7 +74,7 @@ inline const Schema<Styles>& schema()
     return schema;
 }
 
-/// The message of the Error that `action` throws, which has to be a single line; empty when it throws none.
+/// The message of the Error that `action` throws, which must be a single line; empty if it throws none.
 template <typename Action>
 std::string message_of(const Action& action)
 {

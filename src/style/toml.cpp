@@ -18,7 +18,7 @@
 namespace estampe::style {
 namespace {
 
-/// Characters of one length: those whose first byte is `first` to `last`, from `least` to `most`.
+/// UTF-8 characters of one length: lead bytes `first` to `last`, code points `least` to `most`.
 struct Form {
     uint8_t first, last;
     uint32_t least, most;
@@ -29,7 +29,7 @@ constexpr std::array<Form, 4> forms{{{0x00, 0x7F, 0x0, 0x7F},
                                      {0xE0, 0xEF, 0x800, 0xFFFF},
                                      {0xF0, 0xF4, 0x10000, 0x10FFFF}}};
 
-/// The length of the character that `text` begins with; 0 when it is none.
+/// The length in bytes of the UTF-8 character at the start of `text`; 0 when there is no valid one.
 size_t character_length(std::string_view text)
 {
     constexpr uint32_t surrogates_begin = 0xD800;
@@ -56,8 +56,8 @@ size_t character_length(std::string_view text)
     return 0;
 }
 
-/// Behind the string that begins at `at`, of one line or of several; of one that does not end, behind its
-/// line or the text.
+/// The offset just after the single-line or multi-line string that begins at `at`. An unterminated string
+/// ends with its line, or a multi-line one with the text.
 size_t end_of_string(std::string_view text, size_t at)
 {
     const char quote = text[at];
@@ -76,9 +76,9 @@ size_t end_of_string(std::string_view text, size_t at)
     return text.size();
 }
 
-/// The offset of the first byte that begins no character of Unicode in UTF-8: a stray or missing byte, a
-/// form longer than need be, half of a surrogate pair, a character beyond U+10FFFF. The size of `text` when
-/// there is none.
+/// The offset of the first byte that does not begin a valid UTF-8 character: a stray or missing byte, an
+/// overlong encoding, a surrogate, or a code point beyond U+10FFFF. Returns the size of `text` when all are
+/// valid.
 size_t first_not_utf8(std::string_view text)
 {
     size_t at = 0;
@@ -92,9 +92,8 @@ size_t first_not_utf8(std::string_view text)
     return at;
 }
 
-/// The offset of the first character beyond ASCII of a TOML text that stands in neither a string nor a
-/// comment, where there must be none; a mark of byte order at the beginning is let pass. The size of `text`
-/// when there is none.
+/// The offset of the first non-ASCII character outside strings and comments, where TOML allows none. A byte
+/// order mark at the beginning is skipped. Returns the size of `text` when there is no such character.
 size_t first_bare_beyond_ascii(std::string_view text)
 {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
@@ -112,7 +111,7 @@ size_t first_bare_beyond_ascii(std::string_view text)
     return at;
 }
 
-/// What toml++ asserts did not hold: it takes `[=` for a header and finds no name in it.
+/// Thrown when an assertion in toml++ fails: it takes `[=` for a table header and finds no name in it.
 struct ParserLost : std::exception {};
 
 [[noreturn]] void lose_parser()
@@ -123,7 +122,7 @@ struct ParserLost : std::exception {};
 } // namespace
 } // namespace estampe::style
 
-// Left to itself, toml++ turns its assertions into undefined behaviour in a release build.
+// By default, toml++ turns its assertions into undefined behaviour in a release build.
 #undef NDEBUG
 #define TOML_ASSERT(condition) ((condition) ? static_cast<void>(0) : estampe::style::lose_parser())
 #include <toml++/toml.h>
@@ -150,8 +149,8 @@ std::string place_of_byte(const std::string& name, std::string_view text, size_t
     return place(name, position);
 }
 
-/// toml++ looks characters up in tables by their number, also those that UTF-8 cannot hold; and of those
-/// beyond ASCII it takes for granted that they stand in strings and comments.
+/// Rejects characters that toml++ handles wrongly: it uses code points as table indices without a check for
+/// invalid UTF-8, and assumes that non-ASCII characters only occur in strings and comments.
 void check_characters(std::string_view text, const std::string& name)
 {
     if (const size_t at = first_not_utf8(text); at < text.size()) {
@@ -165,7 +164,8 @@ void check_characters(std::string_view text, const std::string& name)
     }
 }
 
-/// Nothing but numbers: a colour. Anything else in an array is no value of ours.
+/// The numbers of an array, which is a colour; none if the array has anything else, which no parameter
+/// allows.
 std::optional<std::vector<double>> numbers(const toml::array& array)
 {
     std::vector<double> result;
@@ -203,7 +203,7 @@ Raw raw_from(const toml::node& node)
     return {{}, node.is_table() ? "a table" : "a date or time"};
 }
 
-/// Keys of a table in the order of the text; toml++ keeps them sorted by name.
+/// The keys of a table in the order of the text, as toml++ sorts them by name.
 std::vector<std::pair<const toml::key*, const toml::node*>> in_order(const toml::table& table)
 {
     std::vector<std::pair<const toml::key*, const toml::node*>> result;
@@ -215,7 +215,7 @@ std::vector<std::pair<const toml::key*, const toml::node*>> in_order(const toml:
     return result;
 }
 
-/// Where a table header without a name stands.
+/// The position of the table header that has no name.
 toml::source_position nameless_header(std::string_view text)
 {
     toml::source_position position{1, 1};
@@ -236,7 +236,7 @@ toml::source_position nameless_header(std::string_view text)
     return position;
 }
 
-/// Gathers what a text holds, whatever order its tables have.
+/// Collects the content of a text, in any order of its tables.
 class Gathering {
 public:
     explicit Gathering(std::string name) : name_(std::move(name)) {}
@@ -258,7 +258,7 @@ public:
         }
     }
 
-    /// In the order of the text.
+    /// Returns the document with its entries in the order of the text.
     [[nodiscard]] Document take()
     {
         std::ranges::stable_sort(
@@ -310,7 +310,7 @@ private:
         }
     }
 
-    /// A table of a section, [contour.outline]: its keys are "outline.width_mm" and so on.
+    /// Adds a table of a section, such as [contour.outline]: its keys become "outline.width_mm" and so on.
     void add_table(const Surfaces& surfaces, const std::string& section, const toml::key& key,
                    const toml::table& table)
     {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Values as a TOML text has them, read and checked against a parameter.
+// Reads the values of a TOML text, and checks them against their parameters.
 
 #include <cstdint>
 #include <optional>
@@ -14,13 +14,13 @@
 
 namespace estampe::style {
 
-/// A value as a text gives it, before its parameter has looked at it.
+/// A value as read from a text, before it is checked against its parameter.
 struct Raw {
     std::variant<std::monostate, bool, int64_t, double, std::string, std::vector<double>> value;
-    std::string shown; ///< for messages: `0.5`, `"uv"`, `a table`
+    std::string shown; ///< how messages show it: `0.5`, `"uv"`, `a table`
 };
 
-/// One line of a style text. A value outside any section has an empty `section`.
+/// One key of a style text with its value. `section` is empty for a value outside any section.
 struct Entry {
     Surfaces surfaces;
     std::string section;
@@ -30,7 +30,7 @@ struct Entry {
     std::string value_where; ///< file:line:column
 };
 
-/// A TOML text in the order of its lines. `sections` names every table, the empty ones too.
+/// A TOML text in the order of its lines. `sections` lists every table, including empty ones.
 struct Document {
     struct Header {
         Surfaces surfaces;
@@ -42,33 +42,34 @@ struct Document {
     std::vector<Entry> entries;
 };
 
-/// Parses a TOML text. Below `material` and `object` stand patterns, and below those sections. Throws Error
-/// with name:line:column when it is not TOML, or holds a key twice.
+/// Parses a TOML text. The tables `material` and `object` contain patterns, and each pattern contains
+/// sections. Throws Error with name:line:column when the text is not TOML, or has a key twice.
 [[nodiscard]] Document parse_toml(std::string_view text, const std::string& name);
 
-/// The value of the TOML expression `text`; nothing when it is not one.
+/// Parses `text` as a TOML value; returns none when it is not one.
 [[nodiscard]] std::optional<Raw> parse_toml_value(std::string_view text);
 
-/// A word without quotes, as --set takes them for names and colours.
+/// A word without quotes, which --set accepts for names and colours.
 [[nodiscard]] Raw raw_word(std::string_view text);
 
-/// `raw` as a value of `parameter`, named `name` in messages. Throws Error when the type is wrong or the
-/// range is left.
+/// Converts `raw` to a value of `parameter`, called `name` in messages. Throws Error when the type is wrong
+/// or the value is out of range.
 [[nodiscard]] Value check(const Parameter& parameter, const std::string& name, const Raw& raw,
                           const std::string& where);
 
-/// "0.02 to 10 mm", "1 to 6", "true or false", "#rrggbb", "auto, uv".
+/// The allowed values in words: "0.02 to 10 mm", "1 to 6", "true or false", "#rrggbb", "auto, uv".
 [[nodiscard]] std::string allowed(const Parameter& parameter);
 
 /// The TOML text of a value: 0.35, 3, true, "#1b1a22", "auto".
 [[nodiscard]] std::string format_value(const Value& value);
 
-/// `text` in double quotes, control characters escaped, cut when it is long: fit for one line of a message.
+/// Puts `text` in double quotes, escapes control characters, and shortens a long text, for use in one line of
+/// a message.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 struct WordEntry {
     std::string key;
-    std::vector<std::string> words; ///< numbers as they are written, switches as "true" and "false"
+    std::vector<std::string> words; ///< numbers as written in the text, switches as "true" and "false"
     bool is_list = false;
     bool is_switch = false;
     std::string where; ///< file:line:column
@@ -80,8 +81,8 @@ struct WordTable {
     std::vector<WordEntry> entries; ///< in the order of the text
 };
 
-/// Reads tables, `[name]` and `[[name]]`, in the order of the text. Throws Error with name:line:column for
-/// what is not TOML, and for what is no such table or word.
+/// Reads tables, `[name]` and `[[name]]`, in the order of the text. Throws Error with name:line:column when
+/// the text is not TOML, and when it has a table or value of another form.
 [[nodiscard]] std::vector<WordTable> parse_toml_words(std::string_view text, const std::string& name);
 
 } // namespace estampe::style

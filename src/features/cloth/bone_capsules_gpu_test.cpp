@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A cape on a body that walks.
+// A cape on a walking body.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -34,7 +34,7 @@ TEST(BoneCapsules, AreAsThickAsLimbs)
 {
     const Scene scene = make_set_up("cape", 0.5F).scene;
     const std::vector<BoneCapsule> bones = bone_capsules(scene);
-    ASSERT_EQ(bones.size(), 14U); // twelve limbs, and from the hips to either leg
+    ASSERT_EQ(bones.size(), 14U); // twelve limbs, and two from the hips to the legs
     const ScenePose pose = pose_scene(scene, 0.0);
     std::vector<float> radii_m;
     for (const BoneCapsule& bone : bones) {
@@ -49,21 +49,21 @@ TEST(BoneCapsules, AreAsThickAsLimbs)
     EXPECT_NEAR(radii_m.back(), 0.15F, 1e-3F);
 }
 
-/// A body with a cape, and where what it is held by goes.
+/// A body with a cape, and the motion of what holds the cape.
 struct Worn {
     const Scene& scene;
     cloth::Sheet sheet;
-    std::function<glm::mat4(const ScenePose& pose)> place; ///< of the sheet
+    std::function<glm::mat4(const ScenePose& pose)> place; ///< transform of the sheet
 };
 
-/// What became of a cape.
+/// How a cape moved and how deep it sank in.
 struct Wear {
-    double deepest_m = 0.0; ///< in any capsule, or in what is seen
+    double deepest_m = 0.0; ///< in any capsule, or in a visible body
     double off_shoulders_m = 0.0;
     size_t touching = 0;
 };
 
-/// How far a place is from a capsule's surface, negative within.
+/// Distance from a place to a capsule's surface, negative inside.
 double away_from_m(const cloth::Solid& capsule, const glm::dvec3& place_m)
 {
     const glm::dvec3 axis(capsule.rotation * glm::vec3(0.0F, capsule.half_m.y, 0.0F));
@@ -72,7 +72,7 @@ double away_from_m(const cloth::Solid& capsule, const glm::dvec3& place_m)
     return glm::length(off - share * axis) - double{capsule.half_m.x};
 }
 
-/// Bodies of a scene posed on the processor, for a lab's cloth to lie on.
+/// A scene's bodies posed on the CPU, for a cloth test without a renderer.
 class PosedBodies {
 public:
     PosedBodies(const Scene& scene, cloth::Lab& lab)
@@ -86,7 +86,7 @@ public:
         lab_.cloths().set_bodies(test::shared_device(), meshes);
     }
 
-    /// Where they are at the end of the next run.
+    /// Sets the bodies' pose at the end of the next run.
     void go_to(const ScenePose& pose)
     {
         const glm::vec3 anchor(layout_.anchor);
@@ -119,8 +119,7 @@ public:
         };
     }
 
-    /// How far a place is from the way out, if triangles of a body are before and behind it; at most by this
-    /// much, else 0.
+    /// How deep a place is inside a body, judged by the triangles before and behind it; 0 outside.
     [[nodiscard]] double depth_m(const glm::dvec3& place_m) const
     {
         double deepest_m = 0.0;
@@ -158,7 +157,7 @@ private:
     gpu::Buffer posed_;
 };
 
-/// Half a second as it stands, then so long as it goes. How deep it is in bodies that are seen, is told by
+/// Simulates half a second at rest, and `seconds` of motion. Measures the depth within visible bodies by
 /// their triangles.
 Wear worn_for(const Worn& worn, double seconds, cloth::ClothBodies kind = cloth::ClothBodies::capsules)
 {
@@ -250,8 +249,8 @@ Index node_named(const Scene& scene, const std::string& name)
     return static_cast<Index>(found - scene.nodes.begin());
 }
 
-/// A quarter of a cone about the back, from the shoulders down, along the world's axes: the arms, which go
-/// through the sides of the body that is told by capsules, pinch none of it.
+/// A quarter of a cone around the back, from the shoulders down, along the world's axes. The arms pass
+/// through the sides of capsule bodies, and must not pinch the cape.
 cloth::Sheet cape_about(glm::dvec3 shoulders_m, glm::dvec3 back, double shoulder_m)
 {
     cloth::Sheet sheet = cloth::grid_sheet({23, 25}, {}, {1.0F, 0.0F, 0.0F}, {0.0F, -1.0F, 0.0F},
@@ -267,7 +266,7 @@ cloth::Sheet cape_about(glm::dvec3 shoulders_m, glm::dvec3 back, double shoulder
     return sheet;
 }
 
-/// Two strides of CesiumMan in a cape, where its folder is named.
+/// Two strides of the model CesiumMan in a cape; none if the folder of the model is not given.
 std::optional<Wear> model_walked(cloth::ClothBodies kind)
 {
     const char* folder = std::getenv("ESTAMPE_MODELS");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cloth in a frame: what a picture shows of it, and when it is the same.
+// Cloth in pictures: what they show, and when two pictures must be equal.
 #include <gtest/gtest.h>
 
 #include <estampe/error.hpp>
@@ -56,7 +56,7 @@ TEST(ClothFrame, StillsHaveTheSameBytesWhateverWasDrawnBefore)
 
 TEST(ClothFrame, FilmsGoOnAndCanBeTakenUp)
 {
-    const ClothScene set_up = make_set_up("swing", 0.4F); // held by what an animation moves
+    const ClothScene set_up = make_set_up("swing", 0.4F); // held by an animated node
     const Style style = settled_style(set_up);
     Renderer& renderer = test::shared_renderer();
     const auto film = [&](uint32_t count) {
@@ -93,7 +93,7 @@ TEST(ClothFrame, AStillThatIsDrawnAgainTakesNoSteps)
                                    [](const PassTiming& pass) { return pass.name == "cloth/small"; });
     };
     for (const double time_s : {0.0, 0.7, 53.1}) {
-        for (const double settle_s : {1.0, 0.37}) { // which no number of steps makes exactly
+        for (const double settle_s : {1.0, 0.37}) { // not a multiple of the step
             EXPECT_TRUE(takes_steps(time_s, settle_s)) << time_s << ' ' << settle_s;
             EXPECT_FALSE(takes_steps(time_s, settle_s)) << time_s << ' ' << settle_s;
         }
@@ -118,7 +118,7 @@ TEST(ClothFrame, GoesOnWhenSomethingElseIsMadeToMove)
         renderer.set_scene(set_up.scene);
         std::vector<Image> frames;
         for (uint32_t i = 0; i < 4; ++i) {
-            if (i == 2 && moves_other) { // for which all is laid out anew
+            if (i == 2 && moves_other) { // this builds a new layout
                 renderer.place(std::vector{NodePlace{.node = other, .transform = far_off}}, i / 24.0);
             }
             frames.push_back(film_frame(renderer, set_up, style, i));
@@ -160,8 +160,8 @@ TEST(ClothFrame, APictureThatIsGivenUpLosesNoStep)
 
 TEST(ClothFrame, APictureOfAFilmTakesStepsAndPosesOnceInItsOwnGraph)
 {
-    const ClothScene set_up = make_set_up("flag", 0.5F);           // nothing of it is animated
-    const Style style = settled_style(set_up, "ink.enabled=true"); // which looks back to the picture before
+    const ClothScene set_up = make_set_up("flag", 0.5F);           // nothing of the cloth is animated
+    const Style style = settled_style(set_up, "ink.enabled=true"); // ink depends on the picture before
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(set_up.scene);
     for (uint32_t frame = 0; frame < 3; ++frame) {
@@ -195,7 +195,7 @@ TEST(ClothFrame, TearsAreDrawnAndTakenUpWithTheFilm)
         return frames;
     };
     const std::vector<Image> torn = film(set_up, 4);
-    EXPECT_EQ(film_frame(renderer, set_up, style, 0).rgba, torn[0].rgba); // it begins whole
+    EXPECT_EQ(film_frame(renderer, set_up, style, 0).rgba, torn[0].rgba); // it starts whole
     EXPECT_GT(test::changed_pixels(torn[3], film(whole, 4)[3]), 50U);
     static_cast<void>(film(set_up, 2));
     const auto memory = renderer.film_memory();
@@ -232,7 +232,7 @@ TEST(ClothFrame, BodiesThatAreSeenAreTakenUpWithTheFilm)
     EXPECT_GT(test::changed_pixels(whole[3], whole[2]), 20U);
 }
 
-/// A flag that is soon at rest where no wind blows.
+/// A flag that comes to rest soon without wind.
 ClothScene limp_flag()
 {
     ClothScene set_up = make_set_up("flag", 0.3F);
@@ -271,7 +271,7 @@ TEST(ClothFrame, WhatRestsIsTakenUpAtRestAndWokenByTheStyle)
     const Style restless = settled_style(set_up, "cloth.rest_mm_per_s=0");
     static_cast<void>(film_frame(renderer, set_up, restless, 0));
     const Image still = renderer.render(set_up.camera, style, cloth_page);
-    EXPECT_EQ(still.rgba, whole[0].rgba); // whatever was awake before
+    EXPECT_EQ(still.rgba, whole[0].rgba); // regardless of what was awake before
 }
 
 TEST(ClothFrame, AirOfSmokeBlowsOnIt)
@@ -336,7 +336,7 @@ TEST(ClothFrame, BothSidesHaveTheirMaterial)
     const auto red_from = [&](double z) {
         Camera camera = set_up.camera;
         camera.eye.z = z;
-        Style style = Style::load("chirico"); // which has colours
+        Style style = Style::load("chirico"); // a style with colours
         for (const std::string& assignment : set_up.style) {
             style.set(assignment);
         }
@@ -349,7 +349,7 @@ TEST(ClothFrame, BothSidesHaveTheirMaterial)
     };
     const size_t front = red_from(9.0);
     const size_t back = red_from(-9.0);
-    EXPECT_GT(back, 100U); // its front looks along +z
+    EXPECT_GT(back, 100U); // the front faces +z
     EXPECT_LT(front, back / 4);
 }
 

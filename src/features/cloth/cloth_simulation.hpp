@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Cloth from picture to picture: the sheets of a scene, and the steps that bring them to a picture's moment.
+// Cloth from picture to picture: the sheets of a scene, and the time steps up to a picture's moment.
 
 #include <functional>
 #include <memory>
@@ -16,25 +16,25 @@
 
 namespace estampe::features {
 
-/// What cloth is brought to a picture's moment with.
+/// What ClothSimulation needs to simulate up to a picture's moment.
 struct ClothInputs {
     const Scene& scene;
-    pose::MeshData& layout;                     ///< whose torn triangles are left out
+    pose::MeshData& layout;                     ///< torn triangles are removed from it
     pose::MeshBuffers& meshes;                  ///< the buffers of `layout`
-    const std::optional<pose::PoseData>& posed; ///< the pose that the device holds
-    /// Poses the scene at a moment: afterwards `posed` holds that pose, and add_posed() declares the passes
-    /// that are still needed on the device.
+    const std::optional<pose::PoseData>& posed; ///< the pose on the device
+    /// Poses the scene at a moment. Afterwards `posed` holds that pose, and add_posed() declares the passes
+    /// that the device still needs.
     std::function<ScenePose(double time_s)> pose_at;
     std::function<gpu::BufferId(gpu::Graph&)> add_posed;
     const RenderSettings& settings;
     const StyleTables& style;
-    std::optional<double> before_s; ///< the moment that motion is told from
+    std::optional<double> before_s; ///< the moment from which motion is measured
 };
 
-/// What bringing cloth to a moment did besides.
+/// Side effects of ClothSimulation::advance().
 struct ClothAdvance {
-    bool posed_scene = false; ///< the scene was posed on the way, as it stood somewhere there
-    bool tore = false;        ///< triangles are left out that were drawn before, or the other way round
+    bool posed_scene = false; ///< the scene was posed at other moments
+    bool tore = false;        ///< other triangles than before are torn
 };
 
 class ClothSimulation final : public Feature {
@@ -46,11 +46,11 @@ public:
     void save(FilmWriter& writer) override;
     void load(FilmReader& reader) override;
 
-    /// Cuts the sheets of a scene that was laid out afresh; those that were there before go on from where
-    /// they stood. Throws Error for sheets that cannot be made.
+    /// Cuts the sheets of a newly built layout. Sheets that existed before continue from their state. Throws
+    /// Error if a sheet cannot be made.
     void cut(gpu::Device& device, const Scene& scene, const pose::MeshData& layout);
 
-    /// Null where the scene has no cloth.
+    /// Null if the scene has no cloth.
     [[nodiscard]] MovingCloth* sheets() { return sheets_.get(); }
 
     /// The draws that are sheets.
@@ -59,20 +59,20 @@ public:
     /// Whether the device has yet to pose the sheets' vertices.
     [[nodiscard]] bool has_moved() const { return sheets_ && sheets_->has_moved; }
 
-    /// Takes the steps to the picture's moment but for the last ones, which run in the picture's own graph
-    /// beside what does not depend on them. Leaves out what is torn of sheets, and draws again what is whole.
-    /// Cost: besides the steps, where sheets may tear, their torn links are read back, and where others are
-    /// torn than before, all triangles are uploaded.
+    /// Simulates up to the picture's moment except for the last steps, which record() puts into the
+    /// picture's own graph, parallel to independent passes. Removes torn triangles of sheets and restores
+    /// whole ones. Cost: the steps; if sheets may tear, also a read-back of their torn links, and an upload
+    /// of all triangles when others are torn than before.
     [[nodiscard]] ClothAdvance advance(gpu::Device& device, gpu::Executor& executor, const ClothInputs& in);
 
-    /// Tells sheets where solids are, where steps are left for the picture's graph. Returns the boxes that
-    /// sheets were in since the last call (anchor space). To be called when the scene is posed for the
-    /// picture.
+    /// Places the solids that sheets collide with, if steps are left for the picture's graph. Returns the
+    /// boxes that the sheets occupied since the last call (anchor space). Call it when the scene is posed
+    /// for the picture.
     [[nodiscard]] std::vector<Bounds> place(gpu::Device& device, const ClothInputs& in,
                                             const ScenePose& pose);
 
-    /// Declares the steps that are left, and the sheets' vertices among `posed`. Until that graph has run and
-    /// drawn() says so, sheets count as lost.
+    /// Declares the remaining steps, and writes the sheets' vertices into `posed`. The state of the sheets
+    /// counts as lost until that graph has run and drawn() is called.
     void record(gpu::Graph& graph, const pose::PoseData& pose, const glm::dvec3& anchor,
                 gpu::BufferId& posed_vertices, gpu::BufferId& vertices_before);
     void drawn();
@@ -86,7 +86,7 @@ private:
     void step(gpu::Device& device, gpu::Executor& executor, const ClothInputs& in, const ClothSteps& steps);
 
     std::unique_ptr<MovingCloth> sheets_;
-    std::optional<glm::dvec3> cut_about_;  ///< the anchor of the layout that sheets were cut from
+    std::optional<glm::dvec3> cut_about_;  ///< the anchor of the layout from which the sheets were cut
     std::optional<ClothSteps> steps_left_; ///< for the picture's first graph
 };
 

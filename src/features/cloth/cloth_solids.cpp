@@ -14,11 +14,11 @@
 namespace estampe::features {
 namespace {
 
-constexpr size_t least_vertices = 8; // of a bone that counts
+constexpr size_t least_vertices = 8; // a bone with fewer vertices gets no capsule
 
-/// A bone as the skin was bound to it.
+/// A bone in the bind pose of its skin.
 struct BoundBone {
-    uint32_t from_joint = 0; ///< of the skin
+    uint32_t from_joint = 0; ///< index into the skin's joints
     uint32_t to_joint = 0;
     glm::vec3 from{0.0F};
     glm::vec3 to{0.0F};
@@ -49,7 +49,7 @@ float distance_to(const BoundBone& bone, const glm::vec3& place)
     return glm::distance(place, bone.from + glm::clamp(share, 0.0F, 1.0F) * way);
 }
 
-/// Each vertex belongs to the nearest bone of the joint that moves it most.
+/// Assigns each vertex to the nearest bone of the joint with the largest weight.
 void gather_distances(std::vector<BoundBone>& bones, const Primitive& primitive)
 {
     for (size_t i = 0; i < std::min(primitive.joints_0.size(), primitive.weights_0.size()); ++i) {
@@ -116,9 +116,9 @@ cloth::Solid placed_bone(const BoneCapsule& bone, const ScenePose& pose, const g
 
 namespace {
 
-constexpr uint32_t most_nodes = 192; // along the longest side of a body
+constexpr uint32_t most_nodes = 192; // along the longest side of a body's depth maps
 
-/// The joint that no other of a skin is above.
+/// The topmost joint of a skin's hierarchy.
 Index root_of(const Scene& scene, const Skin& skin)
 {
     for (const Index joint : skin.joints) {
@@ -129,7 +129,7 @@ Index root_of(const Scene& scene, const Skin& skin)
     return no_index;
 }
 
-/// The skeleton of a draw that is a body's, or none.
+/// The skeleton of a draw if the draw is part of a body; otherwise none.
 Index skeleton_of(const Scene& scene, const pose::DrawSource& source)
 {
     const Node& node = scene.nodes[source.node];
@@ -157,7 +157,7 @@ std::vector<double> areas_of(const Primitive& primitive)
     return areas_m2;
 }
 
-/// What each joint of a draw's skin moves.
+/// The bounds and the area of the vertices that each joint of a draw's skin moves.
 void append_parts(const Primitive& primitive, uint32_t draw, std::vector<SeenBody::Part>& parts)
 {
     std::map<uint32_t, SeenBody::Part> of_joint;
@@ -189,10 +189,10 @@ void append_parts(const Primitive& primitive, uint32_t draw, std::vector<SeenBod
     }
 }
 
-/// Turns z to the shortest of three sides.
+/// A rotation that turns z to the shortest of three sides.
 glm::quat turn_to_shortest(const glm::vec3& sides)
 {
-    constexpr float half = 0.70710678F; // of a right angle, its cosine and its sine
+    constexpr float half = 0.70710678F; // cosine and sine of half a right angle
     if (sides.z <= sides.x && sides.z <= sides.y) {
         return {1.0F, 0.0F, 0.0F, 0.0F};
     }
@@ -268,7 +268,7 @@ cloth::Solid placed_body(const SeenBody& body, const pose::MeshData& layout, con
             half_m = glm::max(half_m, glm::abs(back * (point - glm::dvec3(solid.centre_m))));
         }
     }
-    constexpr double beside = 1.04; // room about what is seen
+    constexpr double beside = 1.04; // margin around the body
     solid.half_m = glm::vec3(beside * half_m + 1e-4);
     solid.grid = number;
     return solid;
@@ -279,7 +279,7 @@ namespace {
 constexpr uint32_t mesh_cells = 40;
 constexpr double mirror = -1.0;
 constexpr double margin_m = 1.0;
-constexpr double nobody_there_m = -1e4; // height of ground that no sheet comes down to
+constexpr double nobody_there_m = -1e4; // height of the ground where no sheet can reach it
 
 cloth::SolidGrid grid_of(const Mesh& mesh, bool is_mirrored)
 {
@@ -303,7 +303,7 @@ cloth::SolidGrid grid_of(const Mesh& mesh, bool is_mirrored)
 
 using HeightAt = std::function<double(double x_m, double z_m)>;
 
-/// Whole metres about the sheets, a metre more than they take: least x and z, most x and z.
+/// Box around the sheets with a margin of a metre, rounded to whole metres: least x and z, greatest x and z.
 glm::dvec4 level_box(std::span<const SheetPlace> sheets)
 {
     Bounds all;
@@ -330,12 +330,12 @@ std::vector<double> lows_of(std::span<const SheetPlace> sheets)
     return lows_m;
 }
 
-/// Whether the ground below a box may reach up to it.
+/// Whether the ground below a box may reach up to it, judged by a few samples.
 bool comes_down_to(const Bounds& box, const HeightAt& height_at)
 {
-    constexpr int places = 5;         // either way
-    constexpr double steepest = 0.7;  // sand lies at no more
-    constexpr double unasked_m = 1.0; // a sheet moves as far before it is asked again, along and down
+    constexpr int places = 5;         // samples in each direction
+    constexpr double steepest = 0.7;  // steepest slope of sand
+    constexpr double unasked_m = 1.0; // how far a sheet may move before the next test, horizontally and down
     const glm::dvec3 step = (box.max - box.min) / static_cast<double>(places - 1);
     double highest_m = -std::numeric_limits<double>::infinity();
     for (int z = 0; z < places; ++z) {

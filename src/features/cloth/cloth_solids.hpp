@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What cloth runs into: capsules about the bones of skinned bodies, these bodies as their front and their
-// back are seen, and by numbers on grids the ground about it and meshes of any form.
+// The solids that cloth collides with: capsules around the bones of skinned bodies, front and back depth
+// maps of these bodies, and grids of the ground's heights and of distances to meshes.
 
 #include <map>
 #include <optional>
@@ -18,74 +18,73 @@
 
 namespace estampe::features {
 
-/// From a joint to one below it.
+/// A capsule between a joint and one of its children.
 struct BoneCapsule {
-    Index from = 0; ///< nodes
+    Index from = 0; ///< node of the parent joint
     Index to = 0;
-    float radius_share = 0.0F; ///< of the bone's length
+    float radius_share = 0.0F; ///< radius relative to the bone's length
 };
 
-/// One for each bone that moves some of a body: as thick as its vertices lie about it, at the median. Cloth
-/// has none. Cost: linear in skinned vertices.
+/// One capsule per bone that moves part of a body. Its radius is the median distance of its vertices. Bones
+/// of cloth get none. Cost: linear in skinned vertices.
 [[nodiscard]] std::vector<BoneCapsule> bone_capsules(const Scene& scene);
 
-/// Where it is in a pose.
+/// The capsule in a pose.
 [[nodiscard]] cloth::Solid placed_bone(const BoneCapsule& bone, const ScenePose& pose,
                                        const glm::dvec3& anchor);
 
-/// All draws of one skeleton that are no cloth. It is seen along the shortest side of the box about it as it
-/// was bound, along an axis that goes with the joint which moves most of its surface.
+/// All draws of one skeleton except cloth. The depth maps look along the shortest side of the body's box in
+/// the bind pose; this axis follows the joint that moves most of the body's surface.
 struct SeenBody {
-    /// What a joint moves, as it was bound.
+    /// The vertices that one joint moves, in the bind pose.
     struct Part {
         uint32_t draw = 0;
-        uint32_t joint = 0; ///< of its skin
+        uint32_t joint = 0; ///< index into the skin's joints
         glm::vec3 min_m{0.0F};
         glm::vec3 max_m{0.0F};
         double area_m2 = 0.0;
     };
 
     cloth::Body mesh;
-    std::vector<Part> parts; ///< the one that it goes with first
-    cloth::Solid solid;      ///< as that was bound
+    std::vector<Part> parts; ///< the part whose joint the axis follows comes first
+    cloth::Solid solid;      ///< in the bind pose
 };
 
-/// Those of a scene, in the order of its draws. Cost: linear in skinned triangles.
+/// The bodies of a scene, in the order of its draws. Cost: linear in skinned triangles.
 [[nodiscard]] std::vector<SeenBody> seen_bodies(const Scene& scene, const pose::MeshData& layout);
 
-/// Where it is in a pose (anchor space): large enough for all that its joints can do. What morph targets move
-/// farther than that is not seen.
+/// The body in a pose (anchor space), in a box that contains every part its joints move. What morph targets
+/// move outside this box is cut off.
 [[nodiscard]] cloth::Solid placed_body(const SeenBody& body, const pose::MeshData& layout,
                                        const pose::PoseData& pose, uint32_t number);
 
-/// Where a sheet hangs, in anchor space.
+/// Where a sheet is, in anchor space.
 struct SheetPlace {
     Bounds box;
-    std::optional<Bounds> stays_in; ///< however it swings; it may come anywhere where there is none
+    std::optional<Bounds> stays_in; ///< limits of the sheet however it swings; none means no limits
 };
 
 class SolidGrids {
 public:
     SolidGrids() = default;
 
-    /// Distances to each mesh that is a collider of its own form, 40 cells long. Cost: see
+    /// Makes distance grids, 40 cells along the longest side, for all colliders of kind mesh. Cost: see
     /// cloth::grid_of_distances().
     explicit SolidGrids(const Scene& scene);
 
-    /// Heights of the scene's ground under the sheets that may come down to it, at half seconds; returns
-    /// whether they are others than before. Of ground that is steeper than sand lies, what is narrower than a
-    /// quarter of a sheet may not be seen to come near. Cost: where ground or sheets are others than before
-    /// 25 samples of the ground for each that stays somewhere, and up to 9,409 below those that do; else
-    /// none.
+    /// Samples the heights of the ground below the sheets that may reach it, every half second. Returns
+    /// whether the heights changed. On slopes steeper than sand, features narrower than a quarter of a sheet
+    /// may be missed. Cost when ground or sheets changed: 25 samples of the ground per sheet with a bounded
+    /// reach, and up to 9,409 below sheets that may touch it; otherwise none.
     bool follow_ground(const Scene& scene, std::span<const SheetPlace> sheets, const glm::dvec3& anchor,
                        double time_s);
 
     [[nodiscard]] const std::vector<cloth::SolidGrid>& grids() const { return grids_; }
 
-    /// The ground in anchor space, where one was followed that some sheet may come down to.
+    /// The ground in anchor space; none if no sheet may reach it.
     [[nodiscard]] std::optional<cloth::Solid> ground() const;
 
-    /// A mesh in its place; nothing for one without triangles.
+    /// A mesh collider placed by a matrix; none if the mesh has no triangles.
     [[nodiscard]] std::optional<cloth::Solid> placed_mesh(Index mesh, const glm::dmat4& place) const;
 
 private:
@@ -94,16 +93,16 @@ private:
         glm::dvec3 anchor{0.0};
         double time_s = 0.0;
         const terrain::Program* program = nullptr;
-        std::vector<double> lows_m; ///< of what sheets stay in, in quarters of a metre
+        std::vector<double> lows_m; ///< lowest heights that sheets may reach, in steps of a quarter metre
 
         bool operator==(const GroundKey&) const = default;
     };
 
-    std::vector<cloth::SolidGrid> grids_;                ///< the ground first, if any
-    std::map<std::pair<Index, bool>, uint32_t> of_mesh_; ///< and whether it is mirrored
+    std::vector<cloth::SolidGrid> grids_; ///< the first is the ground's, if the scene has a terrain
+    std::map<std::pair<Index, bool>, uint32_t> of_mesh_; ///< key: mesh, and whether it is mirrored
     std::optional<GroundKey> ground_;
     bool is_ground_near_ = false;
-    std::optional<Terrain> terrain_; ///< that it is of
+    std::optional<Terrain> terrain_; ///< keeps the program in `ground_` alive
 };
 
 } // namespace estampe::features

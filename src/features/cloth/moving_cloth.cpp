@@ -13,10 +13,9 @@ namespace estampe::features {
 namespace {
 
 constexpr double usual_step_s = 1.0 / 120.0;
-constexpr uint32_t steps_between_poses = 5; // a film's picture; in between all that is held goes straight
+constexpr uint32_t steps_between_poses = 5; // at most; held particles move linearly in between
 
-/// Vertices that lie in one place are one particle, so that sheets hang together along the seams of their
-/// UVs.
+/// Vertices at the same position become one particle, so that sheets stay connected along UV seams.
 cloth::DrawnSheet welded(const pose::MeshData& layout, const shared::DrawRecord& draw,
                          const std::vector<float>& held, cloth::Sheet& sheet)
 {
@@ -52,7 +51,7 @@ cloth::SolidKind solid_kind(ClothCollider collider)
     }
 }
 
-/// The smallest solid of its kind about a mesh, for capsules with the ends within the box about it.
+/// The smallest solid of this kind around a mesh. A capsule's ends stay within the mesh's box.
 cloth::Solid solid_about(const Mesh& mesh, ClothCollider collider)
 {
     Bounds bounds;
@@ -80,7 +79,7 @@ cloth::Solid solid_about(const Mesh& mesh, ClothCollider collider)
 
 namespace {
 
-/// The box, along the axes, about a box that stands in a place.
+/// The axis-aligned box around a transformed box.
 Bounds box_about(const Bounds& bounds, const glm::mat4& place)
 {
     Bounds box;
@@ -118,7 +117,7 @@ MovingCloth::Cut MovingCloth::cut(const Scene& scene, const pose::MeshData& layo
         if (cloth == nullptr || primitive.indices.empty()) {
             continue;
         }
-        if (primitive.material == cloth->back_material) { // of the primitive before
+        if (primitive.material == cloth->back_material) { // the back of the preceding primitive
             const auto front = std::ranges::find_if(cut.draws, [&](uint32_t draw) {
                 const pose::DrawSource& other = layout.sources[draw];
                 return other.node == source.node && other.primitive + 1 == source.primitive &&
@@ -238,7 +237,7 @@ std::vector<SheetPlace> MovingCloth::sheet_places(const pose::PoseData& pose) co
     for (size_t i = 0; i < places.size(); ++i) {
         SheetPlace& sheet = sheets.emplace_back(SheetPlace{.box = box_about(reaches_[i], places[i])});
         if (!may_go) {
-            // Whatever hangs is within its own diagonal of what holds it, and stretches little.
+            // A hanging sheet stays within one diagonal of what holds it, and stretches little.
             Bounds larger = reaches_[i];
             larger.extend(reaches_[i].min - reaches_[i].radius());
             larger.extend(reaches_[i].max + reaches_[i].radius());
@@ -347,7 +346,7 @@ std::vector<ClothSteps> MovingCloth::steps_between(double from_s, double to_s, c
         result.push_back(
             {.from_s = begin_s, .to_s = from_s + done * step_s, .count = count, .surroundings = around});
     }
-    result.back().to_s = to_s; // to the bit: the next picture asks whether it is of that moment
+    result.back().to_s = to_s; // exact, since the next picture compares it with its own moment
     return result;
 }
 
@@ -448,7 +447,7 @@ void MovingCloth::add_bodies(gpu::Graph& graph, cloth::Cloths::Handles& handles,
 std::vector<glm::mat4> MovingCloth::carries(const pose::PoseData& pose, const glm::dvec3& anchor,
                                             double time_s)
 {
-    constexpr double quick_m_per_s = 25.0; // what moves at that was put elsewhere
+    constexpr double quick_m_per_s = 25.0; // faster motion counts as a jump
     constexpr double jump_m = 1.0;
     std::vector<glm::mat4> places = places_of_draws(pose);
     std::vector<glm::mat4> carries;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The cloth of a scene: which draws are sheets, what they run into, and how far they have come.
+// The cloth of a scene: which draws are sheets, what they collide with, and up to which moment they are
+// simulated.
 
 #include <array>
 #include <optional>
@@ -17,25 +18,25 @@
 
 namespace estampe::features {
 
-/// Steps that lie between what sheets are and what a picture shows.
+/// The simulation from the sheets' present state to a picture's moment.
 struct ClothRun {
     bool starts_anew = false;
-    bool is_taken_up = false; ///< after recall(): what sheets hang on has to be put where it was
-    double from_s = 0.0;      ///< of the scene's time; before 0 the scene stands as it does then
+    bool is_taken_up = false; ///< after recall(): what holds the sheets must be posed first
+    double from_s = 0.0;      ///< scene time; before 0 the scene stands as at 0
     double to_s = 0.0;
-    std::optional<double> snapshot_s; ///< where the picture wants to know how sheets were before
+    std::optional<double> snapshot_s; ///< when to keep the sheets' state for motion vectors
 };
 
-/// Steps of a run that one graph takes.
+/// Steps of a run that go into one graph.
 struct ClothSteps {
-    double from_s = 0.0; ///< of the scene's time
+    double from_s = 0.0; ///< scene time
     double to_s = 0.0;
     uint32_t count = 0;
     cloth::Surroundings surroundings;
-    bool takes_snapshot = false; ///< of sheets as they are before
+    bool takes_snapshot = false; ///< of the state before these steps
 };
 
-/// The scene at a moment, as cloth has to know it.
+/// The scene's pose at a moment.
 struct ClothPose {
     const ScenePose& nodes;
     const pose::PoseData& draws;
@@ -47,66 +48,68 @@ public:
     /// Whether anything of `scene` is cloth.
     [[nodiscard]] static bool is_in(const Scene& scene);
 
-    /// Throws Error for sheets that cannot be made, as cloth::build_structure() does.
+    /// Throws Error if a sheet cannot be made, as cloth::build_structure() does.
     MovingCloth(gpu::Device& device, const Scene& scene, const pose::MeshData& layout);
 
     [[nodiscard]] cloth::Cloths& sheets() { return sheets_; }
 
-    /// In ascending order; vertices of a sheet take the place of posed ones.
+    /// The draws that are sheets, ascending; the simulation replaces their posed vertices.
     [[nodiscard]] std::span<const uint32_t> draws() const { return draws_; }
 
-    /// What is to be done before a picture; nothing where sheets are as it wants them. `before_s` is the
-    /// moment that motion is told from.
+    /// The simulation that a picture needs; none if the sheets are already as it needs them. `before_s` is
+    /// the moment from which motion is measured.
     [[nodiscard]] std::optional<ClothRun> plan(const RenderSettings& settings, const StyleTables& style,
                                                std::optional<double> before_s) const;
 
-    /// The way from one moment to another, before a picture; nothing where the one is not later. `anchor` is
-    /// the place that places are told from.
+    /// Splits the time between two moments into steps; empty unless `to_s` is later. `anchor` is the origin
+    /// of anchor space.
     [[nodiscard]] std::vector<ClothSteps> steps_between(double from_s, double to_s, const Scene& scene,
                                                         const StyleTables& style,
                                                         const RenderSettings& settings,
                                                         const glm::dvec3& anchor) const;
 
-    /// To be called when of what was planned all has been done that comes before `time_s`.
+    /// Must be called when the planned steps up to `time_s` have run.
     void done(const RenderSettings& settings, const StyleTables& style, double time_s);
 
-    /// Tells sheets where solids are in this pose.
+    /// Places the solids that sheets collide with in this pose.
     void place_solids(gpu::Device& device, const Scene& scene, const ClothPose& pose,
                       const pose::MeshData& layout, cloth::ClothBodies bodies);
 
-    /// What is told next holds for the beginning of the next run too.
+    /// Makes the pose that is set next valid for the beginning of the next run too, without interpolation
+    /// from an older pose.
     void forget_before()
     {
         sheets_.forget_before();
         joints_seen_.clear();
     }
 
-    /// Looks at bodies, if that is what they are to cloth and they are posed otherwise than when it last did.
+    /// Renders the bodies' depth maps, if the style uses them and the bodies' pose changed.
     void add_bodies(gpu::Graph& graph, cloth::Cloths::Handles& handles, const pose::PoseData& pose,
                     gpu::BufferId posed_vertices);
 
-    /// Takes steps: sheets hang on vertices as they are posed at the end, where solids have been placed too.
+    /// Declares steps. Sheets are held by vertices as posed at the end of the steps; solids must have been
+    /// placed for that moment too.
     void add_steps(gpu::Graph& graph, cloth::Cloths::Handles& handles, const ClothSteps& steps,
                    const pose::PoseData& pose, const glm::dvec3& anchor, gpu::BufferId posed_vertices);
 
-    /// The boxes that sheets were in since the last call (anchor space), and one without end where any of
-    /// them may come anywhere.
+    /// The boxes that the sheets occupied since the last call (anchor space); an infinite one if a sheet may
+    /// get anywhere.
     [[nodiscard]] std::vector<Bounds> sweep(const pose::PoseData& pose);
 
-    /// Where sheets are carried to since the last call: none, unless one hangs on what was put elsewhere
+    /// Transforms that carry the sheets along since the last call. Empty unless what holds a sheet jumped
     /// within `time_s`, or the anchor moved.
     [[nodiscard]] std::vector<glm::mat4> carries(const pose::PoseData& pose, const glm::dvec3& anchor,
                                                  double time_s);
 
-    /// The next picture is of something else.
+    /// The next picture starts the simulation again.
     void forget() { time_s_.reset(); }
 
-    /// Steps up to then have run.
+    /// Records that the steps up to `time_s` have run.
     void stands_at(double time_s) { time_s_ = time_s; }
 
     [[nodiscard]] std::optional<double> time_s() const { return time_s_; }
 
-    /// The next picture goes on from sheets as they were then.
+    /// The next picture continues from this state.
     void recall(double time_s, std::vector<gpu::Buffer> state)
     {
         sheets_.recall(std::move(state));
@@ -117,56 +120,56 @@ public:
         is_taken_up_ = true;
     }
 
-    /// The next picture goes on from where the same sheets stood that were cut from another layout, told from
-    /// the same anchor; of others nothing is taken.
+    /// Continues from the sheets of another layout, if they are the same sheets. The caller checks that the
+    /// anchor is the same.
     void go_on_from(MovingCloth& other);
 
-    /// Lets triangles of `layout` fall together that are torn, and puts back those that are not; returns
-    /// whether any is otherwise than before. `torn` is what sheets().torn() holds.
+    /// Collapses torn triangles of `layout` and restores whole ones. Returns whether any triangle changed.
+    /// `torn` is the content of sheets().torn().
     [[nodiscard]] bool tear_triangles(pose::MeshData& layout, std::span<const glm::uvec2> torn) const;
 
-    bool has_moved = false; ///< the device has yet to pose the sheets' vertices
+    bool has_moved = false; ///< the device must still pose the sheets' vertices
 
 private:
     struct Cut {
-        std::vector<uint32_t> draws; ///< one a sheet
+        std::vector<uint32_t> draws; ///< one per sheet
         std::vector<cloth::Sheet> sheets;
         std::vector<cloth::DrawnSheet> drawn;
     };
 
-    /// What sheets are in at a moment on the way to a picture.
+    /// Wind, time and origin for the steps that begin at a moment.
     [[nodiscard]] cloth::Surroundings surroundings(double time_s, const Scene& scene,
                                                    const StyleTables& style, const RenderSettings& settings,
                                                    const glm::dvec3& anchor) const;
     [[nodiscard]] std::vector<glm::mat4> places_of_draws(const pose::PoseData& pose) const;
     [[nodiscard]] std::vector<SheetPlace> sheet_places(const pose::PoseData& pose) const;
 
-    /// What sheets stay in between the last pose and this; nothing where one of them may come anywhere.
+    /// Boxes that contain the sheets between the last pose and this one; empty if a sheet may get anywhere.
     [[nodiscard]] std::vector<cloth::SheetReach> stays_in(std::span<const SheetPlace> now);
     void tell_bodies(gpu::Device& device, const Scene& scene, const pose::MeshData& layout);
     [[nodiscard]] static Cut cut(const Scene& scene, const pose::MeshData& layout);
     MovingCloth(gpu::Device& device, Cut&& cut);
 
-    /// What a sheet is cut from: a node, a primitive of its mesh, an instance.
+    /// The source of a sheet: node, primitive of its mesh, instance.
     using CutFrom = std::tuple<Index, uint32_t, uint32_t>;
 
     cloth::Cloths sheets_;
     std::vector<uint32_t> draws_;
-    std::vector<CutFrom> cut_from_; ///< one a sheet
+    std::vector<CutFrom> cut_from_; ///< one per sheet
     std::vector<BoneCapsule> bones_;
-    std::optional<std::vector<SeenBody>> bodies_; ///< from when they are asked for
-    bool are_seen_ = false;                       ///< in place of capsules
-    std::vector<glm::mat4> joints_seen_;          ///< how bodies were posed when they were last looked at
+    std::optional<std::vector<SeenBody>> bodies_; ///< made when the style first needs depth maps
+    bool are_seen_ = false;                       ///< depth maps replace the capsules
+    std::vector<glm::mat4> joints_seen_;          ///< pose of the bodies in the depth maps
     std::vector<float> morphs_seen_;
     SolidGrids grids_;
-    std::vector<Bounds> reaches_;              ///< one a sheet, in object space
-    bool all_hang_ = false;                    ///< every particle of every sheet on one that is held
+    std::vector<Bounds> reaches_;              ///< one per sheet, in object space
+    bool all_hang_ = false;                    ///< every particle is connected to a held one
     std::vector<cloth::SheetReach> stayed_in_; ///< in the last pose
     std::vector<Bounds> swept_before_;
     std::vector<glm::mat4> places_before_;
     glm::dvec3 anchor_before_{0.0};
     std::optional<double> time_s_;
-    bool is_still_ = false; ///< and nothing but a still's
+    bool is_still_ = false; ///< the last picture was a still
     bool is_taken_up_ = false;
     uint32_t animation_ = 0;
     cloth::WindStyle wind_;

@@ -52,7 +52,7 @@ TEST(SolidGrids, GroundIsSampledAnewWhereItIsAnother)
     EXPECT_FALSE(SolidGrids().follow_ground(Scene{}, one_box, {}, 0.0));
 }
 
-/// What hangs high above the ground does not meet it, and so nobody asks how high that is.
+/// A sheet high above the ground cannot touch it, so the ground is not sampled.
 TEST(SolidGrids, GroundIsNearWhereSheetsMayComeDown)
 {
     const Scene scene = on_ground("2 + 0.5 * x");
@@ -66,7 +66,7 @@ TEST(SolidGrids, GroundIsNearWhereSheetsMayComeDown)
     EXPECT_FALSE(grids.ground());
     auto both = flag_at(5.0);
     both.push_back(flag_at(2.5).front());
-    both.back().box.min.x = -30.0; // so that the whole is another place
+    both.back().box.min.x = -30.0; // so that the sheets' common box changes
     EXPECT_TRUE(grids.follow_ground(scene, both, {}, 0.0));
     ASSERT_TRUE(grids.ground());
     const cloth::SolidGrid& grid = grids.grids().at(grids.ground()->grid);

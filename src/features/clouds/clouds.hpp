@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the clouds of a picture are drawn from.
+// The buffers of a picture's clouds.
 
 #include "features/common/feature.hpp"
 #include "gpu/resources.hpp"
@@ -11,21 +11,21 @@ namespace estampe::features {
 
 class Clouds final : public Feature {
 public:
-    /// Clouds are of the style and its time alone: nothing that happens to a scene outdates them.
+    /// Clouds depend only on the style and its time: no change of the scene makes them obsolete.
     void invalidate(Event /*event*/) override {}
 
-    /// Uploads the clouds of a plan; their shapes only where they are others than before.
+    /// Uploads the clouds of a plan; their shapes only if they changed.
     void upload(gpu::Device& device, const sky::CloudPlan& plan);
 
-    /// The shapes that were planned last, for sky::plan_clouds().
+    /// The shapes planned last, for sky::plan_clouds().
     [[nodiscard]] sky::CloudMemory& memory() { return memory_; }
 
-    /// What was uploaded, for sky::add_clouds() and sky::add_cloud_shadow().
+    /// Handles of the uploaded buffers, for sky::add_clouds() and sky::add_cloud_shadow().
     [[nodiscard]] sky::CloudHandles import(gpu::Graph& graph);
 
 private:
     sky::CloudMemory memory_;
-    std::shared_ptr<const sky::CloudShapes> shapes_; ///< what starts, puffs and streaks hold
+    std::shared_ptr<const sky::CloudShapes> shapes_; ///< the shapes in starts_, puffs_ and streaks_
     gpu::Buffer globals_;
     gpu::Buffer starts_;
     gpu::Buffer puffs_;

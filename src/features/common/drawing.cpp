@@ -13,38 +13,40 @@ namespace estampe::features {
 const style::Table<DrawingStyle>& drawing_table()
 {
     static const auto table =
-        style::Table<DrawingStyle>("drawing", "The drawing as a whole: factors over what the preset says")
+        style::Table<DrawingStyle>("drawing",
+                                   "The drawing as a whole: factors that multiply the values of the preset")
             .number(
                 "line_weight", &DrawingStyle::line_weight, {0.1F, 10.0F}, "",
                 "Width of all ink lines, as a factor: 2 draws lines twice as wide as the preset, 0.5 half "
                 "as wide")
             .number("hatch_spacing", &DrawingStyle::hatch_spacing, {0.1F, 10.0F}, "",
-                    "Distance between hatching strokes or dots, as a factor: 2 is coarse, 0.5 fine. Strokes "
-                    "widen along with it, so tones stay.")
+                    "Distance between hatching strokes or dots, as a factor: 2 is coarse, 0.5 is fine. The "
+                    "strokes widen with the distance, so tones keep their darkness.")
             .number("hatch_weight", &DrawingStyle::hatch_weight, {0.1F, 10.0F}, "",
-                    "Width of hatching strokes at the same distance, as a factor: more draws heavier, darker "
-                    "hatching")
+                    "Width of hatching strokes, as a factor: more draws heavier, darker hatching. The "
+                    "distance between strokes does not change.")
             .number("darkness", &DrawingStyle::darkness, {0.1F, 10.0F}, "",
-                    "Darkness of the tones, as a factor: more closes them, less leaves more white paper")
+                    "Darkness of the tones, as a factor: more gives a darker drawing, less leaves more white "
+                    "paper")
             .number("contrast", &DrawingStyle::contrast, {0.1F, 10.0F}, "",
-                    "Contrast of the tones, as a factor: less is flat and even, more gives whites and blacks")
+                    "Contrast of the tones, as a factor: less is flat and even, more pushes tones towards "
+                    "white and black")
             .number("detail", &DrawingStyle::detail, {0.0F, 4.0F}, "",
                     "Detail within objects, as a factor: 0 draws outlines and flat colour, more draws more "
                     "folds, texture and inner lines")
-            .number(
-                "wobble", &DrawingStyle::wobble, {0.0F, 10.0F}, "",
-                "Unsteadiness of the hand, as a factor: 0 is ruled with a machine, more is a shaky sketch")
-            .number(
-                "color", &DrawingStyle::color, {0.0F, 2.0F}, "",
-                "Strength of the colour, as a factor: 0 draws in ink alone, 1 as the preset, 2 paints more "
-                "strongly")
+            .number("wobble", &DrawingStyle::wobble, {0.0F, 10.0F}, "",
+                    "Unsteadiness of the hand, as a factor: 0 draws exact lines as with a ruler, more looks "
+                    "like a shaky sketch")
+            .number("color", &DrawingStyle::color, {0.0F, 2.0F}, "",
+                    "Strength of the colour, as a factor: 0 draws in ink alone, 1 keeps the colour of the "
+                    "preset, 2 paints more strongly")
             .choice("paper", &DrawingStyle::paper,
                     {{"preset", PaperKind::preset},
                      {"white", PaperKind::white},
                      {"cream", PaperKind::cream},
                      {"none", PaperKind::none}},
-                    "Paper below the drawing. preset: as the preset says; white, cream: plain paper of that "
-                    "colour; none: transparent, to lay the drawing over something else.")
+                    "Paper below the drawing. preset: the paper of the preset; white, cream: plain paper of "
+                    "that colour; none: a transparent background, to lay the drawing over another picture.")
             .integer(
                 "seed", &DrawingStyle::seed, {0, 1000000}, "",
                 "Random seed of the whole drawing: another value gives other strokes, lines, paper, clouds "
@@ -58,7 +60,7 @@ class Change {
 public:
     explicit Change(StyleTables& style) : style_(style) {}
 
-    /// Multiplies a number all over the picture, and where single materials and objects have their own.
+    /// Multiplies a number of the picture's style, and of every override that sets it.
     void multiply(std::string_view key, float factor)
     {
         const style::AnySchema::Found found = style_schema().find(key);
@@ -123,7 +125,7 @@ constexpr std::array<std::string_view, 4> fewer_inner_lines{
     "contour.crease.angle_deg", "contour.ridge.turn_deg", "contour.suggestive.growth",
     "contour.crest.angle_deg"};
 
-/// Takes a share of a colour's difference from the grey of the same luminance (ITU-R BT.709).
+/// Blends a colour towards the grey of the same luminance (ITU-R BT.709); `kept` 1 leaves it unchanged.
 void fade_to_grey(glm::vec3& color, float kept)
 {
     const float grey = glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F));

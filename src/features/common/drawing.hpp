@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The first page of a style: a few factors over whatever the preset says, for who draws.
+// Section [drawing] of a style: the few factors that an artist reaches for first, applied to whatever the
+// preset says.
 
 #include <cstdint>
 
@@ -13,7 +14,7 @@ struct StyleTables;
 
 enum class PaperKind : uint8_t { preset, white, cream, none };
 
-/// Factors; 1 leaves what the rest of the style says.
+/// Each factor multiplies the rest of the style; 1 changes nothing.
 struct DrawingStyle {
     float line_weight = 1.0F;
     float hatch_spacing = 1.0F;
@@ -31,9 +32,9 @@ struct DrawingStyle {
 
 [[nodiscard]] const style::Table<DrawingStyle>& drawing_table();
 
-/// The style with its section [drawing] carried out on all other sections and on what single materials and
-/// objects have otherwise; values are kept within their ranges. Returns `style` itself if the section changes
-/// nothing, else `room`, whose memory is used again. Cost: some microseconds.
+/// Applies the section [drawing] to all other sections of the style and to its overrides for single
+/// materials and objects. Values stay within their ranges. Returns `style` itself if the section changes
+/// nothing, otherwise `room`, whose memory is reused. Cost: some microseconds.
 [[nodiscard]] const StyleTables& with_drawing(const StyleTables& style, StyleTables& room);
 
 } // namespace estampe::features

@@ -86,7 +86,7 @@ TEST(DrawingFactors, HaveOneSeedForAll)
     EXPECT_EQ(style.contour.outline.width_mm, StyleTables().contour.outline.width_mm);
 }
 
-/// A misspelt key would be a null section only when its factor is used.
+/// A factor with a misspelt key would fail only when it is used.
 TEST(DrawingFactors, AllNameParameters)
 {
     std::ignore = drawn({"drawing.line_weight=2", "drawing.hatch_spacing=2", "drawing.hatch_weight=2",

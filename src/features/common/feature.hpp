@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What every feature offers the renderer besides its own functions: to forget, and to outlive a run in the
-// memory of a film's frame, which is bytes: sections with a name and a version, one per feature.
+// The interface of all features of the renderer: a feature forgets what an event makes obsolete, and saves
+// its state between two frames of a film, as a named and versioned section of bytes.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,10 +18,10 @@
 
 namespace estampe::features {
 
-/// Throws Error: the bytes are no memory of a film's frame, or are damaged.
+/// Throws Error: the bytes are not the saved state of a film, or are damaged.
 [[noreturn]] void fail_damaged();
 
-/// What one section is written to.
+/// Collects the bytes of one section.
 class FilmWriter {
 public:
     FilmWriter(gpu::Device& device, gpu::Executor& executor) : device_(device), executor_(executor) {}
@@ -30,7 +30,7 @@ public:
 
     [[nodiscard]] gpu::Executor& executor() { return executor_; }
 
-    /// A value without padding: its bytes are the same for equal values.
+    /// Appends a value. The type must have no padding, so that equal values give equal bytes.
     template <typename T>
     void value(const T& value)
     {
@@ -40,10 +40,10 @@ public:
 
     void flag(bool is_set) { value(uint8_t{is_set}); }
 
-    /// The items alone; their number is for the caller to write.
+    /// Appends the items without their number; a caller who needs the number writes it first.
     void floats(std::span<const float> numbers) { append(std::as_bytes(numbers)); }
 
-    /// The contents of `buffers`, one after the other. Cost: a graph that copies them to the host.
+    /// Appends the contents of `buffers`, one after the other. Cost: a graph that copies them to the host.
     void buffers(std::span<gpu::Buffer* const> buffers);
 
     [[nodiscard]] std::vector<std::byte> take() { return std::move(bytes_); }
@@ -56,7 +56,7 @@ private:
     std::vector<std::byte> bytes_;
 };
 
-/// What one section is read from, in the order it was written. All functions throw Error past its end.
+/// Reads one section in the order it was written. All functions throw Error past the section's end.
 class FilmReader {
 public:
     FilmReader(gpu::Device& device, std::span<const std::byte> bytes) : device_(device), left_(bytes) {}
@@ -76,7 +76,7 @@ public:
 
     [[nodiscard]] std::vector<float> floats(uint64_t count);
 
-    /// A new buffer on the device with the next `size_bytes`.
+    /// Copies the next `size_bytes` into a new buffer on the device.
     [[nodiscard]] gpu::Buffer buffer(const char* name, uint64_t size_bytes);
 
     [[nodiscard]] bool is_at_end() const { return left_.empty(); }
@@ -88,27 +88,27 @@ private:
     std::span<const std::byte> left_;
 };
 
-/// What happened that may outdate what a feature keeps between pictures.
+/// Changes after which something that a feature keeps between pictures may be obsolete.
 enum class Event : uint8_t {
-    scene_replaced,    ///< set_scene(): what is drawn from now on is something else
-    layout_replaced,   ///< the scene's draws, vertices and triangles are numbered afresh
-    triangles_changed, ///< some triangles are flagged otherwise, or torn
-    ground_replaced,   ///< the terrain is cut into other triangles, after layout_replaced
-    lights_changed,    ///< shadows may fall otherwise
-    pose_changed,      ///< vertices are about to be posed otherwise than in the frame before
+    scene_replaced,    ///< set_scene() replaced the whole scene
+    layout_replaced,   ///< the scene's draws, vertices and triangles have new numbers
+    triangles_changed, ///< some triangles have other flags, or were torn
+    ground_replaced,   ///< the terrain has other triangles; follows layout_replaced
+    lights_changed,    ///< shadows may have changed
+    pose_changed,      ///< vertices will be posed differently from the frame before
     anchor_moved,      ///< positions on the device are relative to another origin
-    film_recalled,     ///< the next frame goes on from a film's memory, which holds nothing of this feature
+    film_recalled,     ///< a film's state was restored, without this feature's
 };
 
-/// The feature's part of a film's memory.
+/// The feature's section in the saved state of a film.
 struct FilmSection {
     std::string_view name;
-    uint32_t version = 1; ///< of the bytes that save() writes; load() is never given another version
+    uint32_t version = 1; ///< version of the bytes that save() writes; load() never gets another one
 };
 
-/// A part of the renderer that keeps buffers or state from picture to picture. A feature plans on the
-/// processor, records its passes into a frame graph, forgets what an event outdates, and saves what a film's
-/// next frame goes on from.
+/// A part of the renderer that keeps buffers or state from picture to picture. A feature plans on the CPU,
+/// records its passes into a frame graph, forgets what an event makes obsolete, and saves the state from
+/// which the film's next frame continues.
 class Feature {
 public:
     Feature() = default;
@@ -118,17 +118,17 @@ public:
     Feature& operator=(Feature&&) = delete;
     virtual ~Feature() = default;
 
-    /// Forgets what `event` outdates. Cost: nothing worth naming; buffers stay.
+    /// Forgets what `event` makes obsolete. Buffers stay allocated, so it costs almost nothing.
     virtual void invalidate(Event event) = 0;
 
-    /// None where nothing of the feature goes on from frame to frame.
+    /// Name and version of the saved section; none if the feature keeps no state from frame to frame.
     [[nodiscard]] virtual std::optional<FilmSection> film_section() const { return std::nullopt; }
 
-    /// Writes what load() makes the next frame go on from; nothing where the last frame left nothing.
+    /// Writes the state that load() restores; writes nothing if the last frame left no state.
     virtual void save(FilmWriter& /*writer*/) {}
 
-    /// Makes the next frame go on from what save() wrote. Throws Error when that is damaged, or of another
-    /// scene; the feature may then have forgotten what it had.
+    /// Restores the state that save() wrote, for the next frame. Throws Error if the bytes are damaged or
+    /// belong to another scene; the feature may have lost its former state by then.
     virtual void load(FilmReader& /*reader*/) {}
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each line of help of a style and of a ground's file stands alone.
+// Each help line of a style and of a terrain file must be understandable alone.
 #include <span>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Nodes that a program moves while the scene is drawn: where each stood lately.
+// Recent transforms of nodes that the calling program moves while the scene is drawn.
 
 #include <cstddef>
 #include <deque>
@@ -14,14 +14,14 @@ namespace estampe::features {
 
 class PlacedNodes {
 public:
-    /// How long before the newest moment something is still known.
+    /// How long a transform is remembered, counted back from the newest moment.
     static constexpr double remembered_s = 12.0;
 
-    /// They stand so at that moment; what was said of later ones is forgotten.
+    /// Records the nodes' transforms at a moment; forgets all records of later moments.
     void place(std::span<const NodePlace> places, double time_s);
 
-    /// Puts the scene's nodes where they stood at a moment: on the straight way between two that are known,
-    /// at the ends before and after all of them.
+    /// Sets the scene's nodes to their transforms at a moment: interpolated between two recorded moments,
+    /// and held constant before the first and after the last.
     void put(Scene& scene, double time_s) const;
 
     [[nodiscard]] bool empty() const { return stands_.empty(); }
@@ -35,11 +35,11 @@ private:
     std::map<Index, std::deque<Stand>> stands_;
 };
 
-/// Throws Error for a node that is none, and for what is not finite.
+/// Throws Error if a node does not exist or a number is not finite.
 void check_places(std::span<const NodePlace> places, size_t node_count, double time_s);
 
-/// Takes the nodes' places out of the animations' hands, which are left with channels that say that they
-/// move. Returns whether a mesh was taken to stand for ever until now.
+/// Clears the animation channels of these nodes' transforms; channels without keys stay, and mark the nodes
+/// as moving. Returns whether a mesh moves now that counted as static until now.
 [[nodiscard]] bool take_over(Scene& scene, std::span<const NodePlace> places);
 
 } // namespace estampe::features

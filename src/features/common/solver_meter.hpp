@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the pressure solver of a fluid does in the steps of a picture.
+// Measures the pressure solver of a fluid: its time, and the divergence that it leaves.
 
 #include <optional>
 #include <string>
@@ -15,18 +15,19 @@ namespace estampe::features {
 
 class SolverMeter {
 public:
-    /// One that does not measure runs graphs, and nothing else.
+    /// With `measures` false, run() only runs graphs.
     SolverMeter(gpu::Device& device, gpu::Executor& executor, bool measures)
         : device_(device), executor_(executor), measures_(measures)
     {
     }
 
-    /// Runs a graph that ends with so many steps of `fluid`. Of the last graph of a picture the divergence is
-    /// read. Cost, where it measures: two passes of the last graph, and two numbers a cell from the device.
+    /// Runs a graph that ends with `steps` steps of `fluid`. Reads the divergence back after the last graph
+    /// of a picture. Cost when measuring: two passes in the last graph, and two numbers per cell from the
+    /// device.
     void run(gpu::Graph& graph, const fluid::Fluid& fluid, const fluid::FluidStyle& style,
              const fluid::FluidFields& fields, uint32_t steps, bool is_last);
 
-    /// None before the last graph, and where nothing is measured.
+    /// None before the last graph has run, or if nothing is measured.
     [[nodiscard]] std::optional<SolverReport> report() const { return report_; }
 
 private:

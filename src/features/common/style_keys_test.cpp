@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all keys of the style keep to, and the names that lead to them.
+// Naming rules of all style keys, and the keys suggested for other names.
 #include <array>
 #include <string>
 

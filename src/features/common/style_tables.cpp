@@ -19,7 +19,7 @@ const style::Table<PictureStyle>& picture_table()
             .auto_toggle(
                 "ground", &PictureStyle::ground,
                 "Blank ground below the scene: white paper that shows the scene's shadow. true: always; "
-                "false: never; auto: if the scene has no camera of its own and is not a room.");
+                "false: never; auto: only if the scene has no camera of its own and is not a room.");
     return table;
 }
 
@@ -62,7 +62,7 @@ namespace {
 
 using By = style::Surfaces::By;
 
-/// Which of the overrides speak of it, by their numbers.
+/// For each override, whether it applies.
 using Matches = std::vector<bool>;
 
 Matches matches_of(const std::vector<style::Override>& overrides, By by, const std::string& name)
@@ -82,7 +82,7 @@ void add(Matches& matches, const Matches& more)
     }
 }
 
-/// By node: what hangs on a node is meant with it.
+/// Per node. An override also applies to the node's descendants.
 std::vector<Matches> matches_of_nodes(const Scene& scene, const std::vector<style::Override>& overrides)
 {
     std::vector<Matches> own;
@@ -117,8 +117,8 @@ bool is_seen_through(const StyleTables& style, const Material& material)
            style.subsurface.transmission && !subsurface::is_clear(style.subsurface);
 }
 
-/// A variant for what the file says is seen through: strokes pale on it as behind a screen, colour tints
-/// where colour is painted.
+/// The variant of a transparent material: strokes are paler on it, as behind a screen, and its colour tints
+/// what lies behind where colour is painted.
 StyleTables seen_through(StyleTables variant, const Material& material)
 {
     variant.subsurface = subsurface::seen_through(variant.subsurface, material, variant.wash.strength);
@@ -165,10 +165,10 @@ StyleVariants style_variants(const pose::MeshData& meshes, const Scene& scene, c
         of_materials.push_back(matches_of(style.overrides, By::material, material.name));
     }
     std::map<Matches, uint32_t> variants{{Matches(style.overrides.size(), false), 0U}};
-    std::map<std::pair<uint32_t, Index>, uint32_t> clear_variants; // by variant and material
+    std::map<std::pair<uint32_t, Index>, uint32_t> clear_variants; // key: variant and material
     for (size_t draw = 0; draw < meshes.draws.size(); ++draw) {
         Matches matches(style.overrides.size(), false);
-        if (draw < meshes.sources.size()) { // else it is the ground
+        if (draw < meshes.sources.size()) { // a draw without source is the ground
             add(matches, of_nodes[meshes.sources[draw].node]);
             if (meshes.draws[draw].material < of_materials.size()) {
                 add(matches, of_materials[meshes.draws[draw].material]);

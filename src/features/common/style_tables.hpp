@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Every parameter of a style, and where single materials and objects are drawn otherwise than the rest.
+// Every parameter of a style, and the overrides for single materials and objects.
 
 #include <cstdint>
 #include <string>
@@ -39,7 +39,7 @@
 
 namespace estampe::features {
 
-/// What belongs to no technique: what stands on the page.
+/// Parameters that belong to no technique.
 struct PictureStyle {
     style::AutoToggle ground = style::AutoToggle::automatic;
 };
@@ -76,36 +76,37 @@ struct StyleTables {
     sky::SkyStyle sky;
     sky::CloudStyle clouds;
     paper::PaperStyle paper;
-    std::vector<style::Override> overrides; ///< what single materials and objects have otherwise
+    std::vector<style::Override> overrides; ///< parameters that single materials and objects set differently
 };
 
-/// The description of every parameter, made once, with the readers and writers of StyleTables:
-/// `style_schema().set(tables, "hatch.width_mm=0.5")`.
+/// Describes every parameter; made once. Reads and writes StyleTables: `style_schema().set(tables,
+/// "hatch.width_mm=0.5")`.
 [[nodiscard]] const style::Schema<StyleTables>& style_schema();
 
-/// The styles that occur in a picture, and which surface has which.
+/// The distinct styles within one picture, and the style of each draw.
 struct StyleVariants {
-    std::vector<StyleTables> styles;       ///< the first is that of the picture
-    std::vector<uint32_t> variant_of_draw; ///< numbers of `styles`; empty where there is but one
-    /// What is to be found of lines, for whichever variant: kinds have the width of their widest.
+    std::vector<StyleTables> styles;       ///< the first is the picture's own style
+    std::vector<uint32_t> variant_of_draw; ///< index into `styles` per draw; empty if there is only one style
+    /// The lines to search for, for all variants together: a kind is on if any variant draws it, with the
+    /// largest width.
     contour::ContourStyle lines;
 
     [[nodiscard]] bool has_several() const { return styles.size() > 1; }
 };
 
-/// Draws of which the same overrides speak share a variant. The list of styles takes `room`. Cost: linear in
-/// draws times overrides.
+/// Draws to which the same overrides apply share a variant. The list of styles reuses the memory of `room`.
+/// Cost: linear in draws times overrides.
 [[nodiscard]] StyleVariants style_variants(const pose::MeshData& meshes, const Scene& scene,
                                            const StyleTables& style, std::vector<StyleTables> room = {});
 
-/// The variant of each node by itself, as `styles` of them: what hangs on a node is meant with it. Cost:
-/// linear in nodes times overrides.
+/// The variant of each node: `variant_of_draw` has one entry per node. An override of a node also applies to
+/// its descendants. Cost: linear in nodes times overrides.
 [[nodiscard]] StyleVariants style_variants_of_nodes(const Scene& scene, const StyleTables& style);
 
-/// Of the patterns of the style's overrides those that name nothing in the scene, a line each.
+/// One message per pattern of the style's overrides that matches nothing in the scene.
 [[nodiscard]] std::vector<std::string> idle_overrides(const Scene& scene, const StyleTables& style);
 
-/// Whether a pattern of a style speaks of a node, or of one that it belongs to.
+/// Whether a pattern matches the name of a node or of one of its ancestors.
 [[nodiscard]] bool is_named(const Scene& scene, Index node, const std::string& pattern);
 
 } // namespace estampe::features

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures in which things are drawn in styles of their own.
+// Pictures in which some objects have a style of their own.
 #include <estampe/renderer.hpp>
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr RenderSettings variants_page{.width = 160, .height = 120};
 
-/// A box and a ball apart on a floor, in the sun.
+/// A box and a ball next to each other on a sunlit floor.
 Scene named_still_life()
 {
     Scene scene = test::scene_of(shapes::plane(6.0F, 6.0F));
@@ -47,7 +47,7 @@ Image draw_variants(const Style& style)
     return renderer.render(test::corner_camera, style, variants_page);
 }
 
-/// Where the only thing that is painted has colour.
+/// The pixels of an object, found by painting only that object.
 std::vector<bool> pixels_of(const std::string& object)
 {
     const Image image = draw_variants(
@@ -65,7 +65,7 @@ using Assignments = std::vector<std::string>;
 struct Otherwise {
     std::string name;
     Assignments base;
-    std::vector<std::string> keys; ///< with values, without what they are of
+    std::vector<std::string> keys; ///< assignments without their object
 };
 
 void PrintTo(const Otherwise& tested, std::ostream* to)
@@ -77,7 +77,7 @@ class OtherStyles : public testing::TestWithParam<Otherwise> {};
 
 TEST_P(OtherStyles, OfAThingAreThoseOfThePictureThere)
 {
-    // Whatever looks beyond its own pixel is left out.
+    // Effects that reach beyond a pixel are turned off.
     Assignments base{"contour.enabled=false", "bleed.enabled=false", "paper.ink_break=0"};
     base.insert(base.end(), GetParam().base.begin(), GetParam().base.end());
     Assignments all = base;
@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(
                               {"tam.angle_deg=70", "hatch.map_tone=blend"}}),
     [](const auto& tested) { return tested.param.name; });
 
-/// Widths and inks of an object's strokes, as far as they are outlines.
+/// Widths and inks of an object's outline strokes.
 struct Outlines {
     float widest_mm = 0.0F;
     glm::vec3 ink_srgb{0.0F};

@@ -10,7 +10,7 @@
 namespace estampe::features {
 namespace {
 
-/// A tower of "Brick" with a "Roof" hanging on it, a "Wall" beside them of "Brick_old", and the ground.
+/// Nodes: a tower of the material "Brick" with a child "Roof", a "Wall" of "Brick_old", and the ground.
 class StyleVariantsTest : public testing::Test {
 protected:
     StyleVariantsTest()

@@ -14,7 +14,7 @@
 namespace estampe::features {
 namespace {
 
-/// Which triangles each draw has in the map.
+/// The triangles of each draw that go into the atlas.
 std::vector<std::vector<uint32_t>> triangles_of_draws(const pose::MeshData& layout)
 {
     std::vector<std::vector<uint32_t>> of_draw(layout.draws.size());
@@ -24,7 +24,7 @@ std::vector<std::vector<uint32_t>> triangles_of_draws(const pose::MeshData& layo
     return of_draw;
 }
 
-/// By one of the file's sets of UVs, where one serves.
+/// A chart from one of the file's UV sets; none if neither set is usable.
 std::optional<charts::Chart> chart_of_uvs(const pose::MeshData& layout, const shared::DrawRecord& draw,
                                           const std::vector<uint32_t>& triangles,
                                           const std::vector<glm::vec3>& places)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A map that lies on all surfaces: each place of a triangle has a texel of its own, whose place and normal
-// follow the pose. What is found for texels can be kept, and spreads along the surface.
+// A texture atlas over all surfaces: each point of a triangle has its own texel, whose position and normal
+// follow the pose. Values computed per texel can be kept from picture to picture, and spread along the
+// surface.
 
 #include <cstdint>
 #include <vector>
@@ -14,20 +15,19 @@
 
 namespace estampe::features {
 
-/// The map as the shaders read it, see shaders/surface_map.glsl and shaders/map_corners.glsl.
+/// The atlas as the shaders read it, see shaders/surface_map.glsl and shaders/map_corners.glsl.
 struct SurfaceMapData {
-    uint32_t size = 0;         ///< texels a side
-    float texels_per_m = 0.0F; ///< in the rest pose
-    std::vector<glm::uvec4>
-        texels; ///< row by row: triangle + 1, or 0; weights of its second and third corner
-    std::vector<glm::vec2> corners; ///< three a triangle, in texels; negative where it lies in no map
-    uint32_t cut_draws = 0;         ///< whose coordinates serve for nothing, and which were cut into charts
+    uint32_t size = 0;              ///< texels per side
+    float texels_per_m = 0.0F;      ///< at the scale of the rest pose
+    std::vector<glm::uvec4> texels; ///< row by row: triangle + 1, or 0; weights of corners 2 and 3
+    std::vector<glm::vec2> corners; ///< three per triangle, in texels; negative outside the atlas
+    uint32_t cut_draws = 0;         ///< number of draws without usable UVs, which were cut into charts
 };
 
-/// Lays all that is opaque or masked into a square of `size` texels a side, but for ground and terrain: as
-/// one of its own sets of UVs lays it, the second before the first, where all triangles are there and none
-/// lies over another; else as charts that are cut, as `estampe bake` does. Throws Error when the charts do
-/// not fit. Cost: a few microseconds a triangle.
+/// Packs all opaque and masked surfaces except ground and terrain into a square of `size` texels per side. A
+/// draw keeps its own UVs (the second set is tried first) if they cover all its triangles without overlap;
+/// otherwise its triangles are cut into charts, as `estampe bake` does. Throws Error if the charts do not
+/// fit. Cost: a few microseconds per triangle.
 [[nodiscard]] SurfaceMapData make_surface_map(const pose::MeshData& layout, uint32_t size);
 
 /// A SurfaceMapData on the device.

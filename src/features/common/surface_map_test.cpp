@@ -16,7 +16,7 @@ SurfaceMapData map_of(const Scene& scene, uint32_t size)
     return make_surface_map(pose::build_meshes(scene, 0), size);
 }
 
-/// The share of the map that lies on surfaces.
+/// Share of the atlas that surfaces cover.
 double covered(const SurfaceMapData& map)
 {
     double count = 0.0;
@@ -32,7 +32,7 @@ TEST(SurfaceMap, TakesTheFilesCoordinatesWhereTheyServe)
     const SurfaceMapData own = map_of(scene, 64);
     EXPECT_EQ(own.cut_draws, 0U);
     EXPECT_GT(covered(own), 0.8);
-    // Upside down by its coordinates, it lies so in the map.
+    // A surface with UVs turned by 180 degrees is turned in the atlas too.
     const glm::vec2 before = own.corners.front();
     for (glm::vec2& uv : scene.meshes.front().primitives.front().uvs[0]) {
         uv = 1.0F - uv;
@@ -48,7 +48,7 @@ TEST(SurfaceMap, CutsWhatHasNone)
     for (const bool has_uvs : {false, true}) {
         Scene scene = test::scene_of(shapes::sphere(0.5F, 24, 16));
         auto& uvs = scene.meshes.front().primitives.front().uvs[0];
-        if (has_uvs) { // one over another
+        if (has_uvs) { // all triangles overlap
             std::ranges::fill(uvs, glm::vec2(0.5F));
         } else {
             uvs.clear();

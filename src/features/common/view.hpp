@@ -18,58 +18,59 @@ struct PixelRect {
     bool operator==(const PixelRect&) const = default;
 };
 
-/// A whole page in fewer pixels, in which is found what must not hang on tiles.
+/// The whole page at reduced resolution. Results that must not differ between tiles are computed on it.
 struct Survey {
-    PixelRect part;      ///< in pixels of the page; a little more than that where the size does not divide
-    uint32_t shrink = 1; ///< pixels of the page to one of the survey
+    PixelRect part;      ///< in page pixels; larger than the page if `shrink` does not divide its size
+    uint32_t shrink = 1; ///< page pixels per survey pixel, along each axis
 
     [[nodiscard]] glm::uvec2 size_px() const { return part.size_px / shrink; }
 };
 
-/// What a picture looks like from where: all that the shaders' FrameGlobals hold.
+/// Page, tile and sampling of a picture, for the shaders' FrameGlobals.
 struct ViewSettings {
     glm::uvec2 size_px{0};         ///< of the whole page
-    std::optional<PixelRect> tile; ///< of the page that is drawn; else all of it
-    std::optional<Survey> survey;  ///< the page in fewer pixels, which it then is
-    glm::dvec2 jitter_px{0.0};     ///< shift of the picture, within half a pixel
+    std::optional<PixelRect> tile; ///< part of the page to draw; none draws the whole page
+    std::optional<Survey> survey;  ///< replaces the page by one of fewer pixels
+    glm::dvec2 jitter_px{0.0};     ///< subpixel shift of the picture, within half a pixel
     double page_height_mm = 150.0;
-    float nearby_m = 1.0F; ///< see FrameGlobals
+    float nearby_m = 1.0F; ///< see FrameGlobals::nearby_m
 };
 
-/// From clip space of the page to that of a part of it: on the page y points down in both.
+/// Maps clip space of the page to clip space of a part of it. In both, y points down on the page.
 [[nodiscard]] glm::dmat4 crop_of(const PixelRect& part, glm::uvec2 page_px);
 
-/// What a frame's motion looks back to.
+/// The two views between which a frame's motion is measured.
 struct MotionPlan {
-    glm::mat4 clip_from_anchor{1.0F}; ///< without the shift of a sample
+    glm::mat4 clip_from_anchor{1.0F}; ///< without the subpixel shift of a sample
     glm::mat4 clip_from_anchor_before{1.0F};
-    bool pose_moved = false; ///< vertices were others then: MeshBuffers::posed_vertices[1] has them
+    bool pose_moved = false; ///< vertices moved; MeshBuffers::posed_vertices[1] holds the former ones
 };
 
-/// Camera matrices in reversed z: infinite far plane in perspective; in parallel projection a depth that
-/// holds `bounds`. Positions are taken relative to `anchor` in double precision before they become floats.
+/// Camera matrices with reversed z: in perspective with an infinite far plane, in parallel projection with a
+/// depth range that contains `bounds`. Positions become relative to `anchor` in double precision, before
+/// they are rounded to floats.
 [[nodiscard]] shared::FrameGlobals frame_globals(const Camera& camera, const Bounds& bounds,
                                                  const glm::dvec3& anchor, const ViewSettings& settings);
 
-/// From anchor space to the clip space of what is drawn: of the page, or of a tile.
+/// Maps anchor space to the clip space of the drawn tile, or of the page if all of it is drawn.
 [[nodiscard]] glm::mat4 drawn_clip(const shared::FrameGlobals& globals);
 
-/// The same of every second pixel each way, of those at even places of the page.
+/// The globals of a picture of half the resolution, which samples the pixels at even page coordinates.
 [[nodiscard]] shared::FrameGlobals every_second(shared::FrameGlobals globals);
 
-/// How far from the eye the nearest fifth of some thousand of `places` is, in their unit; 0 if there are
-/// none. It changes smoothly as the eye moves.
+/// Distance from the eye within which the nearest fifth of `places` lies, in their unit; at most 4096 of
+/// them are sampled. 0 without places. The result changes smoothly as the eye moves.
 [[nodiscard]] float nearby(std::span<const glm::vec3> places, const glm::vec3& eye);
 
-/// Of a page that is `height_px` pixels high.
+/// Pixels per millimetre of a page that is `height_px` pixels high.
 [[nodiscard]] float pixels_per_mm(uint32_t height_px, double page_height_mm);
 
-/// What a pixel of the page spans in the scene.
+/// Size of a page pixel in the scene.
 struct PixelSize {
-    float at_one_m = 0.001F; ///< at a distance of one; in parallel projection at any
+    float at_one_m = 0.001F; ///< at a distance of one metre; in parallel projection at any distance
     bool is_parallel = false;
 
-    /// At a distance from the eye.
+    /// The size at a distance from the eye.
     template <std::floating_point Number>
     [[nodiscard]] Number at(Number distance_m) const
     {
@@ -77,12 +78,13 @@ struct PixelSize {
     }
 };
 
-/// The camera that shows in a window of `share` of the page's height what `camera` shows on the whole page.
+/// A camera of wider view: a centred window of `share` of its page's height shows what `camera` shows on the
+/// whole page.
 [[nodiscard]] Camera seen_within(const Camera& camera, double share);
 
 [[nodiscard]] PixelSize pixel_size(const Camera& camera, uint32_t height_px);
 
-/// The `index`th of `count` shifts that cover a pixel evenly (Halton 2, 3), none for a single one.
+/// Subpixel shift number `index` of `count`: Halton sequence with bases 2 and 3. Zero if `count` is 1.
 [[nodiscard]] glm::dvec2 jitter(uint32_t index, uint32_t count);
 
 } // namespace estampe::features

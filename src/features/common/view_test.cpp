@@ -9,7 +9,7 @@
 namespace estampe::features {
 namespace {
 
-/// A row of places one metre apart, from one metre on.
+/// A row of places at distances of 1, 2, 3 ... metres.
 std::vector<glm::vec3> row(int count)
 {
     std::vector<glm::vec3> places;

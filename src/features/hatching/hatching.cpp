@@ -88,9 +88,8 @@ std::optional<shadow::HatchedLines> hatched_lines(const hatch::HatchStyle& style
 
 namespace {
 
-/// Triangles of one draw, and where they stand among all.
 struct DrawTriangles {
-    std::vector<uint32_t> indices; ///< into the vertices of the draw
+    std::vector<uint32_t> indices; ///< into the draw's vertices
     std::vector<size_t> numbers;
 };
 
@@ -138,7 +137,7 @@ tam::TonalArtMap drawn_or_kept(const tam::TamStyle& style)
         try {
             return tam::load_tam(path);
         } catch (const Error&) {
-            // Damaged: drawn and kept anew below.
+            // A damaged file is ignored: the map is drawn and written again below.
         }
     }
     tam::TonalArtMap map = tam::make_map(style);
@@ -147,7 +146,7 @@ tam::TonalArtMap drawn_or_kept(const tam::TamStyle& style)
             std::filesystem::create_directories(path.parent_path());
             tam::save_tam(map, path);
         } catch (const std::exception&) {
-            // A full or read-only disk costs a second the next time, and nothing else.
+            // On a full or read-only disk the map is drawn again next time.
         }
     }
     return map;
@@ -171,7 +170,7 @@ std::filesystem::path kept_map(const tam::TamStyle& style)
     }
     Hash hash;
     hash.add_text(style::Schema(tam::tam_table()).to_toml(style));
-    hash.add(style.seed); // no parameter of the table: drawing.seed sets it
+    hash.add(style.seed); // `seed` is not in the table: drawing.seed sets it
     return folder / "estampe" / fmt::format("map-{}-{:016x}.tam", tam::drawing_version, hash.value());
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Strokes from picture to picture: the tonal art maps they come from, and what they follow on each surface,
-// which is decided from the style and what the meshes can offer.
+// Hatching from picture to picture: the tonal art maps of the strokes, and the direction that strokes follow
+// on each surface, chosen from the style and from what the meshes provide.
 
 #include <cstdint>
 #include <filesystem>
@@ -23,7 +23,7 @@ namespace estampe::features {
 
 struct StrokePlan {
     std::vector<uint32_t> kind_of_draw; ///< numbered as in shaders/stroke_kind.glsl.h
-    uint32_t present = 0;               ///< a bit for each kind that occurs
+    uint32_t present = 0;               ///< one bit per kind that occurs
     glm::vec2 ground_wind{1.0F, 0.0F};  ///< horizontal direction x, z
 
     [[nodiscard]] bool has(uint32_t kind) const { return (present >> kind & 1U) != 0; }
@@ -36,23 +36,23 @@ struct StrokePlan {
     }
 };
 
-/// What the strokes of each draw follow: what its style variant asks for, if its surface has it. UVs are
-/// followed only where there are any; grounds have no form, dunes keep to their slopes. The list takes
-/// `room`. Cost: linear in draws.
+/// Chooses what the strokes of each draw follow: the choice of its style variant if its surface allows it.
+/// Strokes follow UVs only on meshes that have them; a ground has no form, and dunes use their slope. The
+/// list reuses the memory of `room`. Cost: linear in draws.
 [[nodiscard]] StrokePlan plan_strokes(const pose::MeshData& meshes, const StyleVariants& looks,
                                       std::vector<uint32_t> room = {});
 
-/// The lines of the hatching that edges of shadows can follow; none where no lines are drawn.
+/// The hatching lines that shadow edges can follow; none if the hatching is not made of lines.
 [[nodiscard]] std::optional<shadow::HatchedLines>
 hatched_lines(const hatch::HatchStyle& style, const glm::vec3& towards_light, const StrokePlan& strokes);
 
-/// Coordinates along the form in the rest pose, three a triangle, zero where a draw does not follow it.
-/// Cost: see form::follow_form; each draw by itself.
+/// Coordinates along the form in the rest pose, three per triangle; zero for draws that do not follow the
+/// form. Cost: form::follow_form() per draw.
 [[nodiscard]] std::vector<glm::vec2> form_coordinates(const pose::MeshData& meshes, const StrokePlan& plan);
 
-/// What a map depends on.
+/// Everything on which a tonal art map depends.
 struct MapChoice {
-    std::string file; ///< empty: drawn as `drawn` says
+    std::string file; ///< path of a map; empty draws one by `drawn`
     tam::TamStyle drawn;
     hatch::MapTone tone = hatch::MapTone::order;
     float contrast = 1.0F;
@@ -62,19 +62,20 @@ struct MapChoice {
 
 [[nodiscard]] MapChoice map_choice(const StyleTables& style);
 
-/// Reads the file, or draws the map. A map that was drawn is kept in `estampe` under $XDG_CACHE_HOME, or
-/// ~/.cache, and read from there the next time; where that cannot be it is drawn again. Throws Error naming
-/// the file when it is not a map, or the style when it cannot be drawn. Cost: about a second to draw 512 px
-/// and six tones; 50 ms to read them.
+/// Reads the map's file, or draws the map. A drawn map is cached in `estampe` under $XDG_CACHE_HOME or
+/// ~/.cache; without a usable cache it is drawn every time. Throws Error naming the file if it is not a map,
+/// or naming the style if the map cannot be drawn. Cost: about a second to draw 512 px and six tones; 50 ms
+/// to read them.
 [[nodiscard]] hatch::MapData load_map(const MapChoice& choice);
 
-/// The maps of a picture's looks on the device, kept from picture to picture.
+/// Tonal art maps on the device, one per distinct choice among the style variants, kept from picture to
+/// picture.
 class TonalMaps {
 public:
-    /// Loads what the styles of looks ask for and is not there yet. Throws Error as load_map().
+    /// Loads the maps that the variants need and that are not loaded yet. Throws Error as load_map() does.
     void ensure(gpu::Device& device, const std::vector<StyleTables>& looks);
 
-    /// That of a look; null where its strokes come from none.
+    /// The map of a style variant; null if its strokes use no map.
     [[nodiscard]] hatch::MapImages* of_look(size_t look)
     {
         return place_of_look_.at(look) ? &maps_.at(*place_of_look_[look]).images : nullptr;
@@ -90,36 +91,35 @@ private:
     std::vector<std::optional<size_t>> place_of_look_;
 };
 
-/// Where load_map() keeps the map of `style`; empty when there is no place for it.
+/// The cache file of the map of `style`; empty without a cache folder.
 [[nodiscard]] std::filesystem::path kept_map(const tam::TamStyle& style);
 
 class Hatching final : public Feature {
 public:
-    /// What strokes follow is numbered by draws, and the coordinates along the form by triangles.
+    /// Forgets the stroke kinds when draws or triangles get new numbers.
     void invalidate(Event event) override;
 
-    /// Uploads what the strokes of each draw follow. Cost: nothing where that is as before; otherwise linear
-    /// in triangles where strokes follow the form.
+    /// Uploads what the strokes of each draw follow. Costs nothing if that is unchanged; otherwise linear in
+    /// triangles if strokes follow the form.
     void ensure_strokes(gpu::Device& device, const pose::MeshData& layout, const StrokePlan& strokes);
 
-    /// One map per style variant.
+    /// Tonal art maps of the style variants.
     [[nodiscard]] TonalMaps& maps() { return maps_; }
 
-    /// How the surfaces of each style variant are hatched, once their maps are there. Valid until the next
-    /// call.
+    /// How each style variant is hatched; needs TonalMaps::ensure() first. Valid until the next call.
     [[nodiscard]] const std::vector<hatch::LookHatch>& looks(gpu::Graph& graph,
                                                              const std::vector<StyleTables>& styles);
 
-    /// One kind per draw, as shaders/stroke_kind.glsl.h numbers them.
+    /// One kind per draw, numbered as in shaders/stroke_kind.glsl.h.
     [[nodiscard]] gpu::Buffer& kinds() { return kinds_; }
 
-    /// Three per triangle, where strokes follow the form.
+    /// Three per triangle; empty if no strokes follow the form.
     [[nodiscard]] gpu::Buffer& form_coordinates() { return form_coordinates_; }
 
 private:
     TonalMaps maps_;
-    std::vector<hatch::LookHatch> looks_; ///< its room serves the next frame
-    std::vector<uint32_t> kind_of_draw_;  ///< what `kinds_` holds
+    std::vector<hatch::LookHatch> looks_; ///< kept for its memory
+    std::vector<uint32_t> kind_of_draw_;  ///< the content of `kinds_`
     gpu::Buffer kinds_;
     gpu::Buffer form_coordinates_;
 };

@@ -12,7 +12,7 @@
 namespace estampe::features {
 namespace {
 
-/// A ball with UVs in "Skin", a ball without in "Sea", and the ground.
+/// A ball with UVs and the material "Skin", a ball without UVs and the material "Sea", and the ground.
 Scene two_balls()
 {
     Scene scene;
@@ -29,7 +29,7 @@ Scene two_balls()
 
 class Strokes : public testing::Test {
 protected:
-    /// `own` is what the material Sea follows, if it differs.
+    /// `own` overrides the stroke coordinates of the material Sea.
     [[nodiscard]] StyleVariants styles(hatch::Coordinates coordinates, const char* own = nullptr) const
     {
         StyleTables style;

@@ -11,7 +11,7 @@
 namespace estampe::features {
 namespace {
 
-/// Points the cache at a folder of its own for as long as it lives.
+/// Sets the cache to a folder of its own during its lifetime.
 class CacheFolder {
 public:
     CacheFolder()

@@ -35,7 +35,7 @@ void note_if_idle(const Scene& scene, const std::string& pattern, const char* ke
     }
 }
 
-/// What a zone does, before it is anywhere.
+/// The effect of a zone, without its place.
 struct ZoneWords {
     float blow_mm_per_s = 0.0F;
     float turn_deg_s = 0.0F;
@@ -65,7 +65,7 @@ ZoneWords zone_words(const std::string& text)
     return words;
 }
 
-/// Where on the page a point is, in millimetres; nothing behind the eye.
+/// A point's place on the page in millimetres; none behind the eye.
 std::optional<glm::dvec2> page_place_mm(const ZoneView& view, const glm::dvec3& point)
 {
     const glm::dvec4 clip = glm::dmat4(view.page.clip_from_anchor) * glm::dvec4(point - view.anchor, 1.0);
@@ -155,10 +155,10 @@ std::vector<shared::InkZone> ink_zones(const ZoneView& view, std::string_view te
 namespace {
 
 constexpr double steps_per_s = 24.0; ///< at least
-constexpr double spin_up_s = 3.0;    ///< from rest
+constexpr double spin_up_s = 3.0;    ///< time for which new water is stirred from rest
 constexpr float metres_per_mm = 1e-3F;
 
-/// The page and no more, walled, 64 cells along its longer side. y goes down.
+/// A grid of exactly the page, with walls, and 64 cells along the longer side. y points down.
 fluid::Grid grid_of(glm::vec2 page_mm)
 {
     constexpr float most = 64.0F;
@@ -169,8 +169,7 @@ fluid::Grid grid_of(glm::vec2 page_mm)
     return {.cells = {cells, 1}, .cell_m = metres_per_mm * cell_mm, .edges = {wall, wall, wall}};
 }
 
-/// Where the given flow has a hold on the water: discs on a lattice, as far apart as smaller swirls are
-/// large, and the zones.
+/// The places where the given flow pushes the water: discs on a lattice, half a swirl apart, and the zones.
 class Spoons {
 public:
     Spoons(const ink::InkStyle& style, glm::vec2 page_mm, const std::vector<shared::InkZone>& zones)
@@ -186,7 +185,7 @@ public:
 
     [[nodiscard]] std::vector<fluid::Source> at(double time_s) const
     {
-        constexpr float stronger = 2.0F; // than the water, which comes to about the swirls' own speed by that
+        constexpr float stronger = 2.0F; // moves the water at about the swirls' own speed
         const auto phases = ink::phases_at(waves_, time_s);
         std::vector<fluid::Source> sources;
         for (uint32_t i = 0; i < counts_.x * counts_.y; ++i) {
@@ -227,8 +226,8 @@ private:
     float radius_mm_ = 1.0F;
 };
 
-/// The stream function at the corners of cells, square millimetres a second: 0 along the walls. What flows
-/// to the right through a face is its difference along it.
+/// The stream function at the corners of cells, in mm²/s; 0 along the walls. Its difference along a face is
+/// the flow to the right through the face.
 class Corners {
 public:
     Corners(const fluid::Grid& grid, const std::vector<float>& velocity)
@@ -245,7 +244,7 @@ public:
         }
     }
 
-    /// `place` in shares of the page.
+    /// Interpolates at `place`, from 0 to 1 across the page.
     [[nodiscard]] float at(glm::vec2 place) const
     {
         const glm::vec2 corner = place * glm::vec2(glm::uvec2(counts_) - 1U);
@@ -270,7 +269,7 @@ std::vector<float> velocity_of(gpu::Device& device, gpu::Executor& executor, flu
     return fluid::run_and_read(device, executor, graph, velocity);
 }
 
-/// Returns what the meter found; nothing where no step is taken.
+/// Stirs the water from one moment to another. Returns the meter's report; none if no step was needed.
 std::optional<SolverReport> pass(fluid::Fluid& fluid, SolverMeter meter, const Spoons& spoons, double from_s,
                                  double to_s)
 {
@@ -278,7 +277,8 @@ std::optional<SolverReport> pass(fluid::Fluid& fluid, SolverMeter meter, const S
     const double step_s = count > 0 ? (to_s - from_s) / count : 0.0;
     const fluid::FluidStyle style{.step_s = static_cast<float>(step_s),
                                   .stepping = fluid::Stepping::project,
-                                  // What splines would keep in jets is to spread over the page.
+                                  // MacCormack spreads motion over the page; cubic interpolation would keep
+                                  // it in jets.
                                   .velocity_advection = fluid::Advection::maccormack,
                                   .forces = {.friction_per_s = 0.1F}};
     for (uint32_t done = 0; done < count;) {
@@ -396,7 +396,7 @@ void save_camera(FilmWriter& writer, const Camera& camera)
     writer.value(camera.up);
     writer.value(camera.vertical_fov_rad);
     writer.value(camera.near_m);
-    writer.value(camera.orthographic_half_height_m.value_or(-1.0)); // negative: in perspective
+    writer.value(camera.orthographic_half_height_m.value_or(-1.0)); // negative means perspective
 }
 
 Camera load_camera(FilmReader& reader)
@@ -519,7 +519,7 @@ std::optional<InkPlan> FlowingInk::ensure(gpu::Device& device, gpu::Executor& ex
     }
     plan.ink.mask = ink_mask(in.layout, in.scene, style.objects, notes);
     memory_.ensure(device, style, plan.ink);
-    memory_.forget(); // until it has been drawn
+    memory_.forget(); // invalid until drawn() is called
     return plan;
 }
 

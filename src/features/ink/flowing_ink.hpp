@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Ink that flows from picture to picture: what it is in, and from where it was seen; what single objects
-// have to do with it, which give it and which drive it; and the water on the page that it stirs, whose
-// eddies carry it.
+// Flowing ink from picture to picture: its state and the camera that saw it; the objects that give ink or
+// drive it; and the water on the page, whose eddies carry the ink.
 
 #include <memory>
 #include <optional>
@@ -29,13 +28,13 @@ class Fluid;
 
 namespace estampe::features {
 
-/// One word a draw, 1 where the patterns between commas name its object or one that it hangs on; the blank
-/// ground is named by none. Empty where the patterns name all there is, "*". Patterns that name nothing go
-/// into `notes`.
+/// One word per draw, 1 if a comma-separated pattern matches its node or an ancestor of its node; the blank
+/// ground is never matched. Empty for "*", which means every draw. Patterns that match nothing are reported
+/// in `notes`.
 [[nodiscard]] std::vector<uint32_t> ink_mask(const pose::MeshData& meshes, const Scene& scene,
                                              std::string_view patterns, std::vector<std::string>& notes);
 
-/// Where objects stand on the page.
+/// The scene as it appears on the page, for placing zones.
 struct ZoneView {
     const Scene& scene;
     const ScenePose& pose;
@@ -43,16 +42,16 @@ struct ZoneView {
     const shared::FrameGlobals& page;
 };
 
-/// Zones as `text` has them: "Fan*=blow:20, Well=give:1 turn:90 amount:0". A zone is as large as a ball of
-/// one metre in the space of its node. What is behind the eye has none, nor have more than `most_ink_zones`.
-/// Throws Error for words that mean nothing; patterns that name nothing go into `notes`.
+/// Reads zones from `text`: "Fan*=blow:20, Well=give:1 turn:90 amount:0". A zone is as large as a sphere of
+/// one metre radius in the node's space. Nodes behind the eye get none; at most `most_ink_zones` are made.
+/// Throws Error for unknown words; patterns that match nothing are reported in `notes`.
 [[nodiscard]] std::vector<shared::InkZone> ink_zones(const ZoneView& view, std::string_view text,
                                                      std::vector<std::string>& notes);
 
-/// What of the water the next picture of a film takes from this one.
+/// The state of the water from which the next picture of a film continues.
 struct KeptWater {
     double time_s = 0.0;
-    std::vector<float> velocity; ///< two numbers a cell
+    std::vector<float> velocity; ///< two numbers per cell
 };
 
 class InkWater {
@@ -62,73 +61,71 @@ public:
     InkWater(const InkWater&) = delete;
     InkWater& operator=(const InkWater&) = delete;
 
-    /// Stirs for the time that passes for the ink, and tells the stream function after it as
-    /// ink::add_stream() takes it. Water that is not that of `time.from_s` starts at rest, some seconds
-    /// before. With `is_measured` solver_report() tells of it. Cost: a step of some 2,000 cells for each 24th
-    /// of a second.
+    /// Stirs the water for the ink's time step, and returns the resulting stream function for
+    /// ink::add_stream(). If the water's state is not of `time.from_s`, it starts from rest some seconds
+    /// earlier. `is_measured` fills solver_report(). Cost: a step of some 2,000 cells per 24th of a second.
     [[nodiscard]] std::vector<float> stirred(gpu::Device& device, gpu::Executor& executor,
                                              const ink::InkStyle& style, const ink::Page& page,
                                              const ink::Time& time, const std::vector<shared::InkZone>& zones,
                                              bool is_measured = false);
 
-    /// Of the last time that stirred() measured steps; none where it did not since.
+    /// Report of the last measured steps; none if the last steps were not measured.
     [[nodiscard]] const std::optional<SolverReport>& solver_report() const { return solver_report_; }
 
     void forget();
 
     [[nodiscard]] std::optional<KeptWater> kept(gpu::Device& device, gpu::Executor& executor);
 
-    /// The next picture may go on from that, where its page is as large.
+    /// The next picture continues from `kept`, if its page has the same size.
     void recall(KeptWater kept);
 
 private:
-    std::unique_ptr<fluid::Fluid> fluid_; ///< none until it is asked for
+    std::unique_ptr<fluid::Fluid> fluid_; ///< made at the first use
     std::optional<KeptWater> recalled_;
     std::optional<SolverReport> solver_report_;
     double time_s_ = 0.0;
 };
 
-/// What a picture's ink is planned from.
+/// The inputs for the ink of a picture.
 struct FlowingInkInputs {
     const Scene& scene; ///< posed
     const pose::MeshData& layout;
     const ScenePose& pose;
-    const Camera& camera; ///< of the page
+    const Camera& camera; ///< camera of the whole page
     const RenderSettings& settings;
     const StyleTables& style;
-    float nearby_m = 1.0F;   ///< see FrameGlobals
-    bool pose_moved = false; ///< vertices stand elsewhere than in the picture before
+    float nearby_m = 1.0F;   ///< see FrameGlobals::nearby_m
+    bool pose_moved = false; ///< vertices moved since the picture before
 };
 
 struct InkPlan {
     ink::Plan ink;
-    std::optional<MotionPlan> motion; ///< where it follows what moves by itself
+    std::optional<MotionPlan> motion; ///< only if ink follows moving objects
 };
 
 class FlowingInk final : public Feature {
 public:
-    /// When the ink was that the next picture goes on from; nothing where that starts afresh.
+    /// The time of the ink from which the next picture continues; none if the ink starts again.
     [[nodiscard]] std::optional<double> before_s(const RenderSettings& settings,
                                                  const ink::InkStyle& style) const;
 
-    /// Plans the ink of a picture and makes room for it; nothing where the style has none. Patterns that name
-    /// nothing go into `notes`. Throws Error for a flow map or zones that cannot be read.
+    /// Plans the ink of a picture and allocates its buffers; none if the style has no ink. Patterns that
+    /// match nothing are reported in `notes`. Throws Error if a flow map or a zone cannot be read.
     [[nodiscard]] std::optional<InkPlan> ensure(gpu::Device& device, gpu::Executor& executor,
                                                 const FlowingInkInputs& in, std::vector<std::string>& notes);
 
-    /// The ink of `drawn`, a picture of another size that has just been drawn, on the page of this one.
+    /// Maps the ink of `drawn`, a picture of another size that was just drawn, to this picture's page.
     [[nodiscard]] InkPlan shown_on(gpu::Device& device, const InkPlan& drawn, const FlowingInkInputs& in);
 
-    /// Has ink flow out of the layers of `in` in the first sample of a picture, and lays it on the page: an
-    /// image as ink::add_layer() has it.
+    /// Advances the ink from the layers of `in` in the first sample of a picture, and returns the page's ink
+    /// as an image, as ink::add_layer() does.
     [[nodiscard]] gpu::ImageId record(gpu::Graph& graph, const InkPlan& plan, const ink::Inputs& in,
                                       bool is_first, glm::uvec2 size_px);
 
-    /// To be called when the first sample of that picture has been drawn.
+    /// Must be called when the first sample of the planned picture has been drawn.
     void drawn(const InkPlan& plan, const Camera& camera);
 
-    /// Ink lies on the page: it is let go where what is under it is something else, or is found relative to
-    /// another origin.
+    /// Forgets the ink when the scene or the origin of its positions is replaced.
     void invalidate(Event event) override;
 
     [[nodiscard]] std::optional<FilmSection> film_section() const override { return FilmSection{"ink", 1}; }
@@ -136,7 +133,7 @@ public:
     void save(FilmWriter& writer) override;
     void load(FilmReader& reader) override;
 
-    /// Of the water that ink stirs, when it last measured steps.
+    /// Report on the water's solver, from the last measured steps.
     [[nodiscard]] const std::optional<SolverReport>& solver_report() const { return water_.solver_report(); }
 
 private:

@@ -16,7 +16,7 @@
 namespace estampe {
 namespace {
 
-/// A box on a floor, in the sun, that slides along it during a second.
+/// A sunlit box that slides along a floor for a second.
 Scene sliding_box()
 {
     Scene scene = test::scene_of(shapes::plane(6.0F, 6.0F));
@@ -38,7 +38,7 @@ Style flowing(const std::vector<std::string>& more = {})
 {
     Style style;
     style.set("ink.enabled=true");
-    // So few pixels hold no finer threads.
+    // So few pixels cannot show finer threads.
     for (const char* assignment :
          {"ink.age_s=0.5", "ink.threshold=0.1", "ink.spot_mm=4", "ink.spacing_mm=8"}) {
         style.set(assignment);
@@ -70,7 +70,7 @@ TEST(FlowingInk, CostsNothingWhereItIsOff)
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(sliding_box());
     static_cast<void>(
-        renderer.render(test::corner_camera, {}, ink_still)); // poses the scene, draws shadow maps
+        renderer.render(test::corner_camera, {}, ink_still)); // poses the scene and draws shadow maps
     const Image plain = renderer.render(test::corner_camera, {}, ink_still);
     const std::string graph = renderer.graph_dot();
     Style off;

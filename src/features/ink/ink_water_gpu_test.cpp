@@ -33,7 +33,7 @@ std::vector<float> fresh(const ink::InkStyle& style, const std::vector<shared::I
     return stirred(water, style, {.from_s = 0.0, .to_s = 1.0, .steps = 24, .is_fresh = true}, zones);
 }
 
-/// Millimetres a second, from one node of a row or column to the next.
+/// Velocity in mm/s, from the differences between neighbouring nodes.
 glm::dvec2 velocity(const std::vector<float>& stream, uint32_t x, uint32_t y)
 {
     const auto psi = [&](uint32_t right, uint32_t down) {

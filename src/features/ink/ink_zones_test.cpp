@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What single objects have to do with ink, by their names.
+// Ink masks and ink zones of single objects, chosen by name.
 #include "features/ink/flowing_ink.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr glm::uvec2 size_px(200, 100);
 
-/// A box that hangs on a post, and two things without a mesh: one in the middle of the page, turned to the
+/// A box whose parent is a post, and two nodes without a mesh: one in the middle of the page, turned to the
 /// right, and one behind the eye.
 Scene hung_box()
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures with no option set: rooms without a light, from outside, from a corner, and by a camera inside.
+// Default light without options: rooms without lights, seen from outside, from a corner, and from inside.
 #include <algorithm>
 #include <cmath>
 
@@ -21,11 +21,11 @@ namespace {
 constexpr RenderSettings lit_page{.width = 192, .height = 144};
 constexpr double aspect = 192.0 / 144.0;
 
-/// How much of a picture is paper, ink, and between.
+/// Shares of paper, ink and half tones in a picture.
 struct Tones {
     double mean_ink = 0.0; ///< 0 paper, 1 black
     double blank = 0.0;    ///< share of pixels
-    double dark = 0.0;     ///< share of pixels; strokes are thinner than a pixel, so they are not quite black
+    double dark = 0.0;     ///< share of pixels that are nearly black, since strokes are thinner than a pixel
 };
 
 Tones tones_of(const Image& image)
@@ -68,7 +68,7 @@ void furnish(Scene& scene)
     test::add_object(scene, shapes::cylinder(0.3F, 1.6F), glm::vec3(0.6F), {1.0, 0.0, -1.0});
 }
 
-/// A sheet of walls round 4 x 3 x 5 metres that face inwards; open at +z, or not.
+/// A single-sided room of 4 x 3 x 5 metres whose walls face inwards; `open` leaves out the wall at +z.
 Scene thin_room(bool open)
 {
     Primitive inside;
@@ -90,7 +90,7 @@ Scene thin_room(bool open)
     return scene;
 }
 
-/// Six slabs round 6 x 3 x 5 metres.
+/// A room of 6 x 3 x 5 metres, made of six slabs.
 Scene thick_room()
 {
     Primitive slabs;
@@ -142,7 +142,7 @@ TEST(DefaultLightPictures, TheGroundStaysBlankHoweverLowTheSun)
     for (const float elevation_deg : {60.0F, 20.0F, 8.0F}) {
         Style style;
         style.set("light.turn_sun=false");
-        style.set("light.sun_azimuth_deg=-150"); // from behind: the shadow comes towards the eye
+        style.set("light.sun_azimuth_deg=-150"); // backlight: shadows fall towards the eye
         style.set(fmt::format("light.sun_elevation_deg={}", elevation_deg));
         const Image image = draw_lit(scene, framed(scene), style);
         Image corner{.width = image.width / 6, .height = image.height / 6};
@@ -172,7 +172,7 @@ TEST(DefaultLightPictures, ACameraInsideOfAHouseHasALampAndOneOutsideTheSun)
 
 TEST(DefaultLightPictures, TheSunTurnsWithTheFront)
 {
-    // The same model, turned to look away: the picture is the same.
+    // The same model turned away from the camera: the picture must not change.
     Primitive beast;
     const auto add = [&beast](const Primitive& part, const glm::vec3& place) {
         shapes::append(beast, part, glm::translate(glm::mat4(1.0F), place));

@@ -39,7 +39,7 @@ TEST(DefaultLight, StandsLowAndUpwindOverGroundThatNothingStandsOn)
     Scene bare;
     bare.materials.emplace_back();
     bare.terrain = ground;
-    // The wind comes from the bearing of -110 degrees.
+    // The wind blows from a bearing of -110 degrees.
     expect_sun(bare, sun_lighting(bare, -34.0F, 45.0F), -75.0, 16.0);
     const Scene as_drawn = with_terrain_node(bare);
     expect_sun(as_drawn, sun_lighting(as_drawn, -34.0F, 45.0F), -75.0, 16.0);

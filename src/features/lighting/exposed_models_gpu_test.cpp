@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lens and the shutter on models that are at hand: ESTAMPE_MODELS names their folder.
+// Lens and shutter on models in the folder ESTAMPE_MODELS, if that is set.
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -17,7 +17,7 @@ namespace estampe {
 namespace {
 
 constexpr RenderSettings model_page{.width = 320, .height = 180};
-constexpr uint32_t sample_count = 8; // of the picture that is compared: its edges are as smooth as their mean
+constexpr uint32_t sample_count = 8; // gives the tested picture as smooth edges as the mean of many
 
 Style flat(std::initializer_list<std::string> more)
 {
@@ -37,7 +37,8 @@ std::optional<Scene> model(const char* name)
     return folder != nullptr ? std::optional(load_scene(std::filesystem::path(folder) / name)) : std::nullopt;
 }
 
-/// How well the lens does, focused on the middle, through an aperture of a fortieth of the way there.
+/// Compares the lens with the mean of pictures over its aperture. It is focused on the scene's centre; the
+/// aperture is 1/40 of that distance.
 void compare_lens(const char* name, bool has_ink)
 {
     const std::optional<Scene> scene = model(name);

@@ -11,7 +11,7 @@
 namespace estampe::features {
 namespace {
 
-/// A figure of two parts, a lamp and a sun.
+/// A figure of two parts, with a lamp and a sun.
 Scene named_scene()
 {
     Scene scene;

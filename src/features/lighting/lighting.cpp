@@ -32,7 +32,7 @@ ViewAnalysis DefaultLight::analysis(const Scene& scene, const light::LightStyle&
     if (!analysis_) {
         cloud_ = surface_cloud(scene, pose_scene(scene, 0.0, no_index));
         analysis_ = analyze_view(*cloud_);
-        if (scene.terrain && cloud_->points.empty()) { // its own mesh has no triangles yet
+        if (scene.terrain && cloud_->points.empty()) { // the terrain has no triangles yet
             analysis_->wind_deg = scene.terrain->description().wind.direction_deg;
         }
     }
@@ -55,7 +55,7 @@ constexpr int group_count = 16;
                 fmt::format("allowed: {}", allowed));
 }
 
-/// What follows `name` and a colon in `word`.
+/// The rest of `word` after `name` and a colon.
 std::optional<std::string> argument(const std::string& word, const std::string& name)
 {
     if (word.size() <= name.size() || word.compare(0, name.size(), name) != 0 || word[name.size()] != ':') {
@@ -64,7 +64,7 @@ std::optional<std::string> argument(const std::string& word, const std::string& 
     return word.substr(name.size() + 1);
 }
 
-/// "1+3" as bits 0 and 2.
+/// Reads "1+3" as bits 0 and 2.
 Groups parse_groups(const std::string& text, const char* key)
 {
     uint32_t bits = 0;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The lights of a picture on the device, and the exposure that goes on from picture to picture; the light
-// that a scene without its own gets; and what a style says of single lights and objects, over what their
-// file says.
+// The lights of a picture on the device; the exposure, which adapts from picture to picture; the default
+// light of a scene without lights; and the style's changes to single lights and objects.
 
 #include <optional>
 #include <span>
@@ -21,21 +20,21 @@
 
 namespace estampe::features {
 
-/// Where the light stands that a scene without its own gets. One for each scene: what it takes is looked for
-/// once, when it is first needed.
+/// Finds the default light of a scene without lights. Use one instance per scene: the scene is analysed
+/// once, at the first call.
 class DefaultLight {
 public:
-    /// As it stands for an eye, if there is one; nothing worth knowing where the style has the scene's own
-    /// lights. Cost: the first time that of analyze_view(), then a millisecond.
+    /// The analysis that places the light, for an eye if there is one; empty if the style uses the scene's
+    /// own lights. Cost: the first call as analyze_view(), later ones a millisecond.
     [[nodiscard]] ViewAnalysis analysis(const Scene& scene, const light::LightStyle& style,
                                         const std::optional<glm::dvec3>& eye);
 
 private:
-    std::optional<SurfaceCloud> cloud_; ///< of the scene at rest
+    std::optional<SurfaceCloud> cloud_; ///< the scene in its rest pose
     std::optional<ViewAnalysis> analysis_;
 };
 
-/// What the style can change of a scene's lights and of how objects stand to them.
+/// The lights of a scene, and the links between lights and objects. A style can change both.
 struct LightingOfScene {
     std::vector<Light> lights;
     std::vector<LightLinks> node_links;
@@ -44,7 +43,7 @@ struct LightingOfScene {
     bool operator==(const LightingOfScene& other) const = default;
 };
 
-/// What a style says of that.
+/// The style's text that changes lights and links, unparsed.
 struct LightingWords {
     std::string lights;
     std::string objects;
@@ -54,30 +53,31 @@ struct LightingWords {
 
 [[nodiscard]] LightingOfScene lighting_of(const Scene& scene);
 
-/// Whether triangles and draws differ, so that they have to be made again.
+/// Whether the links are equal. If not, triangles and draws must be built again.
 [[nodiscard]] bool same_links(const LightingOfScene& a, const LightingOfScene& b);
 
-/// Whether nothing differs but how bright lights are that burn in both.
+/// Whether all is equal except the intensities of lights that are on in both.
 [[nodiscard]] bool same_but_for_brightness(const LightingOfScene& a, const LightingOfScene& b);
 
-/// Sets how bright lights are. Throws Error for one that there is not, and for what is no brightness.
+/// Sets light intensities. Throws Error if a light does not exist, or if an intensity is negative or not
+/// finite.
 void brighten(LightingOfScene& lighting, std::span<const LightBrightness> lights);
 
-/// `own` with `light.lights` and `light.objects` of the style applied. A light goes by its name or its
-/// node's, an object by its node's name, which counts for the nodes below, or by its material's. Throws Error
-/// when a text cannot be read, or names what is not there. Cost: linear in nodes and words.
+/// Applies the style's `light.lights` and `light.objects` to `own`. A light is found by its name or its
+/// node's name; an object by its node's name, which includes all descendants, or by its material's. Throws
+/// Error if a text cannot be parsed, or names what is not in the scene. Cost: linear in nodes and words.
 [[nodiscard]] LightingOfScene styled_lighting(const LightingOfScene& own, const Scene& scene,
                                               const light::LightStyle& style);
 
-/// `scene` lit as the style wants it; throws as styled_lighting().
+/// The scene with the style's lighting. Throws as styled_lighting() does.
 [[nodiscard]] Scene lit_by_style(Scene scene, const light::LightStyle& style);
 
-/// Writes it back.
+/// Writes `lighting` into the scene.
 void set_lighting(Scene& scene, const LightingOfScene& lighting);
 
 class Lighting final : public Feature {
 public:
-    /// The eye gets used to another scene afresh.
+    /// Restarts the adaptation of the exposure when the scene is replaced or a film's state lacks it.
     void invalidate(Event event) override;
 
     [[nodiscard]] std::optional<FilmSection> film_section() const override
@@ -88,7 +88,6 @@ public:
     void save(FilmWriter& writer) override;
     void load(FilmReader& reader) override;
 
-    /// Uploads what the light's shaders read.
     void upload(gpu::Device& device, const shared::LightGlobals& globals,
                 std::span<const shared::LightRecord> lights);
 
@@ -96,7 +95,7 @@ public:
 
     [[nodiscard]] gpu::Buffer& globals() { return globals_; }
 
-    /// LightRecord, one per light.
+    /// One LightRecord per light.
     [[nodiscard]] gpu::Buffer& lights() { return lights_; }
 
 private:

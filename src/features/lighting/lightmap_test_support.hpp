@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What tests of lightmaps draw with.
+// Common functions of the lightmap tests.
 
 #include <string>
 #include <vector>
@@ -11,13 +11,13 @@
 
 namespace estampe::features {
 
-/// Light that is the same everywhere.
+/// A map with the same light everywhere.
 inline LightImage even(float level)
 {
     return {.width = 4, .height = 4, .texels = std::vector<glm::vec3>(16, glm::vec3(level))};
 }
 
-/// Light alone, as grey: no strokes, lines, shadow or paper, and a tone that is the light.
+/// Draws the light as grey: no strokes, lines, shadows or paper, and a linear tone.
 inline Style bare(float ambient)
 {
     Style style;

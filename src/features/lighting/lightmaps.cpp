@@ -17,7 +17,7 @@ namespace {
 
 using Place = std::tuple<Index, uint32_t, uint32_t>; // node, primitive, instance
 
-/// Calls `visit` with each triangle, its draw and its number among the triangles of that draw.
+/// Calls `visit` with each triangle's number, its draw, and its number within that draw.
 template <class Visit>
 void visit_triangles(const pose::MeshData& meshes, const Visit& visit)
 {
@@ -28,7 +28,8 @@ void visit_triangles(const pose::MeshData& meshes, const Visit& visit)
     }
 }
 
-/// Mean over the triangles that wear a map, each at its middle and by the room that it takes.
+/// Mean luminance over the triangles that have a lightmap: each is sampled at its centre and weighted by its
+/// area in the map.
 float mean_level(const lightmap::MapData& map, const pose::MeshData& meshes)
 {
     double sum = 0.0;
@@ -55,7 +56,8 @@ float mean_level(const lightmap::MapData& map, const pose::MeshData& meshes)
     return static_cast<float>(sum / std::max(room, 1e-12));
 }
 
-/// The picture that a draw wears by the word of its file.
+/// The lightmap of a draw as the file assigns it: by node, otherwise by material, otherwise for the whole
+/// scene.
 std::optional<WornPicture> picture_of(const Lightmap& map, Index node, Index material)
 {
     if (node < map.of_node.size() && map.of_node[node]) {
@@ -65,7 +67,7 @@ std::optional<WornPicture> picture_of(const Lightmap& map, Index node, Index mat
                                                                           : map.of_scene;
 }
 
-/// Pictures that the file lays on its meshes, by their own UVs.
+/// Lightmaps that the scene's file assigns to meshes, with the meshes' own UVs.
 lightmap::MapData worn_pictures(const Lightmap& map, const Scene& scene, const pose::MeshData& meshes)
 {
     lightmap::MapData data{.layers = map.pictures};
@@ -175,7 +177,8 @@ float make_room(light::Lighting& lighting, const std::optional<WornLight>& worn,
     if (!style.balance) {
         return scale;
     }
-    // Well-lit places come to about one and the ambient light; now they come to one and the map.
+    // The style's exposure puts well-lit places at about 1 plus the ambient light; with the map they would
+    // be at 1 plus the map.
     const float dimmed = (1.0F + luminance(lighting.ambient)) / (1.0F + scale * baked.level);
     lighting.ambient *= dimmed;
     for (shared::LightRecord& record : lighting.records) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// From lightmaps as files have them to lightmaps as triangles wear them, and lights whose light they hold
-// already.
+// Assigns the lightmaps of files to triangles, and removes the lights whose light the maps already contain.
 
 #include <optional>
 
@@ -15,31 +14,31 @@
 
 namespace estampe::features {
 
-/// A map on the triangles of `meshes`, which were built from `scene`: a baked one on what stands still, or
-/// the pictures that the scene's file names, on what has the UVs for them. What is looked through and the
-/// ground wear none. Throws Error when a baked map was made for another scene, and when pictures are worn by
-/// nothing. Cost: linear in triangles.
+/// Assigns a lightmap to the triangles of `meshes`, which were built from `scene`: a baked map to static
+/// triangles, or the pictures that the scene's file names to meshes with the UVs for them. Transparent
+/// surfaces and the ground get none. Throws Error if a baked map was made for another scene, or if no mesh
+/// can use the pictures. Cost: linear in triangles.
 [[nodiscard]] lightmap::MapData worn_map(const Lightmap& map, const Scene& scene,
                                          const pose::MeshData& meshes);
 
-/// A map on the device.
+/// A lightmap on the device.
 struct WornLight {
     lightmap::MapBuffers maps;
-    float exposure = 1.0F; ///< 0: light as it is to be seen, whatever that of the lights
-    float level = 0.0F;    ///< mean brightness of the map
-    uint32_t kinds = 0;    ///< of lights that the map holds, see BakedLights
+    float exposure = 1.0F; ///< exposure of the bake; 0 means that no exposure is applied to the map
+    float level = 0.0F;    ///< mean luminance of the map
+    uint32_t kinds = 0;    ///< BakedLights bits: the kinds of lights that the map contains
 };
 
-/// Uploads worn_map() of a map, if there is one. Throws Error as that, and as lightmap::upload_maps().
+/// Uploads worn_map() of `map`; nothing if `map` is null. Throws Error as worn_map() and
+/// lightmap::upload_maps() do.
 [[nodiscard]] std::optional<WornLight> upload_baked(gpu::Device& device, const Lightmap* map,
                                                     const Scene& scene, const pose::MeshData& meshes);
 
-/// The bit of a light's kind, of BakedLights.
+/// The BakedLights bit of a light's kind.
 [[nodiscard]] uint32_t kind_of(const shared::LightRecord& record);
 
-/// Makes room for a map, if there is one, in the light of a frame: leaves out lights of the kinds that it
-/// holds already, and dims the others, where the style wants that. Returns what the map is to be multiplied
-/// by.
+/// Prepares a frame's lights for a lightmap: removes lights of the kinds that the map already contains and,
+/// if the style asks for balance, dims the others. Returns the factor for the map's values; 0 without a map.
 [[nodiscard]] float make_room(light::Lighting& lighting, const std::optional<WornLight>& worn,
                               const lightmap::LightmapStyle& style);
 

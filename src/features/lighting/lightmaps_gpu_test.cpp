@@ -28,7 +28,7 @@ Scene two_panels()
     return scene;
 }
 
-/// The panels laid on a map as they stand, from `low` to `high` of its height.
+/// Maps the panels as seen from the front to a lightmap, from `low` to `high` of the map's height.
 Lightmap map_of(const Scene& scene, LightImage light, float low = 0.0F, float high = 1.0F)
 {
     const StaticTriangles still = static_triangles(scene);
@@ -50,7 +50,7 @@ protected:
         return renderer_.render(camera, style, {.width = 96, .height = 48});
     }
 
-    /// Mean of red over columns and rows of a picture.
+    /// Mean red over a range of columns and rows.
     static double mean(const Image& image, uint32_t left, uint32_t right, uint32_t top, uint32_t bottom)
     {
         double sum = 0.0;
@@ -70,7 +70,7 @@ TEST_F(WornLightmaps, EvenLightIsDrawnAsTheSameAmbientLight)
     const Scene scene = two_panels();
     for (const float level : {0.25F, 0.5F, 0.75F}) {
         const Lightmap map = map_of(scene, even(level));
-        // On an upright panel ambient light is just its own strength.
+        // On an upright panel, ambient light equals its strength.
         EXPECT_EQ(draw(scene, &map, bare(0.0F)), draw(scene, nullptr, bare(level))) << level;
         EXPECT_EQ(draw(scene, &map, bare(0.9F)), draw(scene, nullptr, bare(level))) << level;
     }
@@ -87,7 +87,7 @@ TEST_F(WornLightmaps, StrengthAndExposureScaleThem)
     Style darker = bare(0.0F);
     darker.set("light.exposure_stops=-2");
     EXPECT_EQ(draw(scene, &map, darker), draw(scene, nullptr, bare(0.25F)));
-    map.exposure = 4.0F; // baked where the lights shone four times as bright
+    map.exposure = 4.0F; // baked with lights four times as bright
     EXPECT_EQ(draw(scene, &map, bare(0.0F)), draw(scene, nullptr, bare(0.25F)));
 }
 

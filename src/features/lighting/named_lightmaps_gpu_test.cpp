@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures of light that a scene's file names, on the page.
+// Lightmaps that a scene's file names.
 #include <gtest/gtest.h>
 
 #include <estampe/error.hpp>
@@ -42,7 +42,7 @@ protected:
         std::vector<uint8_t> result;
         for (size_t i = 0; i < image.rgba.size(); ++i) {
             const size_t x = i / 4 % image.width;
-            // But for the middle, where the panels meet.
+            // Leaves out the middle, where the panels meet.
             if (right ? x > image.width / 2 + 2 : x + 2 < image.width / 2) {
                 result.push_back(image.rgba[i]);
             }
@@ -60,7 +60,7 @@ TEST_F(NamedLightmaps, AnEvenPictureIsDrawnAsTheSameAmbientLight)
     EXPECT_EQ(draw(scene, &map, bare(0.9F)), draw(scene, nullptr, bare(0.5F)));
     map.of_scene->intensity = 0.5F;
     EXPECT_EQ(draw(scene, &map, bare(0.9F)), draw(scene, nullptr, bare(0.25F)));
-    // Whatever the lights' exposure.
+    // Independent of the lights' exposure.
     Style darker = bare(0.9F);
     darker.set("light.exposure_stops=-2");
     EXPECT_EQ(draw(scene, &map, darker), draw(scene, nullptr, bare(0.25F)));
@@ -86,7 +86,7 @@ TEST_F(NamedLightmaps, TheNodesWordCountsBeforeTheMaterialsAndThatBeforeTheScene
 TEST_F(NamedLightmaps, PicturesLieAsTheUvsSay)
 {
     Scene scene = two_mapped_panels();
-    // Only the upper right quarter of the picture is worn: rows run from the top, as in glTF.
+    // Uses only the upper right quarter of the lightmap: rows start at the top, as in glTF.
     for (glm::vec2& uv : scene.meshes[0].primitives[0].uvs[1]) {
         uv = glm::vec2(0.75F, 0.15F) + 0.1F * uv;
     }

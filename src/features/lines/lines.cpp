@@ -22,7 +22,8 @@ struct Share {
     float to = 1.0F;
 };
 
-/// Keeps the part of a straight piece where coordinates are from `least` to `most`.
+/// Shortens `kept`, a range of shares, to the part of the segment from `a` to `b` that is between `least`
+/// and `most`.
 void keep_between(float a, float b, float least, float most, Share& kept)
 {
     for (const auto& [from, to] : {std::pair(a - least, b - least), std::pair(most - a, most - b)}) {
@@ -95,7 +96,7 @@ std::vector<VectorStroke> clipped(const VectorStroke& stroke, const paper::Windo
 
 namespace {
 
-/// One number for each place of a node.
+/// One number per node instance, for each of its draws.
 std::vector<uint32_t> bodies_of_draws(const pose::MeshData& layout)
 {
     std::map<std::pair<Index, uint32_t>, uint32_t> numbers;
@@ -109,11 +110,11 @@ std::vector<uint32_t> bodies_of_draws(const pose::MeshData& layout)
     return bodies;
 }
 
-/// What bends is measured against all of its object, in the units of the rest pose.
+/// Diameter of each vertex's object in units of the rest pose; bending is measured relative to it.
 std::vector<float> sizes_of_objects(const pose::MeshData& layout)
 {
     const std::vector<uint32_t> body_of_draw = bodies_of_draws(layout);
-    std::vector<Bounds> bounds(layout.draws.size()); // as many bodies at most
+    std::vector<Bounds> bounds(layout.draws.size()); // there are at most as many bodies as draws
     for (size_t v = 0; v < layout.draw_of_vertex.size(); ++v) {
         const uint32_t body = body_of_draw[layout.draw_of_vertex[v]];
         if (body != contour::no_side) {
@@ -130,7 +131,7 @@ std::vector<float> sizes_of_objects(const pose::MeshData& layout)
     return sizes;
 }
 
-/// One a triangle: 1 if its corners run clockwise as seen from where its normals point.
+/// Per triangle, 1 if its corners run clockwise as seen from the side to which its normals point.
 std::vector<uint8_t> clockwise_triangles(const pose::MeshData& layout)
 {
     std::vector<uint8_t> clockwise;
@@ -255,9 +256,10 @@ namespace {
 constexpr uint32_t columns = shared::brush_columns;
 constexpr uint32_t rows = shared::brush_rows;
 constexpr uint32_t seed = 7;
-constexpr float hairs = 4.0F; // finer than in maps, where strokes are a few pixels wide
+constexpr float hairs = 4.0F; // finer than in tonal art maps, whose strokes are a few pixels wide
 
-/// How far along a stroke a tool is: as a picture of a whole stroke, or so that the end meets the start.
+/// Position along a tool's stroke: a whole stroke from start to end, or periodic, so that its end meets its
+/// start.
 float progress(float share, contour::BrushFit fit)
 {
     if (fit == contour::BrushFit::stretch) {
@@ -311,7 +313,7 @@ contour::BrushStrip strip_of(const std::string& brush, contour::BrushFit fit)
     return brush == "brush" ? drawn_by(tam::Tool::brush, fit) : pictured(brush);
 }
 
-/// A dash with round ends, and the gap behind it.
+/// One dash with round ends, and the gap after it.
 contour::BrushStrip dash(const BrushChoice& choice)
 {
     const float period_mm = choice.dash_mm + choice.gap_mm;
@@ -343,7 +345,7 @@ BrushChoice brush_choice(const contour::ContourStyle& style)
     BrushChoice choice{.fit = style.brush_fit};
     for (uint32_t kind = 0; kind < shared::line_kind_count; ++kind) {
         const std::string& own = contour::line_style(style, kind).brush;
-        // Kinds of the geometry are found even where the style draws none: a material may draw them.
+        // Geometric kinds are searched even if the style draws none: a material's variant may draw them.
         const bool is_found = kind < shared::line_marked || contour::has_lines(style, kind);
         if (is_found) {
             choice.brush_of_kind.at(kind) = own.empty() ? style.brush : own;

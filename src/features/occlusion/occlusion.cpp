@@ -8,7 +8,7 @@
 namespace estampe::features {
 namespace {
 
-/// Of each posed vertex its colour times the mean of its material's, linear.
+/// Linear colour of each posed vertex: its own times the mean of its material.
 std::vector<glm::vec3> colors_of_vertices(const pose::MeshData& layout,
                                           const surface::MaterialBuffers& materials)
 {
@@ -17,13 +17,13 @@ std::vector<glm::vec3> colors_of_vertices(const pose::MeshData& layout,
         const glm::vec3 mean = materials.records[draw.material].mean_color;
         for (uint32_t i = 0; i < draw.vertex_count; ++i) {
             const glm::vec4 own = glm::unpackUnorm4x8(layout.rest_vertices[draw.first_rest_vertex + i].color);
-            colors[draw.first_posed_vertex + i] = mean * glm::vec3(own * own); // stored as its root
+            colors[draw.first_posed_vertex + i] = mean * glm::vec3(own * own); // stored as a square root
         }
     }
     return colors;
 }
 
-/// All that is neither blank ground nor terrain.
+/// All surfaces except blank ground and terrain.
 occlusion::OccluderMesh occluders_of(const pose::MeshData& layout, const surface::MaterialBuffers& materials)
 {
     occlusion::OccluderMesh occluders{.places = layout.stroke_coordinates,

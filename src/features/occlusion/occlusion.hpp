@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Ambient occlusion from picture to picture: what its method keeps of the scene's surfaces.
+// Ambient occlusion from picture to picture: the data that its method keeps about the scene's surfaces.
 
 #include <optional>
 
@@ -14,16 +14,16 @@ namespace estampe::features {
 
 class Occlusion final : public Feature {
 public:
-    /// What was found of other surfaces, or of another pose, is lost, whether the next picture looks at it or
-    /// not.
+    /// Forgets what was computed for other surfaces or another pose, even if the next picture does not use
+    /// it.
     void invalidate(Event event) override;
 
-    /// Makes what the style's method keeps of all surfaces but blank ground and terrain. Cost: nothing when
-    /// it is there; else n log n in vertices.
+    /// Makes the data that the style's method keeps about all surfaces except blank ground and terrain.
+    /// Costs nothing if it exists; otherwise n log n in vertices.
     void prepare(gpu::Device& device, const pose::MeshData& layout, const surface::MaterialBuffers& materials,
                  const occlusion::OcclusionStyle& style);
 
-    /// Declares the passes of the style's method; none where the scene has no surface that occludes.
+    /// Declares the passes of the style's method; none if the scene has no surface that occludes.
     [[nodiscard]] std::optional<occlusion::AmbientOcclusion>
     record(gpu::Graph& graph, const occlusion::OcclusionInputs& in, const occlusion::OcclusionStyle& style);
 

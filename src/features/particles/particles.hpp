@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Which nodes of a scene give particles, and where those are on the page; and the puff of smoke that they
-// may show, worked out once by the solver and kept as frames: what section 6.5 of the thesis calls a mixed
-// technique, one small simulation shown on dozens of sprites.
+// Finds the nodes that emit particles and plans their sprites on the page. The smoke puff of a sprite is
+// simulated once and kept as frames. Section 6.5 of the thesis calls this a mixed technique: one small
+// simulation shown on dozens of sprites.
 
 #include <functional>
 #include <span>
@@ -20,14 +20,14 @@
 
 namespace estampe::features {
 
-/// 6 x 6 frames of 64 x 64 pixels over four seconds: a warm puff that rises, rolls up and thins. The same on
-/// the same device. Cost: 240 steps of the solver.
+/// Simulates 6 x 6 frames of 64 x 64 pixels over four seconds: a warm puff that rises, rolls up and thins.
+/// The same device gives the same frames. Cost: 240 steps of the solver.
 [[nodiscard]] particles::SheetImage smoke_sheet(gpu::Device& device, gpu::Executor& executor);
 
-/// The nodes that the patterns between commas name, in their order; those with a mesh give no particles.
+/// The nodes without a mesh whose names match one of the comma-separated patterns, in scene order.
 [[nodiscard]] std::vector<size_t> emitting_nodes(const Scene& scene, const std::string& patterns);
 
-/// What particles are drawn from.
+/// The buffers from which one plan is drawn.
 struct ParticleBuffers {
     gpu::Buffer sprites;
     gpu::Buffer starts;
@@ -38,9 +38,9 @@ struct ParticleBuffers {
 struct ParticlePlanInputs {
     const Scene& scene;
     const pose::MeshData& layout;
-    bool are_nodes_placed = false; ///< a program moves some
+    bool are_nodes_placed = false; ///< the calling program moves some nodes
     const ScenePose& pose;
-    std::function<ScenePose(double time_s)> pose_at; ///< at other moments
+    std::function<ScenePose(double time_s)> pose_at; ///< pose at another moment
     const Camera& camera;
     const RenderSettings& settings;
     const StyleTables& style;
@@ -51,20 +51,21 @@ class Particles final : public Feature {
 public:
     void invalidate(Event event) override;
 
-    /// Plans the particles of a picture, for each look of theirs by itself, and makes room for them; none
-    /// where no node gives any. Throws Error for a sheet that cannot be read.
+    /// Plans the particles of a picture, one plan per style variant, and uploads their buffers; empty if no
+    /// node emits. Throws Error if a sprite sheet cannot be read.
     [[nodiscard]] std::vector<particles::ParticlePlan> plan(gpu::Device& device, gpu::Executor& executor,
                                                             const ParticlePlanInputs& in);
 
-    /// Draws what was planned over the layers, one look after another. `in` is the page that all share.
+    /// Draws the plans over the layers, one after the other. `in` holds the page's inputs, which all plans
+    /// share.
     [[nodiscard]] particles::ParticleLayers record(gpu::Graph& graph,
                                                    std::span<const particles::ParticlePlan> plans,
                                                    const particles::ParticleInputs& in,
                                                    particles::ParticleLayers layers);
 
 private:
-    std::vector<ParticleBuffers> buffers_; ///< of the plans, in their order
-    std::string patterns_;                 ///< of the style, that `emitting_` was found by
+    std::vector<ParticleBuffers> buffers_; ///< one per plan, in the same order
+    std::string patterns_;                 ///< the style's patterns that gave `emitting_`
     std::vector<size_t> emitting_;
 };
 

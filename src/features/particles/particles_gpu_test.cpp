@@ -137,7 +137,7 @@ TEST(PlacedNodesInFrame, AreDrawnAsIfTheSceneHadThemThere)
     renderer.place(std::span(&place, 1), 2.0);
     const Image after = renderer.render(particle_camera, {}, moment(2.0));
     EXPECT_NE(before.rgba, after.rgba);
-    size_t different = 0; // bounds, by which depths are rounded, may differ
+    size_t different = 0; // scene bounds may differ, and with them the rounding of depths
     for (size_t i = 0; i < wanted.rgba.size(); ++i) {
         different += std::abs(wanted.rgba[i] - after.rgba[i]) > 12 ? 1 : 0;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which shadow maps of local lights are drawn when.
+// When the shadow maps of local lights are drawn, and by which passes.
 #include <algorithm>
 
 #include <estampe/shapes.hpp>
@@ -25,7 +25,7 @@ void add_lamp(Scene& scene, const glm::dvec3& place, float range_m)
         {.transform = {.translation = place}, .light = static_cast<Index>(scene.lights.size() - 1)});
 }
 
-/// Two lamps ten metres apart, a box by each; the right box slides during the first animation.
+/// Two lamps ten metres apart, with a box next to each. The right box slides during the first animation.
 Scene two_lamps()
 {
     Scene scene = test::scene_of(shapes::plane(20.0F, 8.0F));
@@ -106,7 +106,7 @@ TEST(LocalShadowMaps, OnlyWhatMovesIsDrawnAgain)
     }
 }
 
-/// A post, a ball, and things in front of each other, half of which an animation moves.
+/// A post, a ball, and objects in front of each other. An animation moves half of them.
 Scene half_moving()
 {
     Scene scene = two_lamps();
@@ -155,7 +155,7 @@ TEST(LocalShadowMaps, MapsInLayersAreThoseDrawnWholeBitForBit)
     raster::place_views(list);
     const size_t texel_count = 6 * size * size;
     const auto drawn = [&](RasterPath path, const LocalMapViews& views) {
-        // What was there before shows where something is not drawn over.
+        // The former content shows where the map is not overwritten.
         const std::vector<uint32_t> before(texel_count, 0x3f7fffffU);
         LocalShadowBuffers buffers;
         buffers.maps = gpu::upload_buffer(test::shared_device(), "maps", before);
@@ -201,7 +201,7 @@ TEST(LocalShadowMaps, FewerTrianglesAreDrawnWhereFewMove)
     const size_t moving = triangle_count(caster_batches(layout, all_groups, Casters::moving));
     const size_t still = triangle_count(caster_batches(layout, all_groups, Casters::still));
     EXPECT_EQ(moving + still, all);
-    // The sliding box and three of six balls; all others, the first box and the floor stand.
+    // The sliding box and three of six balls move; the other balls, the first box and the floor are static.
     const size_t ball = shapes::sphere(0.3F, 24, 12).indices.size() / 3;
     EXPECT_EQ(moving, 12U + 3U * ball);
     EXPECT_EQ(caster_kinds(layout).moving, true);

@@ -36,7 +36,7 @@ TEST(LocalShadows, RedrawsOnlyTheLightsWithinWhoseReachSomethingMoved)
     EXPECT_EQ(plan.views.whole[0].eye_anchor, glm::vec3(5, 2, 0));
     lighting.records[0].position.x -= 0.1F;
     EXPECT_EQ(shadows.plan(lighting, {}, page, {}).views.whole.size(), 6U);
-    // A little more or less light, as a moving scene's exposure brings, redraws nothing.
+    // A small change of brightness, as a moving scene's exposure causes, redraws nothing.
     lighting.records[0].range_m *= 0.99F;
     EXPECT_TRUE(shadows.plan(lighting, {}, page, {}).views.whole.empty());
     shadows.forget();
@@ -62,13 +62,13 @@ TEST(LocalShadows, WhatStandsStillIsKeptInALayerOnceSomethingMoves)
     EXPECT_TRUE(second.whole.empty());
     EXPECT_TRUE(second.still.empty());
     EXPECT_EQ(second.moving.size(), 6U);
-    // A light that moves is drawn whole, and has no layer any more.
+    // A moved light is drawn from all casters and loses its layer.
     lighting.records[1].position.x += 0.1F;
     EXPECT_EQ(plan(by_the_second, both).whole.size(), 6U);
     EXPECT_EQ(plan(by_the_second, both).still.size(), 6U);
     shadows.forget();
     EXPECT_EQ(plan({}, both).whole.size(), 12U);
-    // Where all casters move there is nothing to keep.
+    // If all casters move, there is no static layer.
     EXPECT_EQ(plan(by_the_second, {.moving = true}).whole.size(), 6U);
 }
 
@@ -114,7 +114,7 @@ TEST(LocalShadows, ALightsOwnRadiusCountsBeforeTheStyles)
     ASSERT_EQ(plan.shadows.size(), 2U);
     EXPECT_EQ(plan.shadows[0].radius_m, 0.3F);
     EXPECT_EQ(plan.shadows[1].radius_m, 0.0F);
-    // Maps do not depend on it.
+    // The lamp's radius does not affect the maps.
     lighting.records[1].radius_m = 0.5F;
     EXPECT_TRUE(shadows.plan(lighting, {}, page, style).views.whole.empty());
 }
@@ -128,7 +128,7 @@ TEST(LocalShadows, AskForTexelsByTheDistanceOnlyInPerspective)
                             .scene_radius_m = 5.0F};
         return atlas_request(record, local_light(record), view, {}).wanted_size;
     };
-    // What it throws 2 m far is 4 m wide.
+    // At a distance of 2 m, the shadow map is 4 m wide.
     EXPECT_FLOAT_EQ(wanted(8.0F, false), 4.0F / (0.02F * 8.0F));
     EXPECT_FLOAT_EQ(wanted(80.0F, false), 4.0F / (0.02F * 80.0F));
     EXPECT_FLOAT_EQ(wanted(8.0F, true), 4.0F / 0.02F);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The shadows of a scene from picture to picture: that of the terrain; the maps of lamps and spots, who gets
-// one, how large, and which are drawn anew by which passes; and, in sun.hpp, the sun's map.
+// The shadows of a scene from picture to picture: the terrain's shadow; the shadow maps of local lights,
+// with the choice of lights, sizes and passes; and, in sun.hpp, the sun's shadow map.
 
 #include <optional>
 #include <span>
@@ -33,10 +33,10 @@ struct GroundShadowPlan {
     bool is_thrown = false;
     glm::dvec3 towards_sun{0.0, 1.0, 0.0};
     float sun_radius_rad = 0.0F;
-    uint32_t size = 0; ///< texels a side of each field
+    uint32_t size = 0; ///< texels per side of each field
     shadow::GroundLevels levels{};
     shadow::HeightMethod method = shadow::HeightMethod::sweep;
-    double relief_m = 0.0; ///< between the lowest ground and the highest of what stands on it
+    double relief_m = 0.0; ///< between the lowest ground and the top of the highest object on it
 };
 
 struct GroundShadowScene {
@@ -45,64 +45,64 @@ struct GroundShadowScene {
     glm::dvec3 towards_sun{0.0, 1.0, 0.0};
     bool is_thrown = false;
     uint32_t page_height_px = 0;
-    gpu::ExecutionProfile execution; ///< of the device that draws it
-    double relief_m = 0.0;           ///< of the scene
+    gpu::ExecutionProfile execution; ///< of the device that computes the shadow
+    double relief_m = 0.0;           ///< see GroundShadowPlan
 };
 
-/// Plans the fields about the camera. Their horizons are found by sweeps on a processor, which does least
-/// then; a device of many threads keeps too few of them busy by that, and climbs pyramids. A small page's
-/// fields reach half as far each: its pixels are as large there as a large page's are twice as far away.
+/// Plans the height fields around the camera. A CPU finds their horizons by sweeps, which need the least
+/// work. A GPU uses pyramids instead, because sweeps have too few parallel threads. On a small page each
+/// field extends half as far: a pixel there is as large as one of a large page at twice the distance.
 [[nodiscard]] GroundShadowPlan plan_ground_shadow(const GroundShadowScene& scene,
                                                   const shadow::ShadowStyle& style);
 
 struct GroundShadowInputs {
     const GroundShadowPlan& plan;
-    gpu::BufferId texels; ///< of the terrain
+    gpu::BufferId texels; ///< texels of the terrain
     gpu::BufferId frame;  ///< FrameGlobals
     gpu::ImageId depth;
     glm::uvec2 size_px{0};
-    std::optional<glm::mat4> clip_from_anchor = std::nullopt; ///< where all of a picture is drawn at once
+    std::optional<glm::mat4> clip_from_anchor = std::nullopt; ///< given if there are no tiles
 };
 
-/// Fields of heights and horizons between pictures. A field is made anew when it has gone along with the eye,
-/// or when the sun or the ground have changed. By pyramid, fields that stand on ground which goes on
-/// changing, or under such a sun, are made where the picture looks them up and no farther.
+/// Keeps fields of heights and horizons between pictures. A field is computed again when it moves with the
+/// eye, or when the sun or the ground changes. While sun or ground keep changing, the pyramid method
+/// computes only the part that the picture looks up.
 class GroundShadow {
 public:
     void forget() { held_.reset(); }
 
-    /// Makes room for what `plan` wants.
+    /// Allocates the buffer for `plan`.
     void ensure(gpu::Device& device, const GroundShadowPlan& plan);
-    /// Brings the fields up to date, and looks up in them how much of the sun is left at each pixel.
+    /// Updates the fields, and returns the visible share of the sun at each pixel.
     [[nodiscard]] gpu::ImageId record(gpu::Graph& graph, terrain::TerrainBuffers& terrain,
                                       const GroundShadowInputs& in);
-    /// That has been drawn.
+    /// Records that the fields of `plan` have been drawn.
     void drawn(const GroundShadowPlan& plan, const terrain::TerrainBuffers& terrain);
 
 private:
     struct Held {
         GroundShadowPlan plan;
-        uint64_t form = 0; ///< of the terrain
+        uint64_t form = 0; ///< number of the terrain's shape
     };
 
-    /// Whether a field is where it was.
+    /// Whether a field's position is unchanged.
     [[nodiscard]] bool stands(const GroundShadowPlan& plan, uint32_t level) const;
 
     [[nodiscard]] bool is_held(const GroundShadowPlan& plan, uint32_t level, uint64_t form) const;
 
     gpu::Buffer kept_;
     std::optional<Held> held_;
-    bool is_in_part_ = false; ///< what is held is up to date only where the last picture looked it up
+    bool is_in_part_ = false; ///< the fields are valid only where the last picture looked them up
 };
 
-/// What the maps of a local light depend on. The range is rounded up, so that the exposure of a scene that
-/// moves does not change it all the time.
+/// The properties of a local light on which its maps depend. The range is rounded up in steps, so that small
+/// exposure changes do not make the maps obsolete.
 [[nodiscard]] shadow::LocalLight local_light(const shared::LightRecord& record);
 
-/// Radius in metres of the ball that glows: the light's own, or what the style says of all.
+/// Radius of the light's sphere in metres: its own, or otherwise the style's.
 [[nodiscard]] float radius_of(const shared::LightRecord& record, const shadow::ShadowStyle& style);
 
-/// Where the page is taken from, for judging how many texels a light is worth.
+/// Eye and resolution of the page, to judge how many texels a light needs.
 struct PageView {
     glm::vec3 eye_anchor{0.0F};
     PixelSize pixel;
@@ -110,25 +110,26 @@ struct PageView {
     uint32_t longer_side_px = 1;
 };
 
-/// What a light asks of the atlas: as many texels as its shadow fills pixels, at most the style's size or
-/// half the page for an omni and the whole page for a spot; more important the more of the page it lights.
+/// A light's request to the shadow atlas: as many texels as its shadow covers pixels, limited to the style's
+/// size, or without one to half the page for a point light and the whole page for a spot. The importance
+/// grows with the share of the page that the light reaches.
 [[nodiscard]] shadow::AtlasRequest atlas_request(const shared::LightRecord& record,
                                                  const shadow::LocalLight& light, const PageView& page,
                                                  const shadow::ShadowStyle& style);
 
-/// The views that draw the maps of a light, not placed yet.
+/// Appends the views that draw the maps of a light; call raster::place_views() afterwards.
 void add_views(std::vector<shared::RasterView>& list, const shadow::LocalLight& light,
                const shared::LocalShadow& shadow);
 
-/// Maps that are out of date, each list placed by raster::place_views().
+/// Views of obsolete maps, by drawing method. Each list is placed by raster::place_views().
 struct LocalMapViews {
-    std::vector<shared::RasterView> whole;  ///< to be drawn from all casters
-    std::vector<shared::RasterView> still;  ///< whose layer of what stands still is to be drawn
-    std::vector<shared::RasterView> moving; ///< to be drawn from what moves, and merged with that layer
+    std::vector<shared::RasterView> whole;  ///< drawn from all casters
+    std::vector<shared::RasterView> still;  ///< drawn from static casters, into a layer
+    std::vector<shared::RasterView> moving; ///< drawn from moving casters, and merged with the layer
 
     [[nodiscard]] bool empty() const { return whole.empty() && still.empty() && moving.empty(); }
 
-    /// Keeps the room that they took.
+    /// Keeps the capacity of the lists.
     void clear()
     {
         whole.clear();
@@ -137,107 +138,107 @@ struct LocalMapViews {
     }
 };
 
-/// Shadow maps of local lights, as a picture is to have them.
+/// The shadow maps of local lights in a picture.
 struct LocalMapPlan {
-    bool is_there = false; ///< some light has any
+    bool is_there = false; ///< some light has a shadow map
     uint32_t variant = 0;  ///< see shadow/shadow_style.hpp
-    LocalMapViews views;   ///< to draw anew
+    LocalMapViews views;   ///< obsolete maps, to be drawn
 };
 
-/// The maps of one frame.
+/// The local lights' shadow maps of one frame.
 struct LocalShadowPlan {
-    std::vector<shared::LocalShadow> shadows; ///< what LightRecord::shadow numbers, from 1
+    std::vector<shared::LocalShadow> shadows; ///< LightRecord::shadow is an index into them, from 1
     LocalMapViews views;
-    uint64_t texel_count = 0; ///< that the buffer of all maps must hold
-    size_t without = 0;       ///< lights that asked for a shadow and got none
+    uint64_t texel_count = 0; ///< size of the buffer of all maps
+    size_t without = 0;       ///< number of lights that throw shadows but got no map
 };
 
-/// Plans the maps of a scene's local lights and remembers which of them are up to date.
+/// Plans the shadow maps of a scene's local lights and remembers which are valid.
 class LocalShadows {
 public:
-    /// Fills in the records' `shadow`. `moved` are the places, before and after, of what moved since the last
-    /// call. A light within whose reach casters move while it stands keeps a layer of those that do not, in a
-    /// second buffer as large as the maps', which are held to `shadow.local_megatexels`. Valid until the next
-    /// call. Cost: linear in lights and in what moved.
+    /// Sets the records' `shadow`. `moved` lists boxes of moved objects, before and after the move. If
+    /// casters move within reach of an unchanged light, its static casters get a layer in a second buffer,
+    /// as large as the buffer of the maps. `shadow.local_megatexels` limits the maps. The result is valid
+    /// until the next call. Cost: linear in lights and moved objects.
     [[nodiscard]] const LocalShadowPlan& plan(light::Lighting& lighting, std::span<const Bounds> moved,
                                               const PageView& page, const shadow::ShadowStyle& style,
                                               const CasterKinds& casters = {});
 
-    /// All maps and layers are out of date: another scene, or another buffer.
+    /// Makes all maps and layers obsolete, for another scene or buffer.
     void forget() { kept_.clear(); }
 
 private:
     struct Kept {
         shadow::LocalLight light;
         shadow::Allotment allotment;
-        bool has_layer = false; ///< of what stands still
+        bool has_layer = false; ///< a layer of static casters
     };
 
     shadow::Atlas atlas_;
-    std::vector<Kept> kept_; ///< by local light: what its maps show
-    LocalShadowPlan plan_;   ///< its room serves the next frame, as does that of these:
+    std::vector<Kept> kept_; ///< content of the maps, per local light
+    LocalShadowPlan plan_;   ///< kept for its memory, as are the two below
     std::vector<shadow::LocalLight> lights_;
     std::vector<shadow::AtlasRequest> requests_;
 };
 
-/// The views to draw, for the device.
+/// The lists of LocalMapViews on the device.
 struct LocalViewBuffers {
     gpu::Buffer whole;
     gpu::Buffer still;
     gpu::Buffer moving;
 };
 
-/// Shadow maps of local lights.
+/// Buffers of the local lights' shadow maps.
 struct LocalShadowBuffers {
-    gpu::Buffer shadows; ///< LocalShadow, one for each light that has maps
-    gpu::Buffer maps;    ///< their texels, kept from frame to frame
-    gpu::Buffer layers;  ///< texels of what stands still alone, where some light keeps those apart
+    gpu::Buffer shadows; ///< one LocalShadow per light that has maps
+    gpu::Buffer maps;    ///< texels of the maps, kept from frame to frame
+    gpu::Buffer layers;  ///< texels of static casters; empty if no light keeps them apart
     LocalViewBuffers views;
 };
 
-/// What blocks a light, see list_casters(), in a list of its own.
+/// As list_casters(), but returns the list.
 [[nodiscard]] std::vector<raster::Batch> caster_batches(const pose::MeshData& layout, Groups groups,
                                                         Casters which = Casters::all);
 
-/// Draws the maps that are out of date: whole, or what moves alone, over the layer of what stands still.
+/// Draws the obsolete maps: from all casters, or from moving casters over the layer of static ones.
 ///
 /// Writes  maps and layers of `buffers`; returns the maps
-/// Cost    nothing where no map is out of date; else that of raster::add_depth_views() for each list of views
+/// Cost    nothing if no map is obsolete; otherwise raster::add_depth_views() per list of views
 [[nodiscard]] gpu::BufferId add_local_maps(gpu::Graph& graph, const ShadowScene& scene,
                                            const LocalMapViews& views, LocalShadowBuffers& buffers);
 
-/// What the maps of local lights are planned from.
+/// The inputs for planning the local lights' shadow maps.
 struct LocalMapScene {
     PageView page;
-    shadow::ShadowStyle style; ///< with as many local lights as may throw shadows
+    shadow::ShadowStyle style; ///< with the number of local lights that may throw shadows
     CasterKinds casters;
 };
 
-/// The maps that a sample of a picture has, and what of them is to be drawn.
+/// The shadow maps of a sample of a picture, and what must be drawn of them.
 struct ShadowMapWork {
     const SunMapPlan& sun;
     const SunMapWork& of_sun;
     const LocalMapPlan& local;
-    bool draws_local = true; ///< else a sample before this one did
+    bool draws_local = true; ///< false if an earlier sample has drawn the local maps
 };
 
 class Shadows final : public Feature {
 public:
-    /// Maps hold what they were drawn from: another scene, light or origin makes them out of date.
+    /// Makes maps obsolete when the scene, its lights or the origin change.
     void invalidate(Event event) override;
 
-    /// Something moved from and to these places (anchor space).
+    /// Records that something moved from and to these boxes (anchor space).
     void move(std::span<const Bounds> places);
 
-    /// Plans the maps of local lights, fills in the records' `shadow`, makes room, and says in `notes` how
-    /// many lights go without.
+    /// Plans the maps of local lights, sets the records' `shadow`, and allocates buffers. Reports in `notes`
+    /// how many lights get no map.
     [[nodiscard]] LocalMapPlan ensure_local_maps(gpu::Device& device, light::Lighting& lighting,
                                                  const LocalMapScene& scene, std::vector<std::string>& notes);
 
-    /// Uploads what lookups read.
+    /// Uploads the globals that shadow lookups read.
     void upload(gpu::Device& device, const shared::EdgeLook& edges, const shared::SunShadow& sun);
 
-    /// Draws what of a picture's maps is out of date. Cost: that of SunMap::record() and add_local_maps().
+    /// Draws the obsolete parts of a picture's maps. Cost: that of SunMap::record() and add_local_maps().
     [[nodiscard]] light::ShadowMaps record(gpu::Graph& graph, const ShadowScene& scene,
                                            const ShadowMapWork& work);
 
@@ -250,7 +251,7 @@ private:
     GroundShadow ground_;
     LocalShadows local_;
     LocalShadowBuffers local_buffers_;
-    std::vector<Bounds> moved_; ///< since local maps were planned last
+    std::vector<Bounds> moved_; ///< since the last plan of local maps
     gpu::Buffer edge_look_;     ///< EdgeLook, see shadow/shadow.glsl.h
     gpu::Buffer sun_globals_;   ///< SunShadow, see shadow/shadow.glsl.h
 };

@@ -14,7 +14,7 @@
 namespace estampe::features {
 namespace {
 
-/// Where a draw is at rest; empty where that is not known.
+/// World bounds of a draw in the rest pose; empty if unknown.
 Bounds place_of(const pose::MeshData& layout, const Scene& scene, const ScenePose& rest, uint32_t draw)
 {
     const pose::DrawSource& source = layout.sources[draw];
@@ -34,7 +34,7 @@ Bounds place_of(const pose::MeshData& layout, const Scene& scene, const ScenePos
     return bounds;
 }
 
-/// Whether a box is within a piece as the sun sees both, or next to it.
+/// Whether a box overlaps or adjoins a piece of the clipmap, in the sun's projection.
 bool is_within(const Bounds& place, const glm::dvec3& anchor, const shadow::Clipmap& clipmap,
                const shadow::Piece& piece)
 {
@@ -58,7 +58,7 @@ bool is_within(const Bounds& place, const glm::dvec3& anchor, const shadow::Clip
 
 std::vector<StillCaster> still_casters(const pose::MeshData& layout, const Scene& scene)
 {
-    const ScenePose rest = pose_scene(scene, 0.0); // of what never moves, at any time
+    const ScenePose rest = pose_scene(scene, 0.0); // static nodes have the same pose at any time
     std::vector<StillCaster> casters;
     for (const pose::CasterRun& run : layout.casters) {
         const uint32_t end = run.range.first + run.range.count;
@@ -83,8 +83,8 @@ void add_casters_within(const shadow::Piece& piece, const shadow::Clipmap& clipm
                         std::vector<raster::Batch>& batches)
 {
     const size_t first = batches.size();
-    std::vector<bool> bars; // of each batch: not all before it is a caster that the piece does not show
-    uint32_t passed_triangles = 0; // of such casters, since the last that it shows
+    std::vector<bool> bars;        // per batch: the gap before it contains triangles that must not be drawn
+    uint32_t passed_triangles = 0; // triangles of casters outside the piece since the last batch
     for (const StillCaster& caster : still) {
         if (!caster.place.empty() && !is_within(caster.place, anchor, clipmap, piece)) {
             passed_triangles += caster.range.count;
@@ -142,7 +142,7 @@ uint32_t whole_size(const StyleTables& style, glm::uvec2 size_px)
                : std::clamp(std::bit_ceil(std::max(size_px.x, size_px.y)), 512U, 4096U);
 }
 
-/// About how far the eye is from the nearest of what throws shadows: beside it, or below where it stands.
+/// Approximate distance from the eye to the nearest caster, horizontally or down to the lowest one.
 double nearest_m(const Bounds& casters, const glm::dvec3& eye)
 {
     const double beside = glm::distance(glm::clamp(eye, casters.min, casters.max), eye);
@@ -150,8 +150,8 @@ double nearest_m(const Bounds& casters, const glm::dvec3& eye)
     return std::clamp(std::max(beside, above), 1e-3 * casters.radius(), 2.0 * casters.radius());
 }
 
-/// A box on a coarse lattice about what stands still and a good deal around it: what moves there does not
-/// change it, and with it all of a map, and what moves beyond seldom does.
+/// The casters' box, rounded to a coarse lattice and extended around the static casters. Motion within it
+/// changes neither the box nor the map; motion beyond it seldom does.
 Bounds roomy(const SunScene& scene)
 {
     const Bounds& middle = scene.still.empty() ? scene.casters : scene.still;
@@ -161,8 +161,8 @@ Bounds roomy(const SunScene& scene)
             .max = glm::ceil(glm::max(scene.casters.max, middle.max + about_m) / pitch_m) * pitch_m};
 }
 
-/// A view of each square, for raster::add_depth_views(). One of a whole level has its texels where the level
-/// has them.
+/// One view per square, for raster::add_depth_views(). The texels of a whole level are rotated to the
+/// level's own layout.
 std::vector<shared::RasterView> views_of(std::span<const shadow::Piece> squares,
                                          const shadow::Clipmap& clipmap, Groups groups)
 {
@@ -240,7 +240,7 @@ SunMapWork SunMap::ensure(gpu::Device& device, const SunMapPlan& plan, const Sun
     }
     layout_ = casters.layout;
     const bool stands = plan.size > 0 && view_ == plan.view.clip_from_anchor;
-    // Under a sun that goes on with every picture it would be kept in vain.
+    // If the sun moves in every picture, a static layer would never be reused.
     const bool had_still = has_still_ && (stands || stood_);
     stood_ = stands;
     has_still_ = plan.clipmap && casters.are_parted && (had_still || (stands && !moved_.empty()));
@@ -278,7 +278,7 @@ void SunMap::ensure_moving(gpu::Device& device, const SunMapPlan& plan, SunMapWo
     }
     shadow::list_tiles(clipmap, work.squares, moved_, work.pieces, tile_list_);
     work.tile_count = static_cast<uint32_t>(tile_list_.size());
-    // Room for all that there may be, since it is another number in each frame.
+    // Sized for all tiles, since their number changes in every frame.
     const uint64_t side_tiles = clipmap.size / shared::square_tile_texels;
     const uint64_t tiles_bytes = sizeof(uint32_t) * clipmap.level_count * side_tiles * side_tiles;
     if (tiles_.empty() || tiles_.size_bytes() != tiles_bytes) {
@@ -304,17 +304,17 @@ bool counts(const pose::CasterRun& run, Casters which)
     return which == Casters::all || run.moves == (which == Casters::moving);
 }
 
-/// The pieces of a clipmap to draw, and what they are drawn from.
+/// Draws pieces of a clipmap.
 struct PieceDrawing {
     const ShadowScene& scene;
     raster::RasterInputs by_sun;
-    std::span<const raster::Batch> casters; ///< that move
+    std::span<const raster::Batch> casters; ///< moving casters
     const shadow::Clipmap& clipmap;
     const SunMapWork& work;
 
     [[nodiscard]] std::vector<raster::Batch> casters_of(const shadow::Piece& piece) const
     {
-        // A batch costs a GPU several dispatches, and a processor next to nothing.
+        // A batch costs a GPU several dispatches, but a CPU almost nothing.
         const size_t most = scene.path == RasterPath::compute ? 6 : 24;
         std::vector<raster::Batch> batches;
         if (!work.has_still) {
@@ -344,8 +344,8 @@ struct PieceDrawing {
 
 SunCasters sun_casters(const pose::MeshData& layout, uint32_t layout_number, Groups groups, RasterPath path)
 {
-    // The device's own rasteriser gives depths other bits in another picture: a film that is taken up again
-    // would not be the same to the byte.
+    // The hardware rasteriser's depths differ in their last bits between views. With it, layers would make a
+    // continued film differ from an uninterrupted one.
     const CasterKinds kinds = caster_kinds(layout);
     const bool by_compute = path == RasterPath::compute;
     return {.layout = layout_number,
@@ -380,7 +380,7 @@ gpu::BufferId SunMap::record(gpu::Graph& graph, const ShadowScene& scene, const 
                              const SunMapWork& work)
 {
     const gpu::BufferId map = gpu::import_whole(graph, "shadow", map_);
-    // The ground receives but does not throw.
+    // The ground receives shadows but casts none.
     list_casters(scene.layout, work.groups, plan.clipmap ? Casters::moving : Casters::all, casters_);
     const raster::View view{.clip_from_anchor = plan.view.clip_from_anchor,
                             .size_px = glm::uvec2(plan.size),
@@ -414,8 +414,8 @@ gpu::BufferId SunMap::record(gpu::Graph& graph, const ShadowScene& scene, const 
             scene.tuning),
         .path = scene.path,
         .tuning = scene.tuning};
-    // All levels together are views of one drawing: none of them is begun, divided into batches and copied by
-    // itself. The last is the coarsest, whose window holds all others.
+    // Draws all levels as views in one pass, instead of preparing, batching and copying each level. The last
+    // piece is the coarsest level, whose window contains the others.
     drawn = work.draws_levels ? raster::add_depth_views(graph, "shadow", drawing.by_sun,
                                                         drawing.casters_of(work.pieces.back()), views, drawn)
                               : drawing.add(graph, view, drawn);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The shadow map of the sun: what it is to be, what it holds, how it is drawn, and which of what stands
-// still throws its shadow into a piece of it.
+// The sun's shadow map: its plan, its content, how it is drawn, and which static casters a piece of it
+// needs.
 
 #include <optional>
 #include <span>
@@ -23,72 +23,72 @@
 
 namespace estampe::features {
 
-/// A draw that throws shadows and stands still for ever.
+/// A draw that casts shadows and never moves.
 struct StillCaster {
     pose::Range range;
-    Bounds place; ///< in the world
+    Bounds place; ///< world space
     bool masked = false;
     Groups groups = all_groups;
 };
 
-/// Those of a scene, in the order of their triangles. Cost: linear in nodes and triangles.
+/// The static casters of a scene, in the order of their triangles. Cost: linear in nodes and triangles.
 [[nodiscard]] std::vector<StillCaster> still_casters(const pose::MeshData& layout, const Scene& scene);
 
-/// Adds what of `still` may be seen in a piece, as at most `most` batches or one for each kind: short gaps
-/// between them are drawn too. Cost: linear in draws.
+/// Appends the casters of `still` that may be visible in a piece, as at most `most` batches, or more if
+/// there are more kinds. To merge batches, the triangles in short gaps between them are drawn too. Cost:
+/// linear in draws.
 void add_casters_within(const shadow::Piece& piece, const shadow::Clipmap& clipmap, const glm::dvec3& anchor,
                         std::span<const StillCaster> still, Groups groups, size_t most,
                         std::vector<raster::Batch>& batches);
 
-/// What decides how the sun's shadow is kept.
+/// The facts of a scene that decide how its sun map is laid out.
 struct SunScene {
     Bounds casters;       ///< world space
-    Bounds still;         ///< those of them that stand still for ever
-    double floor_m = 0.0; ///< nothing that is lit lies lower, world space
+    Bounds still;         ///< of the static casters, world space
+    double floor_m = 0.0; ///< lowest lit height, world space
     glm::dvec3 anchor{0.0};
     glm::dvec3 towards_sun{0.0, 1.0, 0.0};
     bool throws_shadow = false;
-    uint64_t most_bytes = 1ULL << 27U; ///< of a buffer on the device
+    uint64_t most_bytes = 1ULL << 27U; ///< limit of a buffer on the device
 };
 
-/// What the map is to be.
+/// The layout of the sun's shadow map.
 struct SunMapPlan {
-    uint32_t size = 0; ///< texels a side; 0 for no shadow
+    uint32_t size = 0; ///< texels per side; 0 means no shadow
     shadow::SunView view;
-    std::optional<shadow::Clipmap> clipmap; ///< in place of a single map of the view
+    std::optional<shadow::Clipmap> clipmap; ///< replaces the single map of `view`
     shadow::Windows windows;                ///< of the clipmap
-    uint32_t variant = 0;                   ///< how it is looked up, see shaders/light_variant.glsl.h
+    uint32_t variant = 0;                   ///< kind of lookup, see shaders/light_variant.glsl.h
 };
 
-/// What of the map is to be drawn now.
+/// The parts of the sun's map to draw now.
 struct SunMapWork {
-    Groups groups = all_groups; ///< of those that the sun shadows
+    Groups groups = all_groups; ///< caster groups that the sun uses
     bool redraws_whole = false;
-    std::vector<shadow::Piece> pieces; ///< of a clipmap, not drawn yet
-    bool draws_levels = false;         ///< these are its levels, all of them, drawn together
-    /// What stands still has a map of its own, and the pieces are of that.
+    std::vector<shadow::Piece> pieces; ///< pieces of the clipmap that are not drawn yet
+    bool draws_levels = false;         ///< `pieces` are all levels, drawn together
+    /// Static casters have a map of their own, and `pieces` belong to it.
     bool has_still = false;
-    std::vector<shadow::Piece> squares;    ///< then those of the map where something else may be seen now
-    std::vector<shared::RasterView> views; ///< of them, or of the levels, which are the same where both are
-    uint32_t tile_count = 0;               ///< of the squares, in which that is so
+    std::vector<shadow::Piece> squares; ///< with has_still: squares of the map that moving casters may change
+    std::vector<shared::RasterView> views; ///< of the squares, or of the levels; equal if there are both
+    uint32_t tile_count = 0;               ///< number of tiles in the squares that may change
 };
 
-/// What throws shadows, as far as it decides how the map is kept.
+/// The facts about shadow casters that decide how the sun's map is kept.
 struct SunCasters {
-    uint32_t layout = 0; ///< another number where what stands still may be other triangles
+    uint32_t layout = 0; ///< changes when the static casters' triangles may have changed
     Groups groups = all_groups;
     bool by_compute = false;
-    bool are_parted = false; ///< what moves is to be drawn apart from what stands still
+    bool are_parted = false; ///< moving casters are drawn apart from static ones
 };
 
-/// Of a scene that was laid out as `layout_number`, whose maps are drawn by `path`.
+/// Describes a scene with the layout `layout_number`, whose maps are drawn by `path`.
 [[nodiscard]] SunCasters sun_casters(const pose::MeshData& layout, uint32_t layout_number, Groups groups,
                                      RasterPath path);
 
-/// Which casters count.
 enum class Casters : uint8_t { all, still, moving };
 
-/// Whether there are casters that may move, and such that never do.
+/// Whether a scene has casters that may move, and casters that never do.
 struct CasterKinds {
     bool moving = false;
     bool still = false;
@@ -96,80 +96,79 @@ struct CasterKinds {
 
 [[nodiscard]] CasterKinds caster_kinds(const pose::MeshData& layout);
 
-/// What blocks a light that `groups` of casters shadow, as runs of triangles, in place of what `batches`
-/// held.
+/// Replaces `batches` by the casters of these groups, as runs of triangles.
 void list_casters(const pose::MeshData& layout, Groups groups, Casters which,
                   std::vector<raster::Batch>& batches);
 
-/// What shadow maps are drawn from, and by what.
+/// Geometry and rasteriser for drawing shadow maps.
 struct ShadowScene {
     const raster::RasterInputs& raster;
     const pose::MeshData& layout;
-    std::span<const StillCaster> still;                         ///< of `layout`
-    std::optional<gpu::BufferId> cluster_bounds = std::nullopt; ///< needed where local maps are out of date
+    std::span<const StillCaster> still;                         ///< static casters of `layout`
+    std::optional<gpu::BufferId> cluster_bounds = std::nullopt; ///< required if local maps are obsolete
     RasterPath path = RasterPath::compute;                      ///< never automatic
     raster::Tuning tuning = {};
 };
 
-/// Plans the map: its view, its size, and the windows of a clipmap where the style or, by itself, a scene
-/// that is far larger than what is near the eye wants one.
+/// Plans the sun's map: view, size and, for a clipmap, its windows. A clipmap is used if the style asks for
+/// it, or by default if the scene is much larger than its part near the eye.
 [[nodiscard]] SunMapPlan plan_sun_map(const SunScene& scene, const Camera& camera, glm::uvec2 size_px,
                                       const PixelSize& pixel, const StyleTables& style);
 
-/// The map as the light's shader looks it up.
+/// The globals of the map for the light shader.
 [[nodiscard]] shared::SunShadow sun_globals(const SunMapPlan& plan, const PixelSize& pixel,
                                             const shadow::ShadowStyle& style);
 
-/// The map between pictures: what it holds, and what of it has to be drawn.
+/// Keeps the sun's map between pictures, and decides which parts to draw.
 class SunMap {
 public:
-    /// What threw the shadow has changed.
+    /// Makes the map obsolete after a change of casters or light.
     void forget() { view_.reset(); }
 
-    /// What moves has moved, from and to these places (anchor space).
+    /// Records that something moved from and to these boxes (anchor space).
     void move(std::span<const Bounds> places) { moved_.insert(moved_.end(), places.begin(), places.end()); }
 
-    /// Makes room for the map that `plan` wants, and says what to draw into it. From the second time on that
-    /// something has moved under the same sun, what stands still is kept, and drawn anew by itself when the
-    /// sun goes on after it has stood.
+    /// Allocates the map for `plan`, and returns what to draw into it. If something moves while the sun stays
+    /// as in the picture before, static casters get a map of their own. That map is drawn again when the sun
+    /// moves after a rest.
     [[nodiscard]] SunMapWork ensure(gpu::Device& device, const SunMapPlan& plan, const SunCasters& casters);
-    /// That has been drawn.
+    /// Records that the work for `plan` has been drawn.
     void drawn(const SunMapPlan& plan);
 
-    /// Draws what is to be drawn of the map, and hands it on.
+    /// Draws the parts listed in `work`, and returns the map.
     ///
-    /// Cost    nothing where nothing is to be drawn; else that of raster::add_depth(), of a clipmap for each
-    ///         piece, of what stands still only what is seen there; of all its levels, in compute, that of
-    ///         raster::add_depth_views(). Where what stands still is kept, so is what moves drawn, and mixed
-    ///         in where it was and is
+    /// Cost    nothing if nothing must be drawn; otherwise raster::add_depth(), for a clipmap once per
+    ///         piece with only the static casters there, or in compute raster::add_depth_views() for all
+    ///         levels. With a map of static casters, moving ones are also drawn, and merged where they were
+    ///         and are
     [[nodiscard]] gpu::BufferId record(gpu::Graph& graph, const ShadowScene& scene, const SunMapPlan& plan,
                                        const SunMapWork& work);
 
     [[nodiscard]] gpu::Buffer& buffer() { return map_; }
 
-    /// Room for what is drawn of what moves, beside which it holds whatever was drawn before.
+    /// Depths of moving casters in the tiles drawn; other tiles hold old data.
     [[nodiscard]] gpu::Buffer& pictures() { return pictures_; }
 
 private:
-    /// Of what moves, drawn over what stands still.
+    /// Plans the views and tiles of moving casters, to be merged over the static map.
     void ensure_moving(gpu::Device& device, const SunMapPlan& plan, SunMapWork& work);
-    /// Draws that into `map`.
+    /// Draws the moving casters, and merges them with `still` into `map`.
     gpu::BufferId add_moving(gpu::Graph& graph, const raster::RasterInputs& by_sun,
                              const shadow::Clipmap& clipmap, const SunMapWork& work, raster::DepthViews views,
                              gpu::BufferId still, gpu::BufferId map);
 
     gpu::Buffer map_;
-    gpu::Buffer still_; ///< what stands still alone, where that is kept
-    gpu::Buffer views_; ///< of the work
+    gpu::Buffer still_; ///< map of static casters alone, if they are kept apart
+    gpu::Buffer views_; ///< views of the work
     gpu::Buffer pictures_;
-    gpu::Buffer tiles_; ///< of the pictures, those in which the map changes
+    gpu::Buffer tiles_; ///< tiles of `pictures_` in which the map changes
     std::vector<uint32_t> tile_list_;
-    std::vector<raster::Batch> casters_; ///< its room serves the next frame
-    bool has_still_ = false;             ///< it is up to date wherever the map is
-    bool stood_ = false;                 ///< the sun, when the map was last provided
+    std::vector<raster::Batch> casters_; ///< kept for its memory
+    bool has_still_ = false;             ///< the static map is valid wherever the map is
+    bool stood_ = false;                 ///< the sun was unchanged at the last ensure()
     std::vector<Bounds> moved_;
     uint32_t layout_ = 0;
-    std::optional<glm::mat4> view_; ///< of what the map holds; none when it is out of date
+    std::optional<glm::mat4> view_; ///< view of the map's content; none if the map is obsolete
     std::optional<shadow::Clipmap> clipmap_;
     shadow::Windows windows_;
 };

@@ -28,7 +28,7 @@ struct Seen {
         : scene(row_of_boxes(count)), layout(pose::build_meshes(scene, 1)),
           still(still_casters(layout, scene))
     {
-        // From straight above: x to the right, z down, 16 texels a metre.
+        // From straight above: x to the right, z down, 16 texels per metre.
         clipmap.view.right = {1.0F, 0.0F, 0.0F};
         clipmap.view.down = {0.0F, 0.0F, 1.0F};
         clipmap.finest_m = 1.0 / 16.0;
@@ -36,7 +36,7 @@ struct Seen {
         clipmap.level_count = 4;
     }
 
-    /// The batches of a piece about a place, of a level.
+    /// The batches for a piece of a level, centred at a place.
     [[nodiscard]] std::vector<raster::Batch> about(double x_m, uint32_t level, glm::uvec2 size,
                                                    size_t most = 24) const
     {
@@ -97,7 +97,7 @@ TEST(SunCasters, WhatThrowsNoShadowIsNotDrawnWithItsNeighbours)
     const auto apart = seen.about(4.0, 3, {64, 64}, 1);
     ASSERT_EQ(apart.size(), 2U);
     EXPECT_EQ(apart[0].triangle_count + apart[1].triangle_count, 24U);
-    seen.still.erase(seen.still.begin() + 1); // it is no caster that stands still
+    seen.still.erase(seen.still.begin() + 1); // now that box is no static caster
     EXPECT_EQ(seen.about(4.0, 3, {64, 64}, 1).size(), 2U);
 }
 

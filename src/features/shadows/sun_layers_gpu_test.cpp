@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shadows of what moves, over a map of what stands still: the pictures are those of a map drawn afresh.
+// Moving casters over a map of static casters must give the same pictures as a newly drawn map.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -17,10 +17,10 @@ namespace estampe::features {
 namespace {
 
 constexpr RenderSettings settings{.width = 160, .height = 90};
-constexpr Index rider = 6; ///< the node that moves
-constexpr Index bird = 7;  ///< another, far away and small
+constexpr Index rider = 6; ///< the moving node
+constexpr Index bird = 7;  ///< another moving node, small and far away
 
-/// Pillars on a long plane under a low sun; two far away hold all that moves between them.
+/// Pillars on a long plane under a low sun. The two outermost pillars enclose all moving nodes.
 Scene pillars()
 {
     Scene scene = test::scene_of(shapes::plane(120.0F, 120.0F));
@@ -37,7 +37,7 @@ struct RiderMoment {
     double eye_x = 0.0;
     glm::dvec3 rider{-3.0, 1.5, 3.0};
     glm::dvec3 bird{30.0, 9.0, -20.0};
-    double hour = 16.0; ///< of the sun
+    double hour = 16.0; ///< time of day, which sets the sun
 };
 
 Style clipmapped(double hour)
@@ -71,7 +71,7 @@ RendererOptions by_compute()
     return options;
 }
 
-/// The rider goes to and fro and stands still in between; the eye goes along, turns back and jumps.
+/// The rider moves back and forth with pauses; the eye follows, turns back and jumps.
 std::vector<RiderMoment> rider_moments()
 {
     return {{0.0},
@@ -102,7 +102,7 @@ TEST(SunLayers, GiveThePicturesOfAMapDrawnAfresh)
         mixed += has_pass_of(kept, "shadow/mix") ? 1 : 0;
         ++at;
     }
-    EXPECT_EQ(mixed, 8U); // but for the first, and the one before which nothing moved
+    EXPECT_EQ(mixed, 8U); // all but the first moment and the one without prior motion
 }
 
 TEST(SunLayers, WhatStandsStillIsNotDrawnAgain)
@@ -114,13 +114,13 @@ TEST(SunLayers, WhatStandsStillIsNotDrawnAgain)
         return has_pass_of(renderer, "shadow/small") || has_pass_of(renderer, "shadow/draw");
     };
     EXPECT_TRUE(draws_still({0.0}));
-    EXPECT_TRUE(draws_still({0.0, {-2.5, 1.5, 3.0}})); // into a map of its own
+    EXPECT_TRUE(draws_still({0.0, {-2.5, 1.5, 3.0}})); // into the static map
     EXPECT_FALSE(draws_still({0.0, {-2.0, 1.5, 3.0}}));
     EXPECT_FALSE(draws_still({0.0, {-1.5, 1.5, 3.0}}));
     EXPECT_FALSE(has_pass_of((draw(renderer, {0.0, {-1.5, 1.5, 3.0}}), renderer), "shadow/"));
 }
 
-/// The rider goes on all the while; the sun stands, goes on, and stands again.
+/// The rider moves all the time; the sun rests, moves, and rests again.
 std::vector<RiderMoment> evening()
 {
     std::vector<RiderMoment> moments;
@@ -137,7 +137,7 @@ TEST(SunLayers, FollowASunThatGoesOnInSteps)
     Renderer fresh(by_compute());
     const Scene scene = pillars();
     kept.set_scene(scene);
-    std::vector<size_t> still_drawn; // moments
+    std::vector<size_t> still_drawn; // indices of moments
     size_t at = 0;
     for (const RiderMoment& moment : evening()) {
         fresh.set_scene(scene);
@@ -148,8 +148,8 @@ TEST(SunLayers, FollowASunThatGoesOnInSteps)
         }
         ++at;
     }
-    // Of all together; into a map of its own; and once for each step that comes after the sun has stood. Of
-    // two steps one after the other the second one begins again.
+    // Static casters are drawn with all others first, then into their own map, and again for each sun step
+    // after a rest. Of two consecutive steps the second draws everything together again.
     EXPECT_EQ(still_drawn, (std::vector<size_t>{0, 1, 3, 6, 8, 9, 10}));
 }
 
@@ -163,7 +163,7 @@ TEST(SunLayers, AllLevelsAreDrawnTogether)
         return std::ranges::count(timings, name, &PassTiming::name);
     };
     EXPECT_EQ(count("shadow/clear"), 1);
-    EXPECT_LE(count("shadow/small"), 7); // batches, of what moves and what stands
+    EXPECT_LE(count("shadow/small"), 7); // batches of moving and static casters
     EXPECT_EQ(count("shadow/part"), 0);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sun's map, where only tiles that something moved over are mixed: texel by texel the map drawn afresh,
-// whatever the pictures of what moves held before.
+// Merging only the tiles that moving casters touch must give the same texels as a newly drawn map, whatever
+// the buffer of moving casters held before.
 #include <algorithm>
 #include <vector>
 
@@ -20,7 +20,7 @@ namespace estampe::features {
 namespace {
 
 constexpr uint32_t level_size = 512;
-constexpr uint32_t nearest_depth = 0x3f800000U; ///< 1: would hide all else
+constexpr uint32_t nearest_depth = 0x3f800000U; ///< the depth 1, which would hide everything
 const glm::dvec3 towards_sun = glm::normalize(glm::dvec3(-1.0, 0.9, 0.6));
 const Bounds casters{.min = {-60.0, 0.0, -60.0}, .max = {60.0, 12.0, 60.0}};
 
@@ -35,8 +35,8 @@ void move(Scene& scene, Index node, const std::vector<glm::vec3>& places)
     scene.animations.front().channels.push_back(channel);
 }
 
-/// Pillars, and two balls that go their ways by the second: near each other and far apart, beside the finest
-/// window, one while the other stands.
+/// Pillars, and two balls that move once per second: near each other and far apart, outside the finest
+/// window, and one while the other rests.
 Scene walkers()
 {
     Scene scene = test::scene_of(shapes::plane(120.0F, 120.0F));
@@ -70,7 +70,7 @@ struct EyeMoment {
     double eye_x = 0.0;
 };
 
-/// The eye goes along, jumps, or goes while nothing moves; in the end all go back to where they began.
+/// The eye follows, jumps, or moves while nothing else does. At the end all return to their start.
 std::vector<EyeMoment> eye_moments()
 {
     return {{0.0},       {1.0},       {2.0},      {2.0, 2.0}, {3.0, 2.0}, {3.5, 3.0}, {4.0, 3.0},
@@ -87,7 +87,7 @@ SunMapPlan plan_about(const test::Drawing& drawing, const EyeMoment& moment)
     return plan;
 }
 
-/// A map that is kept from moment to moment.
+/// A sun map that is kept from moment to moment.
 class KeptMap {
 public:
     explicit KeptMap(bool are_parted) : are_parted_(are_parted) {}
@@ -97,7 +97,7 @@ public:
     std::vector<uint32_t> draw(test::Drawing& drawing, const Scene& scene, const SunMapPlan& plan)
     {
         work = memory_.ensure(test::shared_device(), plan, {.by_compute = true, .are_parted = are_parted_});
-        if (work.has_still) { // nothing of the pictures was ever cleared
+        if (work.has_still) { // no texel of this buffer was ever cleared
             memory_.pictures() =
                 gpu::upload_buffer(test::shared_device(), "garbage",
                                    std::vector<uint32_t>(memory_.pictures().size_bytes() / 4, nearest_depth));
@@ -150,7 +150,7 @@ TEST(SunTiles, GiveTheMapDrawnAfresh)
         EXPECT_EQ(other, 0U) << "after " << moment.time_s << " s, from " << moment.eye_x << " m";
         few += kept.work.has_still && 2 * kept.work.tile_count < tiles_of(kept.work.squares) ? 1U : 0U;
     }
-    EXPECT_GE(few, 5U); // where windows stand, or go on by little
+    EXPECT_GE(few, 5U); // if windows rest, or move a little
 }
 
 } // namespace

@@ -20,9 +20,9 @@ namespace estampe::features {
 namespace {
 
 constexpr double longest_gap_s = 1.0;
-constexpr double caught_up_s = 0.25; // by a picture, of what smoke is behind that is begun in a film
+constexpr double caught_up_s = 0.25; // per picture, for smoke that starts during a film
 
-/// Sides in cells, powers of two nearest to the proportions.
+/// Grid size in cells: the powers of two nearest to the box's proportions.
 glm::uvec3 sides_of(const glm::dvec3& size_m, uint32_t longest)
 {
     constexpr double fewest = 8.0;
@@ -35,7 +35,7 @@ glm::uvec3 sides_of(const glm::dvec3& size_m, uint32_t longest)
     return sides;
 }
 
-/// None for a node that is scaled to nothing.
+/// The box of a node; none if the node's scale is zero.
 std::optional<smoke::Box> box_about(const glm::dmat4& world_from_node, const glm::dvec3& anchor,
                                     uint32_t cells)
 {
@@ -66,28 +66,28 @@ std::optional<smoke::Box> box_about(const glm::dmat4& world_from_node, const glm
                       .grid_from_anchor = glm::mat4(glm::inverse(anchor_from_grid))};
 }
 
-/// Steps that a fluid has yet to take.
+/// Steps that are left for the picture's graph.
 struct StepsLeft {
     fluid::FluidStyle style;
     uint32_t count = 0;
 };
 
-/// How a box's smoke rises to a moment.
+/// The simulation of a box's smoke over a period.
 struct Rise {
     const smoke::Box& box;
     const smoke::SmokeStyle& style;
     double gap_s = 0.0;
-    uint32_t boxes = 1; ///< that rise together
+    uint32_t boxes = 1; ///< number of boxes simulated together
     bool is_measured = false;
 };
 
-/// What a graph of steps took, and what is left.
+/// The result of let_rise().
 struct Risen {
-    std::optional<SolverReport> report; ///< nothing where no step was taken
+    std::optional<SolverReport> report; ///< none if no step was taken
     StepsLeft left;
 };
 
-/// Takes all steps but those that the picture's own graph has room for; all, where they are measured.
+/// Takes all steps except those that the picture's own graph has room for. If steps are measured, takes all.
 Risen let_rise(fluid::Fluid& fluid, SolverMeter meter, const Rise& rise)
 {
     const auto count =
@@ -110,7 +110,7 @@ Risen let_rise(fluid::Fluid& fluid, SolverMeter meter, const Rise& rise)
     return {.report = meter.report(), .left = {solver, left}};
 }
 
-/// Puffs and strokes go with the draught.
+/// Moves the patterns of puffs and strokes along with the wind and the rising air.
 void carry_along(smoke::Box& box, const smoke::SmokeStyle& style, double time_s)
 {
     const Draught draught = draught_of(box, style);
@@ -120,7 +120,7 @@ void carry_along(smoke::Box& box, const smoke::SmokeStyle& style, double time_s)
         static_cast<float>(std::fmod(time_s * static_cast<double>(draught.speed_m_per_s), 1e3));
 }
 
-/// Throws Error for what no smoke has.
+/// The number of cells. Throws Error if smoke cannot have these dimensions.
 uint64_t checked_cell_count(const glm::uvec3& cells, float cell_m, uint32_t channels)
 {
     const auto is_count = [](uint32_t count) {
@@ -141,10 +141,10 @@ struct RisingSmoke::Kept {
     glm::uvec3 cells{0};
     float cell_m = 1.0F;
     double time_s = 0.0;
-    double behind_s = 0.0; ///< the picture's time
+    double behind_s = 0.0; ///< lag behind the picture's time
     uint32_t channels = 2;
-    std::vector<float> velocity;   ///< three numbers a cell
-    std::vector<float> quantities; ///< one a channel
+    std::vector<float> velocity;   ///< three numbers per cell
+    std::vector<float> quantities; ///< one number per channel and cell
 };
 
 struct RisingSmoke::Column {
@@ -152,20 +152,20 @@ struct RisingSmoke::Column {
     glm::uvec3 cells{0};
     float cell_m = 1.0F;
     double time_s = 0.0;
-    double behind_s = 0.0;               ///< the last picture
-    Kept recalled;                       ///< until it is asked for
-    std::unique_ptr<fluid::Fluid> fluid; ///< none until then
+    double behind_s = 0.0;               ///< lag behind the last picture's time
+    Kept recalled;                       ///< saved state, until the fluid is made from it
+    std::unique_ptr<fluid::Fluid> fluid; ///< made at the first use
     std::optional<SolverReport> solver_report = {};
-    StepsLeft left = {}; ///< for the next graph that asks for the fluid
+    StepsLeft left = {}; ///< for the next graph that uses the fluid
 
-    /// The fluid at its time_s; once a graph.
+    /// The fluid at time_s. Call at most once per graph.
     [[nodiscard]] fluid::FluidFields add(gpu::Graph& graph)
     {
         const StepsLeft now = std::exchange(left, {});
         return fluid->add_steps(graph, now.style, now.count);
     }
 
-    /// Takes steps that no picture asked for.
+    /// Takes the steps that are left because no picture's graph used them.
     void catch_up(gpu::Executor& executor)
     {
         if (left.count > 0) {
@@ -214,7 +214,7 @@ void add_fires(light::Lighting& lighting, const std::vector<smoke::Box>& boxes,
         const fluid::Source source = source_of(box, style);
         const glm::mat4 anchor_from_grid = glm::inverse(box.grid_from_anchor);
         const float half_m = 0.5F * box.width_m();
-        // Two waves whose lengths have no common measure.
+        // Two waves with an irrational ratio of frequencies, so that the flicker does not repeat.
         const auto flicker = static_cast<float>(1.0 + 0.12 * std::sin(17.3 * time_s + box.number) +
                                                 0.08 * std::sin(41.7 * time_s + 2.0 * box.number));
         shared::LightRecord record{};

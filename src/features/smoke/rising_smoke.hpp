@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Smoke that rises from picture to picture: where its boxes stand, and how far it has come in each.
+// Rising smoke from picture to picture: the boxes in which it rises, and the simulation state of each.
 
 #include <memory>
 #include <optional>
@@ -23,15 +23,16 @@ class Fluid;
 
 namespace estampe::features {
 
-/// The scene's lights as smoke takes them; the first that is directional throws the shadow of the sun's map,
-/// where there is one.
+/// The scene's lights, converted for smoke. If there is a sun shadow map, the first light uses it when it is
+/// directional.
 [[nodiscard]] std::vector<smoke::Lamp> smoke_lamps(const light::Lighting& lighting, bool has_sun_map);
 
-/// The fires that smoke rises from, as lamps among the lights, where the style has them glow. They flicker.
+/// Adds the glow of fires at the smoke's sources to the lights, if the style asks for it. The fires flicker
+/// with time.
 void add_fires(light::Lighting& lighting, const std::vector<smoke::Box>& boxes,
                const smoke::SmokeStyle& style, double time_s);
 
-/// What a picture's smoke is planned from.
+/// The inputs for the smoke of a picture.
 struct SmokeInputs {
     const Scene& scene; ///< posed
     const pose::MeshData& layout;
@@ -40,16 +41,16 @@ struct SmokeInputs {
     const StyleTables& style;
     const std::vector<smoke::Lamp>& lamps;
     float ambient = 0.0F;                           ///< luminance
-    const std::vector<smoke::Box>* risen = nullptr; ///< what rise() returned, if it has been called
+    const std::vector<smoke::Box>* risen = nullptr; ///< the result of rise(), if it was called
 };
 
 struct SmokePlan {
     std::vector<smoke::Box> boxes; ///< at least one
 };
 
-/// The boxes of nodes that the pattern names, 2 m wide each way in the node's space and about the middle of
-/// its own floor; the sides are powers of two in cells. Each has the number that its node has among those.
-/// Nodes that are scaled to nothing have none.
+/// One box per node that the pattern matches: 2 m wide along each axis in the node's space, with the node at
+/// the middle of the box's floor. The sides are powers of two in cells. Boxes are numbered in the order of
+/// matching nodes. Nodes with zero scale get none.
 [[nodiscard]] std::vector<smoke::Box> smoke_boxes(const Scene& scene, const ScenePose& pose,
                                                   const glm::dvec3& anchor, const std::string& pattern,
                                                   uint32_t cells);
@@ -59,26 +60,26 @@ public:
     RisingSmoke();
     ~RisingSmoke() override;
 
-    /// Lets the smoke rise to the moment of a picture, and returns its boxes; none where the style or the
-    /// scene has none. The last steps are for the graph that next asks for velocity() or record(), in which
-    /// they run beside what hangs on none of them. It goes on from the picture before where that is followed,
-    /// at most a second later; else, and where another number of quantities is to rise, it starts `age_s`
-    /// ago, and takes steps_per_s() for each of these seconds. Patterns that name nothing, or more than
-    /// shared::smoke_most_boxes, go into `notes`.
+    /// Simulates the smoke up to the moment of a picture, and returns its boxes; empty if the style or the
+    /// scene has none. The last steps are left for the next graph that calls velocity() or record(), where
+    /// they run parallel to independent passes. Continues from the picture before, if that is at most a
+    /// second earlier; otherwise, or if the number of quantities changed, starts `age_s` before the picture
+    /// with steps_per_s() steps per second. Patterns that match nothing, and more boxes than
+    /// shared::smoke_most_boxes, are reported in `notes`.
     [[nodiscard]] std::vector<smoke::Box> rise(gpu::Device& device, gpu::Executor& executor,
                                                const SmokeInputs& in, std::vector<std::string>& notes);
 
-    /// The velocity in a box of those; once a graph.
+    /// The velocity in a box returned by rise(). Call at most once per graph.
     [[nodiscard]] gpu::ImageId velocity(gpu::Graph& graph, size_t box);
 
-    /// Plans how the smoke is lit and drawn, which rises before unless it has; nothing where there is none.
+    /// Plans light and drawing of the smoke; calls rise() unless that was done. None without smoke.
     [[nodiscard]] std::optional<SmokePlan> ensure(gpu::Device& device, gpu::Executor& executor,
                                                   const SmokeInputs& in, std::vector<std::string>& notes);
 
-    /// Of the boxes that were measured when they took their last steps, numbered where there are several.
+    /// Reports of the boxes whose last steps were measured, numbered if there are several boxes.
     [[nodiscard]] std::vector<SolverReport> solver_reports() const;
 
-    /// Smoke of another scene is let go. What rises in the world stays where the anchor moves.
+    /// Forgets the smoke of a replaced scene. A moved anchor does not matter: smoke is kept in box space.
     void invalidate(Event event) override;
 
     [[nodiscard]] std::optional<FilmSection> film_section() const override { return FilmSection{"smoke", 1}; }
@@ -86,22 +87,22 @@ public:
     void save(FilmWriter& writer) override;
     void load(FilmReader& reader) override;
 
-    /// Shapes what has risen, and lights it through the `maps` of the scene if the style wants its shadows.
-    /// Once a picture; other graphs find it by volume().
+    /// Records the smoke's density volume and its lighting, with shadows from the scene's `maps` if the
+    /// style asks for them. Call once per picture; other graphs use volume().
     [[nodiscard]] smoke::Volume record(gpu::Graph& graph, const smoke::SmokeStyle& style, gpu::BufferId frame,
                                        const light::ShadowMaps& maps);
 
-    /// What record() left.
+    /// The result of record().
     [[nodiscard]] smoke::Volume volume(gpu::Graph& graph) { return volume_.import(graph); }
 
-    /// How a page sees it. `frame`: FrameGlobals; `depth`: r32f, reversed.
+    /// Inputs for drawing the smoke on a page. `frame`: FrameGlobals; `depth`: r32f, reversed.
     [[nodiscard]] smoke::ViewInputs view(gpu::Graph& graph, gpu::BufferId frame, gpu::ImageId depth,
                                          glm::uvec2 size_px);
 
 private:
-    /// The smoke of a box.
+    /// The simulated smoke of a box.
     struct Column;
-    /// What a film's next frame takes from this one, of a box.
+    /// The state of a box from which the next frame of a film continues.
     struct Kept;
 
     [[nodiscard]] std::unique_ptr<Column> started(gpu::Device& device, gpu::Executor& executor,

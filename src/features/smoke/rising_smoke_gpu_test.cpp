@@ -16,7 +16,7 @@ namespace {
 
 const Camera smoke_camera{.eye = {3.0, 3.0, 5.0}, .target = {0.0, 1.0, 0.0}};
 
-/// A box on a floor, in the sun, with a place on it from which smoke may rise.
+/// A sunlit box on a floor, with a node above it from which smoke may rise.
 Scene smoking_box()
 {
     Scene scene = test::scene_of(shapes::plane(6.0F, 6.0F));
@@ -62,7 +62,7 @@ TEST(RisingSmoke, CostsNothingWhereItIsOff)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(smoking_box());
-    static_cast<void>(renderer.render(smoke_camera, {}, smoke_still)); // poses the scene, draws shadow maps
+    static_cast<void>(renderer.render(smoke_camera, {}, smoke_still)); // poses scene, draws shadow maps
     const Image plain = renderer.render(smoke_camera, {}, smoke_still);
     const std::string graph = renderer.graph_dot();
     Style off;
@@ -118,7 +118,7 @@ TEST(RisingSmoke, BegunWithinAFilmItIsCaughtUpWithPictureByPicture)
     EXPECT_GT(seen[5], grown * 3 / 4);
 }
 
-/// The passes of the last picture's graph that are of a fluid's steps.
+/// Passes of the last picture's graph that belong to fluid steps.
 size_t steps_within(const Renderer& renderer)
 {
     const std::string graph = renderer.graph_dot();
@@ -142,7 +142,7 @@ TEST(RisingSmoke, TakesItsLastStepsBesideThePictureAsItWouldBefore)
     const std::vector<Image> beside = smoke_film(renderer, smoking());
     EXPECT_GT(steps_within(renderer), 0U);
     renderer.set_scene(scene);
-    EXPECT_EQ(smoke_film(renderer, smoking(), true), beside); // each step by itself, to be measured
+    EXPECT_EQ(smoke_film(renderer, smoking(), true), beside); // measured: one graph per step
     EXPECT_EQ(steps_within(renderer), 0U);
 }
 
@@ -151,7 +151,7 @@ TEST(RisingSmoke, RisesByEachSolverAndAdvectionAsTheStyleSays)
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(smoking_box());
     const Image usual = renderer.render(smoke_camera, smoking(), smoke_still);
-    // What is the same by name or by nature.
+    // These choices select the defaults by name.
     EXPECT_EQ(renderer.render(smoke_camera, smoking({"smoke.solver=spectral", "smoke.advection=maccormack"}),
                               smoke_still),
               usual);
@@ -164,7 +164,7 @@ TEST(RisingSmoke, RisesByEachSolverAndAdvectionAsTheStyleSays)
                   10U)
             << other;
     }
-    // While it rises.
+    // Pictures while the smoke rises.
     std::vector<Image> images = smoke_film(renderer, smoking());
     RenderSettings settings = smoke_still;
     settings.time_s = 4.0 / 12.0;
@@ -191,7 +191,7 @@ TEST(RisingSmoke, HasALayerOfItsOwn)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(smoking_box());
-    const Style style = smoking({"smoke.shadow=0"}); // which the other layers would show
+    const Style style = smoking({"smoke.shadow=0"}); // other layers would show the shadow
     const LayeredImage with = renderer.render_layers(smoke_camera, style, smoke_still);
     ASSERT_FALSE(with.layers.empty());
     EXPECT_EQ(with.layers.back().name, "smoke");
@@ -264,7 +264,7 @@ TEST(RisingSmoke, SaysHowManyBoxesAreTooMany)
     EXPECT_EQ(renderer.notes().back(), "smoke rises from the first 8 of 9 objects");
 }
 
-/// A plain in the sun, before a wall or not, and a place for smoke on it.
+/// A sunlit plain, with or without a wall behind it, and a node for smoke.
 Scene plain_with_smoke(bool has_roof)
 {
     Scene scene = test::scene_of(shapes::plane(12.0F, 12.0F));
@@ -313,7 +313,7 @@ TEST(RisingSmoke, BeginsWhereItRisesFrom)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(smoking_box());
-    // From the side: 72 pixels are a metre, the box ends 0.05 m below the middle.
+    // Seen from the side: 72 pixels are one metre, and the box ends 0.05 m below the middle.
     Camera level{.eye = {0.0, 0.45, 6.0}, .target = {0.0, 0.45, 0.0}};
     level.orthographic_half_height_m = 0.5;
     const std::vector<std::string> flat{"smoke.medium=wash", "smoke.line_mm=0", "smoke.shadow=0",
@@ -370,7 +370,7 @@ TEST(RisingSmoke, TellsWhatItsSolverLeft)
     const SolverReport rounds = report_of({"smoke.solver=jacobi"});
     EXPECT_EQ(rounds.solver, "jacobi");
     EXPECT_GT(rounds.divergence_left, 10.0 * direct.divergence_left);
-    // A page in tiles is prepared twice, where ink flows too.
+    // A page in tiles is prepared twice if ink flows too.
     measured.tile_px = 64;
     static_cast<void>(renderer.render(
         smoke_camera, smoking({"ink.enabled=true", "ink.age_s=0.2", "ink.solved=1"}), measured));
@@ -385,7 +385,7 @@ TEST(RisingSmoke, TellsWhatItsSolverLeft)
     EXPECT_TRUE(renderer.solver_reports().empty());
 }
 
-/// How many pixels of the rows from `first` on, up to `last`, differ.
+/// Number of pixels that differ in rows `first` to `last`, without `last`.
 size_t changed_between(const Image& a, const Image& b, uint32_t first, uint32_t last)
 {
     size_t count = 0;
@@ -395,7 +395,7 @@ size_t changed_between(const Image& a, const Image& b, uint32_t first, uint32_t 
     return count;
 }
 
-/// Of the side of a box 2 m high and wide: 72 pixels are 2.4 m, its floor is row 66.
+/// Side view of a box 2 m high and wide: 72 pixels are 2.4 m, and the floor is row 66.
 struct SideView {
     Camera camera{.eye = {0.0, 1.0, 6.0}, .target = {0.0, 1.0, 0.0}};
 
@@ -428,7 +428,7 @@ TEST(RisingSmoke, WhatBurnsIsSeenAsFlamesAboveItsSource)
         std::vector<std::string> all = fire;
         all.insert(all.end(), more.begin(), more.end());
         const Image image = renderer.render(SideView().camera, smoking(all), smoke_still);
-        std::array<size_t, 2> count{}; // in the upper half of the box, in the lower
+        std::array<size_t, 2> count{}; // in the upper and the lower half of the box
         for (uint32_t i = 0; i < smoke_still.width * 66; ++i) {
             const uint8_t* const texel = &image.rgba[size_t{4} * i];
             const bool is_red = texel[0] > 150 && texel[1] < 70 && texel[2] < 70;

@@ -10,15 +10,16 @@
 namespace estampe::features {
 namespace {
 
-constexpr float held_s = 0.2F; ///< that air has been in a source at least, going by its density
-/// Of the logarithm of what air holds, over the height of a box: as if it were some kilometres high.
+constexpr float held_s = 0.2F; ///< shortest time that air spends in a source, for its density
+/// Natural logarithm of the ratio of saturation at floor and top of the box, as if it were some kilometres
+/// high.
 constexpr float holds_less_above = 2.0F;
 
 fluid::Solver solver_of(const smoke::SmokeStyle& style)
 {
     switch (style.solver) {
     case smoke::Solver::spectral:
-        // Which knows of nothing in its way.
+        // The spectral solver does not support obstacles.
         return style.obstacles ? fluid::Solver::automatic : fluid::Solver::spectral;
     case smoke::Solver::multigrid:
         return fluid::Solver::multigrid;
@@ -45,7 +46,7 @@ fluid::Advection advection_of(const smoke::SmokeStyle& style)
     return fluid::Advection::automatic;
 }
 
-/// How far in the open ends are felt.
+/// Width of the zone at the open faces in which the outside air acts.
 float rim_m(const Draught& draught)
 {
     return 0.15F * draught.width_m;
@@ -61,7 +62,7 @@ float outside_vapour(const smoke::SmokeStyle& style)
     return style.humidity_outside * style.humidity;
 }
 
-/// Of the quantities, besides being carried.
+/// How the carried quantities change over time.
 fluid::MatterStyle changing(const Draught& draught, const smoke::SmokeStyle& style)
 {
     return {.fading_per_s = 1.0F / style.life_s,
@@ -109,7 +110,7 @@ double steps_per_s(const smoke::Box& box, const smoke::SmokeStyle& style)
 
 fluid::Grid grid_of(const smoke::Box& box)
 {
-    // What leaves at one face would come back at the other, if the rim did not take it.
+    // Periodic faces act as open ones: the rim removes what would come back at the opposite face.
     constexpr fluid::Edge open = fluid::Edge::periodic;
     return {.cells = box.cells, .cell_m = box.cell_m, .edges = {open, open, open}};
 }
@@ -141,7 +142,7 @@ fluid::Source source_of(const smoke::Box& box, const smoke::SmokeStyle& style)
     const glm::vec3 floor = 0.5F * box.cell_m * glm::vec3(box.cells) * glm::vec3(1.0F, 0.0F, 1.0F);
     fluid::Source source{.shape = fluid::disc(floor + glm::vec3(0.0F, 0.6F * radius_m, 0.0F), radius_m)};
     source.gain_per_s[shared::fluid_density] = style.amount_per_s;
-    // Or air that comes in by the floor would be a way above it before it is seen, the longer the quicker.
+    // Otherwise air that enters at the floor would rise before it becomes visible, farther at higher speed.
     source.least_density = std::min(held_s * style.amount_per_s, 1.0F);
     source.gain_per_s[shared::fluid_temperature] = 6.0F / style.rise_s;
     source.gain_per_s[shared::fluid_fuel] = style.fuel_per_s;
@@ -152,13 +153,13 @@ fluid::Source source_of(const smoke::Box& box, const smoke::SmokeStyle& style)
 std::vector<float> stirred_air(const smoke::Box& box, const smoke::SmokeStyle& style)
 {
     constexpr int wave_count = 10;
-    constexpr double most_waves = 3.0; // along a side
+    constexpr double most_waves = 3.0; // per side of the box
     const Draught draught = draught_of(box, style);
     std::mt19937 random(static_cast<uint32_t>(style.seed) + 7919U * box.number);
     const auto number = [&] { return 2.0 * static_cast<double>(random()) / 4294967295.0 - 1.0; };
 
     struct Wave {
-        glm::dvec3 turns; ///< over the box: whole numbers
+        glm::dvec3 turns; ///< periods across the box, whole numbers
         glm::dvec3 swing;
         double phase = 0.0;
     };
@@ -215,7 +216,7 @@ using Triangle = std::array<glm::dvec3, 3>;
 
 constexpr double half_cell = 0.5;
 
-/// Whether an axis parts the triangle from the box of a cell about the origin.
+/// Whether an axis separates the triangle from a cell centred at the origin.
 bool parts(const glm::dvec3& axis, const Triangle& triangle)
 {
     const double reach = half_cell * (std::abs(axis.x) + std::abs(axis.y) + std::abs(axis.z));
@@ -243,7 +244,7 @@ bool touches_cell(const Triangle& triangle, const glm::dvec3& middle)
     return true;
 }
 
-/// Cells of a box, and those among them that have been touched.
+/// Flags for the cells of a box that a triangle touches.
 class Cells {
 public:
     explicit Cells(const glm::uvec3& size) : size_(size), flags_(size_t{size.x} * size.y * size.z) {}
@@ -255,7 +256,7 @@ public:
         const glm::dvec3 last = glm::dvec3(size_) - 1.0;
         if (!glm::all(glm::lessThanEqual(low, glm::dvec3(size_))) ||
             !glm::all(glm::greaterThanEqual(high, glm::dvec3(0.0)))) {
-            return; // also what is no number
+            return; // also catches NaN
         }
         const glm::uvec3 from(glm::clamp(glm::floor(low), glm::dvec3(0.0), last));
         const glm::uvec3 to(glm::clamp(glm::floor(high), glm::dvec3(0.0), last));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What burns and condenses in drawn smoke's own settings.
+// Burning and condensation with the settings of drawn smoke.
 #include "features/smoke/smoke_air.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ smoke::Box box_of(float width_m)
 
 const smoke::Box box = box_of(2.0F);
 
-/// No wind, nothing that leaves, nothing that cools: what is there stays there.
+/// No wind, outflow or cooling: all quantities stay in place.
 fluid::FluidStyle closed(const smoke::SmokeStyle& style)
 {
     fluid::FluidStyle solver = solving(box, style, step_s);
@@ -54,7 +54,7 @@ std::vector<float> quantities_after(fluid::Fluid& fluid, const fluid::FluidStyle
     }
 }
 
-/// The same of each channel everywhere.
+/// The same amount of each channel in every cell.
 std::vector<float> even(const std::vector<float>& amounts)
 {
     std::vector<float> numbers;
@@ -149,7 +149,7 @@ TEST(SmokeAir, WindBlowsItOutByTheLeeSideAndNoneComesBack)
         fluid.set_shapes({}, std::vector{source_of(small, style)});
         const std::vector<float> end = quantities_after(fluid, solving(small, style, 1.0 / steps_a_second),
                                                         static_cast<uint32_t>(1.5 * steps_a_second));
-        std::array<double, air_side> amounts{}; // along x, which the wind goes along
+        std::array<double, air_side> amounts{}; // along x, the wind's direction
         for (uint32_t i = 0; i < air_side * air_side * air_side; ++i) {
             amounts.at(i % air_side) += static_cast<double>(end[i]);
         }
@@ -189,7 +189,7 @@ TEST(SmokeAir, NothingBurnsWithoutFuelAndWhatBurnsIsHeatAndSoot)
     EXPECT_GT(sum_of(burnt, shared::fluid_fuel), 1.0);
     EXPECT_GT(sum_of(burnt, shared::fluid_temperature), 1.5 * sum_of(without, shared::fluid_temperature));
     EXPECT_GT(sum_of(burnt, shared::fluid_density), 1.1 * sum_of(without, shared::fluid_density));
-    // In a room where all is hot, to the unit.
+    // In a room that is hot everywhere.
     fluid::Fluid fluid(test::shared_device(), grid_of(box), 3, {}, even({0.0F, 1.0F, 1.0F}));
     fluid::FluidStyle closed_fire = closed(fire);
     closed_fire.matter.fading_per_s = 0.0F;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where smoke's box stands, and what of it is solid.
+// Position of the smoke's box, and its solid cells.
 #include "features/smoke/smoke_air.hpp"
 
 #include <algorithm>
@@ -70,7 +70,7 @@ TEST(SmokeObstacles, AreAllCellsThatATriangleTouchesAndNoOther)
         }
         for (size_t i = 0; i < cells.size(); ++i) {
             EXPECT_GE(cells[i], sampled[i]);
-            if (cells[i] > sampled[i]) { // between the samples: one of them is nearly in it
+            if (cells[i] > sampled[i]) { // missed by the samples, which are near it
                 const glm::vec3 middle = glm::vec3(i % side, i / side % side, i / (side * side)) + 0.5F;
                 const bool is_near = std::ranges::any_of(points, [&](const glm::vec3& point) {
                     const glm::vec3 off = glm::abs(point - middle);

@@ -10,7 +10,7 @@ namespace estampe::features {
 
 namespace {
 
-/// The object that a terrain raises; the end of the nodes where there is none.
+/// The node of the object that the terrain displaces; the end of the nodes if there is none.
 auto raised_node(const Scene& scene)
 {
     return std::ranges::find_if(scene.nodes, [&](const Node& candidate) {
@@ -18,7 +18,7 @@ auto raised_node(const Scene& scene)
     });
 }
 
-/// Where a scene of nothing else takes place.
+/// Bounds of a scene that has only a terrain.
 Bounds near_origin(const Terrain& terrain)
 {
     const double height_m = terrain.sample(0.0, 0.0).height_m;

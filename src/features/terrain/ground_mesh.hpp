@@ -6,23 +6,24 @@
 
 namespace estampe::features {
 
-/// The scene with a node and a material "terrain" at their lists' ends, which its terrain is drawn as.
+/// Returns the scene with a node and a material "terrain" appended to its lists. The terrain is drawn as
+/// this node.
 [[nodiscard]] Scene with_terrain_node(const Scene& scene);
 
-/// The object that a terrain raises, as it stands in the rest pose; nothing for other methods. Throws Error
-/// where the scene has no such object.
+/// The object that the terrain displaces, in the rest pose; empty for other mesh methods. Throws Error if
+/// the scene has no such object.
 [[nodiscard]] terrain::ObjectTriangles raised_object(const Scene& scene);
 
-/// The mesh of the terrain of a scene with such a node, as it lies before any eye has looked.
+/// The terrain's mesh before the first view has placed it. `scene` must come from with_terrain_node().
 [[nodiscard]] pose::ForeignMesh ground_mesh(const Scene& scene);
 
-/// What another terrain in place of a scene's own asks for.
+/// The consequences of replacing the terrain of a scene by another one.
 struct TerrainChange {
-    bool is_cut_otherwise = false; ///< all is to be laid out anew: triangles differ, or the anchor would
-    Bounds bounds;                 ///< of the scene with it
+    bool is_cut_otherwise = false; ///< the layout must be built again, since triangles or anchor differ
+    Bounds bounds;                 ///< bounds of the scene with the other terrain
 };
 
-/// `layout` is of the scene with its own terrain. Cost: two samples.
+/// Compares two terrains; `layout` is of the scene with `own`. Cost: two samples.
 [[nodiscard]] TerrainChange change_of(const pose::MeshData& layout, const Terrain& own, const Terrain& other);
 
 } // namespace estampe::features

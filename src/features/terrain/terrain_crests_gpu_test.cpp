@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines along the brinks of dunes, seen from above, against where the graph's own slope breaks.
+// Lines along dune brinks, seen from above, compared with the breaks in the graph's slope.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -27,10 +27,10 @@ Scene crested_dunes()
     return scene;
 }
 
-/// All of what it sees lies in the ground's finest ring.
+/// Sees only the finest ring of the ground.
 const Camera crest_camera{.eye = {1.0, 9.0, 2.0}, .target = {5.0, 0.0, 5.0}, .vertical_fov_rad = 0.87};
 
-/// The way from the eye through a place of the page.
+/// Direction from the eye through a place on the page.
 glm::dvec3 crest_ray(const glm::vec2& page_mm, const VectorDrawing& drawing)
 {
     const glm::dvec3 forward = glm::normalize(crest_camera.target - crest_camera.eye);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sand in the air and prints in the sand, as pictures show them.
+// Drifting sand and footprints in pictures.
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -40,7 +40,7 @@ Style plain(const char* setting = nullptr)
     return style;
 }
 
-/// Along z over the ridge: across the picture lie 48 m, from x = -24 to 24.
+/// Looks along z over the ridge; the picture is 48 m wide, from x = -24 to 24.
 Camera from_the_side(double z_m)
 {
     Camera camera{.eye = {0.0, 9.0, z_m}, .target = {0.0, 9.0, z_m + 1.0}};
@@ -50,7 +50,7 @@ Camera from_the_side(double z_m)
 
 double place_of(uint32_t column)
 {
-    return 24.0 - (column + 0.5) * 48.0 / drift_page.width; // +x is to the left of who looks along +z
+    return 24.0 - (column + 0.5) * 48.0 / drift_page.width; // +x is on the left when looking along +z
 }
 
 struct Difference {
@@ -81,8 +81,8 @@ Image drawn_drift(const Scene& scene, const Camera& camera, const Style& style, 
     return renderer.render(camera, style, settings);
 }
 
-/// Strokes begin at the brink and fly with the wind; there are none where the wind is weak, or blows up the
-/// slip face, or where they are not wanted.
+/// Streaks start at the brink and fly with the wind. There are none in weak wind, in wind up the slip face,
+/// or if the style turns them off.
 TEST(Drift, FliesOffTheBrinkWithTheWind)
 {
     const Scene windy = ridge("[wind]\nspeed_m_per_s = 9\n");
@@ -109,18 +109,18 @@ TEST(Drift, FliesOffTheBrinkWithTheWind)
                 drawn_drift(level, from_the_side(-30.0), plain("drift.enabled=false")));
 }
 
-/// What stands before it hides it: from under the slip face, which the eye is in, none is seen.
+/// Objects in front hide the drift: an eye below the slip face sees none.
 TEST(Drift, IsHiddenByWhatStandsBefore)
 {
     const Scene windy = ridge("[wind]\nspeed_m_per_s = 9\n");
     Camera from_windward{.eye = {-60.0, 3.0, 0.0}, .target = {0.0, 3.0, 0.0}};
-    from_windward.orthographic_half_height_m = 2.5; // ground all over: the rise
+    from_windward.orthographic_half_height_m = 2.5; // the windward side fills the page
     EXPECT_TRUE(drawn_drift(windy, from_windward, plain()) ==
                 drawn_drift(windy, from_windward, plain("drift.enabled=false")));
 }
 
-/// Streaks stay where they are when the eye goes by a whole number of cells of their field. One in parallel
-/// projection sees them in the same pixels from farther off.
+/// Streaks keep their places when the eye moves by a whole number of their cells: in parallel projection, an
+/// eye farther away sees them in the same pixels.
 TEST(Drift, StaysInItsPlace)
 {
     const Scene windy = ridge("[wind]\nspeed_m_per_s = 9\n");
@@ -145,8 +145,8 @@ TEST(Drift, StaysInItsPlace)
     EXPECT_LT(8 * others(here, sand_seen(-53.4375, 0.0)), others(here, sand_seen(-30.0, 1.1)));
 }
 
-/// A track of the terrain's file is seen, grows as time goes on, and is filled again by the wind; what a
-/// program presses in is seen beside it.
+/// A track from the terrain's file is visible, grows over time, and is filled by the wind. Footprints from
+/// the calling program appear next to it.
 TEST(TrailPictures, AreSeenAndFilled)
 {
     const std::string level = "[terrain]\nheight = 'x * 0'\n[mesh]\ncells = 64\n[ripples]\nheight_m = 0\n"

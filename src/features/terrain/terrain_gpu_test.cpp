@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pictures of a terrain: the same a million metres away, without a gap below the horizon, with its shadow,
-// and without swimming.
+// Pictures of a terrain are equal a million metres away, have no gaps below the horizon, show its shadow,
+// and do not swim.
 #include <cmath>
 #include <numbers>
 #include <thread>
@@ -31,7 +31,7 @@ Camera looking(const glm::dvec3& eye, double yaw_rad, double pitch)
     return {.eye = eye, .target = eye + glm::dvec3(std::cos(yaw_rad), pitch, std::sin(yaw_rad))};
 }
 
-/// Ground that lies in shade or in the sun, and nothing else on the page.
+/// Shows only light and shadow of the ground.
 Style sunlight_alone(float elevation_deg)
 {
     Style style;
@@ -49,11 +49,11 @@ double brightness_at(const Image& image, uint32_t x, uint32_t y)
     return image.rgba[(size_t{y} * image.width + x) * 4] / 255.0;
 }
 
-/// Ground that repeats looks the same 2^20 m on, to the byte, and steps of a millimetre do there what they do
-/// here. Eyes and where they look are such that doubles hold them alike there.
+/// Periodic ground looks the same 2^20 m away, to the byte, also after steps of a millimetre. The eyes and
+/// targets are exact in double precision at both places.
 TEST(TerrainPictures, DoNotShakeAMillionMetresAway)
 {
-    const Scene scene = ground_of(wave_ground + "[ripples]\nheight_m = 0\n"); // which do not repeat
+    const Scene scene = ground_of(wave_ground + "[ripples]\nheight_m = 0\n"); // ripples are not periodic
     const glm::dvec3 far(1048576.0, 0.0, -2097152.0);
     Renderer here(test::validated());
     Renderer there(test::validated());
@@ -68,7 +68,7 @@ TEST(TerrainPictures, DoNotShakeAMillionMetresAway)
     }
 }
 
-/// From above there is ground at every pixel, wherever the rings' seams run.
+/// Seen from above, ground covers every pixel, including the seams between rings.
 TEST(TerrainPictures, HaveNoGaps)
 {
     const Scene scene =
@@ -86,14 +86,15 @@ TEST(TerrainPictures, HaveNoGaps)
             brightest = std::max(
                 brightest, brightness_at(image, pixel % terrain_page.width, pixel / terrain_page.width));
         }
-        EXPECT_LT(brightest, 0.7) << i; // the page is 0.95
+        EXPECT_LT(brightest, 0.7) << i; // the paper is 0.95
     }
 }
 
-/// A ridge throws the shadow that its height and the sun's say, on the ground and on what stands there.
+/// A ridge casts a shadow, on the ground and on objects, whose length follows from the ridge's height and
+/// the sun's elevation.
 TEST(TerrainPictures, RidgesThrowTheirShadow)
 {
-    // A wall along z, 8 m high, with a foot of 1 m either way; the sun comes from +x.
+    // A wall along z, 8 m high, with a foot of 1 m on both sides; the sun shines from +x.
     Scene scene =
         ground_of("[terrain]\nheight = '8 * smoothstep(2, 1, abs(x))'\n[mesh]\ncell_m = 0.25\ncells = 128\n");
     Renderer& renderer = test::shared_renderer();
@@ -104,7 +105,7 @@ TEST(TerrainPictures, RidgesThrowTheirShadow)
     above.orthographic_half_height_m = 9.0;
     const Image image =
         renderer.render(above, sunlight_alone(static_cast<float>(elevation_deg)), terrain_page);
-    // Across the picture lie 32 m, from x = -26 to 6.
+    // The picture is 32 m wide, from x = -26 to 6.
     const auto column = [](double x_m) { return static_cast<uint32_t>((x_m + 26.0) / 32.0 * 160.0); };
     const double lit = brightness_at(image, column(end_m - 1.5), 45);
     const double dark = brightness_at(image, column(end_m + 1.5), 45);
@@ -116,7 +117,7 @@ TEST(TerrainPictures, RidgesThrowTheirShadow)
     }
 }
 
-/// A million metres in one stride: what was kept from picture to picture is not what is seen there.
+/// After a jump of a million metres, nothing kept from earlier pictures is visible.
 TEST(TerrainPictures, NothingIsLeftOfWhereTheEyeWas)
 {
     const Scene scene = ground_of(wave_ground);
@@ -131,7 +132,8 @@ TEST(TerrainPictures, NothingIsLeftOfWhereTheEyeWas)
     EXPECT_FALSE(before == after);
 }
 
-/// Another graph while the scene stays: interpreted at once, then compiled, and the same picture either way.
+/// The terrain's graph changes in an unchanged scene. It is interpreted first, then compiled; both give the
+/// same picture.
 TEST(TerrainPictures, GraphsAreSwapped)
 {
     Renderer swapped(test::validated());
@@ -159,8 +161,8 @@ TEST(TerrainPictures, GraphsAreSwapped)
     EXPECT_THROW(swapped.set_terrain(terrain), Error);
 }
 
-/// What a terrain may differ in, each after the one before: the picture is that of a scene loaded with it, to
-/// the bit, and what cannot be taken leaves the last.
+/// Changes a terrain in one respect after the other. Each picture equals that of a scene loaded with that
+/// terrain, bit for bit; a rejected terrain leaves the last one.
 TEST(TerrainPictures, WhatIsSwappedIsAsIfDrawnAfresh)
 {
     const std::string head = "[terrain]\nheight = '2 * sine(32) + sin(time) * sine(8)'\n";
@@ -208,7 +210,7 @@ TEST(TerrainPictures, WhatIsSwappedIsAsIfDrawnAfresh)
     }
 }
 
-/// Simulated sand: dunes wander as time goes on, and a moment looks the same however it was come to.
+/// Simulated sand: dunes move over time, and a moment looks the same whichever moments came before.
 TEST(TerrainPictures, SandIsBlown)
 {
     const Scene scene =
@@ -230,12 +232,12 @@ TEST(TerrainPictures, SandIsBlown)
     EXPECT_TRUE(first == again.render(camera, raking, terrain_page)) << "back again";
 }
 
-/// An object of the scene is raised where it stands, and is not drawn besides.
+/// The terrain displaces an object of the scene in place; the object itself is not drawn.
 TEST(TerrainPictures, AnObjectIsRaised)
 {
     Scene scene = test::scene_of(shapes::box({8.0F, 0.1F, 8.0F}));
     scene.nodes[0].name = "Field";
-    scene.materials[0].base_color = {0.0F, 0.0F, 0.0F, 1.0F}; // where it lay itself
+    scene.materials[0].base_color = {0.0F, 0.0F, 0.0F, 1.0F}; // would show the object's own surface
     scene.terrain = Terrain(parse_terrain(
         "[terrain]\nheight = '3'\n[mesh]\nmethod = 'object'\nobject = 'Field'\n", "raised.toml"));
     Scene lifted = test::scene_of(shapes::box({8.0F, 0.1F, 8.0F}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ground under a moving eye and a moving wind: where it goes on the page, and that it does not swim there.
+// Ground under a moving eye and a changing wind: its motion vectors are right, and its strokes do not swim.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ Scene wandering_dunes()
     return scene;
 }
 
-/// Light on the ground and nothing else.
+/// Shows only light on the ground, without shadows.
 Style unshadowed_light_alone()
 {
     Style style;
@@ -42,7 +42,7 @@ double tone_at(const Image& image, int x, int y)
     return image.rgba[(row * image.width + column) * 4] / 255.0;
 }
 
-/// How far a tone lies outside of those about a place of a picture.
+/// How far a tone is outside the range of the tones around a place in a picture.
 double beyond(const Image& image, const glm::dvec2& place_px, double wanted)
 {
     const glm::ivec2 corner(glm::floor(place_px - 0.5));
@@ -56,8 +56,8 @@ double beyond(const Image& image, const glm::dvec2& place_px, double wanted)
     return std::max(least - wanted, wanted - most);
 }
 
-/// An eye that goes over dunes: what it sees, brought back to where it stood, is what it saw, but for what
-/// was hidden.
+/// An eye moves over dunes. Each picture, reprojected to the eye before, equals the former picture except
+/// where ground was hidden.
 TEST(TerrainMotion, GroundDoesNotSwimUnderAMovingEye)
 {
     const Scene scene = wandering_dunes();
@@ -99,7 +99,7 @@ TEST(TerrainMotion, GroundDoesNotSwimUnderAMovingEye)
     RecordProperty("greatest share that swims", std::to_string(most));
 }
 
-/// A place of the page in pixels, of an upright camera.
+/// Projects a place to pixels of the page, for an upright camera.
 glm::dvec2 projected(const Camera& camera, const glm::dvec3& place)
 {
     const glm::dvec3 ahead = glm::normalize(camera.target - camera.eye);
@@ -121,8 +121,7 @@ glm::dvec3 ground_ray(const Camera& camera, const glm::dvec2& place_px)
                           glm::cross(right, ahead) * (span * (place_px.y - 0.5 * motion_height_px)));
 }
 
-/// Dunes that the wind moves, seen by an eye that moves too: every place of the page tells how far it went as
-/// the graph has it.
+/// Wind moves the dunes and the eye moves too: every pixel's motion vector agrees with the graph.
 TEST(TerrainMotion, IsThatOfTheGraph)
 {
     const Scene scene = wandering_dunes();

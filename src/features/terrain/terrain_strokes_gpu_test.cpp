@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which way the strokes of the ground run.
+// The direction of strokes on the ground.
 #include <cmath>
 #include <numbers>
 
@@ -24,7 +24,7 @@ Scene windy_ground(const char* height, float wind_deg)
     return scene;
 }
 
-/// One layer of strokes alone, in the shade, seen from above with +x to the right and +z below.
+/// A single layer of strokes in the shade, seen from above with +x to the right and +z down.
 Image strokes_from_above(const Scene& scene, const char* coordinates)
 {
     Style style;
@@ -45,10 +45,11 @@ Image strokes_from_above(const Scene& scene, const char* coordinates)
 
 struct Direction {
     double degrees = 0.0;   ///< from +x towards +z, 0 to 180
-    double coherence = 0.0; ///< 1 where all run alike
+    double coherence = 0.0; ///< 1 if all strokes are parallel
 };
 
-/// The structure tensor's, over a part of the picture, of Scharr's differences, which favour no direction.
+/// Direction from the structure tensor over a part of the picture, with Scharr differences, which favour no
+/// direction.
 Direction direction_of(const Image& image)
 {
     double xx = 0.0;
@@ -75,7 +76,7 @@ Direction direction_of(const Image& image)
             .coherence = strength > 0.0 ? std::hypot(xx - yy, 2.0 * xy) / strength : 0.0};
 }
 
-/// Of two directions without sense.
+/// Angle between two undirected lines.
 double between_deg(double a_deg, double b_deg)
 {
     const double apart = std::fmod(std::abs(a_deg - b_deg), 180.0);
@@ -91,8 +92,8 @@ TEST(TerrainStrokes, LieAcrossTheWindOnLevelGround)
     }
 }
 
-/// h - 0.3 w is one along a stroke where w is downwind. On ground that sinks by s across the wind, h = -s a,
-/// a stroke runs along (w, a) = (-s, 0.3).
+/// Along a stroke, h - 0.3 w is constant, where h is the height and w the way downwind. If the ground falls
+/// by s per metre across the wind, h = -s a, a stroke runs along (w, a) = (-s, 0.3).
 TEST(TerrainStrokes, BendWithSlopes)
 {
     const Direction direction = direction_of(strokes_from_above(windy_ground("-0.15 * z", 0.0F), "auto"));
@@ -100,7 +101,7 @@ TEST(TerrainStrokes, BendWithSlopes)
     EXPECT_GT(direction.coherence, 0.7);
 }
 
-/// Where a slice through the solid is wanted the wind does not count.
+/// Strokes that follow the solid ignore the wind.
 TEST(TerrainStrokes, KeepToTheSolidWhereThatIsWanted)
 {
     const Image north = strokes_from_above(windy_ground("0 * x", 0.0F), "solid");

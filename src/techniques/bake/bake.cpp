@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a bake depends on, how the light that its paths find is smoothed and laid out, and the rounds of
-// paths.
+// The bake's fingerprint, the smoothing and layout of the texels' light, and the rounds of paths.
 #include "techniques/bake/bake.hpp"
 
 #include <algorithm>
@@ -72,7 +71,7 @@ void add_lamp(Hash& hash, const Lamp& lamp)
     hash.add(lamp.baked);
 }
 
-/// Changes with everything that a map depends on: places, normals, materials, pictures and settings.
+/// Changes with every input of the map: positions, normals, materials, textures and settings.
 uint64_t work_fingerprint(const Scene& scene, const StaticTriangles& triangles, const BakeSettings& settings)
 {
     Hash hash;
@@ -108,19 +107,19 @@ uint64_t work_fingerprint(const Scene& scene, const StaticTriangles& triangles, 
     return hash.value();
 }
 
-/// What is known of the light of one texel.
+/// The light of one texel as its paths estimate it.
 struct Estimate {
     glm::vec3 light{0.0F};
-    float variance = 0.0F; ///< of the brightness of `light`
+    float variance = 0.0F; ///< of the mean brightness
     glm::vec3 place{0.0F};
     glm::vec3 normal{0.0F};
-    bool known = true; ///< false inside of solid things
+    bool known = true; ///< false where the texel lies inside a solid object
 };
 
 constexpr int filter_reach = 3;
 constexpr uint32_t nobody = 0xffffffffU;
 
-/// How much texel `b`, `step` texels away, says about texel `a`.
+/// Weight of texel `b` in the filtered value of texel `a`; `b` lies `step` texels away.
 float agreement(const Estimate& a, const Estimate& b, const glm::ivec2& step)
 {
     const float cosine = glm::dot(a.normal, b.normal);
@@ -135,7 +134,7 @@ float agreement(const Estimate& a, const Estimate& b, const glm::ivec2& step)
     return std::exp(-steps_2 / 6.0F - difference * difference / noise_2);
 }
 
-/// A picture whose texels are known one after the other.
+/// A square image in which some texels have no value yet.
 class Canvas {
 public:
     explicit Canvas(uint32_t side)
@@ -143,7 +142,7 @@ public:
     {
     }
 
-    /// Calls `visit` for each of the eight neighbours of a texel.
+    /// Calls `visit` for each of a texel's eight neighbours that lie inside the image.
     template <class Visit>
     void around(uint32_t place, const Visit& visit) const
     {
@@ -164,7 +163,7 @@ public:
     std::vector<bool> known;
 };
 
-/// Gives all texels of `wanted` beside known ones the mean of these; returns them.
+/// Fills the texels of `wanted` that touch known texels with the mean of these; returns those it filled.
 std::vector<uint32_t> fill_beside(Canvas& canvas, const std::vector<uint32_t>& wanted)
 {
     std::vector<uint32_t> filled;
@@ -190,7 +189,7 @@ std::vector<uint32_t> fill_beside(Canvas& canvas, const std::vector<uint32_t>& w
     return filled;
 }
 
-/// Texels beside `texels` that are not known, each once.
+/// Returns the unknown texels that touch `texels`, each once.
 std::vector<uint32_t> unknown_beside(const Canvas& canvas, const std::vector<uint32_t>& texels)
 {
     std::vector<uint32_t> found;
@@ -208,7 +207,7 @@ std::vector<uint32_t> unknown_beside(const Canvas& canvas, const std::vector<uin
 
 /// Averages each texel with those up to three texels away that lie on the same surface and differ by no more
 /// than their noise: a bilateral filter after Dammertz et al., "Edge-Avoiding A-Trous Wavelet Transform",
-/// 2010, at one scale. Cost: 49 looks a texel.
+/// 2010, at one scale. Cost: 49 lookups per texel.
 std::vector<glm::vec3> smoothed(std::span<const charts::Texel> texels, std::span<const Estimate> estimates,
                                 uint32_t size)
 {
@@ -247,8 +246,8 @@ std::vector<glm::vec3> smoothed(std::span<const charts::Texel> texels, std::span
     return result;
 }
 
-/// Lays the texels out as a picture, gives those that are not known the mean of their neighbours, and
-/// spreads the edges of charts into their gutters.
+/// Writes the texels into an image, fills unknown texels with the mean of their neighbours, and extends the
+/// edges of charts into their gutters.
 LightImage spread(std::span<const charts::Texel> texels, std::span<const Estimate> estimates,
                   std::span<const glm::vec3> light, uint32_t size)
 {
@@ -275,22 +274,22 @@ LightImage spread(std::span<const charts::Texel> texels, std::span<const Estimat
     return {.width = size, .height = size, .texels = std::move(canvas.light)};
 }
 
-constexpr uint32_t paths_a_visit = 8; // of one texel, before the next texel's turn
+constexpr uint32_t paths_a_visit = 8; // paths of one texel before the next texel's turn
 constexpr uint64_t texels_a_block = 512;
-constexpr uint64_t blocks_at_once = 32; // between two looks at the clock
-constexpr float most_backs =
-    0.6F; // a texel from which more paths meet the back of something lies inside of it
+constexpr uint64_t blocks_at_once = 32; // blocks between two checks of the clock
+// A texel with a larger share of paths that meet a back face lies inside an object.
+constexpr float most_backs = 0.6F;
 
-/// What the paths of a texel have brought so far.
+/// Sums over the paths of a texel so far.
 struct Sum {
     glm::vec3 light{0.0F};
-    float square = 0.0F; ///< of brightness
+    float square = 0.0F; ///< sum of squared brightness
     float backs = 0.0F;
 };
 
 static_assert(sizeof(Sum) == 20);
 
-/// What a file of unfinished work begins with.
+/// Header of a file of unfinished work.
 struct ProgressHeader {
     std::array<char, 16> mark{"estampe bake 1\n"};
     uint64_t fingerprint = 0;
@@ -298,7 +297,7 @@ struct ProgressHeader {
     uint64_t texel_count = 0;
 };
 
-/// Charts of the triangles that take light, drawn by drawn.
+/// Cuts and packs charts for the triangles that receive light, draw call by draw call.
 charts::Atlas make_atlas(const StaticTriangles& triangles, const Surfaces& surfaces, uint32_t size)
 {
     std::vector<charts::Chart> cut;
@@ -328,7 +327,7 @@ charts::Atlas make_atlas(const StaticTriangles& triangles, const Surfaces& surfa
     return charts::pack_charts(cut, triangles.count(), size);
 }
 
-/// The n-th of points that fill a square evenly whatever their number: Roberts, "The Unreasonable
+/// Point `number` of a sequence that fills the unit square evenly at any length: Roberts, "The Unreasonable
 /// Effectiveness of Quasirandom Sequences", 2018.
 glm::vec2 even_point(uint32_t number, const glm::dvec2& shift)
 {
@@ -430,8 +429,8 @@ bool Bake::work(double seconds)
     const auto end = Clock::now() + std::chrono::duration<double>(seconds);
     State& state = *state_;
     while (state.next_block < state.block_count()) {
-        // The blocks of one group hold different texels, so that no two threads meet and each texel adds its
-        // paths in their order.
+        // The blocks of one group hold different texels: no two threads share a texel, and each texel adds
+        // its paths in order.
         const uint64_t round_end = (state.next_block / state.blocks_a_round() + 1) * state.blocks_a_round();
         const uint64_t group_end = std::min(state.next_block + blocks_at_once, round_end);
         tbb::parallel_for(state.next_block, group_end, [&](uint64_t block) { state.work_on(block); });

@@ -25,7 +25,7 @@ BakeSettings quick(uint32_t bounces, uint32_t samples = 64)
     return {.size = 64, .samples = samples, .bounces = bounces, .smooth = false};
 }
 
-/// Mean over all triangles, by area.
+/// Mean light over all triangles, weighted by area.
 glm::vec3 mean_light(const Scene& scene, const Lightmap& map)
 {
     const StaticTriangles triangles = static_triangles(scene);
@@ -40,7 +40,7 @@ glm::vec3 mean_light(const Scene& scene, const Lightmap& map)
     return glm::vec3(sum / area);
 }
 
-/// Light that leaves a surface of albedo a again and again: 1 + a + ... to the power n.
+/// Light after repeated reflection by a surface of albedo a: 1 + a + ... to the power n.
 double series(double a, uint32_t n)
 {
     double sum = 0.0;
@@ -70,8 +70,8 @@ TEST(Bake, GlowInAClosedBoxIsTheTruncatedSeries)
 
 TEST(Bake, ALampInASphereLightsItByTheSeries)
 {
-    // Between any two places of a sphere the form factor is the same, so all light that is thrown off comes
-    // back evenly: u * (a + a^2 + ...), where u = I / r^2 is the lamp's own.
+    // Between any two points of a sphere the form factor is the same, so reflected light is uniform: u * (a +
+    // a^2 + ...), where u = I / r^2 is the lamp's direct light.
     constexpr double albedo = 0.6;
     Scene scene = room_of(inside_out(shapes::sphere(2.0F, 64, 32)), glm::vec3(0.6F));
     for (const uint32_t bounces : {1U, 3U}) {
@@ -86,7 +86,7 @@ TEST(Bake, ALampInASphereLightsItByTheSeries)
 
 TEST(Bake, AGlowingCapLightsItsSphereEvenly)
 {
-    // A cap of height h is h / 2r of the sphere; every place gets that share of its radiance.
+    // A cap of height h is h / 2r of the sphere; every point receives that share of the cap's radiance.
     Scene scene = room_of(inside_out(shapes::sphere(1.0F, 64, 48)), glm::vec3(0.5F));
     Primitive& all = scene.meshes[0].primitives[0];
     Primitive cap = all;
@@ -164,8 +164,8 @@ TEST(Bake, ManyLampsAreWorthTheirSum)
     EXPECT_NEAR(mean_light(scene, baked(scene, settings)).y, expected, 0.01 * expected);
 }
 
-/// Two cells of one building, 4 x 2 x 2 m, with a wall of no more than 4 mm between; a floor and a ceiling
-/// that run through under and over it.
+/// Two rooms of one building, 4 x 2 x 2 m, with a wall at most 4 mm thick between them. Floor and ceiling are
+/// continuous.
 Scene two_cells()
 {
     Scene scene = room_of(inside_out(shapes::box({4.0F, 2.0F, 2.0F})), glm::vec3(0.8F));
@@ -230,8 +230,8 @@ TEST(Bake, MaskedLeavesLetRaysThrough)
 
 TEST(Bake, ATexelInsideASolidTakesTheLightBesideIt)
 {
-    // A post stands in the floor. What is under it sees nothing but the post's backs, and must not darken the
-    // floor around it when filtered.
+    // A post stands in the floor. Texels below the post see only its back faces, and filtering must not let
+    // them darken the floor around it.
     Scene scene = room_of(shapes::plane(2.0F, 2.0F), glm::vec3(0.5F));
     Primitive post = shapes::box({0.5F, 0.02F, 0.5F});
     scene.meshes.push_back({.primitives = {post}});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Embree 3, as in Debian 12, and Embree 4, as in Debian 13, ask for one ray in two ways.
+// Embree 3 (Debian 12) and Embree 4 (Debian 13) take different arguments to trace one ray.
 
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
@@ -11,7 +11,7 @@
 
 namespace estampe::bake {
 
-/// Finds the nearest thing that the ray hits.
+/// Finds the nearest hit of the ray.
 inline void intersect(RTCScene scene, RTCRayHit& ray)
 {
 #if RTC_VERSION_MAJOR >= 4
@@ -23,7 +23,7 @@ inline void intersect(RTCScene scene, RTCRayHit& ray)
 #endif
 }
 
-/// Sets the ray's end to minus infinity where something lies on it.
+/// Sets `tfar` of the ray to minus infinity if anything blocks the ray.
 inline void occlude(RTCScene scene, RTCRay& ray)
 {
 #if RTC_VERSION_MAJOR >= 4

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Kinds of lamps, their fall-offs, and who lights and shadows what, against the formulas.
+// Kinds of lamps, their falloff, light groups and shadow groups, against the formulas.
 #include <gtest/gtest.h>
 
 #include "techniques/bake/test_support.hpp"
@@ -27,7 +27,7 @@ Scene plain_floor()
     return test::scene_of(shapes::plane(2.0F * half_floor_m, 2.0F * half_floor_m));
 }
 
-/// The light of the map at a place of the floor, whose triangles are the first.
+/// The light of the map at a place of the floor, whose triangles come first.
 float on_floor(const Scene& scene, const Lightmap& map, const glm::vec2& place)
 {
     const StaticTriangles triangles = static_triangles(scene);
@@ -48,7 +48,7 @@ float on_floor(const Scene& scene, const Lightmap& map, const glm::vec2& place)
     return 0.0F;
 }
 
-/// Above the middle of the floor, shining down, in the space of the map.
+/// A lamp above the middle of the floor, shining down, in the space of the map.
 Lamp hanging(LampKind kind, const Scene& scene)
 {
     Lamp lamp{.kind = kind,
@@ -63,14 +63,14 @@ Lamp hanging(LampKind kind, const Scene& scene)
     return lamp;
 }
 
-/// saturate((cos a - cos outer) / (cos inner - cos outer))^2 of an angle from the beam.
+/// saturate((cos a - cos outer) / (cos inner - cos outer))^2, where a is the angle from the beam.
 double cone_at(double angle_rad)
 {
     const double cone = (std::cos(angle_rad) - std::cos(0.6)) / (std::cos(0.3) - std::cos(0.6));
     return std::pow(std::clamp(cone, 0.0, 1.0), 2.0);
 }
 
-/// `expected` of distance, cosine, and the angles from the beam that each axis sees.
+/// `expected` is a function of distance, cosine, and the angles from the beam in the planes of both axes.
 template <class Expected>
 void expect_everywhere(const Scene& scene, const Lightmap& map, double tolerance, const Expected& expected)
 {
@@ -127,7 +127,7 @@ TEST(BakeLamps, AUnitVolumeWeakensByOneMinusTheSquare)
     }
 }
 
-/// A floor, and boards in the way of a lamp over each half of it.
+/// A floor, and two boards; each blocks a lamp above one half of the floor.
 Scene two_boards()
 {
     Scene scene = plain_floor();
@@ -137,7 +137,7 @@ Scene two_boards()
     return scene;
 }
 
-/// Over the left board, or the right.
+/// A lamp over the left or the right board.
 Lamp over(const Scene& scene, float x)
 {
     Lamp lamp = hanging(LampKind::point, scene);
@@ -189,7 +189,7 @@ TEST(BakeLamps, ALampLightsItsGroupsAlone)
 
 TEST(BakeLamps, WhatALampDoesNotLightThrowsNoneOfItOn)
 {
-    // A floor that takes light from a wall beside it: the wall is lit by the lamp's group, or not.
+    // A floor next to a wall that reflects light to it; the lamp's group either lights the wall or not.
     Scene scene = plain_floor();
     test::add_object(scene, shapes::box({0.1F, 2.0F, 4.0F}), glm::vec3(0.8F), {-2.05, 0.0, 0.0});
     BakeSettings settings = direct({over(scene, 0.0F)});

@@ -16,7 +16,7 @@ namespace estampe::bake::testing {
 
 using test::Folder;
 
-/// The same surface seen from the other side.
+/// The surface with its front and back sides exchanged.
 inline Primitive inside_out(Primitive primitive)
 {
     for (size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
@@ -28,7 +28,7 @@ inline Primitive inside_out(Primitive primitive)
     return primitive;
 }
 
-/// One closed surface in a material of that colour.
+/// One closed surface of the given albedo.
 inline Scene room_of(Primitive primitive, const glm::vec3& albedo,
                      const glm::vec3& emissive = glm::vec3(0.0F))
 {
@@ -47,7 +47,7 @@ inline Lightmap baked(const Scene& scene, const BakeSettings& settings)
     return bake.map();
 }
 
-/// The light of the map at a place of it, between its texels.
+/// The light at a place of the map, interpolated between texels.
 inline glm::vec3 light_at(const LightImage& image, const glm::vec2& place)
 {
     const glm::vec2 texel = place * glm::vec2(image.width, image.height) - 0.5F;
@@ -61,7 +61,7 @@ inline glm::vec3 light_at(const LightImage& image, const glm::vec2& place)
     return glm::mix(glm::mix(at(0, 0), at(1, 0), f.x), glm::mix(at(0, 1), at(1, 1), f.x), f.y);
 }
 
-/// The light in the middle of a still triangle.
+/// The light in the middle of a static triangle.
 inline glm::vec3 light_on(const Lightmap& map, size_t triangle)
 {
     const glm::vec2* corner = &map.corners[3 * triangle];

@@ -15,7 +15,7 @@
 namespace estampe::bake {
 namespace {
 
-/// Column or row of a texture, by its wrap mode.
+/// Column or row of a texture at coordinate `x`, by the wrap mode.
 uint32_t wrapped(float x, uint32_t side, Wrap wrap)
 {
     if (!std::isfinite(x)) {
@@ -132,7 +132,7 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-/// With as many threads as there are: a device that is told of fewer holds all of the process to that.
+/// Embree uses all threads: its thread limit holds for the whole process.
 std::shared_ptr<void> build_rays(const StaticTriangles& triangles)
 {
     RTCDevice device = rtcNewDevice(nullptr);
@@ -181,8 +181,8 @@ RTCRay ray_of(const glm::vec3& from, const glm::vec3& direction, float reach_m)
     return ray;
 }
 
-/// A direction about `normal`, more often the more it lies along it: Malley's method, over a frame after Duff
-/// et al., "Building an Orthonormal Basis, Revisited", 2017.
+/// A cosine-weighted direction about `normal`: Malley's method, in a frame after Duff et al., "Building an
+/// Orthonormal Basis, Revisited", 2017.
 glm::vec3 cosine_direction(const glm::vec3& normal, const glm::vec2& square)
 {
     const float sign = std::copysign(1.0F, normal.z);
@@ -197,7 +197,7 @@ glm::vec3 cosine_direction(const glm::vec3& normal, const glm::vec2& square)
                           normal * height);
 }
 
-/// What a lamp sends to a place that nothing hides, and the way to it.
+/// The unshadowed light of a lamp at a place, and the direction from the place to the lamp.
 struct Beam {
     glm::vec3 light{0.0F};
     glm::vec3 direction{0.0F};
@@ -205,7 +205,7 @@ struct Beam {
     Groups casters = all_groups;
 };
 
-/// The share that leaves along a unit vector.
+/// Share of a lamp's light that leaves along the unit vector `along`.
 float share_along(const Lamp& lamp, const glm::vec3& along)
 {
     if (lamp.kind != LampKind::spot && lamp.kind != LampKind::pyramid) {
@@ -303,7 +303,8 @@ bool Tracer::blocked(const glm::vec3& from, const glm::vec3& direction, float re
 
 glm::vec3 Tracer::from_lamps(const Vertex& vertex, bool baked_alone, Random& random) const
 {
-    // One lamp stands for all: it is chosen as often as it is bright, so its light counts for the whole sum.
+    // One lamp stands for all: its probability is proportional to its brightness here, so its light is scaled
+    // to the whole sum.
     Beam chosen;
     float chosen_brightness = 0.0F;
     float sum = 0.0F;
@@ -338,7 +339,7 @@ glm::vec3 Tracer::glow_towards(const Hit& hit, const glm::vec3& direction) const
                : glm::vec3(0.0F);
 }
 
-/// How likely from_glow() is to look in this direction, a steradian.
+/// Probability density, per steradian, that from_glow() samples this direction.
 float Tracer::glow_density(uint32_t triangle, const glm::vec3& direction, float distance_m) const
 {
     if (glowing_.empty()) {
@@ -384,7 +385,7 @@ Arrival Tracer::follow(const charts::Texel& texel, const glm::vec2& first, Rando
                   .plane = plane,
                   .links = surfaces_.links(texel.triangle)};
     Arrival arrival{.light = from_lamps(vertex, true, random)};
-    glm::vec3 share(1.0F); // of what leaves the next surface
+    glm::vec3 share(1.0F); // weight of the light that leaves the next surface
     for (uint32_t bounce = 0;; ++bounce) {
         arrival.light += share * from_glow(vertex, random);
         const glm::vec2 square = bounce == 0 ? first : glm::vec2(random.next(), random.next());

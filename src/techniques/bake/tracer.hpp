@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Paths of light through still triangles, and what rays find there: places, normals and colours.
+// Path tracing through static triangles, and the properties of the surfaces that rays hit.
 
 #include <memory>
 #include <optional>
@@ -16,7 +16,7 @@
 
 namespace estampe::bake {
 
-/// The triangles of a scene with the materials they wear. Scene and triangles must outlive it.
+/// The triangles of a scene with their materials. Scene and triangles must outlive this object.
 class Surfaces {
 public:
     Surfaces(const Scene& scene, const StaticTriangles& triangles);
@@ -25,10 +25,10 @@ public:
 
     [[nodiscard]] glm::vec3 place(uint32_t triangle, const glm::vec2& weights) const;
 
-    /// Unit normal of the plane, on the side that the vertices' normals point to.
+    /// Unit normal of the triangle's plane, on the side that the vertex normals point to.
     [[nodiscard]] glm::vec3 plane_normal(uint32_t triangle) const { return plane_normals_[triangle]; }
 
-    /// Unit normal between those of the vertices.
+    /// Unit normal, interpolated between the vertices.
     [[nodiscard]] glm::vec3 smooth_normal(uint32_t triangle, const glm::vec2& weights) const;
 
     [[nodiscard]] float area_m2(uint32_t triangle) const { return areas_m2_[triangle]; }
@@ -38,28 +38,28 @@ public:
         return scene_.materials[material_of_[triangle]];
     }
 
-    /// Share of light that is thrown back, by channel.
+    /// Share of light that the surface reflects, per channel.
     [[nodiscard]] glm::vec3 albedo(uint32_t triangle, const glm::vec2& weights) const;
 
-    /// Radiance that the front gives off.
+    /// Radiance that the front face emits.
     [[nodiscard]] glm::vec3 glow(uint32_t triangle, const glm::vec2& weights) const;
 
-    /// Cover of masked and see-through materials, 1 of all others.
+    /// Opacity: from the texture for masked and transparent materials, else 1.
     [[nodiscard]] float cover(uint32_t triangle, const glm::vec2& weights) const;
 
-    /// Whether rays may pass some triangle.
+    /// Whether any triangle is masked or transparent.
     [[nodiscard]] bool lets_rays_pass() const { return lets_rays_pass_; }
 
-    /// Whether a triangle takes light from a map: what is looked through, and what is unlit, does not.
+    /// Whether a triangle takes light from a lightmap; transparent and unlit triangles do not.
     [[nodiscard]] bool receives(uint32_t triangle) const
     {
         return material(triangle).alpha_mode != AlphaMode::blend && !material(triangle).unlit;
     }
 
-    /// How a triangle stands to lamps: its node's word and its material's, whichever allows less.
+    /// Light links of a triangle: those of its node and of its material combined, whichever allows less.
     [[nodiscard]] const LightLinks& links(uint32_t triangle) const { return links_of_[triangle]; }
 
-    /// Whether some triangle does not stand to all lamps as all others do.
+    /// Whether any triangle has light links other than the default.
     [[nodiscard]] bool has_links() const { return has_links_; }
 
 private:
@@ -76,7 +76,7 @@ private:
     bool has_links_ = false;
 };
 
-/// Numbers from 0 to below 1, in a row of their own for each path: Steele, Lea and Flood, "Fast Splittable
+/// Random numbers, 0 to below 1; each path has its own sequence: Steele, Lea and Flood, "Fast Splittable
 /// Pseudorandom Number Generators", 2014.
 class Random {
 public:
@@ -92,20 +92,20 @@ private:
     uint64_t state_;
 };
 
-/// What arrives along one path.
+/// The light that one path carries to its texel.
 struct Arrival {
     glm::vec3 light{0.0F};   ///< an estimate of irradiance over pi
-    bool saw_a_back = false; ///< the first surface turned its back, as those around an enclosed place do
+    bool saw_a_back = false; ///< the first hit was a back face, as happens inside a closed object
 };
 
-/// Stateless but for what it is built of, so any number of threads may trace.
+/// Traces paths. Its functions change no state, so any number of threads may call them.
 class Tracer {
 public:
-    /// `surfaces` and `settings` must outlive it.
+    /// `surfaces` and `settings` must outlive the tracer.
     Tracer(const StaticTriangles& triangles, const Surfaces& surfaces, const BakeSettings& settings);
 
-    /// One path from a texel. `first` chooses its first direction and should spread evenly over the paths of
-    /// a texel.
+    /// Follows one path from a texel. `first` chooses its first direction and should be spread evenly over
+    /// the paths of a texel.
     [[nodiscard]] Arrival follow(const charts::Texel& texel, const glm::vec2& first, Random& random) const;
 
 private:
@@ -115,15 +115,16 @@ private:
         float distance_m = 0.0F;
     };
 
-    /// A place on a surface and the side of it that is looked at.
+    /// A point of a path on a surface.
     struct Vertex {
         glm::vec3 place;
-        glm::vec3 normal; ///< of the cosine
-        glm::vec3 plane;  ///< of what may be seen
+        glm::vec3 normal; ///< shading normal, for the cosine
+        glm::vec3 plane;  ///< normal of the triangle's plane on the visible side
         LightLinks links;
     };
 
-    /// Of the triangles that throw shadows for one of `casters`, or of all.
+    /// Finds the nearest hit among the triangles that cast shadows for one of `casters`; without `casters`,
+    /// among all triangles.
     [[nodiscard]] std::optional<Hit> nearest(const glm::vec3& from, const glm::vec3& direction, float reach_m,
                                              Random& random,
                                              std::optional<Groups> casters = std::nullopt) const;
@@ -136,11 +137,11 @@ private:
 
     const Surfaces& surfaces_;
     const BakeSettings& settings_;
-    std::shared_ptr<void> rays_; ///< the scene as Embree has it
+    std::shared_ptr<void> rays_; ///< the Embree scene
     std::vector<uint32_t> glowing_;
     std::vector<float> glow_sums_;        ///< running sum of the power of `glowing_`
-    std::vector<float> glow_of_triangle_; ///< brightness a square metre; empty where nothing glows
-    float lift_m_ = 0.0F;                 ///< how far rays start from a surface
+    std::vector<float> glow_of_triangle_; ///< brightness per square metre; empty if nothing glows
+    float lift_m_ = 0.0F; ///< distance of ray origins from their surface, against self-intersection
 };
 
 } // namespace estampe::bake

@@ -12,12 +12,12 @@
 namespace estampe::bleed {
 namespace {
 
-constexpr float largest_radius_px = 96.0F; // 3 mm at 600 dots an inch
+constexpr float largest_radius_px = 96.0F; // 3 mm at 600 dpi
 constexpr float sigmas_taken_in = 2.5F;
 
 float sigma_px(const BleedStyle& style, float pixels_per_mm)
 {
-    // Under a third of a pixel a blur would do nothing, and its exponent grow without bound.
+    // Below a third of a pixel a blur has no effect, and its exponent grows without bound.
     return std::clamp(0.5F * style.width_mm * pixels_per_mm, 0.3F, largest_radius_px / sigmas_taken_in);
 }
 
@@ -29,9 +29,9 @@ shared::BleedConstants constants_of(const BleedInputs& in, const BleedStyle& sty
             .radius_px = reach_px(style, in.pixels_per_mm),
             .falloff = 0.5F / (sigma * sigma),
             .level = style.level,
-            // What runs less than the page's pixels can show fades out: contrast alone would blacken tones.
+            // Bleed narrower than a pixel fades out: contrast alone would blacken tones.
             .reach = std::min(0.5F * width_px, 1.0F),
-            // So steep that bare paper stays bare.
+            // Steep enough that bare paper stays bare.
             .contrast = std::max(style.contrast, 0.5F / style.level)};
 }
 
@@ -70,13 +70,13 @@ const style::Table<BleedStyle>& bleed_table()
             .toggle("enabled", &BleedStyle::enabled,
                     "Turns ink bleed on: ink runs into corners and narrow gaps")
             .number("width_mm", &BleedStyle::width_mm, {0.02F, 3.0F}, "mm",
-                    "How far ink runs on the page: more fills corners further, and closes gaps of up to "
-                    "three quarters of this width between solid black")
+                    "How far ink runs on the page: more fills corners further. Gaps between two areas of "
+                    "solid black close if they are narrower than three quarters of this width.")
             .number("contrast", &BleedStyle::contrast, {1.0F, 20.0F}, "",
-                    "Sharpness of the edge of the ink that ran: less is soft, more is crisp")
+                    "Sharpness of the edge of ink that has run: less is soft, more is crisp")
             .number("level", &BleedStyle::level, {0.1F, 0.9F}, "",
-                    "Share of ink around a spot of paper at which the spot turns to ink: less lets ink run "
-                    "further. Below 0.5, straight edges grow a little.");
+                    "How much ink must surround a spot of paper before the spot turns to ink, as a share: "
+                    "less lets ink run further. Below 0.5, straight edges grow a little.");
     return table;
 }
 

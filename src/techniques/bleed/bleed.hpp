@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Ink that runs a little: strokes and contours of different things melt into each other where they meet.
+// Ink bleed: strokes and contours of neighbouring objects merge where they meet.
 
 #include "gpu/graph/graph.hpp"
 #include "shaders/shared.hpp"
@@ -25,17 +25,16 @@ struct BleedInputs {
     glm::uvec2 size_px{0};
 };
 
-/// How far off the ink lies that the ink of a pixel hangs on.
+/// Largest distance from which ink affects a pixel; 0 if bleed is off.
 [[nodiscard]] uint32_t reach_px(const BleedStyle& style, float pixels_per_mm);
 
-/// Lets the ink of strokes and lines run together: blur and contrast, which fills acute corners and narrow
-/// gaps and takes nothing away.
+/// Merges the ink of strokes and lines by blur and contrast, which fills acute corners and narrow gaps and
+/// removes no ink.
 ///
-/// Writes  r16f: what replaces `hatch` under the same lines, which keep their colour; never less than
-/// `hatch`.
-///         With a width of 0 nothing is declared, and `hatch` itself is handed back.
-/// Cost    two full-screen dispatches, of at most 386 and 195 texels a pixel: 98 and 51 up to a width of 19
-/// px
+/// Writes  r16f: replaces `hatch` below the same lines, which keep their colour; never less than `hatch`.
+///         If bleed is off, declares nothing and returns `hatch` itself
+/// Cost    two full-screen dispatches with at most 386 and 195 texels per pixel; 98 and 51 up to a width
+///         of 19 px
 [[nodiscard]] gpu::ImageId add_bleed(gpu::Graph& graph, const BleedInputs& in, const BleedStyle& style);
 
 } // namespace estampe::bleed

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel: the ink of strokes and lines together, blurred across the page.
+// One thread per pixel: combines the ink of strokes and lines, and blurs it horizontally.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -31,7 +31,7 @@ void main()
     }
     float sum = ink_at(pixel.x, pixel.y);
     float weights = 1.0;
-    // In pairs, so that a mirrored page blurs to the mirrored picture, to the bit.
+    // Symmetric pairs, so that a mirrored page gives the mirrored picture, to the bit.
     for (int i = 1; i <= int(constants.radius_px); ++i) {
         float weight = exp(-constants.falloff * float(i * i));
         sum += weight * (ink_at(pixel.x - i, pixel.y) + ink_at(pixel.x + i, pixel.y));

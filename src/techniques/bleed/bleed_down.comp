@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel: blurs the ink down the page as well, and turns to ink what is dark enough then.
+// One thread per pixel: blurs the ink vertically, and turns it into solid ink above a threshold.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -10,7 +10,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform sampler2D hatch_image;
 layout(binding = 1) uniform sampler2D line_image;
-layout(binding = 2) uniform sampler2D smeared_image; // the ink of both, blurred across
+layout(binding = 2) uniform sampler2D smeared_image; // ink of strokes and lines, blurred horizontally
 layout(binding = 3, r16f) writeonly uniform image2D out_ink;
 
 layout(push_constant, scalar) uniform Constants
@@ -39,8 +39,8 @@ void main()
     float ran = clamp((sum / weights - constants.level) * constants.contrast + 0.5, 0.0, 1.0);
     ran *= constants.reach;
     float hatch = texelFetch(hatch_image, pixel, 0).x;
-    // The lines are laid over this later: what lies under them makes the whole as dark as what ran, and adds
-    // nothing at their soft edges where nothing ran.
+    // Lines are composited over the result later. Only as much ink is put under them as makes the total as
+    // dark as the bled ink; their soft edges gain nothing where no ink bled.
     float bare = 1.0 - texelFetch(line_image, pixel, 0).a;
     float under = bare > 0.0 ? 1.0 - (1.0 - ran) / bare : 0.0;
     imageStore(out_ink, pixel, vec4(max(hatch, under)));

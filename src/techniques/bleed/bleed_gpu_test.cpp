@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ink that runs together, from strokes and lines that the tests paint themselves.
+// Ink bleed between strokes and lines that the tests paint.
 #include "techniques/bleed/bleed.hpp"
 
 #include <algorithm>
@@ -16,14 +16,14 @@ namespace {
 
 constexpr glm::uvec2 size_px(96, 64);
 constexpr float pixels_per_mm = 5.0F;
-constexpr float half_step = 1e-3F; // of a half float under one, twice
+constexpr float half_step = 1e-3F; // twice the rounding step of a half float below one
 
 struct Page {
     test::Painter<float> hatch = [](glm::uvec2) { return 0.0F; };
     test::Painter<float> lines = [](glm::uvec2) { return 0.0F; };
 };
 
-/// All the ink that there is on each pixel, once the lines are laid over what came back.
+/// Total ink per pixel, with the lines composited over the result.
 std::vector<float> ink_on(const Page& page, const BleedStyle& style)
 {
     auto hatch = test::Layer::coverage(size_px, page.hatch);
@@ -49,7 +49,7 @@ float at(const std::vector<float>& ink, uint32_t x, uint32_t y)
     return ink[y * size_px.x + x];
 }
 
-/// Coverage of a bar down the page, of the pixels from `from` up to `to`.
+/// Coverage of a vertical bar from pixel `from` up to `to`.
 test::Painter<float> bar(float from, float to)
 {
     return [=](glm::uvec2 pixel) {
@@ -58,7 +58,7 @@ test::Painter<float> bar(float from, float to)
     };
 }
 
-/// Coverage of a stroke that leaves `vertex` under `degrees` to the page's right.
+/// Coverage of a stroke that starts at `vertex`, at `degrees` to the page's right.
 test::Painter<float> ray(glm::vec2 vertex, float degrees, float half_width_px)
 {
     const glm::vec2 along(std::cos(glm::radians(degrees)), std::sin(glm::radians(degrees)));
@@ -96,7 +96,7 @@ TEST(Bleed, LeavesBarePaperBareAndFullInkFull)
 
 TEST(Bleed, FadesOutBelowAPixel)
 {
-    Page tone; // of strokes finer than pixels
+    Page tone; // a tone of strokes finer than pixels
     tone.hatch = [](glm::uvec2) { return 0.6F; };
     const auto ink = [&](float width_px) {
         return at(ink_on(tone, {.enabled = true, .width_mm = width_px / pixels_per_mm}), 40, 30);
@@ -125,7 +125,7 @@ TEST(Bleed, KeepsALoneHairlineAsItIs)
 
 TEST(Bleed, ClosesNarrowGapsAndLeavesWideOnes)
 {
-    // Two bars, one a stroke and one a line, as wide as the ink runs: ten pixels.
+    // Two bars, one a stroke and one a line, as wide as the bleed: ten pixels.
     const auto ink_between = [](float gap_px) {
         Page page;
         page.hatch = bar(48.0F - 0.5F * gap_px - 10.0F, 48.0F - 0.5F * gap_px);
@@ -140,7 +140,7 @@ TEST(Bleed, ClosesNarrowGapsAndLeavesWideOnes)
 
 TEST(Bleed, IsBlurAndContrastByTheFormula)
 {
-    // Over the long edge of a half-plane of ink, Gauss's integral.
+    // The exact blur across the edge of a half-plane of ink is the Gaussian error function.
     Page page;
     page.hatch = bar(-1.0F, 48.0F);
     const BleedStyle style{.enabled = true, .width_mm = 2.0F, .contrast = 1.5F, .level = 0.4F};
@@ -154,7 +154,7 @@ TEST(Bleed, IsBlurAndContrastByTheFormula)
 
 TEST(Bleed, RoundsOffAcuteCornersTheMoreTheWiderItRuns)
 {
-    // Strokes of two millimetres: wide enough that the blur leaves them dark.
+    // Strokes two millimetres wide, which stay dark when blurred.
     const glm::vec2 vertex(6.0F, 32.0F);
     Page page;
     page.hatch = ray(vertex, -20.0F, 5.0F);
@@ -166,7 +166,7 @@ TEST(Bleed, RoundsOffAcuteCornersTheMoreTheWiderItRuns)
         }
         return count;
     };
-    const auto tip = [&](const std::vector<float>& ink) { // where paper begins between the two
+    const auto tip = [&](const std::vector<float>& ink) { // where paper begins between the strokes
         uint32_t x = 8;
         while (x < size_px.x && paper_across(ink, x) == 0) {
             ++x;

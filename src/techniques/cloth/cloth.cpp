@@ -150,30 +150,29 @@ void Cloths::fill_runs(const Surroundings& surroundings, uint32_t count)
     const uint32_t roused_steps = blows(surroundings) ? count : (rouses ? 1U : 0U);
     lower_rigidities(surroundings);
     for (Kind& kind : kinds_) {
-        shared::ClothRun run{.gravity_m_s2 = surroundings.gravity_m_s2,
-                             .step_s = std::min(surroundings.step_s, longest_step_s),
-                             .step_count = count,
-                             .small_steps =
-                                 kind.solver->relaxations > 0 ? 1U : small_steps(kind, surroundings),
-                             .collider_count = static_cast<uint32_t>(met_.size()),
-                             .collider_stride = moves ? static_cast<uint32_t>(met_.size()) : 0,
-                             .wind_m_per_s = wind.speed_m_per_s * direction_of(wind),
-                             .ahead_m = static_cast<float>(surroundings.ahead_m) * direction_of(wind),
-                             .gustiness = wind.gustiness,
-                             .gust_m = wind.gust_m,
-                             .turbulence = wind.turbulence,
-                             .eddy_m = wind.eddy_m,
-                             .time_s = static_cast<float>(surroundings.time_s),
-                             .air_kg_m3 = surroundings.air_kg_m3,
-                             .most_speed_m_per_s = 60.0F,
-                             .origin_m = glm::vec3(surroundings.origin_m),
-                             .rest_m_per_s =
-                                 surroundings.rest_m_per_s > 0.0F ? surroundings.rest_m_per_s : -1.0F,
-                             .roused_steps = roused_steps,
-                             .bodies_move = bodies_move_ ? 1U : 0U,
-                             .flow_count = static_cast<uint32_t>(flows_.size()),
-                             .flows = {},
-                             .lone_sheet = {}};
+        shared::ClothRun run{
+            .gravity_m_s2 = surroundings.gravity_m_s2,
+            .step_s = std::min(surroundings.step_s, longest_step_s),
+            .step_count = count,
+            .small_steps = kind.solver->relaxations > 0 ? 1U : small_steps(kind, surroundings),
+            .collider_count = static_cast<uint32_t>(met_.size()),
+            .collider_stride = moves ? static_cast<uint32_t>(met_.size()) : 0,
+            .wind_m_per_s = wind.speed_m_per_s * direction_of(wind),
+            .ahead_m = static_cast<float>(surroundings.ahead_m) * direction_of(wind),
+            .gustiness = wind.gustiness,
+            .gust_m = wind.gust_m,
+            .turbulence = wind.turbulence,
+            .eddy_m = wind.eddy_m,
+            .time_s = static_cast<float>(surroundings.time_s),
+            .air_kg_m3 = surroundings.air_kg_m3,
+            .most_speed_m_per_s = 60.0F,
+            .origin_m = glm::vec3(surroundings.origin_m),
+            .rest_m_per_s = surroundings.rest_m_per_s > 0.0F ? surroundings.rest_m_per_s : -1.0F,
+            .roused_steps = roused_steps,
+            .bodies_move = bodies_move_ ? 1U : 0U,
+            .flow_count = static_cast<uint32_t>(flows_.size()),
+            .flows = {},
+            .lone_sheet = {}};
         std::ranges::copy(flows_, std::begin(run.flows));
         run.lone_sheet = kind.lone ? records_[*kind.lone] : shared::ClothSheet{};
         std::memcpy(kind.run.mapped().data(), &run, sizeof run);

@@ -25,18 +25,20 @@ void add_line_keys(ContourTable& table, const LineKind& kind, const char* lines)
 {
     const std::string name = kind.name;
     const auto of = [&](auto LineStyle::*member) { return style::within(kind.style, member); };
-    table.toggle(name + ".enabled", of(&LineStyle::enabled), fmt::format("Turns {} on", lines))
+    table.toggle(name + ".enabled", of(&LineStyle::enabled), fmt::format("Turns on {}", lines))
         .number(name + ".width_mm", of(&LineStyle::width_mm), {0.02F, 20.0F}, "mm",
-                fmt::format("Width of lines {} on the page", kind.place))
+                fmt::format("Width on the page of lines {}: more is bolder", kind.place))
         .number(
             name + ".width_m", of(&LineStyle::width_m), {0.0F, 1000.0F}, "m",
-            fmt::format("Width of lines {} in the scene, so that near lines are wider. 0 takes "
-                        "contour.{}.width_mm, a width on the page. Only used when contour.lines is chains.",
+            fmt::format("Width of lines {}, measured in metres of the scene, so that near lines look wider. "
+                        "0 uses contour.{}.width_mm instead. Only used when contour.lines is chains.",
                         kind.place, name))
-        .file_or_name(name + ".brush", of(&LineStyle::brush), brush_names(),
-                      fmt::format("Tool that draws lines {}, with the values of contour.brush. An empty "
-                                  "text takes contour.brush. Only used when contour.lines is chains.",
-                                  kind.place));
+        .file_or_name(
+            name + ".brush", of(&LineStyle::brush), brush_names(),
+            fmt::format(
+                "Tool that draws lines {}: pen, pencil, charcoal, brush, or a PNG of one stroke, as in "
+                "contour.brush. If empty, contour.brush is used. Only used when contour.lines is chains.",
+                kind.place));
 }
 
 void add_kind_keys(ContourTable& table)
@@ -44,32 +46,35 @@ void add_kind_keys(ContourTable& table)
     const auto add = [&table](uint32_t kind, const char* lines) {
         add_line_keys(table, line_kinds.at(kind), lines);
     };
-    add(shared::line_silhouette, "outlines, around objects and in front of what lies behind,");
-    add(shared::line_boundary, "lines between two materials");
+    add(shared::line_silhouette, "outlines: lines around objects and in front of other surfaces");
+    add(shared::line_boundary, "lines along the border between two materials");
     add(shared::line_crease, "lines along sharp folds (creases)");
     table.number("crease.angle_deg", &ContourStyle::crease_deg, {1.0F, 180.0F}, "deg",
-                 "Angle between two faces from which their fold counts as sharp: less draws more lines");
-    add(shared::line_marked,
-        "lines along edges that a glTF file marks, instead of other folds and borders of "
-        "that mesh,");
-    add(shared::line_ridge, "ridge lines, along rounded folds that point outwards,");
+                 "Smallest angle between two faces at which their fold counts as sharp and gets a line: less "
+                 "draws more lines");
+    add(shared::line_marked, "lines along the edges that a glTF file marks. They replace the lines along "
+                             "other folds and borders of that mesh.");
+    add(shared::line_ridge, "ridge lines: lines along rounded folds that point outwards");
     table.number("ridge.turn_deg", &ContourStyle::ridge_deg, {0.5F, 180.0F}, "deg",
-                 "How sharply a surface must bend for ridges and valleys: its turn over a hundredth of the "
-                 "object's size. Less draws more lines. Only used when contour.lines is chains.");
-    add(shared::line_valley, "valley lines, along rounded folds that point inwards,");
+                 "Smallest angle by which a surface must turn to get a ridge or valley line. The angle is "
+                 "measured over one hundredth of the object's size. Less draws more lines. Only used when "
+                 "contour.lines is chains.");
+    add(shared::line_valley, "valley lines: lines along rounded folds that point inwards");
     add(shared::line_suggestive,
-        "suggestive contours, lines where an outline would appear if the eye moved,");
+        "suggestive contours: lines where an outline would appear if the eye moved a little");
     table
         .number("suggestive.growth", &ContourStyle::suggestive_growth, {0.0F, 10000.0F}, "",
-                "How quickly a surface must start to bend towards the eye for a suggestive contour, whatever "
-                "the object's size: less draws more lines. Only used when contour.lines is chains.")
+                "How quickly a surface must begin to curve towards the eye to get a suggestive contour: less "
+                "draws more lines. The size of the object does not matter. Only used when contour.lines is "
+                "chains.")
         .number("suggestive.angle_deg", &ContourStyle::suggestive_deg, {1.0F, 89.0F}, "deg",
-                "Smallest angle between the view and the surface normal for a suggestive contour: more "
-                "leaves out surfaces that face the eye. Only used when contour.lines is chains.");
-    add(shared::line_crest, "lines along the crests of dunes, even seen from above,");
-    table.number("crest.angle_deg", &ContourStyle::crest_deg, {0.5F, 89.0F}, "deg",
-                 "How sharply the ground must bend at a crest, across the wind and within one cell of its "
-                 "mesh: less draws more lines. Only used when contour.lines is chains.");
+                "Smallest angle between the line of sight and the surface normal at a suggestive contour: "
+                "more leaves out surfaces that face the eye. Only used when contour.lines is chains.");
+    add(shared::line_crest, "lines along the crests of dunes, even when seen from above");
+    table.number(
+        "crest.angle_deg", &ContourStyle::crest_deg, {0.5F, 89.0F}, "deg",
+        "Smallest angle by which the ground must bend at a crest to get a line, across the wind and within "
+        "one cell of the ground's mesh: less draws more lines. Only used when contour.lines is chains.");
     add(shared::line_intersection, "lines where surfaces pass through each other");
     add(shared::line_shadow, "lines along the edges of the sun's shadows");
 }
@@ -77,64 +82,65 @@ void add_kind_keys(ContourTable& table)
 void add_brush_keys(ContourTable& table)
 {
     table
-        .number(
-            "depth_step", &ContourStyle::depth_step, {0.05F, 100.0F}, "",
-            "Step in depth from which a surface gets an outline against the surface behind: less draws more "
-            "lines. Only used when contour.lines is page, and for shapes cut out by a texture's alpha.")
-        .file_or_name(
-            "brush", &ContourStyle::brush, brush_names(),
-            "Tool that draws ink lines: pen, pencil, charcoal, brush, or a PNG of one stroke from left "
-            "to right, in its alpha or black on white. Only used when contour.lines is chains.")
-        .choice(
-            "brush_fit", &ContourStyle::brush_fit,
-            {{"repeat", BrushFit::repeat}, {"stretch", BrushFit::stretch}},
-            "How a brush lies along a stroke. repeat: again and again at one length, fixed to the surface as "
-            "things move; stretch: once from end to end. Only used when contour.lines is chains.")
+        .number("depth_step", &ContourStyle::depth_step, {0.05F, 100.0F}, "",
+                "Smallest step in depth that gives a surface an outline against the surface behind it: less "
+                "draws more lines. Only used when contour.lines is page, and for shapes cut out by a "
+                "texture's alpha.")
+        .file_or_name("brush", &ContourStyle::brush, brush_names(),
+                      "Tool that draws ink lines: pen, pencil, charcoal, brush, or a PNG of one stroke from "
+                      "left to right. The PNG has the stroke in its alpha channel or in black on white. Only "
+                      "used when contour.lines is chains.")
+        .choice("brush_fit", &ContourStyle::brush_fit,
+                {{"repeat", BrushFit::repeat}, {"stretch", BrushFit::stretch}},
+                "How the picture of a brush lies along a stroke. repeat: again and again at one length, "
+                "fixed to the surface when things move; stretch: once from end to end. Only used when "
+                "contour.lines is chains.")
         .number("brush_mm", &ContourStyle::brush_mm, {0.0F, 1000.0F}, "mm",
-                "Length after which a brush repeats along a stroke: more stretches its picture. 0 takes the "
-                "natural length at the line's width. Only used when contour.brush_fit is repeat.");
+                "Length after which the picture of a brush repeats along a stroke: more stretches the "
+                "picture. 0 uses the length at which the picture is not distorted. Only used when "
+                "contour.brush_fit is repeat.");
 }
 
 void add_hand_keys(ContourTable& table)
 {
     table
         .choice("joints", &ContourStyle::joints, {{"round", Joints::round}, {"mitre", Joints::mitre}},
-                "Corners of strokes, and places where strokes end at one point. round: rounded; mitre: "
-                "pointed. Only used when contour.lines is chains.")
+                "Shape of strokes at corners, and at points where several strokes end. round: rounded; "
+                "mitre: pointed. Only used when contour.lines is chains.")
         .number("pressure", &ContourStyle::pressure, {0.0F, 1.0F}, "",
                 "How much the width of an ink line varies along its length: 0 is even, as from a technical "
                 "pen, 1 varies most")
         .choice("pressure_from", &ContourStyle::pressure_from,
                 {{"light", PressureFrom::light}, {"turn", PressureFrom::turn}, {"both", PressureFrom::both}},
-                "Where ink lines swell. light: in shade; turn: where a stroke bends; both: in shade and "
-                "bends. turn and both need contour.lines to be chains.")
+                "Where ink lines get wider. light: in shade; turn: where a stroke bends; both: in shade and "
+                "at bends. turn and both need contour.lines to be chains.")
         .number("distance_thinning", &ContourStyle::distance_thinning, {0.0F, 1.0F}, "",
-                "How much ink lines thin with distance: 0 keeps one width, 1 makes far lines about a third "
-                "as wide as near ones")
+                "How much thinner ink lines are in the distance: 0 keeps one width, 1 makes far lines about "
+                "a third as wide as near lines")
         .number("taper_mm", &ContourStyle::taper_mm, {0.0F, 100.0F}, "mm",
-                "Length over which a stroke thins to its free ends: 0 is blunt, more is pointed. Only used "
-                "when contour.lines is chains.")
+                "Length over which a stroke thins towards its free ends: 0 gives blunt ends, more gives "
+                "pointed ends. Only used when contour.lines is chains.")
         .number("overshoot_mm", &ContourStyle::overshoot_mm, {0.0F, 20.0F}, "mm",
-                "How far strokes run on beyond their ends, as in an architect's sketch: 0 stops at the "
-                "corner. Only used when contour.lines is chains.")
+                "How far strokes continue past their ends, as in an architect's sketch: 0 stops at the "
+                "corner, more crosses further. Only used when contour.lines is chains.")
         .number("wobble_mm", &ContourStyle::wobble_mm, {0.0F, 20.0F}, "mm",
-                "How far strokes sway to either side of the true edge: 0 is exact, more is a shaky hand. "
+                "How far strokes waver to either side of the true edge: 0 is exact, more is a shaky hand. "
                 "Only used when contour.lines is chains.")
         .integer("strokes", &ContourStyle::strokes, {1, 3}, "",
                  "How many times each line is drawn over: 1 is a clean line, 2 and 3 look sketched. Only "
                  "used when contour.lines is chains.")
         .number("retrace_mm", &ContourStyle::retrace_mm, {0.0F, 20.0F}, "mm",
-                "How far the second and third stroke of a line stray from the first. Only used when "
-                "contour.strokes is 2 or 3.")
+                "How far the second and third stroke of a line lie from the first stroke: more looks "
+                "sketchier. Only used when contour.strokes is 2 or 3.")
         .number("jitter_ends_mm", &ContourStyle::jitter_ends_mm, {0.0F, 20.0F}, "mm",
-                "How far strokes end too early or too late, at random: more is a looser sketch. Only used "
-                "when contour.lines is chains.")
+                "How far strokes end before or after their true end, at random: more is a looser sketch. "
+                "Only used when contour.lines is chains.")
         .number("jitter_offset_mm", &ContourStyle::jitter_offset_mm, {0.0F, 20.0F}, "mm",
-                "How far strokes lie beside the true edge, at random: more is a looser sketch. Only used "
-                "when contour.lines is chains.")
+                "How far strokes are shifted sideways from the true edge, at random: more is a looser "
+                "sketch. Only used when contour.lines is chains.")
         .number("jitter_width", &ContourStyle::jitter_width, {0.0F, 0.9F}, "",
-                "How much strokes differ in width at random, as a share of the width: 0 makes all equal. "
-                "Only used when contour.lines is chains.");
+                "How much strokes differ in width at random, as a share of the width: 0 makes all strokes "
+                "equally wide. Only used when contour.lines is chains.");
 }
 
 void add_hidden_keys(ContourTable& table)
@@ -142,8 +148,8 @@ void add_hidden_keys(ContourTable& table)
     const auto of = [](auto HiddenStyle::*member) { return style::within(&ContourStyle::hidden, member); };
     table
         .toggle("hidden.enabled", of(&HiddenStyle::enabled),
-                "Draws lines behind other surfaces with dashes, as in a technical drawing. Only used when "
-                "contour.lines is chains.")
+                "Turns hidden lines on: lines behind other surfaces are drawn with dashes, as in a technical "
+                "drawing. Only used when contour.lines is chains.")
         .number("hidden.width_mm", of(&HiddenStyle::width_mm), {0.02F, 20.0F}, "mm",
                 "Width of hidden lines. Only used when contour.hidden.enabled is true.")
         .number("hidden.dash_mm", of(&HiddenStyle::dash_mm), {0.1F, 100.0F}, "mm",
@@ -162,15 +168,17 @@ const style::Table<ContourStyle>& contour_table()
         made.toggle("enabled", &ContourStyle::enabled,
                     "Turns ink lines on: outlines, folds, material boundaries and other contours")
             .choice("lines", &ContourStyle::lines, {{"chains", Lines::chains}, {"page", Lines::page}},
-                    "How ink lines are found. chains: along the edges of the mesh, as whole strokes; page: "
-                    "between pixels, without the effects of strokes, which is quicker for large meshes.")
+                    "How ink lines are found. chains: along the edges of the mesh, as connected strokes; "
+                    "page: between pixels of the picture, without the effects of strokes, which is quicker "
+                    "for large meshes.")
             .choice("silhouettes", &ContourStyle::silhouettes,
                     {{"smooth", Silhouettes::smooth}, {"edges", Silhouettes::edges}},
-                    "Where the outline of a smooth surface runs. smooth: across triangles, as the shading "
-                    "bends; edges: along the edges of the mesh. Only used when contour.lines is chains.")
-            .color(
-                "ink", &ContourStyle::ink,
-                "Colour of the ink lines. A toon material with an outline of its own keeps its own colour.");
+                    "Where the outline of a smooth surface runs. smooth: across triangles, along the curve "
+                    "that the shading shows; edges: along the edges of the mesh. Only used when "
+                    "contour.lines is chains.")
+            .color("ink", &ContourStyle::ink,
+                   "Colour of the ink lines. A toon material with its own outline keeps the colour of that "
+                   "outline.");
         add_brush_keys(made);
         add_kind_keys(made);
         add_hand_keys(made);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Ghia, Ghia and Shin, "High-Re solutions for incompressible flow using the Navier-Stokes equations and a
-// multigrid method", Journal of Computational Physics 48, 1982. Of their table of v at Reynolds number 400
-// one entry, at x = 0.9063, is a misprint, and is left out.
+// Reference: Ghia, Ghia and Shin, "High-Re solutions for incompressible flow using the Navier-Stokes
+// equations and a multigrid method", Journal of Computational Physics 48, 1982. One entry of their table of v
+// at Reynolds number 400, at x = 0.9063, is a misprint and is left out.
 #include "techniques/fluid/cavity.hpp"
 
 #include <algorithm>
@@ -51,12 +51,12 @@ constexpr std::array<Point, 15> v_along_x{{{0.9688, {-0.05906, -0.12146, -0.2138
                                            {0.0703, {0.10091, 0.19713, 0.29012}},
                                            {0.0625, {0.09233, 0.18360, 0.27485}}}};
 
-/// A component along a middle line: at the walls, and at the nodes between them.
+/// One velocity component along a centre line: at both walls and at the nodes between them.
 struct Profile {
     std::vector<double> places;
     std::vector<double> speeds;
 
-    /// By the cubic through the four points about `place`.
+    /// Interpolates with the cubic through the four points around `place`.
     [[nodiscard]] double at(double place) const
     {
         const auto above = std::upper_bound(places.begin(), places.end(), place) - places.begin();
@@ -102,7 +102,7 @@ double rms(const Profile& profile, std::span<const Point> points, size_t column)
     return std::sqrt(sum / count);
 }
 
-/// Least and most, looked for more finely than the grid is.
+/// Minimum and maximum, searched on a finer raster than the grid.
 std::pair<double, double> range_of(const Profile& profile)
 {
     constexpr int parts = 4096;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The lid-driven cavity, whose steady flows are known: what tests and measurements compare with.
+// The lid-driven cavity: a benchmark flow with published steady states, used by tests and measurements.
 
 #include <span>
 #include <vector>
@@ -13,17 +13,16 @@ namespace estampe::fluid {
 /// A square of side 1 m whose lid moves at 1 m/s.
 [[nodiscard]] Grid cavity_grid(uint32_t side_cells);
 
-/// How a flow in it compares. Speeds in metres a second.
+/// Differences between a simulated cavity and the reference, and extreme speeds; all in metres per second.
 struct CavityFit {
-    double rms_u = 0.0; ///< to the reference along the vertical through the middle
-    double rms_v = 0.0; ///< along the horizontal
+    double rms_u = 0.0; ///< error of the horizontal speed along the vertical centre line
+    double rms_v = 0.0; ///< error of the vertical speed along the horizontal centre line
     double least_u = 0.0;
     double least_v = 0.0;
     double most_v = 0.0;
 };
 
-/// `velocity` in layers of faces, as FluidFields has it. `reynolds` is 100, 400 or 1000; anything else is an
-/// std::logic_error.
+/// `velocity` is laid out as in FluidFields. Throws std::logic_error unless `reynolds` is 100, 400 or 1000.
 [[nodiscard]] CavityFit cavity_fit(const Grid& grid, std::span<const float> velocity, int reynolds);
 
 } // namespace estampe::fluid

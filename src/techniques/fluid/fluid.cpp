@@ -41,17 +41,16 @@ void check_start(const Grid& grid, uint32_t channels, std::span<const float> sta
 
 } // namespace
 
-/// What the steps of one graph hand on to each other.
+/// Handles that each step of a graph passes on to the next.
 struct Fluid::Handles {
     gpu::ImageId velocity;
     gpu::ImageId unprojected;
-    std::vector<gpu::ImageId> quantities; ///< both of quantities_, or none
+    std::vector<gpu::ImageId> quantities; ///< both images of quantities_, or empty
     gpu::BufferId shapes;
     gpu::BufferId standing;
     SolverTables tables;
 };
 
-/// One step, as passes.
 class Fluid::Step {
 public:
     Step(gpu::Graph& graph, Fluid& fluid, const FluidStyle& style, Handles& handles, float age_s)
@@ -74,7 +73,7 @@ public:
     }
 
 private:
-    /// All is carried by the velocity at the start, the same ways.
+    /// The velocity at the start advects itself and all quantities, along the same displacements.
     void add_projected()
     {
         const gpu::ImageId carrier = handles_.velocity;
@@ -86,7 +85,7 @@ private:
         handles_.velocity = projected(forced(diffused(start)), handles_.velocity, false).velocity;
     }
 
-    /// Returns the velocity that carries the quantities.
+    /// Returns the velocity that advects the quantities.
     [[nodiscard]] gpu::ImageId add_reflected()
     {
         const gpu::ImageId start = diffused(handles_.velocity);
@@ -147,7 +146,7 @@ private:
     {
         ForceStyle forces = style_.forces;
         if (style_.viscosity_m2_s > 0.0F) {
-            forces.acceleration_m_s2 = glm::vec3(0.0F); // diffusion sees to it
+            forces.acceleration_m_s2 = glm::vec3(0.0F); // applied by add_diffusion() instead
         }
         const auto weighing = fluid_.channels_ > shared::fluid_temperature
                                   ? std::optional(handles_.quantities[fluid_.newest_quantities_])
@@ -171,7 +170,7 @@ private:
     const Grid& grid_;
     const FluidStyle& style_;
     Handles& handles_;
-    float age_s_; ///< of what the graph was told about shapes
+    float age_s_; ///< time since the uploaded positions of the shapes were valid
 };
 
 Fluid::Fluid(gpu::Device& device, const Grid& grid, uint32_t channels, std::span<const float> velocity,
@@ -229,7 +228,7 @@ ProjectionStyle Fluid::trusted(const ProjectionStyle& style) const
 
 uint32_t Fluid::most_steps(const FluidStyle& style) const
 {
-    constexpr uint32_t most_passes = 240; // others need some too
+    constexpr uint32_t most_passes = 240; // a graph has 256 passes; the rest is left to other users
     const bool reflects = style.stepping == Stepping::reflect;
     const float share = style.viscosity_m2_s * style.step_s / (grid_.cell_m * grid_.cell_m);
     const uint32_t diffusion =

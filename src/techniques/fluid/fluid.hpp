@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A fluid on a grid: a velocity that has no divergence, moves itself, and carries quantities.
+// Fluid simulation on a grid: a divergence-free velocity advects itself and other quantities.
 
 #include <array>
 #include <optional>
@@ -18,11 +18,12 @@
 namespace estampe::fluid {
 
 enum class Stepping : uint8_t {
-    project, ///< carry, force, project
-    reflect  ///< the same in halves, with the velocity reflected between them: second order, twice the price
+    project, ///< advect, add forces, project
+    reflect  ///< advection-reflection: two half steps with the velocity reflected between them; second order,
+             ///< twice the cost
 };
 
-/// All of it may change from step to step.
+/// Every member may change from step to step.
 struct FluidStyle {
     float step_s = 1.0F / 120.0F;
     Stepping stepping = Stepping::reflect;
@@ -34,50 +35,50 @@ struct FluidStyle {
     MatterStyle matter;
 };
 
-/// Handles to what a graph's steps leave.
+/// Handles to the fields after the steps that were added to a graph.
 struct FluidFields {
-    gpu::ImageId velocity;    ///< metres a second; layer i * depth + z holds component i, on faces
-    gpu::ImageId unprojected; ///< what the last projection was given, to measure what it left by
+    gpu::ImageId velocity;    ///< metres per second; layer i * depth + z holds component i, on faces
+    gpu::ImageId unprojected; ///< the input of the last projection, to measure the remaining error with
     Solids solids;
-    /// Layer i * depth + z holds channel i, in the middle of cells.
+    /// Layer i * depth + z holds channel i, at cell centres.
     std::optional<gpu::ImageId> quantities = {};
 };
 
-/// The same start, style and steps give the same fields on the same device, bit for bit.
+/// Deterministic: the same start, style and steps give bit-identical fields on the same device.
 class Fluid {
 public:
-    /// `velocity` and `quantities` are laid out as FluidFields says, row by row in each layer; empty ones are
-    /// zeros. Throws std::logic_error for what is no grid, and for a start of another size.
+    /// `velocity` and `quantities` are laid out as in FluidFields, row by row in each layer; an empty span
+    /// means all zeros. Throws std::logic_error for an invalid grid or a span of the wrong size.
     Fluid(gpu::Device& device, const Grid& grid, uint32_t channels = 0, std::span<const float> velocity = {},
           std::span<const float> quantities = {});
 
-    /// Adds so many steps; once a graph. More than most_steps(), or a step of no length, are an
-    /// std::logic_error.
+    /// Adds `count` steps; call it once per graph. Throws std::logic_error for more than most_steps() or for
+    /// a step without length.
     [[nodiscard]] FluidFields add_steps(gpu::Graph& graph, const FluidStyle& style, uint32_t count);
 
-    /// What solves for the pressure of a step now.
+    /// The pressure solver that a step with `style` uses.
     [[nodiscard]] Solver solver_of(const FluidStyle& style) const
     {
         return solver_for(grid_, trusted(style.projection).solver, are_solid());
     }
 
-    /// As many steps as one graph takes, at least one.
+    /// The number of steps that fit into one graph; at least one.
     [[nodiscard]] uint32_t most_steps(const FluidStyle& style) const;
 
-    /// Solves a random equation directly, and goes by cycles from then on, where nothing else is asked for,
-    /// when more than a thousandth of it is left: drivers have been seen to get transforms wrong. Returns
-    /// what is left; 0 where there is no direct solver. Best done once, before the first step.
+    /// Checks the spectral solver on a random equation, because some drivers compute its transforms wrongly.
+    /// If the residual is above 1e-3, `automatic` uses multigrid from then on. Returns the residual, or 0 if
+    /// the grid has no spectral solver. Call it once before the first step.
     double check_spectral(gpu::Device& device, gpu::Executor& executor);
 
-    /// From the next step on; both move by themselves as steps pass. Throws std::logic_error for more than 64
-    /// in all.
+    /// Takes effect with the next step. Obstacles and sources keep moving as steps pass. Throws
+    /// std::logic_error for more than 64 in all.
     void set_shapes(std::span<const Shape> obstacles, std::span<const Source> sources)
     {
         shapes_.set(obstacles, sources);
     }
 
-    /// Cells that are solid for good, a flag each, row by row and layer by layer; none where there are none.
-    /// Throws std::logic_error for another number of them. No graph may be running.
+    /// Marks cells that are solid permanently: one flag per cell, row by row and layer by layer; an empty
+    /// span clears them. Throws std::logic_error if the number of flags is wrong. No graph may be running.
     void set_standing(gpu::Device& device, std::span<const uint8_t> cells);
 
     [[nodiscard]] const Grid& grid() const { return grid_; }
@@ -97,26 +98,26 @@ private:
     Grid grid_;
     uint32_t channels_;
     gpu::Image velocity_;
-    std::array<gpu::Image, 2> quantities_; ///< by turns, none without channels
+    std::array<gpu::Image, 2> quantities_; ///< double buffer; empty without channels
     uint32_t newest_quantities_ = 0;
     Shapes shapes_;
-    gpu::Buffer solids_;   ///< a word a cell
-    gpu::Buffer standing_; ///< a word per cell of what stands still for good, or none
+    gpu::Buffer solids_;   ///< one word per cell
+    gpu::Buffer standing_; ///< one word per cell that is solid permanently, or empty
     gpu::Buffer angles_;
     bool are_standing_ = false;
     bool is_spectral_right_ = true;
 };
 
-// Fields of a fluid for the processor: tests and measurements read them.
+// Access to a fluid's fields on the CPU, for tests and measurements.
 
-/// Leaves an image as later graphs take it in, by gpu::import_uploaded.
+/// Leaves the image in the layout that gpu::import_uploaded expects in later graphs.
 void hand_on(gpu::Graph& graph, gpu::ImageId image);
 
-/// Adds a copy of all layers of `image`, one after the other, and leaves the image as later graphs take it
-/// in.
+/// Adds a copy of all layers of `image`, in order, to a buffer. Leaves the image in the layout that
+/// gpu::import_uploaded expects in later graphs.
 [[nodiscard]] gpu::BufferId add_layers_copy(gpu::Graph& graph, gpu::ImageId image);
 
-/// Runs `graph` with a copy of all layers of `image`, and reads the copy.
+/// Runs `graph` together with a copy of all layers of `image`, and returns that copy.
 [[nodiscard]] std::vector<float> run_and_read(gpu::Device& device, gpu::Executor& executor, gpu::Graph& graph,
                                               gpu::ImageId image);
 

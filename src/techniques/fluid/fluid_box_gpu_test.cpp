@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a box of smoke asks of a fluid: open ends, things that stand in it, vortices in volumes.
+// Fluid features that smoke in a box needs: open ends, permanently solid cells, vorticity confinement in
+// volumes.
 #include <gtest/gtest.h>
 
 #include "techniques/fluid/fluid_test_support.hpp"
@@ -70,7 +71,7 @@ TEST(FluidBox, FuelAndCloudLeaveAtOpenEndsAndOutsideAirBringsItsVapour)
     EXPECT_NEAR(number_at(left, 2, {8, 15, 8}), 0.8 * stays(0.5), 1e-5);
     EXPECT_NEAR(number_at(left, 4, {1, 8, 8}), 0.6 * stays(1.5), 1e-5);
     EXPECT_NEAR(number_at(left, 3, {1, 4, 8}), 0.5 - 0.4 * stays(1.5), 1e-5);
-    // Higher up the air outside holds no more than this.
+    // Higher up, the outside air holds at most this much vapour.
     const double held = std::exp(-1.55);
     EXPECT_NEAR(number_at(left, 3, {8, 15, 8}), held + (0.1 - held) * stays(0.5), 1e-5);
     for (const uint32_t channel : {2U, 3U, 4U}) {
@@ -121,7 +122,7 @@ TEST(FluidBox, WhatStandsIsAnObstacleLikeAnyOther)
 TEST(FluidBox, ConfinementFeedsVorticesOfVolumesAcrossTheirAxis)
 {
     const Grid grid = room(Edge::periodic);
-    // A whirl about an axis along each of x, y and z in turn.
+    // Tests vortices about an axis along x, y and z.
     for (int axis = 0; axis < 3; ++axis) {
         const Flow whirl = [axis](glm::dvec3 place) {
             glm::dvec3 off = place - 0.8;

@@ -2,10 +2,10 @@
 #ifndef ESTAMPE_FLUID_FIELDS
 #define ESTAMPE_FLUID_FIELDS
 
-// Velocities and quantities between their nodes, and beyond walls. Needs `variant`, and `grid`, a FluidGrid.
-// Images are sampled with repetition; what is read across a wall is mended here.
+// Interpolates velocities and quantities, also across walls. Needs `variant`, and `grid`, a FluidGrid.
+// Samplers repeat; values that were read across a wall are corrected here.
 
-const int fluid_scalar = 3; // component of what is no velocity
+const int fluid_scalar = 3; // component number of a quantity
 
 bool is_volume()
 {
@@ -32,15 +32,15 @@ bool is_in_grid(ivec3 cell)
     return all(lessThan(cell, fluid_size()));
 }
 
-// Of a place at most `size` beyond either end, the one it stands for: round where ends meet, else the last.
-// By comparisons, as dividing by what only the host knows takes some twenty instructions.
+// Maps an index at most `size` beyond either end into the grid: wrapped on a periodic axis, else clamped.
+// Uses comparisons, because a division by a run-time value takes some twenty instructions.
 int place_in_grid(int place, int size, bool is_round)
 {
     int turned = place < 0 ? place + size : place >= size ? place - size : place;
     return is_round ? turned : clamp(place, 0, size - 1);
 }
 
-// The cell so many steps along an axis, at most as many as there are cells.
+// The cell `steps` along an axis; `steps` is at most the number of cells along it.
 ivec3 neighbour(ivec3 cell, int axis, int steps)
 {
     cell[axis] = place_in_grid(cell[axis] + steps, fluid_size()[axis], is_periodic(axis));
@@ -57,7 +57,7 @@ float lid_speed_of(int component)
     return component == 0 ? grid.lid_speed.x : component == 1 ? grid.lid_speed.y : grid.lid_speed.z;
 }
 
-// What stands as far beyond a wall as `inner` does before it.
+// The value as far beyond a wall as `inner` is before it.
 vec2 beyond_wall(vec2 inner, int component, int axis, bool is_high)
 {
     if (component == fluid_scalar || (variant & (fluid_bit_free_slip << axis)) != 0u) {
@@ -66,7 +66,7 @@ vec2 beyond_wall(vec2 inner, int component, int axis, bool is_high)
     return (axis == 1 && is_high ? 2.0 * lid_speed_of(component) : 0.0) - inner;
 }
 
-// Two neighbours along an axis, the first with index `low`, where they lie on or beyond a wall.
+// Corrects two neighbours along an axis if they lie on or beyond a wall; `low` is the first one's index.
 void mend(inout vec2 first, inout vec2 second, int low, int component, int axis)
 {
     if (is_periodic(axis)) {
@@ -82,13 +82,13 @@ void mend(inout vec2 first, inout vec2 second, int low, int component, int axis)
     }
 }
 
-// Two neighbours, the first with index `low`, that need no mending, whatever they are of.
+// Whether two neighbours from index `low` need no correction, for any component.
 bool is_far_from_wall(int low, int axis)
 {
     return is_periodic(axis) || low >= 1 && low < fluid_size()[axis] - 1;
 }
 
-// The four nodes from `low` on, in a layer: 00, 10, 01, 11.
+// Four nodes of a layer from `low` on: 00, 10, 01, 11.
 vec4 plane_nodes(sampler2DArray field, int component, ivec2 low, int layer)
 {
     vec2 corner = (vec2(low) + 1.0) * vec2(grid.texel_x, grid.texel_y);
@@ -110,7 +110,7 @@ int layer_of_slice(int slice)
     return place_in_grid(slice, int(grid.depth), is_periodic(2));
 }
 
-// Eight nodes from `low` on; in two dimensions `far` is left as it is.
+// Eight nodes from `low` on; in 2D `far` equals `near`.
 void box_nodes(sampler2DArray field, int component, ivec3 low, int first_layer, out vec4 near, out vec4 far)
 {
     if (!is_volume()) {
@@ -136,7 +136,7 @@ float blend(vec4 nodes, vec2 share)
     return mix(columns.x, columns.y, share.x);
 }
 
-// Linear between nodes: `offset` from node `node`, in cells.
+// Linear interpolation at `offset` cells from node `node`.
 float sample_linear(sampler2DArray field, int component, ivec3 node, int first_layer, vec3 offset)
 {
     vec3 whole = floor(offset);
@@ -148,7 +148,7 @@ float sample_linear(sampler2DArray field, int component, ivec3 node, int first_l
     return is_volume() ? mix(value, blend(far, share.xy), share.z) : value;
 }
 
-// Least and greatest of the nodes about a place.
+// Minimum and maximum of the nodes around a place.
 vec2 range_of_nodes(sampler2DArray field, int component, ivec3 node, int first_layer, vec3 offset)
 {
     vec4 near;
@@ -160,7 +160,7 @@ vec2 range_of_nodes(sampler2DArray field, int component, ivec3 node, int first_l
                 max(max(most.x, most.y), max(most.z, most.w)));
 }
 
-// Velocity at `at`, counted in cells from the low corner of `cell`.
+// Velocity at `at`, in cells from the low corner of `cell`.
 vec3 velocity_at(sampler2DArray velocity, ivec3 cell, vec3 at)
 {
     int depth = int(grid.depth);
@@ -174,7 +174,7 @@ vec3 velocity_at(sampler2DArray velocity, ivec3 cell, vec3 at)
     return speed;
 }
 
-// A way that ends within walls, and is no longer than half the grid where it has none.
+// Clamps a displacement so that it ends inside the walls; on a periodic axis to half the grid.
 vec3 kept_inside(vec3 way, ivec3 cell, vec3 at)
 {
     vec3 size = vec3(fluid_size());
@@ -186,20 +186,20 @@ vec3 kept_inside(vec3 way, ivec3 cell, vec3 at)
     return is_volume() ? way : vec3(way.xy, 0.0);
 }
 
-// Velocity half-way along the way, in a first guess, of what starts `at`, when `here` is that there.
+// Midpoint rule: the velocity after half a step from `at`, where the velocity is `here`.
 vec3 velocity_half_way(sampler2DArray velocity, vec3 here, ivec3 cell, vec3 at, float cells_per_speed)
 {
     return velocity_at(velocity, cell, at + kept_inside(0.5 * cells_per_speed * here, cell, at));
 }
 
-// The way that what starts `at` goes, by the midpoint rule.
+// Displacement of what starts at `at`, by the midpoint rule.
 vec3 way_along(sampler2DArray velocity, vec3 here, ivec3 cell, vec3 at, float cells_per_speed)
 {
     vec3 half_way = velocity_half_way(velocity, here, cell, at, cells_per_speed);
     return kept_inside(cells_per_speed * half_way, cell, at);
 }
 
-// Where in its cell a component is kept; in two dimensions z does not count.
+// Position of a component's node in its cell; z is ignored in 2D.
 vec3 place_of_node(int component)
 {
     vec3 at = vec3(0.5);
@@ -209,14 +209,14 @@ vec3 place_of_node(int component)
     return at;
 }
 
-// Whether a node of `component` lies on a wall, where nothing flows through.
+// Whether a node of `component` lies on a wall, where the normal speed is zero.
 bool is_on_wall(int component, ivec3 cell)
 {
     return component < 3 && !is_periodic(component) && cell[component] == 0;
 }
 
-// Velocity where `component` is kept: that one as it stands, of the others the mean of those about. It is
-// what velocity_at() is there, by fewer look-ups.
+// Velocity at the node of `component`: its own component as stored, the others averaged from the nodes around
+// it. Equals velocity_at() with fewer texture reads.
 vec3 velocity_at_node(sampler2DArray velocity, int component, ivec3 cell)
 {
     vec3 speed = vec3(0.0);
@@ -239,7 +239,7 @@ vec3 velocity_at_node(sampler2DArray velocity, int component, ivec3 cell)
     return speed;
 }
 
-// The velocity in the middle of a cell: the means of opposite faces.
+// Velocity at the cell centre: the mean of opposite faces.
 vec3 velocity_in_middle(sampler2DArray velocity, ivec3 cell)
 {
     vec3 speed = vec3(0.0);
@@ -253,8 +253,8 @@ vec3 velocity_in_middle(sampler2DArray velocity, ivec3 cell)
     return speed;
 }
 
-// How close a place, in cells, is to a face of an open box, but for the low one of y: 1 at the face, 0 from
-// `rim_cells` on.
+// Closeness of a place, in cells, to a face of an open box, ignoring the low face of y: 1 at the face, 0 at a
+// distance of `rim_cells` or more.
 float closeness_to_rim(vec3 place, float rim_cells)
 {
     vec3 size = vec3(fluid_size());

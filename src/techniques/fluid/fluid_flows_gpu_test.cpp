@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Flows whose solutions are known.
+// Flows with known solutions.
 #include <array>
 #include <cstdlib>
 #include <limits>
@@ -23,7 +23,7 @@ double energy_of(const std::vector<float>& velocity)
     return sum;
 }
 
-/// Energy that a Taylor-Green vortex keeps until 2 pi, at a Courant number of 1.
+/// Share of the energy of a Taylor-Green vortex that is left at time 2 pi, at a Courant number of 1.
 double energy_kept(uint32_t side, FluidStyle style)
 {
     const Grid grid{.cells = {side, side, 1},
@@ -37,7 +37,7 @@ double energy_kept(uint32_t side, FluidStyle style)
     return energy_of(velocity_after(fluid, style, side)) / energy_of(start);
 }
 
-/// Of the energy that is lost where none should be, for half the cells and steps.
+/// Convergence order of the numerical energy loss, measured with half the cells and steps.
 double order_of_loss(uint32_t side, const FluidStyle& style)
 {
     return std::log2((1.0 - energy_kept(side / 2, style)) / (1.0 - energy_kept(side, style)));
@@ -49,7 +49,7 @@ TEST(FluidFlows, TaylorGreenVorticesDecayByTheirViscosity)
     EXPECT_NEAR(energy_kept(128, {.viscosity_m2_s = 0.01F}), exact, 0.003);
     EXPECT_NEAR(energy_kept(128, {.velocity_advection = Advection::maccormack, .viscosity_m2_s = 0.01F}),
                 exact, 0.003);
-    // The measure tells: with half the cells both are still near, and linear weights blur.
+    // Checks the measure itself: with half the cells both methods are still close, and linear weights fail.
     EXPECT_NEAR(energy_kept(64, {.viscosity_m2_s = 0.01F}), exact, 0.01);
     EXPECT_NEAR(energy_kept(64, {.velocity_advection = Advection::maccormack, .viscosity_m2_s = 0.01F}),
                 exact, 0.01);
@@ -83,7 +83,7 @@ TEST(FluidFlows, ShearDecaysByDiffusionAlone)
             const std::vector<float> end = velocity_after(
                 fluid, {.step_s = static_cast<float>(1.0 / rate / steps), .viscosity_m2_s = viscosity},
                 steps);
-            // The grid's own second differences are a little less than the sine's.
+            // The grid's second differences are slightly smaller than the sine's second derivative.
             const auto h = static_cast<double>(grid.cell_m);
             const double seen = std::pow(std::sin(0.5 * waves * h) / (0.5 * waves * h), 2.0);
             EXPECT_NEAR(std::sqrt(energy_of(end) / energy_of(start)) / std::exp(-seen), 1.0, 1e-3)
@@ -92,7 +92,7 @@ TEST(FluidFlows, ShearDecaysByDiffusionAlone)
     }
 }
 
-/// Speed between walls at y = -a and a under a force per mass f that began at time 0.
+/// Speed between walls at y = -a and a under a force per mass f that starts at time 0.
 double channel_speed(double y, double time_s, double a, double f, double viscosity)
 {
     double speed = f / (2.0 * viscosity) * (a * a - y * y);
@@ -143,7 +143,7 @@ TEST(FluidFlows, ALidDrivesItsCavityAsGhiaGhiaAndShinFound)
         const CavityFit sharp = fit(advection, 12);
         EXPECT_LE(sharp.rms_u, 0.0025);
         EXPECT_LE(sharp.rms_v, 0.0045);
-        // Extremes after Marchi, Suero and Araki, 2009.
+        // Reference extremes: Marchi, Suero and Araki, 2009.
         EXPECT_NEAR(sharp.least_u, -0.2140417, 0.02 * 0.214);
         EXPECT_NEAR(sharp.most_v, 0.1795728, 0.02 * 0.18);
         EXPECT_NEAR(sharp.least_v, -0.2538030, 0.02 * 0.254);
@@ -182,8 +182,8 @@ TEST(FluidFlows, VolumesFlowAsPlanesDoWhateverWayTheyLie)
     }
 }
 
-/// What splines make of a room full of eddies, whose sides named by a bit of `axes` each are exchanged before
-/// and exchanged back after.
+/// Advects a room full of eddies by splines. Axes with a bit in `axes` are mirrored before and mirrored back
+/// afterwards.
 std::vector<float> stirred_in_mirror(const Grid& grid, uint32_t axes)
 {
     const auto is_turned = [&](int axis) { return (axes >> static_cast<uint32_t>(axis) & 1U) != 0; };
@@ -293,7 +293,7 @@ TEST(FluidFlows, StepsInOneGraphOrInManyAreTheSameBitForBit)
     EXPECT_EQ(velocity_after(one, style, 4), velocity_after(many, style, 4, 1));
 }
 
-/// Sums and what is no number, slice by slice in double precision.
+/// Sums, and number of non-finite values, slice by slice in double precision.
 struct Totals {
     double sum = 0.0;
     double squares = 0.0;
@@ -311,7 +311,7 @@ Totals totals_of(const std::vector<float>& numbers)
     return totals;
 }
 
-/// Cells each way: 64, or with ESTAMPE_LONG as many as a volume may have, which takes half a minute.
+/// Cells per side: 64, or with ESTAMPE_LONG as many as a volume may have, which takes half a minute.
 uint32_t side_of_volume()
 {
     return std::getenv("ESTAMPE_LONG") != nullptr ? 256 : 64;
@@ -323,7 +323,8 @@ TEST(FluidFlows, AVolumeTakesAStep)
     const Grid grid{.cells = {side, side, side},
                     .cell_m = 1.0F / static_cast<float>(side),
                     .edges = {Edge::periodic, Edge::periodic, Edge::periodic}};
-    // Waves by tables: sines on faces across an axis and in the middle of cells, along which others are even.
+    // Tables of a sine at faces, along a component's own axis, and of a cosine at cell centres, along
+    // another.
     std::vector<float> on_face(side);
     std::vector<float> in_middle(side);
     for (uint32_t i = 0; i < side; ++i) {
@@ -353,7 +354,7 @@ TEST(FluidFlows, AVolumeTakesAStep)
     const Totals left = totals(0, [&](gpu::Graph& graph, const FluidFields& fields) {
         return add_divergence(graph, grid, fields.velocity, fields.solids);
     });
-    // The first step is carried by a flow that has divergence, the second by one that has none.
+    // The first step is advected by a flow with divergence, the second by one without.
     const Totals first = totals(0, carried_in);
     const Totals carried = totals(1, carried_in);
     EXPECT_TRUE(carried.are_finite);

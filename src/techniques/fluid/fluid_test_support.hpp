@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Fields that tests start from and read back: numbers in double precision, at their places on the grid.
+// Fields for tests to start from and to read back: double precision, sampled at the grid's nodes.
 
 #include <cmath>
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace estampe::fluid {
 
-/// Velocity of a place in metres.
+/// Velocity as a function of the place in metres.
 using Flow = std::function<glm::dvec3(glm::dvec3)>;
 
 [[nodiscard]] inline glm::dvec3 place_of(const Grid& grid, uint32_t component, glm::uvec3 cell)
@@ -50,7 +50,7 @@ template <class Number>
     return std::sqrt(sum);
 }
 
-/// On the faces of the grid.
+/// Samples `flow` on the faces of the grid.
 [[nodiscard]] inline std::vector<float> velocity_of(const Grid& grid, const Flow& flow)
 {
     return over_nodes(grid, grid.dimensions(), [&](uint32_t component, glm::uvec3 cell) {
@@ -58,13 +58,13 @@ template <class Number>
     });
 }
 
-/// All layers of an image that `graph` makes, one after the other.
+/// Runs `graph`, and returns all layers of an image that it makes, one after another.
 [[nodiscard]] inline std::vector<float> run_and_read_layers(gpu::Graph& graph, gpu::ImageId image)
 {
     return test::run_and_read_as<float>(graph, add_layers_copy(graph, image));
 }
 
-/// The velocity after so many more steps, at most `at_once` in a graph.
+/// The velocity after `count` more steps, at most `at_once` per graph.
 [[nodiscard]] inline std::vector<float> velocity_after(Fluid& fluid, const FluidStyle& style, uint32_t count,
                                                        uint32_t at_once = UINT32_MAX)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel inks it with the focus lines that pass: those of its own turn about the middle and of
-// the turns beside it.
+// One thread per pixel draws the focus lines of the pixel's own sector around the middle, and of the two
+// neighbouring sectors.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -28,7 +28,7 @@ float line_coverage(FocusLine line, vec2 from_middle)
     float along = dot(from_middle, line.outwards);
     float aside = abs(line.outwards.x * from_middle.y - line.outwards.y * from_middle.x);
     float half_width = line.half_width_px * (along - line.tip_px) / (line.end_px - line.tip_px);
-    // A line thinner than a pixel keeps its width and loses darkness.
+    // A line thinner than a pixel keeps a pixel's width and gets paler.
     return along <= line.tip_px
                ? 0.0
                : clamp(max(half_width, 0.5) + 0.5 - aside, 0.0, 1.0) * min(half_width / 0.5, 1.0);

@@ -16,7 +16,7 @@ namespace {
 constexpr size_t least_lines = 3;
 constexpr size_t most_lines = 20000;
 
-/// The same numbers on every machine.
+/// Random numbers that are the same on every machine.
 class Random {
 public:
     explicit Random(uint32_t seed) : engine_(seed) {}
@@ -28,7 +28,7 @@ private:
     std::mt19937 engine_;
 };
 
-/// From the middle to beyond the window's farthest corner.
+/// Distance from the middle to just beyond the window's farthest corner.
 float reach_px(const glm::vec2& middle, const Window& window)
 {
     return glm::length(glm::max(glm::abs(window.min_px - middle), glm::abs(window.max_px - middle))) + 1.0F;
@@ -56,7 +56,7 @@ std::vector<shared::FocusLine> focus_lines(const FocusStyle& style, const Window
     const glm::vec2 middle = middle_px(style, window);
     const glm::vec2 half_size = 0.5F * (window.max_px - window.min_px);
     const float end_px = reach_px(middle, window);
-    // Spacing is counted where the picture ends, halfway between its sides and its corners.
+    // Spacing is measured near the picture's edge, halfway between the distances of sides and corners.
     const float edge_px = 0.5F * (std::max(half_size.x, half_size.y) + glm::length(half_size));
     const auto turn = glm::two_pi<float>();
     const auto count =
@@ -67,7 +67,7 @@ std::vector<shared::FocusLine> focus_lines(const FocusStyle& style, const Window
     lines.reserve(count);
     float bundle = random.next();
     for (size_t i = 0; i < count; ++i) {
-        // Neighbours are alike for a while, then a gap begins or ends.
+        // Neighbours share a value for a while, which forms bundles and gaps.
         bundle = random.next() < 0.35F ? random.next() : bundle;
         const float share = 1.0F - style.bundles * bundle;
         const float angle =
@@ -100,30 +100,34 @@ gpu::ImageId add_focus(gpu::Graph& graph, const FocusInputs& in, const FocusStyl
 const style::Table<FocusStyle>& focus_table()
 {
     static const auto table =
-        style::Table<FocusStyle>("focus_lines", "Focus lines: wedges that point at what matters, as in manga")
+        style::Table<FocusStyle>(
+            "focus_lines",
+            "Focus lines: thin wedges of ink that point at the centre of attention, as in manga")
             .toggle("enabled", &FocusStyle::enabled,
                     "Turns focus lines on: wedges from the edge of the picture towards one point")
             .number("x", &FocusStyle::x, {-1.0F, 2.0F}, "",
-                    "Horizontal place that focus lines point at: 0 is the left edge of the picture, 1 is the "
-                    "right edge")
+                    "Horizontal position of the point that focus lines aim at: 0 is the left edge of the "
+                    "picture, 1 is the right edge")
             .number("y", &FocusStyle::y, {-1.0F, 2.0F}, "",
-                    "Vertical place that focus lines point at: 0 is the top edge of the picture, 1 is the "
-                    "bottom edge")
+                    "Vertical position of the point that focus lines aim at: 0 is the top edge of the "
+                    "picture, 1 is the bottom edge")
             .number("clear", &FocusStyle::clear, {0.0F, 3.0F}, "",
-                    "Size of the oval that focus lines leave free, as a share of the picture: less lets them "
-                    "reach further in")
+                    "Size of the free oval around the point that focus lines aim at, as a share of the "
+                    "picture: less lets focus lines reach further in")
             .number("ragged", &FocusStyle::ragged, {0.0F, 1.0F}, "",
-                    "How much focus lines differ in length: 0 ends all at the oval, 1 is most uneven")
+                    "How much focus lines differ in length: 0 ends all lines at the edge of the free oval in "
+                    "the middle, 1 gives very uneven lengths")
             .number("width_mm", &FocusStyle::width_mm, {0.05F, 20.0F}, "mm",
                     "Width of an average focus line at the edge of the picture")
             .number("spacing_mm", &FocusStyle::spacing_mm, {0.2F, 100.0F}, "mm",
                     "Average distance between focus lines at the edge of the picture: less gives more lines")
             .number("bundles", &FocusStyle::bundles, {0.0F, 1.0F}, "",
-                    "How much focus lines gather in bundles with gaps between: 0 spreads them evenly")
+                    "How much focus lines gather in bundles with gaps between them: 0 spreads them evenly, 1 "
+                    "gathers them most")
             .color("ink", &FocusStyle::ink, "Colour of the ink of focus lines")
             .number("redraws_per_s", &FocusStyle::redraws_per_s, {0.0F, 60.0F}, "",
-                    "How often focus lines are redrawn by another hand, per second of a film: 12 flickers as "
-                    "hand animation does. 0 never redraws them.");
+                    "How often focus lines are drawn again with new random shapes, per second of a film: 12 "
+                    "flickers as in hand-drawn animation. 0 never draws them again.");
     return table;
 }
 

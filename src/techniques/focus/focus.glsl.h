@@ -6,13 +6,13 @@
 namespace estampe::shared {
 #endif
 
-// A wedge that points at the middle. The n-th of N lies within the n-th of N equal turns about it, from +x
-// towards +y, which is down the page.
+// A wedge that points at the middle. Line n of N lies in sector n of N equal sectors around the middle,
+// counted from +x towards +y, which points down the page.
 struct FocusLine {
     vec2 outwards; // direction on the page
-    float tip_px;  // from the middle
+    float tip_px;  // distance of the tip from the middle
     float end_px;
-    float half_width_px; // at its end
+    float half_width_px; // at end_px
 };
 
 struct FocusConstants {

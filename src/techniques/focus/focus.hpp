@@ -25,16 +25,16 @@ struct FocusStyle {
 
 [[nodiscard]] const style::Table<FocusStyle>& focus_table();
 
-/// The rectangle that is drawn on, y down.
+/// The part of the page inside the margin; y points down.
 struct Window {
     glm::vec2 min_px{0.0F};
     glm::vec2 max_px{0.0F};
 };
 
-/// What focus lines point at.
+/// The point to which focus lines converge.
 [[nodiscard]] glm::vec2 middle_px(const FocusStyle& style, const Window& window);
 
-/// All lines of a picture; each reaches out of the window. Cost: linear in lines.
+/// All focus lines of a picture; each extends beyond the window. Cost: linear in lines.
 [[nodiscard]] std::vector<shared::FocusLine> focus_lines(const FocusStyle& style, const Window& window,
                                                          float pixels_per_mm, double time_s);
 
@@ -45,8 +45,8 @@ struct FocusInputs {
     glm::uvec2 size_px{0};
 };
 
-/// Draws focus lines over `ink`, a layer as of contours: square root of linear colour, coverage in alpha.
-/// Where both are the darker stands. Cost: one full-screen dispatch.
+/// Draws focus lines over `ink`, a contour layer: square root of linear colour, coverage in alpha. Where
+/// both have ink, the one with more coverage stays. Cost: one full-screen dispatch.
 [[nodiscard]] gpu::ImageId add_focus(gpu::Graph& graph, const FocusInputs& in, const FocusStyle& style,
                                      gpu::ImageId ink);
 

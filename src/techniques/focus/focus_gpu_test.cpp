@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Focus lines as they are inked.
+// Focus lines as drawn by the shader.
 #include "techniques/focus/focus.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ constexpr glm::uvec2 size_px(160, 120);
 const Window window{.min_px = {0.0F, 0.0F}, .max_px = glm::vec2(size_px)};
 constexpr float pixels_per_mm = 2.0F;
 
-/// Over a layer that is inked with `before`.
+/// Draws focus lines over a layer that is filled with `before`.
 std::vector<glm::vec4> inked(const FocusStyle& style, const glm::vec4& before)
 {
     const std::vector<shared::FocusLine> lines = focus_lines(style, window, pixels_per_mm, 0.0);
@@ -38,7 +38,7 @@ std::vector<glm::vec4> inked(const FocusStyle& style, const glm::vec4& before)
     return pixels;
 }
 
-/// The share of a pixel that lines cover, by points within it.
+/// Share of a pixel that the lines cover, by supersampling.
 float covered(const std::vector<shared::FocusLine>& lines, const glm::vec2& middle, glm::uvec2 pixel)
 {
     constexpr int side = 8;

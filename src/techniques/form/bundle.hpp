@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Multigrid for fields of plane vectors on a graph whose links turn or mirror what they carry.
+// Multigrid for fields of 2D vectors on a graph whose links rotate or mirror the vectors that they carry.
 
 #include <algorithm>
 #include <cstdint>
@@ -67,7 +67,8 @@ inline Block nearest_orthogonal(const Block& m)
 
 using Vectors = std::vector<glm::dvec2>;
 
-/// Wants z at `to` to be z at `from` turned by `turn_rad`, and then mirrored in the x axis if `mirrors`.
+/// Asks that the vector at `to` equal the vector at `from`, turned by `turn_rad` and then, if `mirrors`,
+/// mirrored in the x axis.
 struct Link {
     uint32_t from = 0;
     uint32_t to = 0;
@@ -76,38 +77,37 @@ struct Link {
     bool mirrors = false;
 };
 
-/// The energy sum over links of weight |z_to - T z_from|^2, as the matrix A, with a mass for each node (M),
-/// and a hierarchy of ever coarser ones: neighbours that agree about what they want of each other become one
-/// node.
+/// The energy sum over links of weight |z_to - T z_from|^2, as a matrix A, with a mass per node (M), and a
+/// hierarchy of coarser versions. Coarsening merges neighbours whose links agree.
 class Bundle {
 public:
     Bundle(uint32_t node_count, const std::vector<Link>& links, std::vector<double> masses);
 
-    /// Solves (A + diag(pulls)) z = right by conjugate gradients, preconditioned by one
-    /// multigrid cycle, until the residual has fallen to `tolerance` of what it was or 60 rounds are over.
-    /// Where no node of a connected part has a pull the solution is not unique; every part needs one.
+    /// Solves (A + diag(pulls)) z = right by conjugate gradients, preconditioned by one multigrid cycle,
+    /// until the residual has fallen to `tolerance` times its start or after 60 rounds. Each connected part
+    /// needs a node with a pull, or its solution is not unique.
     [[nodiscard]] Vectors solve(const std::vector<double>& pulls, const Vectors& right, double tolerance);
 
-    /// The same for right = diag(pulls) targets: draws the field towards targets.
+    /// Solves with right = diag(pulls) targets: draws the field towards targets.
     [[nodiscard]] Vectors attract(const std::vector<double>& pulls, const Vectors& targets, double tolerance);
 
-    /// Unit vectors with nearly the least energy: on each level from the coarsest to the finest, diffusion
-    /// over about `reach`, but at least some nodes (in the unit whose square masses are in), and return to
-    /// unit length in turns. Starts at random by `seed`.
+    /// Returns unit vectors with nearly the least energy. On each level, from the coarsest to the finest,
+    /// alternates diffusion and normalization. Diffusion reaches about `reach`, but at least some nodes;
+    /// `reach` squared has the unit of the masses. Starts from random vectors with `seed`.
     [[nodiscard]] Vectors relax(double reach, uint32_t seed);
 
 private:
     struct Level {
-        std::vector<uint32_t> starts; ///< of the rows, into columns and blocks
+        std::vector<uint32_t> starts; ///< first entry of each row in columns and blocks
         std::vector<uint32_t> columns;
         std::vector<Block> blocks;        ///< off the diagonal
         std::vector<glm::dvec3> diagonal; ///< symmetric: xx, xy, yy
         std::vector<double> masses;
         std::vector<double> shifts; ///< added to the diagonal
         std::vector<glm::dvec3> inverse_diagonal;
-        std::vector<uint32_t> coarse;   ///< node of the next level
+        std::vector<uint32_t> coarse;   ///< node's number in the next level
         std::vector<Block> from_coarse; ///< orthogonal
-        Vectors x, b, r;                ///< room for a cycle
+        Vectors x, b, r;                ///< work vectors of a cycle
 
         [[nodiscard]] uint32_t size() const { return static_cast<uint32_t>(diagonal.size()); }
     };

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Fields of n-fold symmetry as complex numbers to the n-th power, drawn to curvature: Knoeppel, Crane,
-// Pinkall and Schroeder, "Globally Optimal Direction Fields", SIGGRAPH 2013. First the cross of both
-// principal directions, then which of its two lines: Palacios and Zhang, "Rotational Symmetry Field Design on
-// Surfaces", SIGGRAPH 2007, found that fields smoothed as crosses have fewer singularities that nobody wants.
+// Fields of n-fold symmetry, represented by the n-th power of complex numbers and attracted to curvature:
+// Knoeppel, Crane, Pinkall and Schroeder, "Globally Optimal Direction Fields", SIGGRAPH 2013. Finds the cross
+// of both principal directions first, then selects one of its two lines: Palacios and Zhang, "Rotational
+// Symmetry Field Design on Surfaces", SIGGRAPH 2007, found that fields smoothed as crosses have fewer
+// unwanted singularities.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,13 +21,13 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// The curvature tensor at a vertex, in inverse radii of the mesh; positive on a ball.
+/// Curvature tensor at a vertex, in inverse radii of the mesh; positive on a sphere.
 struct Curvature {
     double mean = 0.0;      ///< (k1 + k2) / 2
     Complex deviator = 0.0; ///< (k1 - k2) / 2, at twice the angle of k1's direction in the tangent plane
 };
 
-/// Second fundamental form of a triangle in its own plane, x along its first edge: xx, xy, yy.
+/// Second fundamental form of a triangle in its own plane, with x along its first edge: xx, xy, yy.
 glm::dvec3 bending(const Mesh& mesh, uint32_t triangle)
 {
     const auto& c = mesh.triangles[triangle];
@@ -42,8 +43,8 @@ glm::dvec3 bending(const Mesh& mesh, uint32_t triangle)
     return second_form(sides, 1e-12);
 }
 
-/// Curvature by face from differences of vertex normals, taken to the vertices and then averaged over about
-/// `reach` (in radii of the mesh), so that bumps smaller than that cancel. Cost: linear.
+/// Curvature per face from differences of vertex normals, transferred to the vertices and averaged over about
+/// `reach` (in radii of the mesh), so that smaller bumps cancel. Cost: linear.
 std::vector<Curvature> find_curvature(const Mesh& mesh, double reach)
 {
     const auto count = static_cast<uint32_t>(mesh.points.size());
@@ -83,11 +84,11 @@ std::vector<Curvature> find_curvature(const Mesh& mesh, double reach)
     return result;
 }
 
-constexpr double tolerance = 1e-2;     ///< of residuals; directions need no more
-constexpr double level_pull = 0.05;    ///< towards level strokes, an area's; in inverse squares of the radius
-constexpr double crease_pull = 0.2;    ///< towards creases, a length's; in inverse radii
-constexpr double cross_weight = 0.005; ///< of crosses that agree over a crease; an edge has about 0.6
-constexpr double crease_vote = 0.002;  ///< of lines chosen alike over a crease
+constexpr double tolerance = 1e-2;     ///< tolerance of residuals; directions need no higher accuracy
+constexpr double level_pull = 0.05;    ///< per area, towards level strokes; in inverse squares of the radius
+constexpr double crease_pull = 0.2;    ///< per length, towards creases; in inverse radii
+constexpr double cross_weight = 0.005; ///< weight of equal crosses across a crease; an edge has about 0.6
+constexpr double crease_vote = 0.002;  ///< weight of equal line choices across a crease
 constexpr double flat_below = 0.15;    ///< curvature below which a surface counts as flat, in inverse radii
 
 struct Pull {
@@ -129,7 +130,8 @@ Complex unit(Complex z)
     return length > 1e-200 ? z / length : Complex(1.0);
 }
 
-/// Unit numbers at twice the angle of the level line at each vertex; on level ground all the same way.
+/// Unit complex numbers at twice the angle of the level line at each vertex; on horizontal ground all have
+/// the same direction.
 std::vector<Complex> level_lines(const Mesh& mesh, const glm::dvec3& up)
 {
     const glm::dvec3 aside = std::abs(up.x) < 0.9 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
@@ -162,7 +164,7 @@ Complex complex_of(glm::dvec2 v)
     return {v.x, v.y};
 }
 
-/// Share of 0 to 1 to which the tensor tells its two directions apart on a surface that is not flat.
+/// How clearly the tensor distinguishes its two directions on a curved surface, 0 to 1.
 double distinctness(const Curvature& k)
 {
     const double deviation = std::abs(k.deviator);
@@ -172,17 +174,16 @@ double distinctness(const Curvature& k)
                       : 0.0;
 }
 
-/// How much greater the greatest curvature is than the least, -1 to 1: negative when it is the smaller in
-/// sign.
+/// Which principal curvature has the larger absolute value: 1 the greater, -1 the lesser, 0 both alike.
 double preference(const Curvature& k)
 {
     const double deviation = std::abs(k.deviator);
     return deviation > 0.0 ? std::clamp(k.mean / deviation, -1.0, 1.0) : 0.0;
 }
 
-/// For each vertex which of the two lines of its cross to follow, as a number of either sign, large where it
-/// is clear: 1 for the line itself, -1 for the one across. Neighbours are asked to choose alike, so that the
-/// surest decide.
+/// For each vertex, which of the two lines of its cross to follow: 1 for the line itself, -1 for the
+/// perpendicular one, smaller values where it is less certain. Neighbours are linked to choose alike, so that
+/// the most certain ones decide.
 Vectors choose_lines(const Mesh& mesh, const std::vector<Complex>& lines, const Pull& line_pull)
 {
     std::vector<Link> links;
@@ -207,7 +208,7 @@ Vectors choose_lines(const Mesh& mesh, const std::vector<Complex>& lines, const 
         .attract(line_pull.strengths, votes, tolerance);
 }
 
-/// Lines to the power of two.
+/// Returns the smoothed lines as squared complex numbers.
 Vectors smooth_lines(const Mesh& mesh, const glm::dvec3& up, double reach)
 {
     const size_t count = mesh.points.size();
@@ -247,7 +248,7 @@ Vectors smooth_lines(const Mesh& mesh, const glm::dvec3& up, double reach)
     return make_bundle(mesh, 2.0, false).attract(along_cross.strengths, along_cross.targets, tolerance);
 }
 
-/// Gives neighbouring lines the same sense as far as that goes, breadth first.
+/// Gives neighbouring lines the same sense as far as possible, breadth first.
 void agree_on_sense(const Mesh& mesh, Directions& directions)
 {
     const size_t count = mesh.points.size();

@@ -21,7 +21,7 @@ bool comes_before(const glm::vec3& a, const glm::vec3& b)
     return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
-/// For each vertex the first one at the same place; none where the place is not finite.
+/// For each vertex the first vertex at the same place; `none` if its place is not finite.
 std::vector<uint32_t> weld(std::span<const glm::vec3> positions)
 {
     std::vector<uint32_t> order;
@@ -101,7 +101,7 @@ private:
         points_of_corners_ = mesh_.triangles;
     }
 
-    /// Too small an area, or too thin for angles to mean anything.
+    /// False if the area is too small, or the triangle too thin for meaningful angles.
     bool has_area(const std::array<uint32_t, 3>& corners)
     {
         const std::array<glm::dvec3, 3> p{place(corners[0]), place(corners[1]), place(corners[2])};
@@ -158,8 +158,8 @@ private:
         }
     }
 
-    /// Joins two triangles of one sense that share an edge. Of more, as where a sheet has a front and a back,
-    /// each is joined to the one that continues it best.
+    /// Joins two triangles of equal orientation that share an edge. If more share it, as at the edge of a
+    /// sheet with front and back, each is joined to the one that continues it best.
     void pair_up(std::vector<uint32_t>& around)
     {
         constexpr size_t most_triangles = 16;
@@ -195,7 +195,7 @@ private:
         return glm::dot(n_a, n_b) / (glm::length(n_a) * glm::length(n_b));
     }
 
-    /// Makes one vertex of each fan of triangles about a point, and lays the fan out in the plane.
+    /// Makes one vertex of each fan of triangles around a point, and unfolds the fan into the plane.
     void split_vertices()
     {
         const size_t count = mesh_.twins.size();
@@ -246,7 +246,7 @@ private:
         mesh_.normals.push_back(normal);
     }
 
-    /// Tangent-plane angle at the end of a half-edge, of the way back.
+    /// Tangent-plane angle, at the end of a half-edge, of its reverse direction.
     double angle_back(uint32_t half_edge) const
     {
         const uint32_t there = next_corner(half_edge);

@@ -16,14 +16,14 @@ float degrees_between_lines(const glm::vec3& a, const glm::vec3& b)
     return glm::degrees(std::acos(std::min(cosine, 1.0F)));
 }
 
-/// Value below which all but the largest hundredth lie.
+/// The 99th percentile.
 float percentile_99(std::vector<float> values)
 {
     std::sort(values.begin(), values.end());
     return values.empty() ? 0.0F : values[values.size() - 1 - values.size() / 100];
 }
 
-/// How far lines of equal a leave the level, in metres.
+/// Largest deviation of lines of equal a from the horizontal, in metres.
 float worst_wander(const TestMesh& mesh, const FormField& field, float period_m)
 {
     const float sign = gradient(mesh, field, 0, 0).y < 0.0F ? -1.0F : 1.0F;
@@ -107,7 +107,7 @@ TEST(Form, GoesRoundTheTubeOfATorusAndClosesUpInside)
     EXPECT_EQ(field.faults.singular_triangles, 0U);
     EXPECT_FLOAT_EQ(field.faults.index_sum, 0.0F);
     std::vector<float> turns;
-    std::vector<float> around; // periods a radian about the axis
+    std::vector<float> around; // periods per radian about the axis
     for (size_t t = 0; t < field.corners.size(); ++t) {
         const glm::vec3 place = mesh.centroid(t);
         const glm::vec3 along = gradient(mesh, field, t, 0);
@@ -157,7 +157,7 @@ TEST(Form, IsWholeOnARoughStone)
     EXPECT_FLOAT_EQ(faults.index_sum, 2.0F);
     EXPECT_LT(faults.singular_triangles + faults.branch_triangles_a + faults.branch_triangles_b,
               triangles / 100);
-    // Even a faulty triangle breaks on one edge at most.
+    // A faulty triangle breaks on one edge at most.
     const Seams all = find_seams(mesh, field, 0, true);
     EXPECT_LE(all.breaks, static_cast<int>(faults.singular_triangles + faults.branch_triangles_a));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Meshes that the tests know all about, and a judge of coordinates over them.
+// Test meshes with known properties, and checks of coordinates over them.
 
 #include <algorithm>
 #include <array>
@@ -35,7 +35,7 @@ struct TestMesh {
     }
 };
 
-/// How the parameters of a grid of vertices are shaken and closed.
+/// Size of a grid of vertices, its random displacement, and its closed directions.
 struct Grid {
     int columns = 0;
     int rows = 0;
@@ -43,8 +43,8 @@ struct Grid {
     bool closes_rows = false;
 };
 
-/// A grid of `place(u, v)`, u and v in 0 to 1, with inner vertices shaken by up to 0.3 cells and diagonals at
-/// random.
+/// A grid of `place(u, v)`, u and v in 0 to 1, with inner vertices displaced by up to 0.3 cells and random
+/// diagonals.
 template <typename Place>
 TestMesh make_grid(const Grid& grid, Place place)
 {
@@ -81,7 +81,7 @@ TestMesh make_grid(const Grid& grid, Place place)
     return mesh;
 }
 
-/// Radius 1, along y, 3 long, open.
+/// An open cylinder of radius 1 and length 3 along y.
 inline TestMesh cylinder()
 {
     return make_grid({.columns = 48, .rows = 24, .closes_columns = true}, [](float u, float v) {
@@ -89,7 +89,7 @@ inline TestMesh cylinder()
     });
 }
 
-/// Tube of radius 1 round a circle of radius 2 in the plane y = 0.
+/// A tube of radius 1 around a circle of radius 2 in the plane y = 0.
 inline TestMesh torus()
 {
     return make_grid(
@@ -99,14 +99,15 @@ inline TestMesh torus()
         });
 }
 
-/// From -1 to 1, such that what has been bulged out has even cells and both halves are exact mirror images.
+/// Maps -1 to 1 to -1 to 1 so that a cube blown up to a sphere has even cells and both halves are exact
+/// mirror images.
 inline float evened(float x)
 {
     const float rounded = std::round(x * 4096.0F) / 4096.0F;
     return std::abs(rounded) == 1.0F ? rounded : std::tan(0.25F * pi * rounded);
 }
 
-/// A cube of `cells` x `cells` squares a side blown up to a ball, or to whatever `place` makes of a unit
+/// A cube of `cells` x `cells` squares per side, blown up to a sphere, or to what `place` returns for a unit
 /// vector.
 template <typename Place>
 TestMesh ball(int cells, Place place)
@@ -120,7 +121,7 @@ TestMesh ball(int cells, Place place)
             const glm::vec3 turned = side < 2   ? p
                                      : side < 4 ? glm::vec3(p.y, p.z, p.x)
                                                 : glm::vec3(p.z, p.x, p.y);
-            // In double precision, so that the sides meet in the very same places.
+            // In double precision, so that the sides meet at identical places.
             return place(glm::vec3(glm::normalize(glm::dvec3(turned))));
         });
         mesh.positions.insert(mesh.positions.end(), face.positions.begin(), face.positions.end());
@@ -131,7 +132,7 @@ TestMesh ball(int cells, Place place)
     return mesh;
 }
 
-/// Gradient of coordinate `which` (0: a, 1: b) over a triangle, in periods a metre.
+/// Gradient of coordinate `which` (0: a, 1: b) over a triangle, in periods per metre.
 inline glm::vec3 gradient(const TestMesh& mesh, const FormField& field, size_t triangle, int which)
 {
     const glm::dvec3 p0 = mesh.corner(triangle, 0);
@@ -145,16 +146,16 @@ inline glm::vec3 gradient(const TestMesh& mesh, const FormField& field, size_t t
                      glm::dot(normal, normal));
 }
 
-/// Coordinate a (0), b (1) or their sum (2), which breaks where one changes its sign without the other.
+/// Coordinate a (0), b (1) or their sum (2); the sum breaks where only one of them changes its sign.
 inline float coordinate(const glm::vec2& corner, int which)
 {
     return which == 2 ? corner.x + corner.y : corner[which];
 }
 
-/// What becomes of one coordinate over the edges between two triangles that are flatter than 45 degrees.
+/// Continuity of one coordinate across edges flatter than 45 degrees.
 struct Seams {
     int edges = 0;
-    int breaks = 0; ///< differ by no whole number, on either sign
+    int breaks = 0; ///< differ by no whole number, for either sign
     int jumps = 0;  ///< differ by a whole number other than 0, or by a sign
 };
 
@@ -163,7 +164,7 @@ inline std::tuple<float, float, float> place_of(const glm::vec3& p)
     return {p.x + 0.0F, p.y + 0.0F, p.z + 0.0F};
 }
 
-/// Edges of triangles that are faulty are left out unless `with_faulty`.
+/// Leaves out edges of faulty triangles unless `with_faulty`.
 inline Seams find_seams(const TestMesh& mesh, const FormField& field, int which, bool with_faulty = false)
 {
     struct Side {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Knoeppel, Crane, Pinkall and Schroeder, "Stripe Patterns on Surfaces", SIGGRAPH 2015. Of their unit-length
-// variants this minimises with |z| = 1 everywhere, so that no part of a mesh is starved of the eigenvector.
+// Knoeppel, Crane, Pinkall and Schroeder, "Stripe Patterns on Surfaces", SIGGRAPH 2015. This is the
+// unit-length variant: it minimises with |z| = 1 everywhere, so that the eigenvector does not vanish in any
+// part of a mesh.
 //
-// How close together they lie: a unit field n is the gradient of a function after stretching by e^s when the
-// curl of e^s n is nothing, that is, when along the stripes, square to n, s grows as the field turns: with J
-// a quarter turn and theta the angle of n,
+// Spacing: a unit field n, stretched by e^s, is the gradient of a function if the curl of e^s n is zero. That
+// is the case if along the stripes, perpendicular to n, s grows as the field turns: with J a quarter turn and
+// theta the angle of n,
 //     Jn . grad s = n . grad theta.
-// This is solved in the sense of least squares, with a smaller price on change across the stripes.
+// This is solved by least squares, with a smaller penalty on change across the stripes.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -22,9 +23,9 @@ namespace {
 constexpr double price_across = 0.2;
 constexpr double most_closeness = 4.0;
 
-/// A triangle in its own plane, the first edge along x.
+/// A triangle in its own plane, with the first edge along x.
 struct Flat {
-    std::array<glm::dvec2, 3> gradients; ///< of the three barycentric weights
+    std::array<glm::dvec2, 3> gradients; ///< gradients of the three barycentric coordinates
     double area = 0.0;
     glm::dvec2 turning{0.0}; ///< gradient of the line field's angle
     glm::dvec2 along{0.0};   ///< unit direction of the stripes' lines
@@ -35,7 +36,7 @@ glm::dvec2 quarter_turn(glm::dvec2 v)
     return {-v.y, v.x};
 }
 
-/// Change of the line field's angle along a half-edge, against parallel transport.
+/// Change of the line field's angle along a half-edge, relative to parallel transport.
 double change_along(const Mesh& mesh, const Directions& directions, uint32_t half_edge)
 {
     const Edge& edge = mesh.edges[mesh.edge_of[half_edge]];
@@ -70,9 +71,9 @@ Flat lay_flat(const Mesh& mesh, const Directions& directions, double turn_rad, u
     return flat;
 }
 
-/// For each vertex, how many times closer than on average stripes lie that grow in the direction of the line
-/// field turned by `turn_rad`: 1/4 to 4. Where their lines converge they close up, and a drawing that thins
-/// out its strokes as they crowd has nothing to mend. Cost: linear.
+/// Relative density, 1/4 to 4, at each vertex, of stripes whose phase grows along the line field turned by
+/// `turn_rad`. Stripes get closer where their lines converge, so a drawing that thins out crowded strokes
+/// needs no correction. Cost: linear.
 std::vector<double> find_closeness(const Mesh& mesh, const Directions& directions, double turn_rad)
 {
     const size_t count = mesh.points.size();
@@ -113,9 +114,9 @@ std::vector<double> find_closeness(const Mesh& mesh, const Directions& direction
     return closeness;
 }
 
-constexpr double agreement_weight = 0.6; ///< of agreement over a crease; an edge has about 0.6
+constexpr double agreement_weight = 0.6; ///< weight of agreement across a crease; an edge has about 0.6
 
-/// Phase gained along an edge, in periods, as seen with the sense of the line at its start.
+/// Phase gained along an edge, in periods, for the sense of the line at its start.
 struct Gain {
     double wanted = 0.0;
     double real = 0.0;
@@ -188,7 +189,7 @@ private:
         }
     }
 
-    /// Gain along a half-edge with the sense of the line at its origin.
+    /// Gain along a half-edge for the sense of the line at its origin.
     double gain(uint32_t half_edge) const
     {
         const uint32_t e = mesh_.edge_of[half_edge];
@@ -203,9 +204,9 @@ private:
         return directions_.turns[mesh_.edge_of[half_edge]] != 0 ? -1.0 : 1.0;
     }
 
-    /// Phases from one corner along both its edges; the third edge takes what does not fit. Of the three ways
-    /// the one that changes least over the triangle; at a singularity the one that leaves the shortest edge,
-    /// so that signs are the same whichever coordinate is painted.
+    /// Propagates phases from one corner along its two edges; the third edge takes the mismatch. Of the three
+    /// choices, takes the one with the least change over the triangle; at a singularity, the one whose third
+    /// edge is shortest, so that the signs are equal for both coordinates.
     void paint_triangle(uint32_t t)
     {
         const uint32_t h = 3 * t;
@@ -223,7 +224,7 @@ private:
             sense[k] = 1.0;
             corner[next_corner(onward) % 3] = corner[k] + gain(onward);
             sense[next_corner(onward) % 3] = sign(onward);
-            // Against the half-edge that comes in: its gain, seen from the far end, is turned round.
+            // `back` is the incoming half-edge: its gain, seen from the far end, has the opposite sign.
             corner[back % 3] = corner[k] - sign(back) * gain(back);
             sense[back % 3] = sign(back);
             const double change = std::abs(corner[0] - corner[1]) + std::abs(corner[1] - corner[2]) +
@@ -250,7 +251,7 @@ private:
         }
     }
 
-    /// Breadth-first over the triangles, so that whole numbers and signs change over few edges.
+    /// Breadth first over the triangles, so that whole numbers and signs change over few edges.
     void unwrap()
     {
         std::vector<uint8_t> is_reached(mesh_.triangles.size(), 0);
@@ -289,10 +290,10 @@ private:
 
     const Mesh& mesh_;
     const Directions& directions_;
-    std::vector<Gain> gains_;    ///< one an edge
-    std::vector<double> phases_; ///< one a vertex, in periods
+    std::vector<Gain> gains_;    ///< per edge
+    std::vector<double> phases_; ///< per vertex, in periods
     Stripes stripes_;
-    std::vector<std::array<double, 3>> senses_; ///< of a triangle's phases against those of its vertices
+    std::vector<std::array<double, 3>> senses_; ///< sense of a triangle's phases relative to its vertices
 };
 
 } // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel: how dark the strokes there have to be. The ink is blank to begin with, and the tiles in
-// which anything is dark are listed; neighbours in a tile agree by subgroups, because a processor pays dearly
-// for a barrier.
+// One thread per pixel: the darkness that the strokes must reach there. Also initializes the ink to blank,
+// and lists the tiles that have any darkness. Threads of a tile agree through subgroup operations, because
+// barriers are slow on CPU devices.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -29,11 +29,11 @@ layout(binding = 5) uniform sampler2D screen_image;
 layout(binding = 6, r16f) writeonly uniform image2D out_darkness;
 layout(binding = 7, r16f) writeonly uniform image2D out_ink;
 
-// The tiles of 8 x 8 pixels that are not wholly blank, in no order, behind the arguments of a dispatch that
-// gives each a workgroup.
+// Tiles of 8 x 8 pixels that are not entirely blank, in any order, after the arguments of a dispatch with one
+// workgroup per tile.
 struct DarkTile {
-    uint place;     // of the n-th in the list: column in the lower half, row in the upper
-    uint is_listed; // the n-th tile of the page, row by row
+    uint place;     // n-th entry of the list: column in the lower half, row in the upper
+    uint is_listed; // whether the n-th tile of the page, row by row, is listed
 };
 
 layout(scalar, binding = 8) buffer DarkTiles
@@ -42,7 +42,7 @@ layout(scalar, binding = 8) buffer DarkTiles
     DarkTile dark_tiles[];
 };
 
-layout(binding = 9) uniform usamplerBuffer look_texels; // one a draw
+layout(binding = 9) uniform usamplerBuffer look_texels; // one per draw call
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -68,7 +68,8 @@ float darkness_at(ivec2 pixel)
     }
     dark = sees_draw(word) ? dark : 0.0;
     if (has_screen) {
-        // What is behind pales as under tracing paper, and the screen's own darkness takes its place.
+        // Surfaces behind a transparent one get lighter, as under tracing paper, and mix with its own
+        // darkness.
         vec4 screen = texelFetch(screen_image, pixel, 0);
         float own = 0.6 * (1.0 - luminance(screen.rgb * screen.rgb));
         dark = sees_draw(word) ? mix(dark, own, 0.7 * screen.a) : 0.0;

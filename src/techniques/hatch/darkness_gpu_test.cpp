@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How dark strokes have to be, from surfaces and light that the tests paint themselves.
+// Darkness of strokes, for surfaces and light that the tests set pixel by pixel.
 #include <gtest/gtest.h>
 
 #include "features/common/view.hpp"
@@ -12,9 +12,9 @@ namespace estampe::hatch {
 namespace {
 
 constexpr glm::uvec2 darkness_px(32, 16);
-constexpr float dark_open = 102.0F / 255.0F; // what occlusion lets by on the left half
+constexpr float dark_open = 102.0F / 255.0F; // visibility under occlusion on the left half
 
-/// Darkness of a white wall in a light of 0.8 whose left half is occluded.
+/// Darkness of a white wall in a light of 0.8; its left half is occluded.
 std::vector<float> darkness_of(const shared::ToneConstants& tone)
 {
     const auto globals = features::frame_globals({}, {}, glm::dvec3(0.0), {.size_px = darkness_px});

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel: a screentone, dots of one size on a lattice that is laid
-// on the page and held to the object it shades, so that it goes along where the
-// object goes.
+// One thread per pixel: a screentone, dots of one size on a lattice that lies on the page and is attached to
+// the shaded object, so that it moves with the object.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -33,9 +32,8 @@ layout(push_constant, scalar) uniform Constants
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_ink = (variant & dots_has_ink) != 0u;
 
-// Radius of dots, in spacings, that cover a share of the page. Beyond pi / 4
-// they run into each other: what four segments take from each is found by
-// Newton's method.
+// Radius, in spacings, of dots that cover a share of the page. Beyond pi / 4 dots overlap; Newton's method
+// accounts for the four segments that each loses.
 float radius_for(float share)
 {
     float radius = sqrt(share / 3.14159265);
@@ -49,8 +47,7 @@ float radius_for(float share)
     return radius;
 }
 
-// Where an object is on the page, in pixels; the page's corner where it is not
-// before the eye.
+// Position of an object on the page in pixels; (0, 0) if it is behind the eye.
 vec2 place_of(uint draw)
 {
     vec4 clip = frame.clip_from_anchor * vec4(draw_pose_at(draw).anchor_from_object[3].xyz, 1.0);
@@ -64,13 +61,12 @@ float dot_ink(vec2 from_object_px, float dark)
         constants.axis * from_object_px.x + vec2(-constants.axis.y, constants.axis.x) * from_object_px.y;
     vec2 place = across / constants.pitch_px;
     float radius_px = radius_for(dark) * constants.pitch_px;
-    // What the soft edge of a pixel's breadth adds to a disc, in squares of its
-    // radius.
+    // Area that a pixel-wide soft edge adds to a disc, divided by pi.
     const float soft = 1.0 / 12.0;
-    // A dot smaller than a pixel keeps its size and loses darkness.
+    // A dot smaller than a pixel keeps its size and gets lighter.
     float drawn_px = max(sqrt(max(radius_px * radius_px - soft, 0.0)), 0.6);
     float ink = 0.0;
-    // Of a pixel between several dots each takes its own side.
+    // A pixel between several dots may be partly covered by each of them.
     for (int i = 0; i < 4; ++i) {
         vec2 corner = floor(place) + vec2(i & 1, i >> 1);
         ink += clamp(drawn_px - length(place - corner) * constants.pitch_px + 0.5, 0.0, 1.0);
@@ -91,7 +87,7 @@ void main()
     }
     float tone = dark;
     if (constants.steps > 0u) {
-        // As sheets are cut: none under half a step.
+        // As with cut sheets of screentone: no tone below half a step.
         tone = round(dark * float(constants.steps)) / float(constants.steps);
     }
     float ink = tone > 0.0

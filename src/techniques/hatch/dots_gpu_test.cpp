@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Screentones: how much ink their dots are, and what they hold to.
+// Screentones: mean ink of dots, and the object that they move with.
 #include "techniques/hatch/hatch.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 constexpr glm::uvec2 dots_px(192, 96);
 constexpr float pixels_per_mm = 4.0F;
 
-/// A page of one darkness, on an object whose place is seen at `object_px`.
+/// Ink of a page of one darkness, on an object that is seen at `object_px`.
 std::vector<float> dots_ink(const hatch::HatchStyle& style, const test::Painter<float>& dark,
                             const glm::vec2& object_px)
 {
@@ -80,7 +80,7 @@ TEST(HatchDots, InkIsTheDarknessAtEveryPitchAndTurn)
             style.dots_deg = turn_deg;
             for (const float dark : {0.05F, 0.2F, 0.4F, 0.6F, 0.75F, 0.85F, 0.95F}) {
                 if (dark > 0.9F && pitch_mm < 1.0F) {
-                    continue; // gaps of less than half a pixel
+                    continue; // gaps would be narrower than half a pixel
                 }
                 const double mean =
                     mean_of(dots_ink(style, [&](glm::uvec2) { return dark; }, {40.3F, 20.7F}));

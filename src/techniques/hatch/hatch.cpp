@@ -20,14 +20,14 @@
 namespace estampe::hatch {
 namespace {
 
-/// The direction across strokes that run along u, turned by `degrees`.
+/// The axis across strokes that run along u, turned by `degrees`.
 glm::vec2 turned(float degrees)
 {
     return {-glm::sin(glm::radians(degrees)), glm::cos(glm::radians(degrees))};
 }
 
 constexpr uint32_t tile_px = 8;
-constexpr uint32_t most_listed_tiles = 65535; // every device can dispatch as many in a row
+constexpr uint32_t most_listed_tiles = 65535; // every Vulkan device supports this many workgroups in x
 
 gpu::BufferId add_empty_list(gpu::Graph& graph, glm::uvec2 size_px)
 {
@@ -46,7 +46,7 @@ gpu::ImageId ink_image(gpu::Graph& graph, glm::uvec2 size_px)
 uint32_t reach_px(const HatchStyle& style, float pixels_per_mm)
 {
     const float overrun_px = style.overrun_mm * pixels_per_mm;
-    // Steps s, s/2, ..., 1 carry a source 2s - 1 pixels far.
+    // Steps s, s/2, ..., 1 together reach a source at most 2s - 1 pixels away.
     return overrun_px > 0.0F ? 2U * std::bit_ceil(static_cast<uint32_t>(std::ceil(overrun_px))) : 0U;
 }
 
@@ -73,9 +73,9 @@ gpu::ImageId add_overrun(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId 
 
 FirstLayer first_layer(const HatchStyle& style)
 {
-    // What shadow leaves for a single layer to draw.
+    // Share of full shadow that a single layer draws.
     constexpr float single_share = 0.7F;
-    // As kept_share() of shaders/lines.glsl, which a test holds it to.
+    // Must equal kept_share() of shaders/lines.glsl; a test checks it.
     const float ends_mm = style.gap_mm > 0.0F ? 0.75F * (style.gap_mm + style.taper_mm) : 0.0F;
     const float kept = std::max(1.0F - ends_mm / std::max(style.length_mm, 1e-3F), 0.1F);
     const float share = style.layers > 1 ? shared::first_layer_share : single_share;
@@ -249,19 +249,19 @@ gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in, const std::vect
 const style::Table<HatchStyle>& hatch_table()
 {
     static const auto table =
-        style::Table<HatchStyle>("hatch", "Hatching: pen strokes that carry the tone")
+        style::Table<HatchStyle>("hatch", "Hatching: pen strokes that make light and dark tones")
             .toggle("enabled", &HatchStyle::enabled,
                     "Turns hatching on: strokes or dots that show light and shade")
             .choice("strokes", &HatchStyle::strokes,
                     {{"lines", Strokes::lines}, {"map", Strokes::map}, {"dots", Strokes::dots}},
-                    "Marks that carry the tone. lines: pen strokes of exact tone; map: strokes of a tonal "
-                    "art map; dots: the dots of a screentone.")
+                    "Marks that make the tone. lines: pen strokes, spaced to match the tone exactly; map: "
+                    "strokes of a tonal art map; dots: the dots of a screentone.")
             .number("width_mm", &HatchStyle::width_mm, {0.02F, 10.0F}, "mm",
-                    "Width of a hatching stroke on the page: wider strokes lie farther apart at the same "
-                    "tone. Only used when hatch.strokes is lines.")
+                    "Width of a hatching stroke on the page: wider strokes also lie farther apart, so the "
+                    "tone stays the same. Only used when hatch.strokes is lines.")
             .integer("layers", &HatchStyle::layers, {1, 3}, "",
-                     "Number of stroke layers that cross as tones deepen: 1 never crosses, 2 and 3 "
-                     "cross-hatch. Only used when hatch.strokes is lines.")
+                     "Largest number of layers of hatching strokes that cross in dark tones: 1 never "
+                     "crosses, 2 and 3 cross-hatch. Only used when hatch.strokes is lines.")
             .choice("coordinates", &HatchStyle::coordinates,
                     {{"auto", Coordinates::automatic},
                      {"uv", Coordinates::uv},
@@ -272,27 +272,27 @@ const style::Table<HatchStyle>& hatch_table()
                      {"light", Coordinates::light},
                      {"page", Coordinates::page},
                      {"slope", Coordinates::slope}},
-                    "What strokes follow. uv: UVs; solid: parallel slices; form: curvature; height: level "
-                    "lines; wind: hatch.wind_deg; light: the light; page: the page; slope: ground slopes and "
-                    "ripples; auto: slope on terrain, uv if unbroken, else solid.")
+                    "What hatching strokes follow. uv: UVs; solid: parallel slices; form: curvature; height: "
+                    "contour levels; wind: hatch.wind_deg; light; page; slope: ground slopes, ripples; auto: "
+                    "slope on terrain, uv where UVs are unbroken, else solid.")
             .number("slant_deg", &HatchStyle::slant_deg, {-180.0F, 180.0F}, "deg",
-                    "Turn of the first layer of strokes, where strokes follow UVs or the page. The other "
-                    "layers turn along.")
+                    "Rotation of the first layer of hatching strokes, where strokes follow UVs or the page. "
+                    "The other layers rotate with the first.")
             .number("wind_deg", &HatchStyle::wind_deg, {-360.0F, 360.0F}, "deg",
-                    "Bearing towards which the wind of the strokes blows: 0 is +z, 90 is +x. Only used where "
-                    "strokes follow the wind.")
+                    "Direction towards which the wind blows that strokes follow: 0 is +z, 90 is +x. Only "
+                    "used where hatching strokes follow the wind (see hatch.coordinates).")
             .number("wobble_mm", &HatchStyle::wobble_mm, {0.0F, 5.0F}, "mm",
-                    "How far a hatching stroke strays sideways: 0 is ruled, more is a shaky hand. Only used "
-                    "when hatch.strokes is lines.")
+                    "How far a hatching stroke wavers sideways: 0 is straight as with a ruler, more is a "
+                    "shaky hand. Only used when hatch.strokes is lines.")
             .number("gap_mm", &HatchStyle::gap_mm, {0.0F, 20.0F}, "mm",
                     "Gap of white paper between the end of a stroke and the next: 0 draws unbroken lines. "
                     "Only used when hatch.strokes is lines.")
             .number("taper_mm", &HatchStyle::taper_mm, {0.0F, 50.0F}, "mm",
-                    "Length over which a hatching stroke thins to its ends: 0 is blunt, more is pointed. "
-                    "Only used when hatch.strokes is lines.")
+                    "Length over which a hatching stroke thins towards its ends: 0 gives blunt ends, more "
+                    "gives pointed ends. Only used when hatch.strokes is lines.")
             .number("length_mm", &HatchStyle::length_mm, {1.0F, 500.0F}, "mm",
-                    "Length of the shortest hatching strokes: the longest are twice as long. Only used when "
-                    "hatch.strokes is lines.")
+                    "Length of the shortest hatching strokes: the longest strokes are twice as long. Only "
+                    "used when hatch.strokes is lines.")
             .number("pressure", &HatchStyle::pressure, {0.0F, 1.0F}, "",
                     "How much the width varies along a hatching stroke: 0 is even, as from a technical pen, "
                     "1 varies most. Only used when hatch.strokes is lines.")
@@ -300,39 +300,40 @@ const style::Table<HatchStyle>& hatch_table()
                     "How new strokes appear as tones deepen: 0 as hairlines that thicken, 1 as short strokes "
                     "of full width that lengthen. Only used when hatch.strokes is lines.")
             .number("overrun_mm", &HatchStyle::overrun_mm, {0.0F, 5.0F}, "mm",
-                    "How far strokes run past outlines onto bare paper: 0 stops at the outline. Not used "
-                    "when hatch.strokes is dots.")
+                    "How far hatching strokes run past outlines onto bare paper: 0 stops strokes at the "
+                    "outline. Not used when hatch.strokes is dots.")
             .number("fade", &HatchStyle::fade, {0.0F, 1.0F}, "",
-                    "Share of the hatching's darkness that is left in the far distance: 0 fades to white "
+                    "How much of the hatching's darkness is left in the far distance: 0 fades to white "
                     "paper, 1 does not fade")
             .number("fade_distance_m", &HatchStyle::fade_distance_m, {0.001F, 1e6F}, "m",
-                    "Distance from the eye at which half of the fading has happened. Only used when "
-                    "hatch.fade is below 1.")
+                    "Distance from the eye at which hatching has faded by half: less fades nearer to the "
+                    "eye. Only used when hatch.fade is below 1.")
             .number("black_above", &HatchStyle::black_above, {0.1F, 2.0F}, "",
-                    "Darkness above which an area is filled with solid ink: less fills more. Above 1 nothing "
-                    "is filled.")
+                    "Darkness above which an area is filled with solid ink: less fills more areas. Above 1, "
+                    "no area is filled.")
             .file("map", &HatchStyle::map,
-                  "Tonal art map: a .tam file, or a folder of PNG or DDS files. An empty text draws one as "
-                  "[tam] says. Only used when hatch.strokes is map.")
-            .choice("map_tone", &HatchStyle::map_tone,
-                    {{"order", MapTone::order}, {"blend", MapTone::blend}, {"step", MapTone::step}},
-                    "How the tones of a tonal art map join. order: stroke by stroke; blend: blended; step: "
-                    "hard steps, for a cel look. Only used when hatch.strokes is map.")
+                  "Tonal art map: a .tam file, or a folder of PNG or DDS files. If empty, a map is drawn "
+                  "with the values of the section tam. Only used when hatch.strokes is map.")
+            .choice(
+                "map_tone", &HatchStyle::map_tone,
+                {{"order", MapTone::order}, {"blend", MapTone::blend}, {"step", MapTone::step}},
+                "How one tone of a tonal art map changes into the next. order: stroke by stroke; blend: by "
+                "smooth blending; step: in hard steps, for a cel look. Only used when hatch.strokes is map.")
             .number("map_contrast", &HatchStyle::map_contrast, {1.0F, 100.0F}, "",
-                    "Contrast of the strokes in a tonal art map: 1 keeps its greys, more gives crisper "
-                    "strokes. Only used when hatch.strokes is map.")
+                    "Contrast of the strokes in a tonal art map: 1 keeps the greys of the map, more gives "
+                    "crisper strokes. Only used when hatch.strokes is map.")
             .number("map_texel_mm", &HatchStyle::map_texel_mm, {0.01F, 5.0F}, "mm",
-                    "Size of a texel of the tonal art map on the page: more gives wider, longer strokes, "
-                    "farther apart. Only used when hatch.strokes is map.")
+                    "Size on the page of a texel (pixel) of the tonal art map: more gives wider, longer "
+                    "strokes that lie farther apart. Only used when hatch.strokes is map.")
             .number("dots_mm", &HatchStyle::dots_mm, {0.1F, 20.0F}, "mm",
-                    "Distance from dot to dot of the screentone: less is finer. Only used when hatch.strokes "
-                    "is dots.")
-            .number(
-                "dots_deg", &HatchStyle::dots_deg, {-90.0F, 90.0F}, "deg",
-                "Turn of the screentone's rows of dots on the page. Only used when hatch.strokes is dots.")
+                    "Distance from one dot of the screentone to the next: less gives a finer screentone. "
+                    "Only used when hatch.strokes is dots.")
+            .number("dots_deg", &HatchStyle::dots_deg, {-90.0F, 90.0F}, "deg",
+                    "Angle of the rows of dots of the screentone on the page: 0 is level, 45 is diagonal. "
+                    "Only used when hatch.strokes is dots.")
             .integer("dots_tones", &HatchStyle::dots_tones, {0, 32}, "",
-                     "Number of tones of the screentone, black included, as in bought sheets. 0 varies the "
-                     "tone without steps. Only used when hatch.strokes is dots.")
+                     "Number of tones of the screentone, black included, as in printed sheets of screentone. "
+                     "0 varies the tone without steps. Only used when hatch.strokes is dots.")
             .by_surface_but({});
     return table;
 }

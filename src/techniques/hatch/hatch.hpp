@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Strokes whose ink is a darkness that is wanted: lines, tonal art maps and dots; and such maps on the GPU,
-// with what darkness to ask them for.
+// Strokes whose mean ink is a wanted darkness: lines, tonal art maps and dots. Also tonal art maps on the
+// GPU, with the ramp that converts darkness into the value to look up.
 
 #include <cstdint>
 #include <optional>
@@ -18,28 +18,27 @@
 
 namespace estampe::hatch {
 
-/// How a map's tones come together.
+/// How the tones of a tonal art map are combined.
 enum class MapTone : uint8_t {
     order = shared::map_in_order,  ///< stroke by stroke, by the thresholds
-    blend = shared::map_in_blends, ///< between two tones, with contrast about the middle
+    blend = shared::map_in_blends, ///< blend of two tones, with contrast about the middle
     step = shared::map_in_steps    ///< one tone or the next
 };
 
-/// A tonal art map as the shading takes it: squares of 8-bit texels, row by row from the top, from the finest
-/// level of `size_px` texels a side, a power of two, to the last of one.
+/// A tonal art map for shading: square images of 8-bit texels, row by row from the top. The finest level has
+/// `size_px` texels per side, a power of two; the coarsest has one.
 struct MapData {
     uint32_t size_px = 0;
-    std::vector<std::vector<std::vector<uint8_t>>> level_of_tone; ///< coverage, 255 ink; lightest tone first
+    std::vector<std::vector<std::vector<uint8_t>>> level_of_tone; ///< coverage, 255 is ink; lightest first
     std::vector<std::vector<uint8_t>> threshold_of_level; ///< darkness times 255 at which a texel is inked
 };
 
-/// The ramp that hatch.glsl.h describes, for a way to bring tones together and the contrast of the shading:
-/// found by measuring the map, so that the mean ink is the darkness wanted, at every level and between any
-/// two, whatever the map's own tones are. Cost: 60 ms for 512 px.
+/// Computes the ramp that hatch.glsl.h describes by measuring the map. The mean ink then equals the wanted
+/// darkness at every level and between levels, whatever the map's own tones are. Cost: 60 ms for 512 px.
 [[nodiscard]] std::vector<float> measured_ramp(const MapData& map, MapTone tone, float contrast);
 
 struct MapImages {
-    gpu::Image tones;      ///< r8, a layer a tone
+    gpu::Image tones;      ///< r8, one layer per tone
     gpu::Image thresholds; ///< r8
     gpu::Buffer ramp;
     uint32_t size_px = 0;
@@ -47,10 +46,10 @@ struct MapImages {
     uint32_t level_count = 0;
 };
 
-/// `map` has at least one tone. Throws Error when memory runs out.
+/// `map` needs at least one tone. Throws Error if memory runs out.
 [[nodiscard]] MapImages upload_map(gpu::Device& device, const MapData& map, MapTone tone, float contrast);
 
-/// What strokes follow.
+/// Coordinate that strokes follow.
 enum class Coordinates : uint8_t {
     solid = shared::strokes_solid,
     uv = shared::strokes_uv,
@@ -95,18 +94,18 @@ struct HatchStyle {
 
 [[nodiscard]] const style::Table<HatchStyle>& hatch_table();
 
-/// The first layer of lines in full shadow, for what goes along with its strokes.
+/// The first layer of lines in full shadow, for effects that align with its strokes.
 struct FirstLayer {
     float width_mm = 0.3F;
-    float darkness = 0.5F; ///< of the lines where they run
+    float darkness = 0.5F; ///< darkness of the lines themselves
     uint32_t seed = 1;
-    glm::vec2 flat_axis{0.0F, 1.0F}; ///< across the strokes, over UVs and on the page
+    glm::vec2 flat_axis{0.0F, 1.0F}; ///< across the strokes, in UV space and on the page
     glm::vec2 wind{0.0F, 1.0F};      ///< horizontal direction x, z
 };
 
 [[nodiscard]] FirstLayer first_layer(const HatchStyle& style);
 
-/// A tonal art map as handles of one graph.
+/// Handles of a tonal art map in one graph.
 struct MapInputs {
     gpu::ImageId tones;
     gpu::ImageId thresholds;
@@ -120,7 +119,7 @@ struct MapInputs {
 [[nodiscard]] MapInputs import_map(gpu::Graph& graph, MapImages& map);
 
 struct HatchInputs {
-    gpu::BufferId frame; ///< FrameGlobals
+    gpu::BufferId frame; ///< holds FrameGlobals
     gpu::ImageId draw;
     gpu::ImageId depth;
     gpu::ImageId normal;
@@ -128,87 +127,88 @@ struct HatchInputs {
     gpu::ImageId coordinate;
     gpu::ImageId footprint;
     gpu::ImageId light;
-    gpu::ImageId screen; ///< colour and cover of what is looked through; one texel for none
+    gpu::ImageId screen; ///< colour and coverage of transparent surfaces; one texel if there are none
     bool has_screen = false;
     shared::ToneConstants tone;
     uint32_t strokes_present =
-        0xff; ///< a bit for each kind of stroke in `draw`, see shaders/stroke_kind.glsl.h
-    /// Octahedral directions (r32ui) towards the local light that rules a pixel, 0 for none: strokes along
-    /// the light follow it.
+        0xff; ///< one bit for each kind of stroke in `draw`, see shaders/stroke_kind.glsl.h
+    /// Octahedral directions (r32ui) towards the strongest local light at each pixel, or 0. Strokes along the
+    /// light follow them.
     std::optional<gpu::ImageId> strongest_light;
     glm::vec3 towards_light{0.0F, 1.0F, 0.0F};
     glm::vec2 ground_wind{1.0F, 0.0F}; ///< horizontal direction x, z, for strokes along the slope
-    std::optional<MapInputs> map;      ///< where the style asks for one
+    std::optional<MapInputs> map;      ///< set if the style asks for a map
     float pixels_per_mm = 1.0F;
     glm::uvec2 size_px{0};
-    std::optional<gpu::BufferId> look_of_draw; ///< where surfaces differ: r32ui texels
+    std::optional<gpu::BufferId> look_of_draw; ///< style variant of each draw call, r32ui; unset if only one
     std::optional<gpu::BufferId> draws;        ///< needed by dots
-    uint32_t look = 0;                         ///< which of them is drawn, then
-    std::optional<gpu::ImageId> ink_before;    ///< of looks that are drawn already
+    uint32_t look = 0;                         ///< the style variant to draw
+    std::optional<gpu::ImageId> ink_before;    ///< ink of style variants drawn before
 };
 
-/// How the surfaces of one look are hatched.
+/// Hatching of the surfaces of one style variant.
 struct LookHatch {
     HatchStyle style;
     shared::ToneConstants tone;
-    std::optional<MapInputs> map; ///< where the style asks for one
+    std::optional<MapInputs> map; ///< set if the style asks for a map
 };
 
-/// `in` for one of several looks, over what was drawn before.
+/// `in` for one of several style variants, drawn over `ink_before`.
 [[nodiscard]] HatchInputs inputs_of_look(const HatchInputs& in, const std::vector<LookHatch>& looks,
                                          uint32_t number, std::optional<gpu::ImageId> ink_before);
 
-/// How dark the strokes have to be, and where there are none to draw.
+/// Darkness that the strokes must reach, and the tiles that have any.
 struct Darkness {
     gpu::ImageId image;  ///< r16f: 0 paper to 1 ink
-    gpu::ImageId blank;  ///< ink before any stroke of the look is drawn
-    gpu::BufferId tiles; ///< those that are not blank, see darkness.comp
+    gpu::ImageId blank;  ///< ink before any stroke of this style variant is drawn
+    gpu::BufferId tiles; ///< tiles that are not blank, see darkness.comp
 };
 
-/// Darkness from light by the tone curve, paler with distance and behind screens. Cost: one full-screen
-/// dispatch.
+/// Converts light into darkness by the tone curve; lighter with distance and behind transparent surfaces.
+/// Cost: one full-screen dispatch.
 [[nodiscard]] Darkness add_darkness(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style);
 
-/// Strokes whose ink, on average, is the darkness wanted: see shaders/lines.glsl for the construction.
+/// Draws lines whose mean ink is the wanted darkness; shaders/lines.glsl explains the construction.
 ///
 /// Writes  r16f: coverage, 0 paper to 1 ink
-/// Cost    one dispatch over the tiles that are not blank, no texture; over the page where strokes run over
-///         silhouettes
+/// Cost    one dispatch without texture reads over the tiles that are not blank; over the page if
+///         strokes run over silhouettes
 [[nodiscard]] gpu::ImageId add_lines(gpu::Graph& graph, const HatchInputs& in, const Darkness& darkness,
                                      const HatchStyle& style);
 
-/// Strokes of a tonal art map, which `in` must have. Nearer than its finest level the map repeats at half the
-/// size, so that strokes keep their width at any zoom.
+/// Draws strokes of a tonal art map; requires `in.map`. Nearer than its finest level the map repeats at half
+/// the size, so that strokes keep their width at any zoom.
 ///
 /// Writes  r16f: coverage, 0 paper to 1 ink
-/// Cost    one full-screen dispatch, five texels a pixel
+/// Cost    one full-screen dispatch, five texels per pixel
 /// Source  Praun et al., "Real-Time Hatching", SIGGRAPH 2001; thresholds: Webb et al., "Fine Tone Control in
-/// Hardware Hatching", NPAR 2002
+///         Hardware Hatching", NPAR 2002
 [[nodiscard]] gpu::ImageId add_map(gpu::Graph& graph, const HatchInputs& in, const Darkness& darkness,
                                    const HatchStyle& style);
 
-/// How far off the strokes lie that run over into a pixel.
+/// Largest distance from a pixel to strokes that run over into it; 0 if none do.
 [[nodiscard]] uint32_t reach_px(const HatchStyle& style, float pixels_per_mm);
 
-/// Dots of a screentone, whose ink on average is the darkness wanted, or the tone nearest to it. They lie on
-/// the page and go along with the place of the object that they shade.
+/// Draws dots of a screentone whose mean ink is the wanted darkness, or the nearest tone. Dots lie on the
+/// page and move with the object that they shade.
 ///
 /// Writes  r16f: coverage, 0 paper to 1 ink
 /// Cost    one full-screen dispatch
 [[nodiscard]] gpu::ImageId add_dots(gpu::Graph& graph, const HatchInputs& in, const Darkness& darkness,
                                     const HatchStyle& style);
 
-/// The ink of all strokes; tone, map and look of `in` are left aside. Cost: for each look a full-screen
-/// dispatch, and what its strokes cost.
+/// Draws the strokes of all style variants. Ignores `tone`, `map` and `look` of `in`. Cost: per variant one
+/// full-screen dispatch and its strokes.
 [[nodiscard]] gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in,
                                      const std::vector<LookHatch>& looks);
 
 [[nodiscard]] shared::LineConstants line_constants(const HatchInputs& in, const HatchStyle& style);
 
-/// Bits of line_families.glsl, without that of the tiles.
+/// Variant bits for line_families.glsl, without lines_has_all_tiles.
 [[nodiscard]] uint32_t line_variant(const HatchInputs& in, const HatchStyle& style);
 
-/// For each pixel the nearest one with strokes, as far as they run over; the draw image where they do not.
+/// For each pixel the nearest pixel whose strokes may run over into it. Returns the draw image if the style
+/// has no overrun.
 [[nodiscard]] gpu::ImageId add_overrun(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId darkness,
                                        const HatchStyle& style);
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The promise of the hatching: the ink on the page is, on average, the darkness that was asked for, however
-// near or far.
+// The main property of hatching: the mean ink on the page is the wanted darkness at any distance.
 #include <cmath>
 #include <string>
 
@@ -19,7 +18,7 @@ namespace {
 
 constexpr uint32_t side_px = 256;
 
-/// A style in which nothing but hatching marks the paper, and darkness is one minus light.
+/// A style in which only hatching marks the paper, and darkness is one minus light.
 Style bare_hatching()
 {
     Style style;
@@ -52,7 +51,7 @@ Style bare_hatching()
     return style;
 }
 
-/// A wall of 100 m that faces the camera, its UVs in metres.
+/// A wall of 100 m that faces the camera, with UVs in metres.
 Scene tall_wall()
 {
     Primitive wall = shapes::quad(100.0F, 100.0F);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Surfaces that a test paints itself, and the strokes over them.
+// Surfaces that a test sets pixel by pixel, and strokes drawn over them.
 
 #include <cmath>
 #include <functional>
@@ -15,7 +15,7 @@
 
 namespace estampe::test {
 
-/// What is seen at a pixel: the coordinate that strokes follow, and its change to the right and down.
+/// Surface at a pixel: the coordinate that strokes follow, and its change to the right and down.
 struct Patch {
     glm::vec3 coordinate{0.0F};
     glm::vec3 dx{0.0F};
@@ -26,7 +26,7 @@ struct Patch {
 
 using Surface = std::function<Patch(glm::dvec2 position_px)>;
 
-/// What lines are drawn on: ink that is blank so far, and a list of tiles, of which none is left out.
+/// Blank ink for lines to draw on, and a list of all tiles.
 class PaperToInk {
 public:
     explicit PaperToInk(glm::uvec2 size_px)
@@ -51,7 +51,7 @@ private:
     gpu::Buffer tiles_;
 };
 
-/// Inputs of lines and maps, which read nothing else of what hatching takes in. A pixel is a millimetre.
+/// Inputs of lines and maps, which read no others. A pixel is a millimetre.
 inline hatch::HatchInputs stroke_inputs(gpu::Graph& graph, glm::uvec2 size_px, Layer& draw, Layer& normal,
                                         Layer& coordinate, Layer& footprint)
 {
@@ -70,7 +70,7 @@ inline hatch::HatchInputs stroke_inputs(gpu::Graph& graph, glm::uvec2 size_px, L
             .size_px = size_px};
 }
 
-/// Lines over a surface that is the same for all darknesses, or a darkness that is the same for all surfaces.
+/// Draws strokes for combinations of a surface and a darkness, which can be set independently.
 class Canvas {
 public:
     Canvas(glm::uvec2 size_px, uint32_t kind)
@@ -84,7 +84,7 @@ public:
     {
     }
 
-    /// What is not seen is bare paper.
+    /// Sets the pixels that see the surface; others are blank paper.
     void paint_seen(const Painter<bool>& seen)
     {
         draw_ = Layer::words(size_px_, [&](glm::uvec2 p) { return seen(p) ? kind_ << 26U | 1U : 0U; });
@@ -107,7 +107,7 @@ public:
 
     std::vector<float> ink(const hatch::HatchStyle& style) { return ink(style, nullptr); }
 
-    /// By the strokes of `map`, unless it is null.
+    /// Ink of the strokes of `map`, or of lines if it is null.
     std::vector<float> ink(const hatch::HatchStyle& style, hatch::MapImages* map)
     {
         gpu::Graph graph;
@@ -128,7 +128,7 @@ private:
     Layer draw_, darkness_, normal_, coordinate_, footprint_;
 };
 
-/// A pen of 1.6 pixels with all the habits of the default one.
+/// A pen of 1.6 pixels that otherwise has the default settings.
 inline hatch::HatchStyle pen()
 {
     return {.width_mm = 1.6F,

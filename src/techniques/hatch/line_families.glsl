@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_LINE_FAMILIES
 #define ESTAMPE_LINE_FAMILIES
 
-// The families of strokes that cross at a pixel. Wanted before: `constants`, LineConstants as push constants.
+// The families of strokes that cross at a pixel. Needs `constants`, LineConstants as push constants.
 
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_growth = (variant & lines_has_growth) != 0u;
@@ -18,18 +18,20 @@ const bool has_flat = (kinds & flat_kinds) != 0u;
 const bool has_directions = (kinds & directed_kinds) != 0u;
 const bool has_slices = (kinds & (directed_kinds | 1u << strokes_solid)) != 0u;
 
-// Where the light of the pixel in hand comes from.
+// Direction towards the light at the current pixel.
 vec3 towards_light = vec3(0.0, 1.0, 0.0);
 
-// A local light's direction changes from place to place, but planes must stay put: the nearest of 26
-// directions stands for it, so that the page falls into patches of straight strokes, as by hand.
+// A local light's direction changes from place to place, but the planes of strokes must stay fixed. The
+// nearest of 26 directions replaces it, which divides the page into patches of straight strokes, as in hand
+// drawing.
 vec3 settled(vec3 direction)
 {
     vec3 largest = vec3(max(abs(direction.x), max(abs(direction.y), abs(direction.z))));
     return normalize(round(direction / largest));
 }
 
-// By what the light pass says of the strongest local light; 0 for none.
+// Direction towards the strongest local light, from the lighting pass's packed value; the constant one if
+// that is 0.
 vec3 towards_light_of(uint strongest)
 {
     return strongest != 0u ? settled(unpack_normal(strongest)) : constants.towards_light;
@@ -46,23 +48,23 @@ bool lies_flat(uint kind)
     return has_flat && (!has_slices || is_flat(kind));
 }
 
-// Families of strokes, two a layer, and what each has to draw. The shares are such that what the families
-// leave white multiplies to what the darkness leaves white. Of a layer the family with more to draw comes
-// first; where it draws all, the other is left out.
+// Families of strokes, two per layer, and the darkness that each must draw. Shares are such that the white
+// left by the families multiplies to the white that the darkness leaves. The family of a layer with more to
+// draw comes first; if it draws everything, the other is skipped.
 struct Families {
     uint layer;
     bool is_second;
-    float remaining; // darkness that this layer and those to come have to draw
+    float remaining; // darkness that this layer and later layers must draw
 };
 
-// What a layer draws of the darkness that is left to do; the last one draws all of it.
+// Share of the remaining darkness that a layer draws; the last layer draws all of it.
 float layer_share(uint layer, float remaining)
 {
     float most = layer == 0u ? FIRST_LAYER_SHARE : NEXT_LAYER_SHARE;
     return layer + 1u >= constants.layers ? remaining : min(remaining, most);
 }
 
-// How much of a layer's strokes its slices carry; the level family has the rest.
+// Share of a layer's strokes that the family of slices draws; the level family draws the rest.
 float slice_share(uint layer, vec3 normal, uint kind)
 {
     return !has_slices || lies_flat(kind)
@@ -75,7 +77,7 @@ bool is_any_left(Families families)
     return families.layer < constants.layers && families.remaining > 1e-4;
 }
 
-// Goes on to the next family, and returns the darkness that it has to draw; 0 where there is none.
+// Advances to the next family, and returns the darkness that it must draw; 0 if there is none.
 float next_family(inout Families families, vec3 normal, uint kind, out uint family)
 {
     family = 0u;
@@ -106,7 +108,7 @@ uint family_seed(uint family)
     return hash(constants.seed * 64u + family);
 }
 
-// What the lines of a family follow at a place of the surface, and how it changes there.
+// The coordinate that the lines of a family follow at a place of the surface, and its change per pixel.
 LineField family_field(vec3 p, Footprint f, uint kind, uint family)
 {
     bool flat_here = lies_flat(kind);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel of the tiles that are not blank lays the strokes that carry the darkness wanted there.
+// One thread per pixel of the tiles that are not blank: draws the strokes that produce the wanted darkness.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_vote : require
@@ -19,9 +19,9 @@ layout(binding = 2) uniform usampler2D normal_image;
 layout(binding = 3) uniform sampler2D coordinate_image;
 layout(binding = 4) uniform usampler2D footprint_image;
 layout(binding = 5) uniform usampler2D source_image;    // see overrun.comp
-layout(binding = 6) uniform usampler2D strongest_image; // directions towards local lights, 0 for none
+layout(binding = 6) uniform usampler2D strongest_image; // directions towards local lights; 0 for none
 
-layout(binding = 7) uniform usamplerBuffer dark_tile_texels; // as in darkness.comp, two words a texel
+layout(binding = 7) uniform usamplerBuffer dark_tile_texels; // as in darkness.comp, two words per texel
 
 layout(binding = 8, r16f) uniform image2D out_ink;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The promises of the lines, on surfaces that the test paints itself: exact tone at every zoom, on planes in
+// Properties of lines, on surfaces that the test sets pixel by pixel: exact tone at every zoom, on planes in
 // perspective and on spheres, and strokes of one width.
 #include <algorithm>
 #include <array>
@@ -29,7 +29,7 @@ double tone_of(uint32_t i)
     return 0.05 * (i + 1);
 }
 
-/// 19 patches, each of one darkness from 0.05 to 0.95, in one picture.
+/// 19 patches in one picture, each of one darkness from 0.05 to 0.95.
 class ToneSheet {
 public:
     ToneSheet(uint32_t kind, uint32_t patch_px) : patch_px_(patch_px), canvas_(size_px(), kind)
@@ -66,8 +66,8 @@ private:
     Canvas canvas_;
 };
 
-/// Worst error of the mean ink over `zooms` in eight octaves: of a single patch, and of a tone over all. What
-/// lines do comes again with each octave, so an odd number of zooms looks at as many moments of that.
+/// Worst error of the mean ink over `zooms` zooms in eight octaves: of a single patch, and of a tone over all
+/// zooms. Lines repeat with each octave, so an odd number of zooms samples that many different phases.
 std::pair<double, double> worst_errors(ToneSheet& sheet, const hatch::HatchStyle& style, int zooms)
 {
     double worst_patch = 0.0;
@@ -102,12 +102,12 @@ TEST(HatchLines, DrawnLinesKeepTheToneAtEveryZoom)
     ToneSheet sheet(shared::strokes_uv, 256);
     const auto [patch, tone_of] = worst_errors(sheet, pen(), 29);
     EXPECT_LE(tone_of, 0.003);
-    EXPECT_LE(patch, 0.012); // a patch holds few strokes, each with ends and pressure of its own
+    EXPECT_LE(patch, 0.012); // a patch holds few strokes with random ends and pressure
 }
 
 TEST(HatchLines, DrawnLinesKeepTheToneOfEveryPatchThatHoldsEnoughStrokes)
 {
-    // What single strokes have too much or too little is chance, and halves as the side doubles.
+    // Errors of single strokes are random: the mean error halves as the side doubles.
     ToneSheet sheet(shared::strokes_uv, 512);
     EXPECT_LE(worst_errors(sheet, pen(), 7).first, 0.005);
 }
@@ -122,7 +122,7 @@ TEST(HatchLines, ShortStrokesKeepTheToneAtEveryZoom)
     EXPECT_LE(patch, 0.03);
 }
 
-/// Mean and worst difference of ink and darkness over all windows of 64 pixels that are seen whole.
+/// Mean and largest difference of ink and darkness over all fully visible windows of 64 pixels.
 std::pair<double, double> window_errors(const std::vector<float>& ink, const test::Painter<float>& darkness,
                                         const Surface& surface, glm::uvec2 size_px)
 {
@@ -152,7 +152,7 @@ std::pair<double, double> window_errors(const std::vector<float>& ink, const tes
 
 constexpr glm::uvec2 lines_page_px{640, 480};
 
-/// A floor to the horizon, seen from 1.6 m above.
+/// A floor up to the horizon, seen from 1.6 m above.
 Patch floor_at(glm::dvec2 p)
 {
     const auto hit = [](glm::dvec2 q) {
@@ -166,7 +166,7 @@ Patch floor_at(glm::dvec2 p)
             .normal = {0.0F, 1.0F, 0.0F}};
 }
 
-/// A ball of 230 pixels, its coordinates in radii.
+/// A sphere of 230 pixels with coordinates in radii.
 Patch ball_at(glm::dvec2 p)
 {
     const glm::dvec2 q = (p - glm::dvec2(320.0, 240.0)) / 230.0;
@@ -206,7 +206,7 @@ TEST(HatchLines, ABallKeepsItsTone)
 
 TEST(HatchLines, StrokesHaveOneWidthAtEveryDistance)
 {
-    // Upright lines of which every other one is as thin as can be: runs of ink along a row are the widths.
+    // Vertical lines, every other one as thin as possible: runs of ink along a row are the widths.
     hatch::HatchStyle style = pen();
     style.wobble_mm = style.gap_mm = style.taper_mm = style.pressure = 0.0F;
     style.slant_deg = 90.0F;
@@ -228,7 +228,7 @@ TEST(HatchLines, StrokesHaveOneWidthAtEveryDistance)
                 width = 0.0F;
             }
         }
-        // The most frequent width, in classes of a tenth of a pixel, of the lines that are not newborn.
+        // The most frequent width of lines that are not newborn, in bins of a tenth of a pixel.
         std::array<int, 64> classes{};
         for (const float w : widths) {
             classes.at(std::min<size_t>(static_cast<size_t>(std::lround(10.0F * w)), 63U)) +=

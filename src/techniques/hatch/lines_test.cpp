@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The nesting of the strokes, with the shader's own functions: a line that is drawn stays drawn as tone
-// deepens and as one comes nearer.
+// Nesting of strokes, tested with the shader's own functions: a line that is drawn stays as the tone deepens
+// and as the eye comes nearer.
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -26,7 +26,7 @@ using namespace test::glsl; // NOLINT(google-build-using-namespace)
 
 namespace {
 
-/// All lines of one unit of v that are drawn, by their number in units of 2^-20, and by identity.
+/// All lines that are drawn in one unit of v: number in units of 2^-20, and identity.
 using Drawn = std::set<std::pair<int64_t, uint32_t>>;
 
 Drawn lines_drawn(float unit_per_px, float width_px, float darkness, bool wraps)
@@ -102,7 +102,7 @@ TEST(LineIdentity, IsTheSameAtEveryZoom)
     }
 }
 
-/// Lengths in pixels of the breaks in a line, longest first.
+/// Lengths of the gaps in a line in pixels, longest first.
 std::vector<int> breaks(const lines::LineLook& look, float dark)
 {
     lines::LineField field{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Strokes along the light where lamps rule: each patch of the page runs towards its own.
+// Strokes along the light near lamps: strokes of each part of the page follow the strongest light there.
 #include <gtest/gtest.h>
 
 #include <glm/gtc/packing.hpp>
@@ -12,15 +12,15 @@ namespace {
 
 constexpr glm::uvec2 local_light_px(192, 96);
 
-/// Octahedral, of directions in the upper half.
+/// Octahedral code of a direction in the upper half space.
 uint32_t packed(const glm::vec3& direction)
 {
     const float sum = std::abs(direction.x) + std::abs(direction.y) + std::abs(direction.z);
     return glm::packSnorm2x16(glm::vec2(direction) / sum);
 }
 
-/// Strokes on a sheet in the plane z = 0, under a lamp at the right of its left third, one below the middle
-/// third, and the sun, which stands at the right, over the last.
+/// Strokes on a sheet in the plane z = 0: the left third has a lamp at its right, the middle third a lamp
+/// below it, and the last third the sun at its right.
 std::vector<float> strokes_under_lamps()
 {
     auto draw =
@@ -46,7 +46,7 @@ std::vector<float> strokes_under_lamps()
                                        add_lines(graph, in, paper.in(graph, darkness.in(graph)), style));
 }
 
-/// How much more the ink changes down a third of the page than across it.
+/// How much more the ink of a third of the page changes vertically than horizontally.
 double lie(const std::vector<float>& ink, uint32_t third)
 {
     double across = 0.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel lays the strokes of a tonal art map. The map has a threshold for every texel, the
-// darkness at which it turns to ink, and the ink of every tone; both at levels drawn one by one. Nearer than
-// the finest level the map repeats at half the size, again and again, so strokes keep their width.
+// One thread per pixel: draws the strokes of a tonal art map. The map has a threshold for every texel, the
+// darkness at which it turns to ink, and the ink of every tone; every level is drawn, not filtered. Nearer
+// than the finest level the map repeats at half the size, again and again, so strokes keep their width.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -42,11 +42,11 @@ const bool has_ink = (variant & map_has_ink) != 0u;
 
 struct Place {
     vec2 at;   // in sides of the map
-    float lod; // levels from the finest; below 0 the map repeats
+    float lod; // level of detail, 0 is the finest; the map repeats below 0
 };
 
-// The plane of a solid that faces most the way the surface does, judged where strokes stick: in the rest
-// pose.
+// Projection onto the axis plane that the surface faces most, in the rest pose, so that strokes stick to the
+// surface.
 Place place_on(uint kind, vec3 p, Footprint f)
 {
     vec3 facing = abs(cross(f.dx, f.dy));
@@ -66,9 +66,9 @@ Place place_on(uint kind, vec3 p, Footprint f)
 }
 
 struct Levels {
-    vec2 fine;   // place in the finer of two levels, and
-    vec2 coarse; // in the coarser
-    int level;   // the finer
+    vec2 fine;   // place in the finer of two levels
+    vec2 coarse; // place in the coarser level
+    int level;   // number of the finer level
     float towards_coarse;
     bool repeats;
 };
@@ -95,7 +95,7 @@ float ramp_in(uint row, float x)
     return mix(ramp[index], ramp[index + 1u], at - float(first));
 }
 
-// What to ask the map for, see hatch.glsl.h.
+// Value to look up in the map, from the ramp of hatch.glsl.h.
 float asked_of(Levels levels, float dark)
 {
     uint first = (levels.repeats ? 0u : uint(levels.level) + 1u) * ramp_steps;
@@ -104,7 +104,7 @@ float asked_of(Levels levels, float dark)
     return mix(ramp_in(first + step, dark), ramp_in(first + step + 1u, dark), at - float(step));
 }
 
-// The four texels about a place, and the share of each.
+// The four texels around a place, and their weights.
 struct Four {
     vec4 value;
     vec4 share;
@@ -128,8 +128,8 @@ Four thresholds_at(vec2 place, int level)
     return four;
 }
 
-// Thresholds are compared one by one, each of the finer level with each of the coarser, and the answers
-// blended, so that edges are smooth without being grey and nothing jumps where levels change.
+// Compares each threshold of the finer level, and of the coarser, with the darkness, and blends the results,
+// so that edges are smooth but not grey and nothing jumps between levels.
 float ordered_ink(Levels levels, float dark)
 {
     float asked = asked_of(levels, dark);

@@ -17,10 +17,11 @@ namespace {
 using shared::ramp_length;
 using shared::ramp_steps;
 
-/// A level is looked at in at most so many places along a side.
+/// A level is sampled at no more than this many places along a side.
 constexpr uint32_t measured_side = 96;
 
-/// One row: for darknesses from 0 to 1 the x in [low, high] at which `ink_at`, which rises, is that dark.
+/// Fills one row: for darknesses from 0 to 1 the x in [low, high] at which the increasing function `ink_at`
+/// reaches that darkness.
 void invert(const std::function<double(double)>& ink_at, double low, double high, float* row)
 {
     constexpr size_t samples = 256;
@@ -41,7 +42,7 @@ void invert(const std::function<double(double)>& ink_at, double low, double high
     }
 }
 
-/// A level of an image about (x, y), in texels: the four nearest, 0 to 1, and the share of each.
+/// Bilinear sample of an image: the four nearest texels, 0 to 1, and their weights.
 struct Four {
     std::array<float, 4> value;
     std::array<float, 4> share;
@@ -70,20 +71,20 @@ Four four_at(const std::vector<uint8_t>& image, uint32_t side, float x, float y)
     return four;
 }
 
-/// A level of an image and the next coarser one, seen at the same places.
+/// Samples of a level and of the next coarser one at the same places.
 struct Pair {
     std::vector<Four> fine;
     std::vector<Four> coarse;
 };
 
-/// `level` of `levels` and the next; or, for -1, the finest over itself at twice the size.
+/// Samples of `level` and of the next one; for -1, of the finest level and of itself at twice the size.
 Pair pair_of(const std::vector<std::vector<uint8_t>>& levels, uint32_t size_px, int level)
 {
     const auto fine_level = static_cast<size_t>(std::max(level, 0));
     const size_t coarse_level = level < 0 ? 0 : fine_level + 1;
     const uint32_t fine_side = std::max(size_px >> fine_level, 1U);
     const uint32_t coarse_side = std::max(size_px >> coarse_level, 1U);
-    // Pixels fall anywhere between the centres of texels: places go through all quarters.
+    // Pixels may fall anywhere between texel centres, so samples cover all quarters of a texel.
     const uint32_t count = std::min(std::max(2 * fine_side, 8U), measured_side);
     const float step = static_cast<float>(fine_side) / static_cast<float>(count);
     Pair pair;
@@ -105,7 +106,7 @@ double contrasted(double value, double contrast)
     return std::clamp((value - 0.5) * contrast + 0.5, 0.0, 1.0);
 }
 
-/// Row for thresholds `towards` of the way from the finer to the coarser.
+/// Row for thresholds; `towards` is the blend from the finer level to the coarser.
 void measure_order(const Pair& thresholds, float towards, double contrast, float* row)
 {
     std::array<double, 512> shares{};
@@ -131,7 +132,7 @@ void measure_order(const Pair& thresholds, float towards, double contrast, float
     invert(ink_at, -0.5 / contrast, 1.0 + 0.5 / contrast, row);
 }
 
-/// Row for tones, from paper to all ink.
+/// Row for tones, from paper to full ink.
 void measure_layers(const std::vector<Pair>& tones, float towards, double contrast, float* row)
 {
     constexpr int per_tone = 8;

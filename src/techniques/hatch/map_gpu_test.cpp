@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tonal art maps on surfaces that the test paints itself keep their tone at every distance and tilt.
+// Tonal art maps keep their tone at every distance and tilt, on surfaces that the test sets pixel by pixel.
 #include <algorithm>
 #include <array>
 #include <numbers>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Strokes hold still on their surface while the view zooms: the same points of a wall are looked at in frame
-// after frame, so that every change is one of the strokes and none of resampling.
+// Strokes stay still on their surface while the view zooms. The same points of a wall are sampled in every
+// frame, so that all changes come from the strokes and none from resampling.
 #include <algorithm>
 #include <numeric>
 
@@ -20,7 +20,7 @@ using test::pen;
 using test::Surface;
 
 constexpr glm::uvec2 moving_page_px{320, 240};
-constexpr int frames = 71; // an octave of zoom, 1 % a frame
+constexpr int frames = 71; // an octave of zoom, 1 % per frame
 
 struct StrokeMotion {
     double mean_change = 0.0;
@@ -29,7 +29,7 @@ struct StrokeMotion {
     double median_frame = 0.0;
 };
 
-/// Ink of one frame: `unit_per_px` is how large a pixel is on the wall.
+/// Ink of one frame; `unit_per_px` is the size of a pixel on the wall.
 using Frame = std::function<std::vector<float>(double unit_per_px)>;
 
 StrokeMotion measure(const Frame& ink_at)
@@ -68,7 +68,7 @@ void report(const char* name, const StrokeMotion& motion)
                100.0 * motion.median_frame);
 }
 
-/// The points of the wall that the first frame shows, with pixels of the size asked for.
+/// The wall's points in the first frame, with coordinates for another pixel size.
 Surface same_points(double unit_per_px)
 {
     return [=](glm::dvec2 p) {
@@ -134,7 +134,7 @@ TEST_F(HatchMotion, MapsHoldStill)
 
 TEST_F(HatchMotion, LinesThatAreLockedToThePageDoNot)
 {
-    // The checker checked: the same measure sees a shower door for what it is.
+    // Checks the measure itself: it detects strokes that are fixed to the page (the shower-door effect).
     const hatch::HatchStyle style = pen();
     const StrokeMotion page = measure([&](double unit_per_px) {
         const double zoom = 0.013 / unit_per_px;

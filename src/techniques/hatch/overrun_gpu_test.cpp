@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Strokes run over the edge of what they are drawn on, by lines and by maps alike.
+// Strokes run over the edge of a surface, for lines and for maps.
 #include <gtest/gtest.h>
 
 #include "features/hatching/hatching.hpp"
@@ -12,10 +12,10 @@ namespace {
 using test::Canvas;
 
 constexpr glm::uvec2 overrun_page_px{160, 120};
-constexpr uint32_t edge_px = 100; // what is seen ends here
+constexpr uint32_t edge_px = 100; // the surface ends here
 constexpr float overrun_px = 20.0F;
 
-/// Strokes that meet the edge at a slant, on a surface that ends there or goes on.
+/// Strokes that meet the edge at an angle, on a surface that ends there or continues.
 std::vector<float> ink(bool ends, float overrun_mm, hatch::MapImages* map)
 {
     const auto seen = [=](glm::uvec2 pixel) { return !ends || pixel.x < edge_px; };
@@ -50,7 +50,7 @@ TEST_P(HatchOverrun, StrokesGoOnBeyondTheEdgeAndEnd)
         if (past_px <= 0) {
             ASSERT_EQ(over[i], cut[i]);
         } else if (static_cast<float>(past_px) < 0.3F * overrun_px) {
-            ASSERT_NEAR(over[i], whole[i], 0.05) << i; // places are rounded twice
+            ASSERT_NEAR(over[i], whole[i], 0.05) << i; // coordinates are rounded twice
             beyond += over[i];
         } else if (static_cast<float>(past_px) > overrun_px) {
             ASSERT_EQ(over[i], 0.0F);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Strokes that run over silhouettes. Takes darkness_image, draw_image, has_overrun, source_image as
-// overrun.comp left it, and OVERRUN_PX.
+// Strokes that run over silhouettes. Needs darkness_image, draw_image, has_overrun, source_image as written
+// by overrun.comp, and OVERRUN_PX.
 
-// The pixel whose strokes are drawn here: itself, or one nearby whose strokes run over onto bare paper. Then
-// `share` tells how much of its darkness is left.
+// The pixel whose strokes are drawn here: this one, or a nearby one whose strokes run over onto blank paper;
+// `share` is the part of its darkness that remains.
 ivec2 source_of(ivec2 pixel, out float share)
 {
     share = 1.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Strokes stick to a body that bends: at every moment of a clip each pixel's stroke coordinate is that of the
-// rest pose at the very point it shows.
+// Strokes stick to a deforming body: in every frame of a clip, each pixel's stroke coordinate is the
+// rest-pose position of the point that the pixel shows.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -56,7 +56,7 @@ Scene bending_arm()
     return scene;
 }
 
-/// Greatest distance on the page, over ten moments, between where a stroke is and where its surface has gone.
+/// Largest distance on the page, over ten moments, between a stroke and its point on the surface.
 double slip_px(const Scene& scene, const Camera& camera)
 {
     double worst = 0.0;
@@ -69,7 +69,7 @@ double slip_px(const Scene& scene, const Camera& camera)
         const auto posed = drawing.posed();
         for (size_t i = 0; i < page.size(); ++i) {
             if (page[i] == 0 || (surface.draw[i] >> 26U & 7U) != 0) {
-                continue; // nothing, or strokes that follow UVs
+                continue; // background, or strokes that follow UVs
             }
             const glm::uvec4 corners = drawing.layout.triangles[static_cast<uint32_t>(page[i])];
             const size_t row = i / slip_page_px.x;
@@ -123,7 +123,7 @@ TEST(HatchSlip, StrokesStickToModelsThatAreAtHand)
         }
         for (Mesh& mesh : scene.meshes) {
             for (Primitive& primitive : mesh.primitives) {
-                primitive.uvs[0].clear(); // so that all strokes follow the solid
+                primitive.uvs[0].clear(); // makes all strokes follow the rest pose
             }
         }
         const ScenePose pose = pose_scene(scene, 0.0);

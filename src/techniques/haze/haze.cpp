@@ -58,13 +58,13 @@ const style::Table<HazeStyle>& haze_table()
                 "enabled", &HazeStyle::enabled,
                 "Lets distant parts fade. true: always; false: never; auto: if the scene has a terrain.")
             .number("start_m", &HazeStyle::start_m, {0.0F, 1e6F}, "m",
-                    "Distance up to which the picture is clear of haze")
+                    "Distance from the eye at which haze begins: nearer parts are clear")
             .number("reach_m", &HazeStyle::reach_m, {0.01F, 1e6F}, "m",
-                    "Distance beyond haze.start_m at which half of a colour has faded, and three quarters at "
-                    "twice this distance: less is denser haze")
+                    "Distance beyond haze.start_m at which a colour has faded by half. At twice this "
+                    "distance, three quarters have faded. Less gives denser haze.")
             .number("ink", &HazeStyle::ink, {0.0F, 16.0F}, "",
-                    "How much faster strokes and lines fade than colour: more leaves distance to the wash. 0 "
-                    "keeps strokes and lines at any distance.");
+                    "How much faster strokes and lines fade with distance than colour: more leaves only "
+                    "colour in the distance. 0 keeps strokes and lines at any distance.");
     return table;
 }
 

@@ -2,21 +2,21 @@
 #ifndef ESTAMPE_HAZE
 #define ESTAMPE_HAZE
 
-// What distance takes from a drawing. Whoever includes this has `frame`, `constants` of haze.glsl.h, and
-// defines HAZE_DEPTH_BINDING.
+// How distance fades a drawing. Includers must declare `frame` and `constants` (haze.glsl.h), and define
+// HAZE_DEPTH_BINDING.
 
 #include "shaders/camera.glsl"
 
 layout(binding = HAZE_DEPTH_BINDING) uniform sampler2D depth_image;
 
-const int line_steps = 4; // to each side, at most, that a line's owner is looked for at
+const int line_steps = 4; // most samples per direction when searching for the surface of a line
 
 float haze_depth(ivec2 pixel)
 {
     return texelFetch(depth_image, clamp(pixel, ivec2(0), ivec2(frame.size_px) - 1), 0).x;
 }
 
-// How often half of what was left has gone at a pixel where something is seen at this depth.
+// Number of half-lives of haze before a point at this pixel and depth.
 float halvings(ivec2 pixel, float depth)
 {
     vec3 from_eye = anchor_at(frame, vec2(pixel) + 0.5, max(depth, 1e-9)) - frame.eye_anchor;
@@ -32,10 +32,10 @@ float ink_left(ivec2 pixel, float depth)
 const ivec2 eight_ways[8] = ivec2[8](ivec2(1, 0), ivec2(0, 1), ivec2(-1, 0), ivec2(0, -1), ivec2(1, 1),
                                      ivec2(-1, 1), ivec2(-1, -1), ivec2(1, -1));
 
-// Half of a line lies beyond the edge of what it belongs to, on something farther or on nothing. Reversed
-// depth is linear over a plane of the scene, so what is seen a step aside, carried on as far back, is the
-// pixel's own depth where it is the same surface, and that of the line where a nearer one ends between the
-// two. Negative where nothing is near.
+// Half of a line's width lies outside the edge it follows, over a farther surface or the background. To find
+// the depth of the line's surface, each sample extrapolates the depth of neighbours to this pixel: reversed
+// depth is linear over a plane in page coordinates. That gives the pixel's own depth on the same plane, and
+// the depth of a nearer surface that ends between the two. Negative if no surface is near.
 float line_depth(ivec2 pixel, float own)
 {
     float nearest = own > 0.0 ? own : -1.0;

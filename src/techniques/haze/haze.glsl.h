@@ -8,13 +8,13 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-SHARED_CONSTANT uint haze_has_tiles = 1U << 0U; // variant bit of haze.comp: only those of a list are faded
+SHARED_CONSTANT uint haze_has_tiles = 1U << 0U; // variant bit of haze.comp: fade only listed tiles
 
 struct HazeConstants {
-    float start_m;      // nearer all is clear
-    float halves_per_m; // beyond: how often half of what is left goes
-    float ink;          // how much sooner strokes and lines go
-    uint line_reach_px; // how far a line lies at most from what it belongs to
+    float start_m;      // no haze up to this distance
+    float halves_per_m; // beyond start_m: half-lives per metre
+    float ink;          // how much faster strokes and lines fade than colour
+    uint line_reach_px; // largest distance of a line's pixel from the edge it follows
 };
 
 #ifdef __cplusplus

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Air between the eye and what is far: colour fades into the sky's, strokes and lines into nothing.
+// Haze: with distance, colour fades into the sky's, and strokes and lines fade to nothing.
 
 #include <optional>
 
@@ -22,31 +22,31 @@ struct HazeStyle {
 
 struct HazeInputs {
     gpu::BufferId frame;       ///< FrameGlobals
-    gpu::ImageId depth;        ///< r32f: reversed, 0 where nothing is
-    float line_half_px = 1.0F; ///< of the widest line: what of it lies beyond the edge it follows
+    gpu::ImageId depth;        ///< r32f, reversed; 0 is the background
+    float line_half_px = 1.0F; ///< half width of the widest line: its part outside the edge it follows
     glm::uvec2 size_px{0};
-    /// Then these alone are faded, as of surface::add_far_tiles() from where haze starts.
+    /// If given, only these tiles are faded: those of surface::add_far_tiles() beyond start_m.
     std::optional<gpu::BufferId> tiles;
 };
 
-/// What fades.
+/// The layers that fade.
 struct HazeLayers {
     gpu::ImageId wash;  ///< rgba16f
     gpu::ImageId hatch; ///< r16f
     gpu::ImageId lines; ///< rgba8, coverage in alpha
 };
 
-/// Fades what is far, into `sky`, an rgba16f as large as the page or of one texel.
+/// Fades distant parts into `sky`, an rgba16f image of the page's size or of one texel.
 ///
-/// Writes  new versions of the three layers; where nothing is seen, they keep their bytes
-/// Cost    one dispatch, over the page or a list of tiles; on pixels of lines 64 depths besides at most
+/// Writes  new versions of the three layers; background pixels keep their bytes
+/// Cost    one dispatch over the page or a list of tiles; up to 64 more depth samples on pixels of lines
 [[nodiscard]] HazeLayers add_haze(gpu::Graph& graph, const HazeInputs& in, const HazeStyle& style,
                                   gpu::ImageId sky, const HazeLayers& layers);
 
-/// How much ink is left at each pixel of what is drawn, for strokes as paths.
+/// The share of ink that haze leaves at each pixel, for strokes drawn as vector paths.
 ///
-/// Writes  two floats a pixel, row by row: of strokes, of lines; 1 where nothing is seen
-/// Cost    one full-screen dispatch of 64 depths a pixel at most
+/// Writes  two floats per pixel, row by row: for strokes and for lines; 1 on the background
+/// Cost    one full-screen dispatch with at most 64 depth samples per pixel
 [[nodiscard]] gpu::BufferId add_ink_left(gpu::Graph& graph, const HazeInputs& in, const HazeStyle& style);
 
 } // namespace estampe::haze

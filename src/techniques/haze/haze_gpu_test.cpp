@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What distance leaves of layers that the tests paint themselves, and of whole pictures.
+// Haze on layers that the tests paint, and in whole pictures.
 #include "techniques/haze/haze.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace {
 constexpr glm::uvec2 size_px(96, 64);
 constexpr double near_m = 0.1;
 const Camera camera{.eye = {10.0, 2.0, -3.0}, .target = {11.0, 1.9, -4.0}, .near_m = near_m};
-constexpr glm::vec3 sky_color(0.875F, 0.75F, 0.375F); // halves without rest;
+constexpr glm::vec3 sky_color(0.875F, 0.75F, 0.375F); // exact in half floats
 constexpr glm::vec3 sand(0.5F, 0.25F, 0.125F);
 
 struct Painted {
@@ -37,7 +37,7 @@ struct Faded {
     std::vector<glm::vec4> wash;
     std::vector<float> hatch;
     std::vector<uint32_t> lines; ///< four bytes each
-    std::vector<glm::vec2> left; ///< as strokes have it that are paths
+    std::vector<glm::vec2> left; ///< share left for vector strokes: of strokes, of lines
 
     [[nodiscard]] float line(size_t i) const { return static_cast<float>(lines[i] >> 24U) / 255.0F; }
 };
@@ -78,7 +78,7 @@ Faded fade(const Painted& page, const HazeStyle& style, float line_half_px = 1.0
     return faded;
 }
 
-/// How far off is what has that depth at a pixel.
+/// Distance of a point at this pixel and depth.
 double away_m(glm::uvec2 pixel, double depth)
 {
     const auto globals = features::frame_globals(camera, {}, camera.eye, {.size_px = size_px});
@@ -95,7 +95,7 @@ double left_at(const HazeStyle& style, double metres)
 
 TEST(Haze, TakesByDistanceWhatTheFormulaSays)
 {
-    Painted page; // columns farther and farther off, from 1 m to 30 km
+    Painted page; // columns at increasing distances, from 1 m to 30 km
     page.depth = [](glm::uvec2 pixel) {
         return static_cast<float>(near_m / std::pow(30000.0, pixel.x / (size_px.x - 1.0)));
     };
@@ -107,7 +107,7 @@ TEST(Haze, TakesByDistanceWhatTheFormulaSays)
         const double left = left_at(style, away_m(pixel, static_cast<double>(page.depth(pixel))));
         const glm::dvec3 wanted = glm::mix(glm::dvec3(sky_color), glm::dvec3(sand), left);
         for (int channel = 0; channel < 3; ++channel) {
-            EXPECT_NEAR(faded.wash[i][channel], wanted[channel], 6e-4) << i; // halves of 11 bits
+            EXPECT_NEAR(faded.wash[i][channel], wanted[channel], 6e-4) << i; // half floats have 11 bits
         }
         EXPECT_EQ(faded.wash[i].w, 1.0F);
         EXPECT_NEAR(faded.hatch[i], std::pow(left, 1.5), 6e-4) << i;
@@ -143,7 +143,7 @@ TEST(Haze, KeepsInkThatIsToStay)
 
 TEST(Haze, GivesLinesTheDepthOfTheNearerSideOfAnEdge)
 {
-    // Near to the left, far ground or nothing to the right.
+    // Near surfaces on the left; far ground or background on the right.
     const HazeStyle style{.start_m = 0.0F, .reach_m = 100.0F, .ink = 1.0F};
     const auto near_depth = static_cast<float>(near_m / 20.0);
     for (const float behind : {0.0F, static_cast<float>(near_m / 3000.0)}) {
@@ -161,8 +161,8 @@ TEST(Haze, GivesLinesTheDepthOfTheNearerSideOfAnEdge)
 
 TEST(Haze, GivesLinesOnAPlaneTheirOwnDepth)
 {
-    // Flat ground whose horizon is the top of row 10: a line there is as far as the ground there, not as that
-    // a few pixels below.
+    // Flat ground with its horizon at the top of row 10: a line there is as far as the ground in that row,
+    // not as the nearer ground a few pixels below.
     Painted page;
     page.depth = [](glm::uvec2 pixel) {
         return pixel.y < 10 ? 0.0F : 2e-5F * (static_cast<float>(pixel.y) - 9.5F);
@@ -199,7 +199,7 @@ Scene flat_ground()
     return scene;
 }
 
-/// From a dune: what lies just below the horizon is kilometres off.
+/// From a dune: the ground just below the horizon is kilometres away.
 const Camera from_dune{.eye = {0.0, 30.0, 0.0}, .target = {3.0, 29.5, 10.0}, .vertical_fov_rad = 0.6};
 constexpr RenderSettings small{.width = 160, .height = 120};
 
@@ -222,7 +222,7 @@ TEST(Haze, LeavesNoEdgeAtTheHorizon)
     const LayeredImage drawn = renderer.render_layers(from_dune, smooth("haze.enabled=auto"), small);
     const auto ground = std::ranges::find(drawn.masks, std::string("terrain"), &PictureMask::name);
     ASSERT_NE(ground, drawn.masks.end());
-    // Where the eye's own height is, infinitely far; the ground ends a third of a pixel below.
+    // The horizon at infinity; the ground ends a third of a pixel below it.
     const glm::dvec3 ahead = glm::normalize(from_dune.target - from_dune.eye);
     const double up = -std::tan(std::asin(ahead.y)) / std::tan(0.5 * from_dune.vertical_fov_rad);
     const double horizon_px = 0.5 * small.height * (1.0 - up);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread says how much ink the haze leaves at one pixel: of strokes, and of lines.
+// One thread per pixel writes the share of ink that haze leaves, for strokes and for lines.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

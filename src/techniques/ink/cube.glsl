@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_INK_CUBE
 #define ESTAMPE_INK_CUBE
 
-// A cube around the eye: face 0 is +x, then -x, +y, -y, +z, -z. On a face `at` runs from -1 to 1, and beyond
-// that in its gutters.
+// A cube map around the eye. Faces in order: +x, -x, +y, -y, +z, -z. `at` runs from -1 to 1 over a face, and
+// beyond that range in the face's gutters.
 
 struct FacePlace {
     uint face;

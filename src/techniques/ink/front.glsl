@@ -2,18 +2,18 @@
 #ifndef ESTAMPE_INK_FRONT
 #define ESTAMPE_INK_FRONT
 
-// What stands out before what is seen at a place: half of a line around it lies beyond its edge. Wanted
-// before: `globals`, and `depth_image`.
+// Finds the foreground object next to a pixel: half of an outline's width lies beyond the object's edge.
+// Define before: `globals`, `depth_image`.
 
-const float is_nearer = 1.02; // by this factor, and it is another thing
+const float is_nearer = 1.02; // a pixel nearer by this factor belongs to another object
 
 ivec2 pixel_at(vec2 page_px)
 {
     return clamp(ivec2(floor(page_px)), ivec2(0), ivec2(globals.page_px) - 1);
 }
 
-// The place of the nearest of what is seen so far off, eight ways, or the place itself where nothing is
-// nearer.
+// The nearest of the eight places at distance `away_px` around a pixel, or the pixel itself if none of them
+// is nearer.
 vec2 front_place(vec2 page_px, float away_px)
 {
     vec2 front_px = page_px;

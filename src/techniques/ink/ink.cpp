@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a picture does with the ink, worked out on the processor; what ink is remembered; the passes.
+// Plans the ink of a picture on the CPU, keeps the ink between pictures, and adds the passes.
 #include "techniques/ink/ink.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ constexpr float most_cells = 4e6F;
 constexpr uint32_t unmeasured = 2;
 constexpr uint32_t steps_between_measures = 4;
 
-/// Share that is left of what is a third after `life_s`.
+/// Share that is left after `seconds`; after `life_s` it is 1/e, about a third.
 float left_after(double seconds, float life_s)
 {
     return static_cast<float>(std::exp(-seconds / static_cast<double>(life_s)));
@@ -37,7 +37,7 @@ uint32_t source_of(Source source)
                                       : shared::ink_from_strokes;
 }
 
-/// Waves, wind and zones.
+/// Sets the waves and the wind.
 void set_flow(shared::InkGlobals& globals, const InkStyle& style, const Page& page, const View& view,
               const Waves& waves)
 {
@@ -115,7 +115,7 @@ shared::InkStep step_of(const InkStyle& style, const Waves& waves, const std::ve
 uint32_t first_variant_of(const InkStyle& style, const Grid& grid, const Time& time, const View& view)
 {
     if (grid.face_side > 0) {
-        return 0; // its directions are the world's
+        return 0; // cells around the eye have fixed directions in the world
     }
     const bool is_on_surface = style.follow == Follow::surface;
     const bool has_motion = view.has_motion && (is_on_surface || style.drag > 0.0F);
@@ -126,7 +126,7 @@ uint32_t first_variant_of(const InkStyle& style, const Grid& grid, const Time& t
            (is_on_surface ? shared::ink_keeps_depth : 0U);
 }
 
-/// Rows of cells are read four at a time; those too many lie beyond the page's right edge.
+/// The step shader reads rows four cells at a time; the extra cells lie beyond the page's right edge.
 uint32_t whole_fours(uint32_t cells)
 {
     return (cells + 3) / 4 * 4;
@@ -188,7 +188,7 @@ Plan plan_of(const InkStyle& style, const Page& page, const Time& time, const Vi
                    (!flat_zones.empty() ? shared::ink_has_zones : 0U) |
                    (style.follow == Follow::surface ? shared::ink_spots_on_things : 0U);
     plan.first_variant = first_variant_of(style, plan.grid, time, view);
-    // What only moved takes a step without time.
+    // If only the camera or the scene moved, one step of zero duration moves the ink.
     const bool is_moved = (plan.first_variant & shared::ink_is_moved) != 0;
     const uint32_t count = std::max(time.steps, is_moved ? 1U : 0U);
     const double seconds = count > 0 ? (time.to_s - time.from_s) / count : 0.0;
@@ -240,7 +240,7 @@ void add_stream(Plan& plan, std::vector<float> stream)
 
 namespace {
 
-constexpr uint64_t sums_bytes = 16; // there is no smaller buffer
+constexpr uint64_t sums_bytes = 16; // the smallest size of a buffer
 
 template <class T>
 gpu::Buffer mapped_buffer(gpu::Device& device, const char* name, std::span<const T> items)
@@ -256,7 +256,7 @@ gpu::Buffer mapped_buffer(gpu::Device& device, const char* name, std::span<const
 std::array<uint64_t, 3> Memory::kept_bytes(const Grid& grid)
 {
     const uint64_t count = grid.cell_count();
-    // Depths of the cube are never asked for.
+    // Cells around the eye need no depths.
     return {sizeof(uint32_t) * count, sizeof(float) * (grid.face_side > 0 ? 4 : count), sums_bytes};
 }
 
@@ -335,7 +335,7 @@ void Memory::recall(gpu::Device& device, const Kept& kept, std::array<gpu::Buffe
     time_s_ = kept.time_s;
 }
 
-/// The passes of one picture, and what they hand on.
+/// The passes of one picture, and their results.
 class Passes {
 public:
     Passes(gpu::Graph& graph, Memory& memory, const Plan& plan)
@@ -394,7 +394,7 @@ private:
         return source;
     }
 
-    /// Around the eye the flow is worked out cell by cell.
+    /// Around the eye the step shader computes the flow cell by cell instead.
     gpu::BufferId add_stream(const shared::InkStep& step)
     {
         const gpu::BufferId map = gpu::import_whole(graph_, "ink/flow map", memory_.map_);
@@ -423,8 +423,7 @@ private:
             .sample(cells_.at(before), gpu::Format::rgba32ui)
             .sample(source, gpu::Format::r32ui);
         pass.sample(stream, gpu::Format::r32f).sample(in.depth);
-        // Read in the first step alone, and written there: later ones take the place of what they do not
-        // read.
+        // Only the first step reads and writes depths; later steps get a placeholder.
         pass.sample(keeps_depth ? depths(memory_.newest_depth_)
                                 : gpu::import_whole(graph_, "ink/flow map", memory_.map_),
                     gpu::Format::r32f);

@@ -19,7 +19,7 @@ constexpr uint32_t camera_side = 96;
 const Camera start_camera{
     .eye = {0.0, 0.0, 4.0}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 1.0, .near_m = 0.1};
 
-/// The point of the wall that is seen at a place of the page.
+/// The point of the wall at a place of the page.
 glm::dvec3 wall_at(const shared::FrameGlobals& seen, glm::dvec2 page_px)
 {
     const glm::dvec2 ndc = 2.0 * page_px / glm::dvec2(seen.page_px) - 1.0;
@@ -77,7 +77,8 @@ const std::map<std::string, Path> paths{
      }},
 };
 
-/// How far ink that was laid on the wall has strayed from there at the end of a path, in pixels of the page.
+/// How far ink on the wall has drifted from its wall point at the end of a camera path, in pixels of the
+/// page.
 double drift_px(Follow follow, const Path& path)
 {
     constexpr int pictures = 8;
@@ -130,7 +131,7 @@ TEST(InkCamera, DriftsByWhatEachWayToFollowLeavesOut)
     for (const char* path : {"turns", "rolls", "advances", "steps aside"}) {
         EXPECT_GT(drift[fmt::format("page {}", path)], 1.0) << "the camera moves at all: " << path;
         EXPECT_LT(drift[fmt::format("surface {}", path)], still_px) << path;
-        // A wall that faces the eye is a plane before it, until the eye turns.
+        // A wall that faces the eye matches the plane of Follow::advance until the camera turns.
         EXPECT_LT(drift[fmt::format("advance {}", path)], 1.0) << path;
     }
     for (const char* path : {"turns", "rolls"}) {
@@ -142,8 +143,8 @@ TEST(InkCamera, DriftsByWhatEachWayToFollowLeavesOut)
 
 TEST(InkCamera, LeavesNoInkOnWhatWasHidden)
 {
-    // Ink lies on what is near, to the left. Its edge draws back by sixteen pixels and shows more of what is
-    // far.
+    // Ink lies on a near object on the left. The object's edge moves back by sixteen pixels and uncovers more
+    // background.
     InkStyle style = still_ink();
     style.follow = Follow::surface;
     style.amount_per_s = 1000.0F;
@@ -162,7 +163,7 @@ TEST(InkCamera, LeavesNoInkOnWhatWasHidden)
     edge_px = 32;
     bench.advance(style, 2.0, {.is_moved = true});
     const auto after = bench.cells();
-    constexpr uint32_t beyond_halo = 32 + 6; // ink goes with what it flowed off, 5 mm far
+    constexpr uint32_t beyond_halo = 32 + 6; // ink within 5 mm of an object moves with it
     size_t inked = 0;
     size_t wrong = 0;
     for (uint32_t i = 0; i < after.size(); ++i) {
@@ -201,7 +202,7 @@ TEST(InkCamera, StaysOnWhatMovesByItself)
     EXPECT_NEAR(bench.middle_px().x, 24.0 + 6.0, 0.1) << "on the page it goes half as far";
 }
 
-/// Ink of a cube at a place of a face, between its own cells.
+/// Ink of the cube around the eye at a place of a face, interpolated between the face's own cells.
 class Cube {
 public:
     Cube(const Grid& grid, std::vector<glm::vec2> cells) : grid_(grid), cells_(std::move(cells)) {}
@@ -214,7 +215,7 @@ public:
             cells_.at(row * grid_.size.x + static_cast<size_t>(x + int{shared::ink_gutter})).x);
     }
 
-    /// At a place of -1 to 1.
+    /// `place` runs from -1 to 1.
     [[nodiscard]] double at(uint32_t face, glm::dvec2 place) const
     {
         const glm::dvec2 grid = (0.5 * place + 0.5) * static_cast<double>(grid_.face_side) - 0.5;
@@ -225,7 +226,7 @@ public:
                         f.y);
     }
 
-    /// Between cells side by side on one face, at most.
+    /// Largest difference between neighbouring cells of a face.
     [[nodiscard]] double largest_step() const
     {
         double largest = 0.0;
@@ -254,7 +255,7 @@ glm::dvec3 on_face(uint32_t face, glm::dvec2 at)
                       : glm::dvec3(at.x, at.y, towards);
 }
 
-/// Where a direction lies on a face, which it need not be of.
+/// Position of a direction in the plane of a face, even outside the face.
 glm::dvec2 place_on(uint32_t face, const glm::dvec3& d)
 {
     const double along = std::abs(d[static_cast<int>(face / 2)]);

@@ -98,7 +98,7 @@ TEST(Ink, ComesBackWhenTheCameraHasRolledOnce)
     style.oversize = 1.0F;
     Bench bench({side, side});
     bench.keeps_layers = true;
-    // Threads ten cells wide, as the style's own are, within what stays on the page.
+    // Threads ten cells wide, like the style's own, away from the page's edge.
     const auto threads = [](glm::uvec2 cell) {
         const glm::dvec2 at = glm::dvec2(cell) + 0.5 - 0.5 * side;
         const double within = glm::smoothstep(44.0, 36.0, glm::length(at));
@@ -128,7 +128,7 @@ TEST(Ink, ComesBackWhenTheCameraHasRolledOnce)
     RecordProperty("wet, dB", std::to_string(psnr_db.x));
 }
 
-/// Dark everywhere, and spots side by side that give much.
+/// Dark strokes everywhere, and adjacent spots that give much ink.
 InkStyle flood()
 {
     InkStyle style = still_ink();
@@ -155,7 +155,7 @@ TEST(Ink, StaysWithinItsBudget)
         for (int picture = 0; picture < 4; ++picture) {
             bench.advance(style, 0.5 * picture);
             const double covered = bench.mean_cover();
-            // A quarter of the pixels is measured.
+            // Only a quarter of the pixels is measured.
             EXPECT_LE(covered, 1.05 * static_cast<double>(budget) + 0.002) << budget;
             EXPECT_GE(covered, std::min(0.4 * static_cast<double>(budget), 0.5 * unbound)) << budget;
             unbound = budget == 1.0F ? covered : unbound;

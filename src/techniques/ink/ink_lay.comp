@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel: the colour of the ink there, and how far it covers what lies under it.
+// One thread per pixel: the colour and the coverage of the ink.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

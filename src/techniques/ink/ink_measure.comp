@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each thread adds up how much of the page the ink covers at eight pixels, one of each four.
+// Sums the ink's coverage of the page. Each thread reads eight pixels, one of every four.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell of ink: how much the drawing gives there, 0 to 1, in spots.
+// One thread per cell of ink: how much ink the drawing gives there, 0 to 1, in spots.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_vote : require
@@ -26,15 +26,15 @@ layout(binding = 2) uniform sampler2D hatch_image;
 layout(binding = 3) uniform sampler2D line_image;
 layout(binding = 4) uniform sampler2D light_image;
 layout(binding = 5) uniform usampler2D draw_image;
-layout(binding = 6) uniform usamplerBuffer mask_texels;  // one a draw, of the variant that has a mask
-layout(binding = 7) uniform usamplerBuffer state_texels; // for grid.glsl
-layout(binding = 8) uniform sampler2D coordinate_image;  // of the variant whose spots lie on things
-layout(binding = 9) uniform usampler2D footprint_image;  // of the same
-layout(binding = 10) uniform sampler2D depth_image;      // of the same
+layout(binding = 6) uniform usamplerBuffer mask_texels;  // one per draw call, for ink_has_mask
+layout(binding = 7) uniform usamplerBuffer state_texels; // used by grid.glsl
+layout(binding = 8) uniform sampler2D coordinate_image;  // for ink_spots_on_things
+layout(binding = 9) uniform usampler2D footprint_image;  // for ink_spots_on_things
+layout(binding = 10) uniform sampler2D depth_image;      // for ink_spots_on_things
 
 layout(scalar, binding = 11) writeonly buffer Source
 {
-    uint source[]; // one a cell
+    uint source[]; // one word per cell
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -54,20 +54,20 @@ const int strip = (variant & ink_in_strips) != 0u ? int(ink_strip) : 1;
 #include "techniques/ink/front.glsl"
 #include "techniques/ink/grid.glsl"
 
-// Small spots that give ink. There is one in each cell of a lattice; it swells and dies down, and then there
-// is another.
+// Small spots give ink. Each cell of a lattice has one spot, which swells, fades, and is then replaced by
+// another.
 
 #include "shaders/hash.glsl"
 
-// x: how much of what it can a spot gives at a place, 0 to 1; y: its rank, 0 to 1: where ink is to be spared,
-// the highest give none.
+// A spot at a place. x: the share of its ink that the spot gives, 0 to 1; y: the spot's rank, 0 to 1. When
+// the ink nears its budget, spots of high rank give none.
 vec2 no_spot()
 {
     return vec2(0.0, 1.0);
 }
 
-// The spot of a cell. `within` is the place in it, 0 to 1; `normal` that of the surface, which sees a spot
-// above or below it as if it lay there; of the page none.
+// The spot of a lattice cell. `within` is the place in the cell, 0 to 1. `normal` is the surface's normal: a
+// spot above or below the surface is projected onto it.
 vec2 spot_of_cell(uint id, vec3 within, vec3 normal)
 {
     float lives = life.share + unit_float(id);
@@ -81,7 +81,7 @@ vec2 spot_of_cell(uint id, vec3 within, vec3 normal)
     return vec2(gives * min(1.0, 5.0 * min(swell, 1.0 - swell)), unit_float(hash(own ^ 5u)));
 }
 
-// On the page.
+// The spot at a place on the page.
 vec2 spot_on_page(vec2 place_mm)
 {
     vec2 at = place_mm / globals.spacing_mm;
@@ -90,12 +90,12 @@ vec2 spot_on_page(vec2 place_mm)
                         vec3(0.0, 0.0, 1.0));
 }
 
-// On a thing, where strokes have this coordinate, which changes so over a pixel: spots stay on it as it and
-// the camera move. Their size on the page is that of the style to a factor of 1.4.
+// The spot on an object, at a surface coordinate of strokes with this footprint per pixel: spots stay on the
+// object as it and the camera move. Their size on the page matches the style within a factor of 1.4.
 vec2 spot_on_thing(vec3 coordinate, Footprint footprint, float px_per_mm, uint thing)
 {
     vec3 across = cross(footprint.dx, footprint.dy);
-    float area = length(across); // of a pixel
+    float area = length(across); // area of a pixel's footprint
     if (!(area > 0.0)) {
         return no_spot();
     }
@@ -115,7 +115,7 @@ vec2 page_place_of_cell(ivec2 cell)
     return clip.w > 0.0 ? (0.5 * clip.xy / clip.w + 0.5) * vec2(globals.page_px) : vec2(-1.0);
 }
 
-// What is dark, bright or there at a place.
+// Strength of the source at a place: dark strokes, bright light, or any object.
 float drawn_at(vec2 page_px)
 {
     uint word = texelFetch(draw_image, pixel_at(page_px), 0).x;
@@ -162,14 +162,15 @@ vec2 spot_seen_at(ivec2 pixel)
                          draw_of(word));
 }
 
-// Of the page, or of the cube: what a cell beyond the edge of a face shows lies on another.
+// Position in the lattice, on the page or on the cube. A cell in a face's gutter uses the position on the
+// neighbouring face.
 vec2 lattice_place_mm(ivec2 cell)
 {
     vec2 grid = is_around ? grid_place_of_direction(direction_of_cell(cell)) : vec2(cell) + 0.5;
     return (grid - globals.margin_cells) * globals.mm_per_cell;
 }
 
-// Before spots: how much there is to give at a cell's place on the page.
+// Ink that the drawing gives at a place of the page, before spots.
 float given_at(vec2 page_px)
 {
     float given = drawn_at(page_px);
@@ -197,8 +198,8 @@ vec2 spot_at(ivec2 cell, vec2 page_px)
                         : spot_on_page(lattice_place_mm(cell));
 }
 
-// Most cells give nothing, and have no spot worked out: on a processor each thread goes from one of its
-// column that gives to the next.
+// Most cells give no ink and need no spot: on CPUs each thread jumps from one giving cell of its strip to the
+// next.
 void main()
 {
     ivec2 first = ivec2(gl_GlobalInvocationID.xy) * ivec2(1, strip);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell of ink: looks back to where its ink was a step before, lets some of that go and some dry
-// into the paper, and adds what the drawing gives.
+// One thread per cell of ink: traces the ink back to its place one step before, fades some of it, dries some
+// into the paper, and adds ink from the sources.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -17,13 +17,12 @@ layout(scalar, binding = 0) uniform Ink
 };
 
 layout(binding = 1) uniform usamplerBuffer state_texels;
-layout(binding = 2) uniform usamplerBuffer fours_of_state; // the same, four cells a texel
-layout(binding = 3) uniform usamplerBuffer
-    source_texels; // what is given, and the rank of the spot that gives it
-layout(binding = 4) uniform samplerBuffer stream_texels;       // on the page
-layout(binding = 5) uniform sampler2D depth_image;             // of the variant on surfaces
-layout(binding = 6) uniform samplerBuffer depth_before_texels; // of the same
-layout(binding = 7) uniform sampler2D motion_image;            // of the variant that has motion
+layout(binding = 2) uniform usamplerBuffer fours_of_state; // state_texels, with four cells per texel
+layout(binding = 3) uniform usamplerBuffer source_texels; // ink given, and the rank of the spot that gives it
+layout(binding = 4) uniform samplerBuffer stream_texels;  // for ink on the page
+layout(binding = 5) uniform sampler2D depth_image;        // for ink_on_surface and ink_keeps_depth
+layout(binding = 6) uniform samplerBuffer depth_before_texels; // for ink_on_surface
+layout(binding = 7) uniform sampler2D motion_image;            // for ink_has_motion
 
 layout(scalar, binding = 8) buffer Sums
 {
@@ -37,7 +36,7 @@ layout(scalar, binding = 9) writeonly buffer State
 
 layout(scalar, binding = 10) writeonly buffer Depth
 {
-    float depth_now[]; // of the variant that keeps depth
+    float depth_now[]; // for ink_keeps_depth
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -57,7 +56,7 @@ const bool keeps_depth = (variant & ink_keeps_depth) != 0u;
 #include "techniques/ink/grid.glsl"
 #include "techniques/ink/look.glsl"
 
-// Weights of nine cells, of which six in a row count, from the `past`-th on, 0 to 3.
+// Weights of nine cells, of which six in a row, from index `past` (0 to 3) on, are not zero.
 struct NineWeights {
     vec4 first;
     vec4 next;
@@ -76,7 +75,7 @@ NineWeights moved(Weights weights, int past)
                        is_two ? next.z : 0.0);
 }
 
-// x: wet, y: dry. A row is read four cells at a time: what has no weight may come from another row.
+// x: wet, y: dry. Rows are read four cells at a time; cells of weight 0 may belong to another row.
 vec2 ink_at(vec2 grid)
 {
     vec2 at = grid - 0.5;
@@ -107,7 +106,7 @@ vec2 ink_at(vec2 grid)
     return clamp(sum, 0.0, 1.0);
 }
 
-// Around the eye: where ink came from, by the velocity half-way back.
+// Around the eye: the place that ink came from, by the velocity half-way back.
 vec3 direction_before(vec3 direction, int not_negative)
 {
     vec3 drift = vec3(0.0);
@@ -123,10 +122,10 @@ vec3 direction_before(vec3 direction, int not_negative)
     return normalize(direction - drift);
 }
 
-// Where something was in the picture before.
+// Where a visible point was in the last picture.
 struct Before {
     vec2 page_px;
-    float depth; // reversed; below zero behind the eye
+    float depth; // reversed; negative behind the eye
 };
 
 Before own_before(vec2 page_px)
@@ -145,8 +144,8 @@ Before own_before(vec2 page_px)
     return Before(before_px, depth_before);
 }
 
-// Ink that has flowed off a thing goes with it, the less the farther off: else it would tear where what lies
-// behind moves otherwise.
+// Ink next to an object moves with the object, less so with distance. Otherwise it would tear where the
+// background moves differently.
 Before before_at(vec2 page_px)
 {
     const float halo_mm = 5.0;
@@ -179,9 +178,8 @@ float was_seen(Before before)
     return before.depth < 0.0 || is_hidden ? 0.0 : 1.0;
 }
 
-// What is given on the way from a place to one that lies `path` before it: on average,
-// so that what a spot gives is a thread and not a row of beads. Where ink is to be spared fewer spots give,
-// and each as much as ever.
+// Average ink given along the step's path, which ends at `grid`: a spot then gives a thread and not a row of
+// beads. When the ink nears its budget fewer spots give, each at full strength.
 float given_along(vec2 grid, vec2 path)
 {
     const int stops = 4;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a node: the stream function of all that drives ink over the page.
+// One thread per node: the stream function of everything that drives ink over the page.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -14,8 +14,8 @@ layout(scalar, binding = 0) uniform Ink
     InkGlobals globals;
 };
 
-layout(binding = 1) uniform samplerBuffer map_texels;    // of the variant that has a flow map
-layout(binding = 2) uniform samplerBuffer stream_texels; // for carried.glsl
+layout(binding = 1) uniform samplerBuffer map_texels;    // for ink_has_map
+layout(binding = 2) uniform samplerBuffer stream_texels; // used by carried.glsl
 
 layout(scalar, binding = 3) writeonly buffer Nodes
 {

@@ -8,13 +8,13 @@
 
 namespace estampe::ink {
 
-/// What ink that flows does when the camera moves.
+/// What flowing ink sticks to when the camera moves.
 enum class Follow : uint8_t {
-    page,    ///< nothing: it lies on the page
-    turn,    ///< turns along, as what is infinitely far
-    advance, ///< lies on a plane before the eye, and grows as that comes nearer
-    around,  ///< lies on a cube around the eye
-    surface  ///< stays on what it was laid on
+    page,
+    turn,    ///< the background at infinity, which turns with the camera
+    advance, ///< a plane in front of the eye, which grows as the camera advances
+    around,  ///< a cube around the eye
+    surface  ///< the surface that it was given on
 };
 
 enum class Source : uint8_t { strokes, light, things };

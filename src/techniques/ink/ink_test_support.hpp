@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Ink on a page that a test paints, picture by picture.
+// Ink on pages that tests paint, picture by picture.
 
 #include <cmath>
 #include <functional>
@@ -33,7 +33,7 @@ inline InkStyle still_ink()
     return style;
 }
 
-/// A page on which a millimetre is a pixel is a cell.
+/// A page on which a millimetre, a pixel and a cell are equal.
 class Bench {
 public:
     explicit Bench(glm::uvec2 size_px,
@@ -60,7 +60,7 @@ public:
                                        {.size_px = size, .page_height_mm = static_cast<double>(size.y)});
     }
 
-    /// Puts wet and dry ink into the cells, as it is at a moment.
+    /// Sets the wet and dry ink of the cells at a time.
     void fill(const InkStyle& style, const std::function<glm::vec2(glm::uvec2)>& paint, double time_s = 0.0)
     {
         const Grid grid = grid_of(style, page());
@@ -78,7 +78,7 @@ public:
                        gpu::upload_buffer(device, "sums", std::vector<uint32_t>(4))});
     }
 
-    /// Lets the ink go on to a moment.
+    /// Advances the ink to a time.
     void advance(const InkStyle& style, double time_s, const View& view = {},
                  const std::vector<shared::InkZone>& zones = {})
     {
@@ -119,7 +119,7 @@ public:
         return cells;
     }
 
-    /// How far ink covers a pixel of the page.
+    /// Coverage of a pixel of the page.
     [[nodiscard]] float cover(size_t pixel) const
     {
         return static_cast<float>(layer_bytes.at(pixel) >> 24U) / 255.0F;
@@ -134,7 +134,7 @@ public:
         return sum / static_cast<double>(layer_bytes.size());
     }
 
-    /// Where on the page the ink is on average, in pixels.
+    /// Mean position of the ink on the page, in pixels.
     [[nodiscard]] glm::dvec2 middle_px() const
     {
         glm::dvec2 sum(0.0);
@@ -149,7 +149,7 @@ public:
 
     glm::uvec2 size;
     Camera camera;
-    bool keeps_layers = false; ///< what is painted stays as it was first
+    bool keeps_layers = false; ///< keeps the layers that were painted first
     test::Painter<float> hatch_at = [](glm::uvec2) { return 0.0F; };
     test::Painter<float> depth_at = [](glm::uvec2) { return 0.0F; };
     test::Painter<glm::vec4> motion_at = [](glm::uvec2) { return glm::vec4(0.0F); };

@@ -2,17 +2,17 @@
 #ifndef ESTAMPE_INK_LOOK
 #define ESTAMPE_INK_LOOK
 
-// What ink looks like on the page. Wanted before: `globals`.
+// The appearance of ink on the page. Define before: `globals`.
 
-const float dry_cover = 0.5; // of what wet ink covers
+const float dry_cover = 0.5; // factor on the coverage of wet ink
 
-// Most where ink ends: what is carried along by water as it dries stays at its edge.
+// Darkens the edges of ink: drying water carries pigment to the edge of a wash.
 float edged(float body)
 {
     return body * mix(1.0, 4.0 * body * (1.0 - body), globals.edge);
 }
 
-// How far it covers the page where nothing holds it back; y: how dense it is.
+// x: coverage of the page before the budget limits it; y: density.
 vec2 ink_cover(vec2 wet_and_dry)
 {
     vec2 body = smoothstep(vec2(globals.thin), vec2(globals.full), wet_and_dry);
@@ -21,7 +21,7 @@ vec2 ink_cover(vec2 wet_and_dry)
     return vec2(1.0 - (1.0 - wet) * (1.0 - dry), max(body.x, dry_cover * body.y));
 }
 
-// How many pixels of a page are measured: one of four.
+// Number of pixels of the page that are measured: one of four.
 uvec2 measured_size()
 {
     return (globals.measured_px + 1u) / 2u;

@@ -25,44 +25,47 @@ const style::Table<LensStyle>& lens_table()
     static const auto table =
         style::Table<LensStyle>("lens", "Depth of field: a lens that is sharp at one distance")
             .toggle("enabled", &LensStyle::enabled,
-                    "Turns depth of field on: what is nearer or farther than the focus blurs")
+                    "Turns depth of field on: things nearer or farther than the focus are blurred")
             .choice("mode", &LensStyle::mode,
                     {{"gather", Mode::gather},
                      {"separable", Mode::separable},
                      {"mips", Mode::mips},
                      {"sums", Mode::sums},
                      {"circles", Mode::circles}},
-                    "How blur is computed. gather: best, with clean edges; separable: "
-                    "Gaussian blur; mips, sums: quicker, blur runs over edges; circles: shows the blur "
-                    "circles, red in front of the focus and blue behind.")
+                    "How the blur is computed. gather: best, with clean edges; separable: Gaussian blur; "
+                    "mips, sums: quicker, but the blur runs over edges; circles: shows the blur circles, red "
+                    "in front of the focus and blue behind.")
             .choice("acts_on", &LensStyle::acts_on,
                     {{"picture", ActsOn::picture}, {"wash", ActsOn::wash}, {"strokes", ActsOn::strokes}},
-                    "What is blurred. picture: colour, strokes and lines together; wash: colour alone; "
+                    "What the lens blurs. picture: colour, strokes and lines together; wash: colour alone; "
                     "strokes: colour is blurred, while strokes and lines become fewer, wider and paler.")
             .number("focal_mm", &LensStyle::focal_mm, {1.0F, 2000.0F}, "mm",
-                    "Focal length of the lens: more blurs more. The sensor has the size that the camera's "
-                    "field of view requires.")
+                    "Focal length of the lens: more blurs more. The sensor gets the size at which the field "
+                    "of view of the camera stays the same.")
             .number("f_number", &LensStyle::f_number, {0.1F, 128.0F}, "",
                     "Aperture of the lens as an f-number: a low value blurs strongly, a high one keeps more "
                     "in focus")
-            .number("focus_m", &LensStyle::focus_m, {0.0F, 1e6F}, "m",
-                    "Distance of the plane that is sharp. 0 focuses on the middle of the scene.")
+            .number(
+                "focus_m", &LensStyle::focus_m, {0.0F, 1e6F}, "m",
+                "Distance from the camera at which things are sharp. 0 focuses on the middle of the scene.")
             .text("focus_on", &LensStyle::focus_on,
-                  "Object to focus on, instead of lens.focus_m. A * in the name stands for any letters.")
-            .number("largest_mm", &LensStyle::largest_mm, {0.1F, 60.0F}, "mm",
-                    "Largest blur circle of a point on the page: stronger blur is cut to this width")
+                  "Object on which the lens focuses, instead of at lens.focus_m. A * in the name stands for "
+                  "any letters.")
+            .number(
+                "largest_mm", &LensStyle::largest_mm, {0.1F, 60.0F}, "mm",
+                "Largest width on the page of the blur of a point: stronger blur is limited to this width")
             .integer("blades", &LensStyle::blades, {0, 12}, "",
-                     "Number of aperture blades: from 3 on, blurred points of light become polygons. Up to 2 "
-                     "they are round.")
+                     "Number of blades of the lens aperture. From 3 on, blurred points of light become "
+                     "polygons with as many sides. From 0 to 2 they are round.")
             .number("blade_turn_deg", &LensStyle::blade_turn_deg, {0.0F, 360.0F}, "deg",
-                    "Turn of the aperture, and so of the polygons that blurred points of light become. Only "
-                    "used when lens.blades is 3 or more.")
+                    "Rotation of the lens aperture, which rotates the polygons of blurred points of light. "
+                    "Only used when lens.blades is 3 or more.")
             .number("widen", &LensStyle::widen, {0.0F, 4.0F}, "",
-                    "How much wider and farther apart strokes are, for each millimetre of blur: 0 changes "
-                    "nothing. Only used when lens.acts_on is strokes.")
+                    "How much wider and farther apart strokes become for each millimetre of blur: 0 changes "
+                    "nothing, more gives few broad strokes. Only used when lens.acts_on is strokes.")
             .number("pale", &LensStyle::pale, {0.0F, 4.0F}, "",
-                    "How much paler strokes and lines are, for each millimetre of blur: 0 changes nothing. "
-                    "Only used when lens.acts_on is strokes.");
+                    "How much paler strokes and lines become for each millimetre of blur: 0 changes nothing, "
+                    "more is paler. Only used when lens.acts_on is strokes.");
     return table;
 }
 
@@ -72,14 +75,14 @@ const style::Table<LensStyle>& lens_table()
 
 namespace {
 
-constexpr float most_wider_px = 10.0F; // of a line, to each side
+constexpr float most_wider_px = 10.0F; // growth of a line on each side
 
 float most_radius_px(const LensStyle& style, float pixels_per_mm)
 {
     return 0.5F * style.largest_mm * pixels_per_mm;
 }
 
-/// One lens' passes over one page.
+/// The passes of one lens over one page.
 class Passes {
 public:
     Passes(gpu::Graph& graph, const LensInputs& in, const LensStyle& style, shared::LensConstants lens)
@@ -146,7 +149,7 @@ public:
         return add_apply(page, {.near = near, .far = far, .reach = reach}, shared::lens_is_gathered);
     }
 
-    /// Lays a page that was blurred as a whole back into the layers.
+    /// Writes a blurred page back to the layers.
     LensLayers add_blurred(gpu::ImageId page, gpu::ImageId blurred)
     {
         return add_apply(page, {.near = blurred, .far = blurred, .reach = in_.depth}, 0U);
@@ -178,7 +181,7 @@ public:
     }
 
 private:
-    /// What a page is blurred into.
+    /// The results of a blur.
     struct Blurred {
         gpu::ImageId near;
         gpu::ImageId far;
@@ -235,8 +238,9 @@ std::optional<shared::LensConstants> lens_on(const LensStyle& style, const LensP
     if (!style.enabled) {
         return std::nullopt;
     }
-    // On the plane in focus the circle is as wide as the aperture where it is infinitely far: by similar
-    // triangles the same as circle_mm() on a sensor as far behind the lens as its image lies.
+    // The blur circle of an infinitely distant point, measured on the plane in focus, is as wide as the
+    // aperture. By similar triangles this agrees with circle_mm() on the sensor, at the image distance of the
+    // focus.
     const double aperture_m =
         1e-3 * static_cast<double>(style.focal_mm) / static_cast<double>(style.f_number);
     const double radius_px = 0.5 * aperture_m / (page.focus_m * page.pixel_at_one_m);
@@ -262,7 +266,7 @@ uint32_t reach_px(const LensStyle& style, float pixels_per_mm)
     if (!style.enabled) {
         return 0;
     }
-    // A tile looks as far as the circles of its neighbours reach, in texels that lie on whole blocks.
+    // A tile depends on the circles of its neighbours, in texels that are aligned to blocks.
     return static_cast<uint32_t>(std::ceil(2.0F * most_radius_px(style, pixels_per_mm))) +
            2 * shared::lens_block_px;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Depth of field: what is before or behind the plane in focus is drawn as through a thin lens.
+// Depth of field: surfaces in front of or behind the plane in focus are blurred as by a thin lens.
 
 #include <optional>
 #include <string>
@@ -32,34 +32,35 @@ struct LensStyle {
 
 [[nodiscard]] const style::Table<LensStyle>& lens_table();
 
-/// Diameter on the sensor of the circle that a thin lens, focused at one distance, makes of a point at
-/// another, in millimetres. An infinite distance is allowed; a focus within the focal length is none.
+/// Diameter, in millimetres on the sensor, of the circle of confusion of a thin lens that is focused at
+/// `focus_m`, for a point at `distance_m`. An infinite distance is allowed; a focus within the focal length
+/// is not.
 [[nodiscard]] double circle_mm(double focal_mm, double f_number, double focus_m, double distance_m);
 
-/// The page that a lens draws on. The camera stands where the lens does; its field of view is what the sensor
-/// takes in when the lens is focused.
+/// The page that a lens draws on. The lens is at the camera's position; the camera's field of view is that of
+/// the focused lens.
 struct LensPage {
     double focus_m = 1.0;
-    double near_m = 0.01;          ///< of the camera: reversed depth is this over the distance
-    double pixel_at_one_m = 0.001; ///< what a pixel spans at a distance of one metre
-    float pixels_per_mm = 1.0F;    ///< of the page
-    float line_half_px = 1.0F;     ///< of the widest line: what of it lies beyond the edge it follows
+    double near_m = 0.01;          ///< the camera's near plane: reversed depth is near_m / distance
+    double pixel_at_one_m = 0.001; ///< size of a pixel at a distance of one metre
+    float pixels_per_mm = 1.0F;    ///< pixels per millimetre of the page
+    float line_half_px = 1.0F;     ///< how far the widest line extends beyond its edge
 };
 
-/// A lens that is there: what all its passes share. None where the style has none.
+/// Returns the constants that all passes of the lens share; none if the style has no lens.
 [[nodiscard]] std::optional<shared::LensConstants> lens_on(const LensStyle& style, const LensPage& page);
 
-/// How far off the pixels may lie that a pixel hangs on.
+/// How far away the pixels may lie that one pixel depends on.
 [[nodiscard]] uint32_t reach_px(const LensStyle& style, float pixels_per_mm);
 
 struct LensInputs {
-    gpu::ImageId depth;    ///< r32f: reversed, 0 where nothing is
+    gpu::ImageId depth;    ///< r32f: reversed, 0 where no surface is visible
     gpu::ImageId wash;     ///< rgba16f
     gpu::ImageId hatch;    ///< r16f
     gpu::ImageId lines;    ///< rgba8
     gpu::ImageId sky_ink;  ///< r16f
-    bool has_sky = false;  ///< else there is no such ink
-    glm::uvec2 from_px{0}; ///< where on the page the first pixel lies
+    bool has_sky = false;  ///< false: `sky_ink` is not used
+    glm::uvec2 from_px{0}; ///< position of the first pixel on the page
     glm::uvec2 size_px{0};
 };
 
@@ -67,23 +68,23 @@ struct LensLayers {
     gpu::ImageId wash;
     gpu::ImageId hatch;
     gpu::ImageId lines;
-    bool holds_sky = true; ///< `hatch` has the sky's ink where nothing is seen
+    bool holds_sky = true; ///< `hatch` contains the sky's ink where no surface is visible
 };
 
-/// Draws layers as the lens sees them: all together or the wash alone, so that on paper they are the picture
-/// blurred, and the paper is not.
+/// Blurs the layers as the lens sees them, either all together or only the wash. Composed on paper they look
+/// like the blurred picture, while the paper itself stays sharp.
 ///
-/// Writes  new layers; where a circle is smaller than a pixel, and nothing falls on it from before, they keep
-///         their bits
-/// Cost    gather: a pass over the page that packs it, six over ever smaller pages, one over a quarter of its
-///         pixels with up to 98 texels each, one over the page with 17; separable 26 texels a pixel, mips and
-///         sums 20 at most
+/// Writes  new layers; pixels whose circle is smaller than a pixel keep their bits unless a nearer surface
+///         blurs over them
+/// Cost    gather: one pass over the page for packing, six over smaller and smaller pages, one over a quarter
+///         of the pixels with up to 98 texels each, one over the page with 17. separable: 26 texels per
+///         pixel; mips and sums: at most 20
 [[nodiscard]] LensLayers add_lens(gpu::Graph& graph, const LensInputs& in, const LensStyle& style,
                                   shared::LensConstants lens);
 
-/// What strokes are drawn by where they become wider and fewer out of focus.
+/// Enlarges the footprints by which strokes are drawn, so that strokes become wider and fewer out of focus.
 ///
-/// Writes  rgba32ui: the footprints of shaders/surface_images.glsl, larger
+/// Writes  rgba32ui: the enlarged footprints, see shaders/surface_images.glsl
 /// Cost    one full-screen dispatch
 [[nodiscard]] gpu::ImageId add_wider_strokes(gpu::Graph& graph, gpu::ImageId depth, gpu::ImageId footprint,
                                              glm::uvec2 size_px, const shared::LensConstants& lens);

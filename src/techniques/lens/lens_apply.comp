@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread lays what the lens makes of a pixel back into the layers. What is sharp keeps its bits.
+// One thread writes a pixel's blurred colour and ink back to the layers. Sharp pixels keep their bits.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -14,7 +14,7 @@ layout(binding = 1) uniform sampler2D hatch_image;
 layout(binding = 2) uniform sampler2D line_image;
 layout(binding = 3) uniform sampler2D sky_ink_image;
 layout(binding = 4) uniform usampler2D page_image;
-layout(binding = 5) uniform usampler2D near_image; // of the variant that is gathered; else the blurred page
+layout(binding = 5) uniform usampler2D near_image; // the blurred page unless lens_is_gathered is set
 layout(binding = 6) uniform usampler2D far_image;
 layout(binding = 7) uniform sampler2D reach_image;
 layout(binding = 8, rgba16f) writeonly uniform image2D out_wash;
@@ -35,7 +35,7 @@ const bool shows_circles = (variant & lens_shows_circles) != 0u;
 #include "techniques/lens/lens_texel.glsl"
 #include "shaders/layers.glsl"
 
-// What the pixel shows, and whether anything but itself is in that.
+// The layers that a pixel shows, and whether other pixels contribute to them.
 struct Seen {
     LayerSample layers;
     bool is_blurred;
@@ -43,7 +43,7 @@ struct Seen {
 
 const int small_side = 3;
 
-// What is nearly sharp is gathered from the pixels themselves.
+// Blurs a nearly sharp pixel from the page's pixels.
 Seen nearly_sharp(ivec2 pixel, LensTexel own, float reach_px)
 {
     float own_radius = abs(own.radius_px);
@@ -61,7 +61,7 @@ Seen nearly_sharp(ivec2 pixel, LensTexel own, float reach_px)
                 all(greaterThanEqual(at, ivec2(0))) && all(lessThan(uvec2(at), constants.size_px));
             LensTexel tap =
                 unpack_texel(texelFetch(page_image, clamp(at, ivec2(0), ivec2(constants.size_px) - 1), 0));
-            // What lies behind fills no more than the circle of what it is seen past.
+            // A surface behind this pixel spreads no farther than this pixel's own circle.
             bool is_behind = tap.radius_px > own.radius_px;
             float radius = is_behind ? min(abs(tap.radius_px), own_radius) : abs(tap.radius_px);
             float share = disc_share(max(radius, lens_sharp_px), aperture_distance(vec2(aside)));
@@ -76,7 +76,7 @@ Seen nearly_sharp(ivec2 pixel, LensTexel own, float reach_px)
     return Seen(is_blurred ? scaled(sum, 1.0 / max(weights, 1e-6)) : own.layers, is_blurred);
 }
 
-// Between four texels of a field; its cover, where it has any, is in place of radii.
+// Bilinear lookup in a field. In the near field, radius_px of the result is its coverage.
 LensTexel between(usampler2D field_image, ivec2 pixel, bool is_wanted)
 {
     vec2 place = 0.5 * (vec2(pixel + ivec2(constants.pad_px)) + 0.5) - 0.5;
@@ -84,7 +84,7 @@ LensTexel between(usampler2D field_image, ivec2 pixel, bool is_wanted)
     vec2 part = place - vec2(corner);
     ivec2 most = level_size(1) - 1;
     LensTexel sum = LensTexel(no_sample, 0.0, 1.0);
-    int rounds = is_wanted ? 1 : 0; // a loop, as processors do what an `if` leaves out
+    int rounds = is_wanted ? 1 : 0; // a loop, because CPU drivers execute both branches of an `if`
     for (int round = 0; round < rounds; ++round) {
         [[unroll]] for (int i = 0; i < 4; ++i)
         {
@@ -113,7 +113,7 @@ Seen gathered(ivec2 pixel, LensTexel own)
     return Seen(sample_here, seen.is_blurred || far > 0.0 || cover > 0.0);
 }
 
-// Blue behind the plane in focus, red before it, white in it.
+// Blue behind the plane in focus, red in front of it, white in focus.
 vec3 circle_color(float radius_px)
 {
     float share = clamp(abs(radius_px) / max(constants.most_px, 1e-6), 0.0, 1.0);

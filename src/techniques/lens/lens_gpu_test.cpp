@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a lens makes of layers that the tests paint themselves.
+// A lens applied to layers that the tests paint themselves.
 #include "techniques/lens/lens.hpp"
 
 #include <algorithm>
@@ -17,15 +17,15 @@ namespace {
 constexpr glm::uvec2 size_px(96, 72);
 constexpr double near_m = 0.1;
 constexpr double focus_m = 2.0;
-constexpr float infinite_px = 8.0F; ///< radius of what is infinitely far
+constexpr float infinite_px = 8.0F; ///< radius of the blur circle at infinite distance
 
-/// With a reversed depth of near over distance.
+/// Reversed depth, near_m / distance.
 float depth_at(double away_m)
 {
     return static_cast<float>(near_m / away_m);
 }
 
-/// Where a circle has that radius, below 0 before the plane in focus.
+/// Depth at which the blur circle has this radius; negative in front of the plane in focus.
 float depth_of(float radius_px)
 {
     return static_cast<float>(near_m / focus_m) * (1.0F - radius_px / infinite_px);
@@ -40,7 +40,7 @@ shared::LensConstants lens_of(const LensStyle& style)
     return lens_on(style, page).value();
 }
 
-/// Anything, but the same each time.
+/// Arbitrary but reproducible values.
 float noise(glm::uvec2 pixel, uint32_t seed)
 {
     uint32_t bits = (pixel.x + 977U * pixel.y + 65537U * seed) * 747796405U + 2891336453U;
@@ -113,7 +113,7 @@ constexpr Mode blurring[] = {Mode::gather, Mode::separable, Mode::mips, Mode::su
 TEST(LensGpu, KeepsWhatIsInFocusToTheBit)
 {
     Painted page = noisy();
-    // The plane in focus, and what is so near to it that its circle is within a pixel.
+    // Surfaces in focus, and those whose blur circle is smaller than a pixel.
     page.depth = [](glm::uvec2 p) { return depth_of(0.49F * (2.0F * noise(p, 9) - 1.0F)); };
     const Seen drawn = look(page, {}, Through::nothing);
     for (const Mode mode : blurring) {
@@ -146,11 +146,11 @@ TEST(LensGpu, BlursWhatIsNotInFocus)
 struct Blot {
     double energy = 0.0;
     double spread_px = 0.0; ///< root mean square distance from the point
-    double edge_px = 0.0;   ///< farthest pixel with a tenth of the most
+    double edge_px = 0.0;   ///< distance of the farthest pixel with a tenth of the maximum
     glm::dvec2 middle{0.0};
 };
 
-/// What becomes of a single point of light at such a place, whose circle has that radius.
+/// The blur of a single point of light at a place, with the given radius.
 Blot blot_of(const LensStyle& style, glm::uvec2 place, float radius_px, float ground_px)
 {
     Painted page;
@@ -185,11 +185,11 @@ TEST(LensGpu, KeepsTheEnergyOfAPoint)
         double energy = 0.0;
         for (const glm::uvec2 place : {glm::uvec2(48, 36), glm::uvec2(49, 37), glm::uvec2(51, 34)}) {
             const Blot blot = blot_of(style, place, radius_px, radius_px);
-            // It is somewhere within a texel of the level on which it is gathered.
+            // The point's position is only known to a texel of the level on which it is gathered.
             const double texel_px = std::exp2(std::ceil(std::log2(std::abs(radius_px) / 3.0)));
             EXPECT_LT(glm::length(blot.middle), std::max(texel_px - 1.0, 1.0) * std::sqrt(0.5) + 0.05)
                 << radius_px;
-            // A disc's root mean square distance from its middle.
+            // The root mean square distance of a disc's points from its centre.
             EXPECT_NEAR(blot.spread_px, std::abs(radius_px) / std::sqrt(2.0), 0.6) << radius_px;
             EXPECT_NEAR(blot.edge_px, std::abs(radius_px), std::max(texel_px, 2.0)) << radius_px;
             energy += blot.energy / 3.0;
@@ -202,7 +202,7 @@ TEST(LensGpu, KeepsTheEnergyOfAPoint)
 
 TEST(LensGpu, DrawsThePolygonOfTheBlades)
 {
-    // Three blades: farther out towards a corner than towards a side, and as much light.
+    // Three blades: light reaches farther towards a corner than towards a side, and its sum is equal.
     const LensStyle round{.enabled = true, .mode = Mode::gather};
     const LensStyle bladed{.enabled = true, .mode = Mode::gather, .blades = 3};
     const glm::uvec2 place(48, 36);
@@ -250,7 +250,7 @@ TEST(LensGpu, SpreadsWhatIsNearOverWhatIsSharp)
     constexpr float radius = 6.0F;
     const Seen seen = look(halves(-radius, 0.0F), {.enabled = true, .mode = Mode::gather});
     for (uint32_t x = 48; x < 64; ++x) {
-        // The share of a disc about the pixel that lies to the left of the edge.
+        // The share of a disc around the pixel that lies left of the edge.
         const double off = std::min((static_cast<double>(x) + 0.5 - 48.0) / static_cast<double>(radius), 1.0);
         const double share = (std::acos(off) - off * std::sqrt(1.0 - off * off)) / 3.14159265;
         EXPECT_NEAR(seen.paint(x, 36).x, 0.1 + 0.8 * share, 0.05) << x;
@@ -263,7 +263,7 @@ TEST(LensGpu, SpreadsWhatIsNearOverWhatIsSharp)
 
 TEST(LensGpu, FindsTheSameOnATileOfThePage)
 {
-    // Blocks are counted from the page's corner: a window that begins elsewhere sees them where they were.
+    // Blocks are counted from the page's corner, so a window with another origin has equal blocks.
     const auto shifted = [](glm::uvec2 by) {
         Painted page = noisy();
         page.depth = [=](glm::uvec2 p) { return depth_of(8.0F * noise((p + by) / 12U, 3) - 3.0F); };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread draws the ink of a pixel as a softer pencil does: lines as wide as the circle about them lets
-// them be, and paler by that.
+// One thread draws the ink of a pixel as with a softer pencil: lines become wider with the blur circle, and
+// paler to match.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_LENS_INK
 #define ESTAMPE_LENS_INK
 
-// What becomes of ink that is drawn out of focus. Whoever includes this has `constants`.
+// How ink changes out of focus. The including shader must declare `constants`.
 
-// By how much more than a point a circle blurs, of the last word of a packed texel.
+// How much a circle's radius exceeds that of a sharp point. `rest` is the last word of a packed texel.
 float wider_by(uint rest)
 {
     return max(abs(unpackHalf2x16(rest).x) - lens_sharp_px, 0.0);

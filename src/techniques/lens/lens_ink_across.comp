@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread finds which line, across the page, would cover a pixel most when lines are as wide as the circle
-// about them lets them be.
+// One thread searches the pixel's row for the line that covers the pixel most after lines are widened by
+// their blur circles.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -11,7 +11,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform sampler2D line_image;
 layout(binding = 1) uniform usampler2D page_image;
-layout(binding = 2, rg32ui) writeonly uniform uimage2D out_line; // colour and cover; radius, how far aside
+layout(binding = 2, rg32ui) writeonly uniform uimage2D out_line; // colour, coverage; radius, distance
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -36,7 +36,7 @@ void main()
         float radius = min(0.5 * constants.widening * wider_px, constants.most_wider_px - 0.5) + 0.5;
         float away = abs(float(aside));
         float cover = line.a * paled(wider_px);
-        // Of two as dark the nearer.
+        // Between equally dark lines, the nearer one wins.
         float score = cover * (aside == 0 ? 1.0 : clamp(radius - away, 0.0, 1.0)) - 1e-4 * away;
         kept = score > best ? uvec2(packUnorm4x8(vec4(line.rgb, cover)), packHalf2x16(vec2(radius, away)))
                             : kept;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread gathers the layers of a pixel in one texel, with the circle that the lens makes of a point
-// there.
+// One thread packs the layers of a pixel and the radius of its circle of confusion into one texel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -29,7 +28,7 @@ const bool is_wash_only = (variant & lens_wash_only) != 0u;
 #include "shaders/layers.glsl"
 #include "shaders/line_owner.glsl"
 
-// The circle's radius is linear in reversed depth.
+// The radius of the circle of confusion is linear in reversed depth.
 float radius_of(float depth)
 {
     float radius = constants.radius_px - constants.radius_per_depth * depth;

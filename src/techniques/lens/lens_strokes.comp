@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread lets the strokes of a pixel be as wide, and as far from each other, as the lens wants them: the
-// page is as coarse there as if it were seen from that much farther away.
+// One thread enlarges the stroke footprint of a pixel, so that strokes are as wide and as far apart as if the
+// surface were seen from farther away.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -28,7 +28,7 @@ void main()
     float radius = abs(constants.radius_px - constants.radius_per_depth * depth);
     float wider = 1.0 + constants.widening_per_px * max(min(radius, constants.most_px) - lens_sharp_px, 0.0);
     uvec4 footprint = texelFetch(footprint_image, pixel, 0);
-    footprint.w =
-        floatBitsToUint(uintBitsToFloat(footprint.w) * wider); // its scale, see shaders/surface_images.glsl
+    // The last word is the footprint's scale, see shaders/surface_images.glsl.
+    footprint.w = floatBitsToUint(uintBitsToFloat(footprint.w) * wider);
     imageStore(out_footprint, pixel, footprint);
 }

@@ -22,7 +22,7 @@ TEST(Lens, MakesTheCirclesOfAThinLens)
 
 TEST(Lens, MakesTheSameCirclesOnThePage)
 {
-    // A sensor that stands where the lens throws the image of the plane in focus.
+    // The sensor is at the distance where the lens projects the plane in focus.
     const LensStyle style{
         .enabled = true, .mode = Mode::gather, .focal_mm = 85.0F, .f_number = 1.8F, .largest_mm = 60.0F};
     constexpr double focus_m = 3.0;

@@ -2,14 +2,15 @@
 #ifndef ESTAMPE_LENS_TEXEL
 #define ESTAMPE_LENS_TEXEL
 
-// What the lens' passes hand on of a place. Whoever includes this has `constants`, and `variant`.
+// The packed texel that the lens passes exchange. The including shader must declare `constants` and
+// `variant`.
 
 #include "shaders/layer_sample.glsl"
 
 struct LensTexel {
     LayerSample layers;
-    float radius_px; // of the circle of confusion; below 0 before the plane in focus
-    float part;      // of the texel's area that is taken
+    float radius_px; // radius of the circle of confusion; negative in front of the plane in focus
+    float part;      // part of the texel's area that is covered
 };
 
 uvec4 pack_texel(LensTexel t)
@@ -23,14 +24,14 @@ LensTexel unpack_texel(uvec4 packed)
     return LensTexel(unpack_sample(packed), rest.x, rest.y);
 }
 
-// Of the drawn pixels and of what lies before them up to the corner of a block, in whole blocks.
+// Size of the drawn image, extended to whole blocks of the page.
 ivec2 padded_px()
 {
     ivec2 size = ivec2(constants.size_px + constants.pad_px + lens_block_px - 1u);
     return size - size % int(lens_block_px);
 }
 
-// Levels lie in one image: the first above, the others side by side below it.
+// All levels are in one image: the first at the top, the others side by side below it.
 ivec2 level_origin(int level)
 {
     ivec2 padded = padded_px();
@@ -42,7 +43,7 @@ ivec2 level_size(int level)
     return padded_px() >> level;
 }
 
-// How much something is of the near field, which is spread over what lies behind it, or of the far one.
+// The share of a surface in the near field, which blurs over what lies behind it.
 float near_share(float radius_px)
 {
     return smoothstep(lens_nearly_px, lens_blurred_px, -radius_px);
@@ -53,13 +54,13 @@ float far_share(float radius_px)
     return smoothstep(lens_nearly_px, lens_blurred_px, radius_px);
 }
 
-// Of a blur of a disc that is gathered from squares which are themselves means: what is left to it.
+// The radius that remains for a disc blur, given that the texels gathered are themselves means over squares.
 float disc_texels(float radius_texels)
 {
     return sqrt(max(radius_texels * radius_texels - 0.67, 0.25));
 }
 
-// How far a tap lies from the middle of an aperture, where a disc counts by its radius.
+// Distance of a tap from the centre of the aperture, scaled so that a polygonal aperture counts as a disc.
 float aperture_distance(vec2 offset)
 {
     float away = sqrt(dot(offset, offset));
@@ -71,7 +72,7 @@ float aperture_distance(vec2 offset)
     return away;
 }
 
-// How much of the light of a tap falls on a place `away` from it, both in texels.
+// The share of a tap's light that falls on a place at distance `away`; both lengths are in texels.
 float disc_share(float radius, float away)
 {
     return clamp(radius + 0.5 - away, 0.0, 1.0) / (3.14159265 * (radius * radius + 1.0 / 12.0));

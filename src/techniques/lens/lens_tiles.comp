@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread finds the largest circles of a tile: before the plane in focus, and of all.
+// One thread finds two radii of a tile: the largest in front of the plane in focus, and the largest of all.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -16,9 +16,9 @@ const style::Table<SunStyle>& sun_table()
     static const auto table =
         style::Table<SunStyle>("sun", "Position of the sun by place, date and hour")
             .choice("by", &SunStyle::by, {{"direction", SunBy::direction}, {"place", SunBy::place}},
-                    "What places the sun. direction: the scene's lights or light.sun_azimuth_deg; place: "
-                    "date, hour and place on earth, instead of the scene's directional lights. With place, "
-                    "the sky takes on the colours of the hour.")
+                    "How the position of the sun is set. direction: by the scene's lights or "
+                    "light.sun_azimuth_deg; place: by date, hour and place on earth, which replaces the "
+                    "scene's directional lights. With place, the sky takes the colours of the hour.")
             .number(
                 "latitude_deg", &SunStyle::latitude_deg, {-90.0F, 90.0F}, "deg",
                 "Latitude of the place on earth, positive towards the north. Only used when sun.by is place.")
@@ -26,17 +26,17 @@ const style::Table<SunStyle>& sun_table()
                     "Longitude of the place on earth, positive towards the east. Only used when sun.clock is "
                     "zone.")
             .text("date", &SunStyle::date,
-                  "Date that sets the path of the sun over the sky: year, month and day, as in 2026-06-21. "
+                  "Date for which the path of the sun is computed: year, month and day, as in 2026-06-21. "
                   "Only used when sun.by is place.")
             .number("hour", &SunStyle::hour, {0.0F, 24.0F}, "h",
                     "Time of day in hours, with fractions: 17.5 is half past five in the afternoon. Only "
                     "used when sun.by is place.")
             .choice("clock", &SunStyle::clock, {{"sundial", Clock::sundial}, {"zone", Clock::zone}},
-                    "What sun.hour counts. sundial: solar time, with the sun highest at 12; zone: the clock "
-                    "of a time zone. Only used when sun.by is place.")
+                    "Clock that sun.hour is read from. sundial: solar time, with the sun highest at 12; "
+                    "zone: the clock of a time zone. Only used when sun.by is place.")
             .number("utc_offset_hours", &SunStyle::utc_offset_hours, {-14.0F, 14.0F}, "h",
-                    "How far the clock is ahead of universal time (UTC): 1 is Central European winter time. "
-                    "Only used when sun.clock is zone.")
+                    "Hours by which the clock is ahead of universal time (UTC): 1 is Central European winter "
+                    "time. Only used when sun.clock is zone.")
             .number("north_deg", &SunStyle::north_deg, {-360.0F, 360.0F}, "deg",
                     "Bearing of north in the scene: 0 is +z, 90 is +x. East lies a quarter turn clockwise "
                     "from north, seen from above. Only used when sun.by is place.")
@@ -48,7 +48,7 @@ const style::Table<SunStyle>& sun_table()
                     "evening. Only used when sun.by is place.")
             .number("moon", &SunStyle::moon, {0.0F, 1.0F}, "",
                     "Brightness of moonlight, as a share of the light at noon: 0 is a moonless night. The "
-                    "moon is full and stands across from the sun. Only used when sun.by is place.");
+                    "moon is full and stands opposite the sun. Only used when sun.by is place.");
     return table;
 }
 
@@ -61,7 +61,7 @@ glm::vec3 of_brightness_one(const glm::vec3& color)
     return color / std::max(luminance(color), 1e-6F);
 }
 
-/// 0 below `low`, 1 above `high`.
+/// Smooth step from 0 below `low` to 1 above `high`.
 float between(double low, double high, double x)
 {
     return static_cast<float>(glm::smoothstep(low, high, x));
@@ -75,22 +75,22 @@ SunPosition position_of(const SunStyle& style)
                                                         style.latitude_deg, style.longitude_deg);
 }
 
-/// Where light comes from while the sun is low: from its glow once it has set, which spreads upwards.
+/// Elevation of the light at dusk: after sunset it comes from the sun's glow, which spreads upwards.
 double height_of_glow(double elevation_deg)
 {
     return elevation_deg > lowest_deg ? elevation_deg
                                       : lowest_deg + std::min(4.0 * std::max(-elevation_deg, 0.0), 25.0);
 }
 
-/// Strength and colour of the sun. Eyes and paper make little of how much weaker it gets as it sets, and a
-/// glow stays behind.
+/// Strength and colour of the sun. Eyes and paper compress the falling strength of a setting sun, and the
+/// glow remains after it has set.
 glm::vec3 sun_of(double elevation_deg, const SunStyle& style)
 {
     const auto through = [&](double deg) {
         return glm::vec3(sunlight_through_air(glm::radians(deg), static_cast<double>(style.haze)));
     };
     const float strength = std::max(std::pow(luminance(through(elevation_deg)), 0.25F), 0.3F);
-    // The last light is rosy rather than the red of the disc itself.
+    // The last light is rosier than the red of the sun's disc.
     const glm::vec3 hue = of_brightness_one(through(std::max(elevation_deg, lowest_deg)));
     return strength * between(-8.0, 0.5, elevation_deg) * glm::mix(glm::vec3(1.0F), hue, style.warmth);
 }
@@ -120,7 +120,7 @@ std::optional<Daylight> daylight_of(const SunStyle& style)
     day.towards_moon = -bearing(azimuth, glm::radians(std::min(deg, -lowest_deg)));
     day.sun = sun_of(deg, style);
     day.moon = style.moon * between(2.0, 10.0, -deg) * of_brightness_one({0.5F, 0.85F, 1.8F});
-    // At dusk nearly all of the light comes from everywhere.
+    // At dusk nearly all light is ambient.
     const float dusk = between(-9.0, -1.0, deg) * (1.0F - between(0.0, 10.0, deg));
     day.ambient = glm::mix(0.55F * of_brightness_one({0.4F, 0.75F, 2.2F}),
                            of_brightness_one({0.96F, 1.0F, 1.08F}), between(-12.0, 0.0, deg)) *
@@ -134,7 +134,7 @@ void set_daylight(Lighting& lighting, const Daylight& daylight, const LightStyle
         return;
     }
     const float scale = std::exp2(style.exposure_stops) / (1.0F + style.fill);
-    // A black sun too: a scene out of doors keeps its sky in a night without a moon.
+    // Adds a black sun too: an outdoor scene keeps its sky in a moonless night.
     std::vector records{parallel_light(daylight.towards_sun, scale * daylight.sun)};
     if (luminance(daylight.moon) > 0.0F) {
         records.push_back(parallel_light(daylight.towards_moon, scale * daylight.moon));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The light of an hour: sun, dusk and moon over a place, as the style's sun says.
+// The light at a time of day: sun, dusk and moon at a place on earth, from the style's section `sun`.
 
 #include <optional>
 #include <string>
@@ -32,21 +32,21 @@ struct SunStyle {
 [[nodiscard]] const style::Table<SunStyle>& sun_table();
 
 struct Daylight {
-    double elevation_rad = 0.0;            ///< of the sun as it is seen; below 0 when it is night
+    double elevation_rad = 0.0;            ///< apparent elevation of the sun; below 0 at night
     glm::dvec3 towards_sun{0.0, 1.0, 0.0}; ///< where its light comes from: never lower than 3 degrees
     glm::dvec3 towards_moon{0.0, 1.0, 0.0};
-    glm::vec3 sun{0.0F};     ///< 1 is a sun overhead; after it has set its glow, until 8 degrees under
-    glm::vec3 moon{0.0F};    ///< from when the sun is 2 degrees under the horizon
-    glm::vec3 ambient{1.0F}; ///< factor of the light from everywhere
+    glm::vec3 sun{0.0F};  ///< 1 is a sun overhead; after sunset the glow, until 8 degrees below the horizon
+    glm::vec3 moon{0.0F}; ///< 0 until the sun is 2 degrees below the horizon
+    glm::vec3 ambient{1.0F}; ///< factor on the ambient light
 };
 
-/// The light of the style's place and hour; none where the sun stands by direction. Throws Error, naming the
-/// key, for a date that is none.
+/// The light at the style's place and hour; none if sun.by is direction. Throws Error, naming the key, for an
+/// invalid date.
 [[nodiscard]] std::optional<Daylight> daylight_of(const SunStyle& style);
 
-/// Puts sun, moon and fill in the place of the directional lights of `lighting`, at the strength of the hour:
-/// exposure stays that of noon, so evenings are dark. Lamps stay as they are. Nothing changes in a room lit
-/// by its own lamp, nor where the style asks for the scene's lights alone.
+/// Replaces the directional lights of `lighting` with sun, moon and fill, at the strength of the hour. The
+/// exposure stays that of noon, so evenings are dark. Lamps stay. Changes nothing indoors under the default
+/// lamp, or if the style uses only the scene's lights.
 void set_daylight(Lighting& lighting, const Daylight& daylight, const LightStyle& style);
 
 } // namespace estampe::light

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The light of an hour: where it comes from, how strong it is, and what it leaves alone.
+// The light of a time of day: its direction and strength, and the lights that it leaves unchanged.
 #include "core/color.hpp"
 #include "techniques/light/daylight.hpp"
 
@@ -26,7 +26,7 @@ Daylight light_at(float hour)
     return daylight_of(at_hour(hour)).value();
 }
 
-/// A sun of the scene, its fill, and a lamp.
+/// A directional light of the scene, its fill, and a lamp.
 Lighting scene_lighting()
 {
     Lighting lighting;
@@ -49,7 +49,7 @@ TEST(Daylight, NoneWhereTheSunStandsByDirection)
 
 TEST(Daylight, ComesFromEastSouthAndWestOfTheScenesNorth)
 {
-    // North is -z unless said otherwise, so east is +x and south +z.
+    // By default north is -z, so east is +x and south +z.
     EXPECT_GT(light_at(8.0F).towards_sun.x, 0.5);
     EXPECT_GT(light_at(12.0F).towards_sun.z, 0.6);
     EXPECT_NEAR(light_at(12.0F).towards_sun.x, 0.0, 1e-6);
@@ -71,7 +71,7 @@ TEST(Daylight, ClockOfAZoneKnowsLongitude)
     style.longitude_deg = 15.0F;
     const double bearing_of_noon =
         std::atan2(daylight_of(style)->towards_sun.x, daylight_of(style)->towards_sun.z);
-    // On 20 March clocks are 7.5 minutes ahead of sundials, nearly 2 degrees.
+    // On 20 March the clock is 7.5 minutes ahead of a sundial, nearly 2 degrees.
     EXPECT_GT(bearing_of_noon, 0.02);
     EXPECT_LT(bearing_of_noon, 0.06);
     style.longitude_deg = 30.0F;
@@ -82,7 +82,7 @@ TEST(Daylight, WeakensAndWarmsTowardsTheEveningAndNeverJumps)
 {
     EXPECT_NEAR(luminance(light_at(12.0F).sun), 1.0F, 0.1F);
     Daylight before = light_at(12.0F);
-    for (int step = 1; step <= 4320; ++step) { // of ten seconds
+    for (int step = 1; step <= 4320; ++step) { // steps of ten seconds
         const Daylight now = light_at(12.0F + static_cast<float>(step) / 360.0F);
         EXPECT_LE(luminance(now.sun), luminance(before.sun) + 1e-5F);
         EXPECT_GE(luminance(now.moon), luminance(before.moon) - 1e-5F);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light in, light out: what analysis says of simple places.
+// Conservation of energy: light in simple scenes against analytic results.
 #include <gtest/gtest.h>
 
 #include <estampe/shapes.hpp>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr glm::uvec2 energy_px(96, 72);
 
-/// A sphere seen from within, all of it facing its centre.
+/// A sphere seen from inside, with normals towards its centre.
 test::Drawing inside_of_sphere(float radius_m)
 {
     Primitive sphere = shapes::sphere(radius_m, 128, 64);
@@ -40,7 +40,8 @@ TEST(LightEnergy, ALampInTheMiddleOfASphereGivesIntensityOverRadiusSquared)
     for (const glm::vec4& pixel : drawing.light({.records = {lamp}})) {
         EXPECT_NEAR(pixel.x, wanted, 0.01F * wanted);
     }
-    // The thesis's fall-off: at half the range three quarters are left.
+    // Falloff of the unit volume in Zanuttini's thesis: three quarters of the light are left at half the
+    // range.
     lamp.type |= shared::light_unit_volume;
     lamp.range_m = 2.0F * radius_m;
     lamp.color = glm::vec3(2.0F);
@@ -51,12 +52,12 @@ TEST(LightEnergy, ALampInTheMiddleOfASphereGivesIntensityOverRadiusSquared)
 
 TEST(LightEnergy, AWhiteFurnaceIsEven)
 {
-    // Light of one from all sides arrives as one, whichever way a surface looks.
+    // Uniform light of 1 from all directions gives 1 on a surface in any orientation.
     test::Drawing drawing = inside_of_sphere(2.0F);
     for (const glm::vec4& pixel : drawing.light({.ambient = glm::vec3(1.0F)})) {
         EXPECT_NEAR(pixel.x, 1.0F, 0.01F);
     }
-    // So do very many suns spread evenly over the sphere, of 4 pi / n of radiance one each, over pi.
+    // The same holds for very many suns, evenly spread over the sphere, each 4 pi / n of radiance 1, over pi.
     std::vector<shared::LightRecord> suns;
     const int count = 1500;
     for (int i = 0; i < count; ++i) {

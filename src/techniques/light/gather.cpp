@@ -17,7 +17,7 @@ namespace {
 
 constexpr float least_light = 1.0F / 400.0F;
 
-/// What every record has that no file made.
+/// Default values of a light record.
 shared::LightRecord blank_record()
 {
     shared::LightRecord record{};
@@ -71,14 +71,14 @@ shared::LightRecord make_record(const Light& light, const glm::dmat4& world_from
     return record;
 }
 
-/// The share of a local light that a distance lets through, inverse squares without their window.
+/// Distance attenuation of a local light; without the range window for inverse-square lights.
 float weakened(const shared::LightRecord& record, float distance_2)
 {
     return is_unit_volume(record) ? estampe::weakened(LightFalloff::unit_volume, record.range_m, distance_2)
                                   : estampe::weakened(LightFalloff::inverse_square, 0.0F, distance_2);
 }
 
-/// The share of a local light that leaves along a unit vector.
+/// Share of a local light that leaves along the unit vector `along`.
 float share_along(const shared::LightRecord& record, const glm::vec3& along)
 {
     const uint32_t type = record.type & shared::light_type_mask;
@@ -94,7 +94,7 @@ float share_along(const shared::LightRecord& record, const glm::vec3& along)
         along);
 }
 
-/// What arrives at a point that faces every light.
+/// Light that reaches a point, as if the surface faced every light.
 float arriving(const std::vector<shared::LightRecord>& records, const glm::vec3& point)
 {
     float sum = 0.0F;
@@ -111,7 +111,7 @@ float arriving(const std::vector<shared::LightRecord>& records, const glm::vec3&
     return sum;
 }
 
-/// The light at the brighter parts of the scene: the eightieth percentile over a sample of its vertices.
+/// Light at the brighter parts of the scene: the 80th percentile over a sample of its vertices.
 float exposure_key(const std::vector<shared::LightRecord>& records, const Scene& scene, const ScenePose& pose,
                    const glm::dvec3& anchor)
 {
@@ -130,12 +130,12 @@ float exposure_key(const std::vector<shared::LightRecord>& records, const Scene&
     return *key;
 }
 
-/// The same from memory where nothing has changed since.
+/// Like exposure_key(), but returns the cached value if nothing has changed.
 float remembered_exposure_key(const std::vector<shared::LightRecord>& records, const Scene& scene,
                               const ScenePose& pose, const glm::dvec3& anchor, ExposureKeyCache& memory)
 {
     const auto is_same = [](const shared::LightRecord& a, const shared::LightRecord& b) {
-        // Other bits of one number are worked out once more, no harm.
+        // Different bits for an equal number only cost another computation.
         return std::memcmp(&a, &b, sizeof a) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
     };
     if (!std::ranges::equal(records, memory.records, is_same) || anchor != memory.anchor ||
@@ -146,8 +146,8 @@ float remembered_exposure_key(const std::vector<shared::LightRecord>& records, c
     return memory.key;
 }
 
-/// What light a white sheet shows as one: luminance 1.2 times 2^EV, of a surface that sends 1 / pi of the
-/// light that arrives.
+/// Manual exposure: light that a white sheet reflects as luminance 1.2 times 2^EV maps to 1. A white sheet
+/// reflects 1 / pi of the irradiance.
 float manual_exposure(float ev100)
 {
     return 1.0F / (std::numbers::pi_v<float> * 1.2F * std::exp2(ev100));
@@ -161,7 +161,7 @@ void add_scene_records(std::vector<shared::LightRecord>& records, const Scene& s
         const Index light = scene.nodes[node].light;
         if (light != no_index && scene.lights[light].type != LightType::ambient) {
             records.push_back(make_record(scene.lights[light], pose.world_from_node[node], anchor));
-            // A unit volume needs a size; where the file has none it is the scene's.
+            // A unit-volume light needs a range; without one in the file it takes the scene's radius.
             float& range_m = records.back().range_m;
             range_m = range_m > 0.0F ? range_m : is_unit_volume(records.back()) ? radius_m : 0.0F;
         }
@@ -193,7 +193,8 @@ shared::LightRecord parallel_light(const glm::dvec3& towards, float brightness)
     return light;
 }
 
-/// The style's sun, and a weak light from the other side of the viewer, low, so that shade has form.
+/// The style's sun, and a weak, low fill light from the other side of the viewer, which gives form to the
+/// shade.
 void add_sun_and_fill(std::vector<shared::LightRecord>& records, const LightStyle& style,
                       const ViewAnalysis& analysis)
 {
@@ -212,7 +213,7 @@ void add_sun_and_fill(std::vector<shared::LightRecord>& records, const LightStyl
     }
 }
 
-/// What arrives at a surface, its slant counted.
+/// Light that reaches a surface, with the cosine of the angle of incidence.
 float falling_on(const std::vector<shared::LightRecord>& records, const SurfacePoint& surface,
                  const glm::vec3& point, float falloff)
 {
@@ -227,12 +228,13 @@ float falling_on(const std::vector<shared::LightRecord>& records, const SurfaceP
     return sum;
 }
 
-/// A lamp for a shelter, and daylight if there is a way in, weighed by what is seen.
+/// Default light of an interior: a lamp, and daylight if there is an opening. Exposed for the visible
+/// surfaces.
 std::vector<shared::LightRecord> lamp_light(const Shelter& shelter, const glm::dvec3& anchor,
                                             const LightStyle& style)
 {
     constexpr float daylight = 0.8F;
-    // What the key surfaces get, ambient apart: under a lamp alone they keep a half tone, for depth.
+    // Light on the metered surfaces without ambient: a lone lamp leaves them at a half tone, for depth.
     const float white = shelter.towards_light ? 0.62F : 0.5F;
     const glm::vec3 offset(shelter.origin - anchor);
     float size_2 = 0.0F;
@@ -247,7 +249,8 @@ std::vector<shared::LightRecord> lamp_light(const Shelter& shelter, const glm::d
     lamp.color = glm::vec3(std::max(size_2, 1e-12F));
     std::vector<shared::LightRecord> records{lamp};
     if (shelter.towards_light) {
-        // Light of the whole sky: the rim of the opening throws no edge on the wall across.
+        // Daylight from the whole sky casts no shadow: the opening's rim would throw a hard edge on the wall
+        // across.
         shared::LightRecord& sky = records.emplace_back(parallel_light(*shelter.towards_light, daylight));
         sky.groups &= all_groups;
     }
@@ -279,7 +282,8 @@ void expose(Lighting& lighting, float exposure, const Bounds& bounds)
     }
 }
 
-/// Those that cast shadows before those that do not, then the brighter. Returns how many there are.
+/// Sorts directional lights first, shadow-casting ones before others, then by brightness. Returns their
+/// number.
 uint32_t put_suns_first(std::vector<shared::LightRecord>& records)
 {
     const auto is_before = [](const shared::LightRecord& a, const shared::LightRecord& b) {
@@ -290,7 +294,7 @@ uint32_t put_suns_first(std::vector<shared::LightRecord>& records)
         };
         return rank(a) < rank(b);
     };
-    if (!std::ranges::is_sorted(records, is_before)) { // sorting takes room
+    if (!std::ranges::is_sorted(records, is_before)) { // stable_sort allocates
         std::ranges::stable_sort(records, is_before);
     }
     return static_cast<uint32_t>(
@@ -328,7 +332,7 @@ Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& 
                                 : exposure_key(records, scene, pose, anchor);
     }
     lighting.directional_count = put_suns_first(records);
-    // Metering by the page adds its own stops later.
+    // Metering by the page adds exposure_stops later.
     const float stops = style.metering == Metering::page ? 0.0F : style.exposure_stops;
     const float metered = is_manual ? manual_exposure(style.ev100) : key > 0.0F ? 1.0F / key : 1.0F;
     lighting.exposure = metered * std::exp2(stops);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who lights what, who throws shadows in whose light, and who takes them.
+// Light groups: lights, shadow casters and shadow receivers.
 #include <gtest/gtest.h>
 
 #include <estampe/shapes.hpp>
@@ -27,7 +27,7 @@ Scene two_stages()
 struct Floors {
     std::vector<float> light[2];
 
-    /// Pixels of a floor under `level`.
+    /// Number of pixels of a floor darker than `level`.
     [[nodiscard]] size_t dark(size_t floor, float level) const
     {
         return static_cast<size_t>(std::count_if(light[floor].begin(), light[floor].end(),
@@ -35,7 +35,7 @@ struct Floors {
     }
 };
 
-/// Light on the two floors, under a sun that stands aslant.
+/// Light on the two floors, under an oblique sun.
 Floors light_floors(const Scene& scene, const test::LightSetup& setup)
 {
     test::Drawing drawing(scene, high_camera, groups_px);
@@ -86,7 +86,7 @@ TEST(LightGroups, ALightLightsWhatSharesAGroup)
 
 TEST(LightGroups, ShadowsFallFromCastersOnReceivers)
 {
-    const size_t both = 60; // pixels of a slab's shadow, at least
+    const size_t both = 60; // smallest number of pixels in a slab's shadow
     const Floors plain = light_floors(two_stages(), slanted_sun());
     EXPECT_GT(plain.dark(0, 0.3F), both);
     EXPECT_GT(plain.dark(1, 0.3F), both);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread lights one pixel; the 64 threads of a tile first agree on the lights that can reach it.
+// One thread lights one pixel; the 64 threads of a tile first cull the local lights together.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_vote : require
@@ -46,7 +46,7 @@ layout(scalar, binding = 9) uniform Sun
     SunShadow sun_shadow;
 };
 
-// Read where edges of shadows have teeth.
+// Read only for shadow edges with teeth.
 layout(binding = 10) uniform sampler2D coordinate_image;
 layout(binding = 11) uniform usampler2D footprint_image;
 
@@ -65,13 +65,15 @@ layout(binding = 15, r32ui) writeonly uniform uimage2D out_strongest; // see Lit
 
 layout(binding = 16) uniform usamplerBuffer local_shadow_texels;
 layout(binding = 17) uniform samplerBuffer local_maps;
-layout(binding = 18) uniform sampler2D lightmap_image;        // irradiance / pi, and whether it is known
+// Irradiance / pi; alpha: share that the lightmap replaces.
+layout(binding = 18) uniform sampler2D lightmap_image;
 layout(binding = 19, r32f) writeonly uniform image2D out_sun; // see LitPixels
-layout(binding = 20) uniform sampler2D sun_share_image;       // that terrain, smoke and clouds leave
-layout(binding = 21) uniform sampler2D occlusion_image;       // share of light from everywhere that arrives
+// Share of sunlight that terrain, smoke and clouds let through.
+layout(binding = 20) uniform sampler2D sun_share_image;
+layout(binding = 21) uniform sampler2D occlusion_image; // ambient visibility
 
-layout(binding = 22) uniform sampler2D bounced_image; // of ambient light, by what keeps it off
-layout(binding = 23) uniform sampler2D points_image;  // places to light, where they lie anywhere
+layout(binding = 22) uniform sampler2D bounced_image; // share of ambient light that occluders reflect here
+layout(binding = 23) uniform sampler2D points_image;  // positions to light, used instead of visible surfaces
 
 #define TILE_LIST_BINDING 24
 #include "shaders/tile_list.glsl"
@@ -107,13 +109,13 @@ const bool has_bounced = (variant & light_has_bounced) != 0u;
 const bool has_points = (variant & light_has_points) != 0u;
 const bool has_tiles = (variant & light_has_tiles) != 0u;
 
-const float most_light = 65504.0; // that half floats hold
+const float most_light = 65504.0; // largest half float
 const uint lights_per_round = 256u;
-const float least_sun_cosine = 0.05; // of what shadows can be seen on
+const float least_sun_cosine = 0.05; // below this cosine, sun shadows are not recorded
 
-// The strongest light of the pixel in hand, for those who follow it.
+// The strongest light of the current pixel, for `out_strongest`.
 float strongest = 0.0;
-vec3 towards_strongest = vec3(0.0); // of a local light; zero where a directional one rules
+vec3 towards_strongest = vec3(0.0); // towards a local light; zero if a directional light is the strongest
 
 void weigh(vec3 arriving, vec3 towards_local)
 {
@@ -148,13 +150,13 @@ LocalShadow local_shadow_at(uint shadow)
 
 shared uint reaching[lights_per_round / 32u];
 
-// A tile of 8 x 8 pixels, and whether a local light reaches what is seen in it: one group of 64 threads.
+// A tile of 8 x 8 pixels is one workgroup of 64 threads, which culls the local lights.
 
-shared uint tile_nearest; // along the tile's axis, as ordered() has it
+shared uint tile_nearest; // distance along the tile's axis, encoded by ordered()
 shared uint tile_farthest;
 shared uint tile_slices;
 
-// Numbers that order as the floats do, of either sign.
+// Maps floats of either sign to integers in the same order.
 uint ordered(float x)
 {
     uint bits = floatBitsToUint(x);
@@ -166,18 +168,18 @@ float from_ordered(uint bits)
     return uintBitsToFloat((bits >> 31) != 0u ? bits & 0x7fffffffu : ~bits);
 }
 
-// What of the tile can be seen, for asking what lights reach it: a cone about the middle ray, or a cylinder
-// in parallel projection, and the distances along it between which the visible points lie.
+// The visible part of a tile, for light culling: a cone about the middle ray, or a cylinder in parallel
+// projection, between the nearest and farthest visible point.
 struct Tile {
     vec3 origin;
     vec3 axis;
-    float radius_m; // at the origin
-    float widening; // for each metre along the axis
+    float radius_m; // radius at the origin
+    float widening; // growth of the radius per metre along the axis
     float nearest_m;
     float farthest_m;
 };
 
-// A slice of a tile's depth, 0 to 31 (a 2.5D depth mask).
+// Depth slice in a tile, 0 to 31 (a 2.5D depth mask).
 uint slice_at(Tile tile, float along_m)
 {
     float share = (along_m - tile.nearest_m) / max(tile.farthest_m - tile.nearest_m, 1e-6);
@@ -194,7 +196,7 @@ Tile find_tile(uvec2 from_px, bool sees, vec3 point)
     }
     barrier();
     vec2 corner = vec2(from_px);
-    // As far as the scene is large, so that directions are well known.
+    // The depth is about the scene's size, so that directions are precise.
     bool is_parallel = frame.is_orthographic != 0u;
     float depth = is_parallel ? 0.5 : min(frame.near_m / frame.scene_radius_m, 0.5);
     vec3 middle = anchor_at(frame, corner + 4.0, depth);
@@ -224,7 +226,7 @@ Tile find_tile(uvec2 from_px, bool sees, vec3 point)
     return tile;
 }
 
-// Whether the light's sphere meets the tile in an occupied slice.
+// Whether the light's sphere intersects the tile in an occupied depth slice.
 bool reaches(LightRecord light, Tile tile)
 {
     vec4 reach = reach_of(light);
@@ -252,23 +254,23 @@ vec3 local_light(LightRecord light, vec3 point, vec3 normal)
     return light.color * (attenuation * pow(max(dot(normal, direction), 1e-6), lighting.falloff));
 }
 
-// Number of a local light by its place in the list of this part of the page.
+// Index of a local light from its position in the list of this part of the page.
 uint listed_light(uint first, uint place)
 {
     return lighting.directional_count + (has_lists ? lists[first + place] : place);
 }
 
-// A place to light, and how it stands to the lights.
+// A point to light, and its light links.
 struct Receiver {
     vec3 point;
     vec3 normal;
     vec3 smooth_normal;
-    uint groups; // lit by these
+    uint groups; // light groups that light this point
     bool takes_shadow;
     Edge edge;
 };
 
-// What arrives of a local light, its shadow counted.
+// Light of a local light at a point, with its shadow.
 vec3 shadowed_light(LightRecord light, Receiver at)
 {
     vec3 arriving = local_light(light, at.point, at.normal);
@@ -280,7 +282,7 @@ vec3 shadowed_light(LightRecord light, Receiver at)
     return lit ? arriving : vec3(0.0);
 }
 
-// Steps over words without a light; `bits` are those of the word that is left in hand.
+// Skips words without a light; `bits` is the current word's remainder.
 void step_over_none(inout uint word, inout uint bits)
 {
     while (bits == 0u && word + 1u < lights_per_round / 32u) {
@@ -288,8 +290,8 @@ void step_over_none(inout uint word, inout uint bits)
     }
 }
 
-// The sum of the local lights that reach a place. A processor goes once through a loop that has no rounds and
-// once more at the end of others, so conditions stand where dear loops end.
+// Sum of the local lights that reach a point. CPU implementations run a loop body once even with no rounds,
+// and once more at the end of others; so conditions stand inside the costly loops' ends.
 vec3 local_lights(uvec2 from_px, Tile tile, Receiver at)
 {
     uvec2 part = from_px / list_tiles.tile_px;
@@ -354,7 +356,7 @@ void main()
     vec3 normal = unpack_normal(normals.x);
     vec3 smooth_normal = unpack_normal(normals.y);
 
-    // Which lights reach this draw at all: every one, unless the scene ties them by groups.
+    // Light groups that light this draw call: all, unless the scene links lights to objects.
     uint groups = 0xffffu;
     bool takes_shadow = true;
     if (has_links && sees_draw(word)) {
@@ -376,7 +378,7 @@ void main()
         light *= open;
     }
     if (has_lightmap) {
-        // Where it is known what is thrown off all around, ambient need not stand for it.
+        // The lightmap holds the bounced light, so it replaces ambient.
         vec4 known = texelFetch(lightmap_image, min(pixel, ivec2(frame.size_px) - 1), 0);
         light = mix(light, known.rgb, known.a);
     }
@@ -389,7 +391,8 @@ void main()
         sun_visible *= texelFetch(sun_share_image, min(pixel, ivec2(frame.size_px) - 1), 0).x;
     }
     sun_visible = takes_shadow ? sun_visible : 1.0;
-    // Of what is not seen there is no light to sum; nor does lavapipe then compile a shader for each count.
+    // Pixels without a surface sum no lights. A loop over a count from a buffer also keeps lavapipe from
+    // compiling a shader per count.
     uint directional_count = sees_draw(word) ? lighting.directional_count : 0u;
     uint i = 0u;
     do {
@@ -398,7 +401,7 @@ void main()
         float lambert = dot(smooth_normal, sun.direction) > 0.0 ? max(dot(normal, sun.direction), 0.0) : 0.0;
         float visible = i == 0u ? sun_visible : 1.0;
         if (i == 0u && is_paper(word)) {
-            // Blank ground is paper: it has no shade of its own, and gives its shadow back with distance.
+            // Blank ground is drawn as paper: it has no shading, and its shadow fades with distance.
             lambert = lambert > 0.0 ? 1.0 : 0.0;
             visible =
                 mix(visible, 1.0, clamp(dot(lighting.paling, point) + lighting.paling_at_anchor, 0.0, 1.0));

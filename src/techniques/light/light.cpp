@@ -18,22 +18,22 @@ const style::Table<LightStyle>& light_table()
                 "source", &LightStyle::source,
                 {{"auto", LightSource::automatic}, {"scene", LightSource::scene}, {"sun", LightSource::sun}},
                 "Lights of the picture. scene: the lights of the file; sun: one sun, placed by "
-                "light.sun_azimuth_deg and light.sun_elevation_deg; auto: the lights of the file or, without "
-                "any, the sun, and a lamp in a room.")
+                "light.sun_azimuth_deg and light.sun_elevation_deg; auto: the lights of the file, or if "
+                "there are none, the sun, and a lamp in a room.")
             .number("sun_azimuth_deg", &LightStyle::sun_azimuth_deg, {-360.0F, 360.0F}, "deg",
-                    "Bearing from which the sun shines: 0 is +z, 90 is +x. The sun also turns with the view "
-                    "if light.turn_sun is true.")
+                    "Direction from which the sun shines: 0 is +z, 90 is +x. If light.turn_sun is true, the "
+                    "sun also turns with the view.")
             .number("sun_elevation_deg", &LightStyle::sun_elevation_deg, {-10.0F, 90.0F}, "deg",
                     "Height of the sun above the horizon: low values throw long shadows, 90 is overhead")
             .toggle("turn_sun", &LightStyle::turn_sun,
-                    "If true, the sun turns with the side that the framed view shows, and further if too "
-                    "much or too little lies in shade. On an empty terrain the default sun stands low and "
-                    "upwind. If false, the sun stays at its bearing.")
-            .choice(
-                "metering", &LightStyle::metering,
-                {{"lights", Metering::lights}, {"page", Metering::page}, {"manual", Metering::manual}},
-                "What sets the exposure. lights: the scene's lights, whatever the view; page: a histogram of "
-                "the picture, as in a camera; manual: light.ev100, for files in lux and candela.")
+                    "If true, the sun turns with the view, and turns further if too much or too little of "
+                    "the picture lies in shade. On an empty terrain, the default sun stands low on the "
+                    "upwind side. If false, the sun stays in its direction.")
+            .choice("metering", &LightStyle::metering,
+                    {{"lights", Metering::lights}, {"page", Metering::page}, {"manual", Metering::manual}},
+                    "What sets the exposure. lights: the lights of the scene, the same for every view; page: "
+                    "a histogram of the picture, as in a camera; manual: light.ev100, for files with light "
+                    "in lux and candela.")
             .number("ev100", &LightStyle::ev100, {-10.0F, 24.0F}, "EV",
                     "Exposure value at ISO 100: 15 suits sunlight, 8 a lit room; a higher value darkens the "
                     "picture. Only used when light.metering is manual.")
@@ -41,57 +41,61 @@ const style::Table<LightStyle>& light_table()
                     "Speed of the automatic exposure, in stops per second of scene time: less adapts slowly, "
                     "like an eye. 0 adapts at once. Only used when light.metering is page.")
             .number("exposure_stops", &LightStyle::exposure_stops, {-10.0F, 10.0F}, "stops",
-                    "Exposure correction: each stop up doubles the light, each stop down halves it")
+                    "Exposure correction in stops: +1 doubles the light, -1 halves the light")
             .number("ambient", &LightStyle::ambient, {0.0F, 1.0F}, "",
                     "Light from all directions, as a share of the sun's light: 0 leaves shade black, more "
-                    "makes shade paler")
+                    "makes shade lighter")
             .number("fill", &LightStyle::fill, {0.0F, 1.0F}, "",
-                    "Strength of a second light without shadows, on the other side than the sun: more models "
-                    "the forms in shade. Only used with the style's own sun.")
-            .number("falloff", &LightStyle::falloff, {0.05F, 4.0F}, "",
-                    "How fast light weakens as a surface turns away from it: 1 follows the cosine (Lambert's "
-                    "law), less keeps slanted surfaces bright, more darkens them")
+                    "Strength of a second light, on the side away from the sun and without shadows: more "
+                    "shows the forms of things in shade better. Only used with the style's own sun.")
+            .number(
+                "falloff", &LightStyle::falloff, {0.05F, 4.0F}, "",
+                "How quickly a surface darkens as the surface turns away from the light: 1 follows the "
+                "cosine (Lambert's law), less keeps slanted surfaces bright, more darkens slanted surfaces")
             .number("paling", &LightStyle::paling, {0.0F, 1.0F}, "",
-                    "How much the scene's shadow on the blank ground pales towards its far end: 0 keeps one "
-                    "darkness, 1 lets it end as bright as the lit ground")
-            .toggle("shadows", &LightStyle::shadows, "Turns shadows on, for all lights")
+                    "How much the scene's shadow on the blank ground gets paler towards its far end: 0 keeps "
+                    "the same darkness everywhere, 1 fades the far end into the lit ground")
+            .toggle("shadows", &LightStyle::shadows, "Turns the shadows of all lights on")
             .integer("shadow_size", &LightStyle::shadow_size, {0, 4096}, "texels",
-                     "Side of the sun's shadow map: more gives sharper edges of shadows and takes more "
-                     "memory. 0 takes about one texel per pixel of the picture.")
+                     "Width and height of the sun's shadow map: more gives sharper edges of shadows and "
+                     "takes more memory. 0 uses about one texel per pixel of the picture.")
             .text("lights", &LightStyle::lights,
                   "Changes to single lights, by the name of the light or its node: off, intensity:2, "
                   "range:5, radius:0.1, no_shadow, groups:1+3, casters:2, cone, pyramid, unit_volume. "
                   "Example: \"Lamp=intensity:2 no_shadow, Sun=off\".")
-            .text(
-                "objects", &LightStyle::objects,
-                "How single objects take part in lighting, by the name of the node or material: no_cast, "
-                "no_receive, casts:1+2, groups:1+3. Example: \"Glass=no_cast, Figure=groups:2 no_receive\".");
+            .text("objects", &LightStyle::objects,
+                  "How single objects throw and receive light and shadow, by the name of the node or "
+                  "material: no_cast, no_receive, casts:1+2, groups:1+3. Example: \"Glass=no_cast, "
+                  "Figure=groups:2 no_receive\".");
     return table;
 }
 
 const style::Table<ToneStyle>& tone_table()
 {
     static const auto table =
-        style::Table<ToneStyle>("tone", "Tone curve: how light becomes darkness on the page")
+        style::Table<ToneStyle>("tone", "Tone curve: how light in the scene becomes darkness on the page")
             .choice(
                 "curve", &ToneStyle::curve,
                 {{"gamma", ToneCurve::gamma}, {"linear", ToneCurve::linear}, {"filmic", ToneCurve::filmic}},
-                "Curve from light to tone. gamma: light to the power of tone.gamma; linear: light as it is; "
-                "filmic: with a soft shoulder that keeps bright areas apart, then tone.gamma.")
+                "Curve that turns light into tone. gamma: light to the power of tone.gamma; linear: light "
+                "without change; filmic: bright areas stay distinct instead of turning all white, then "
+                "tone.gamma follows.")
             .number("exposure", &ToneStyle::exposure, {0.05F, 20.0F}, "",
-                    "Factor on light before the tone curve: less darkens the picture, more brightens it")
+                    "Brightness factor before the tone curve: less darkens the picture, more brightens the "
+                    "picture")
             .number("gamma", &ToneStyle::gamma, {0.1F, 4.0F}, "",
-                    "Exponent of the tone curve: below 1 opens the shadows, above 1 darkens them. Not used "
-                    "when tone.curve is linear.")
+                    "Exponent of the tone curve: below 1 lightens the shadows, above 1 darkens the shadows. "
+                    "Not used when tone.curve is linear.")
             .number("contrast", &ToneStyle::contrast, {0.1F, 20.0F}, "",
-                    "Contrast around the middle tone: less is flat and grey, more turns to black and white")
+                    "Contrast around the middle tone: less is flat and grey, more pushes tones towards black "
+                    "and white")
             .number("floor", &ToneStyle::floor, {0.0F, 0.9F}, "",
                     "Darkness below which the paper stays white: more leaves larger areas blank")
             .number("ceiling", &ToneStyle::ceiling, {0.1F, 1.0F}, "",
                     "Darkest tone of the picture: less keeps the deepest shadows lighter")
             .number("local_value", &ToneStyle::local_value, {0.0F, 1.0F}, "",
-                    "How much a material's own brightness counts in its tone: 0 shades all materials alike, "
-                    "1 makes dark materials darker than pale ones in the same light")
+                    "How much the brightness of a material's colour changes its tone: 0 shades all materials "
+                    "alike, 1 makes dark materials darker than pale ones in the same light")
             .number("occlusion", &ToneStyle::occlusion, {0.0F, 1.0F}, "",
                     "How much occlusion textures of materials darken folds and seams: 0 ignores them, 1 "
                     "applies them fully")
@@ -101,10 +105,10 @@ const style::Table<ToneStyle>& tone_table()
 
 namespace {
 
-constexpr uint32_t list_from = 64;                // lights; fewer are looked at by every tile
-constexpr uint64_t most_list_bytes = 32ULL << 20; // larger tiles keep within it
+constexpr uint32_t list_from = 64;                // with fewer lights than this, every tile tests all lights
+constexpr uint64_t most_list_bytes = 32ULL << 20; // tiles grow to keep all lists within this size
 
-/// The lists of lights of the page's large tiles.
+/// The light lists of the page's large tiles.
 struct Lists {
     shared::ListTiles tiles{.columns = 1, .tile_px = 64};
     gpu::BufferId words;
@@ -211,7 +215,7 @@ LitPixels add_light(gpu::Graph& graph, const LightInputs& in)
 Paling ground_paling(const Bounds& bounds, const glm::dvec3& anchor, const glm::dvec3& towards_sun,
                      float most)
 {
-    constexpr double lowest_sun = 0.02; // below it shadows have no end
+    constexpr double lowest_sun = 0.02; // below this sine of the sun's elevation, shadows count as infinite
     const glm::dvec3 level(-towards_sun.x, 0.0, -towards_sun.z);
     if (bounds.empty() || towards_sun.y < lowest_sun || glm::length(level) < 1e-6) {
         return {};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_LIGHT_GLSL_H
 #define ESTAMPE_LIGHT_GLSL_H
-// What the shaders of light and exposure share with C++.
+// Data that the shaders of light and exposure share with C++.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
@@ -9,43 +9,42 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-// Types of lights, and above their mask a flag.
+// Types of lights, with a flag above the mask.
 SHARED_CONSTANT uint light_directional = 0U;
 SHARED_CONSTANT uint light_point = 1U;
 SHARED_CONSTANT uint light_spot = 2U;
 SHARED_CONSTANT uint light_pyramid = 3U;
 SHARED_CONSTANT uint light_type_mask = 255U;
-SHARED_CONSTANT uint light_unit_volume = 1U << 8U; // of local lights: weakens by 1 - (d / range)^2
+SHARED_CONSTANT uint light_unit_volume = 1U << 8U; // local lights: falls off with 1 - (d / range)^2
 
-// A light in anchor space, exposure multiplied in. Directional: `direction` points to it, `position` is
-// unused.
+// A light in anchor space, with the exposure multiplied in. `position` is unused for directional lights.
 struct LightRecord {
     vec3 position;
-    float range_m;  // no light beyond it
-    vec3 direction; // towards a directional light; along a spot's beam
+    float range_m;  // no light reaches beyond this distance
+    vec3 direction; // towards a directional light; along the beam of a spot
     uint type;
     vec3 color;
     float cone_scale; // spots: saturate(cos(angle) * scale + offset) squared
     float cone_offset;
     vec3 side;      // pyramids: the x axis of the node
-    uint shadow;    // one more than the first of its views among the shadow maps; 0: none
-    uint groups;    // lights those of bits 0-15, is blocked by those of bits 16-31
-    float radius_m; // of the ball that glows, for its penumbrae; below 0: as the style says
-    uint is_fill;   // stands for light that is thrown about, so occlusion takes of it as of ambient
+    uint shadow;    // index of the light's first LocalShadow, plus one; 0: none
+    uint groups;    // bits 0-15: groups that it lights; bits 16-31: groups whose casters block it
+    float radius_m; // radius of the glowing ball, for penumbrae; negative: from the style
+    uint is_fill;   // 1: stands for reflected light, so occlusion applies to it as to ambient
 };
 
 struct LightGlobals {
     vec3 sky_ambient;
     vec3 ground_ambient;
-    uint directional_count; // these come first in the list; the first casts the shadow
+    uint directional_count; // directional lights come first in the list; the first one casts the sun's shadow
     uint local_count;
-    float falloff; // exponent of the cosine; 1 is Lambert's
-    vec3 paling; // of the sun's shadow on the blank ground: the share of light that comes back grows by this
-                 // a metre
+    float falloff; // exponent of the cosine; 1 is Lambert's law
+    // Gradient, per metre, of the share of sunlight that returns to its shadow on the blank ground.
+    vec3 paling;
     float paling_at_anchor;
 };
 
-// The large tiles of the page that have a list of lights each, row by row.
+// The page's large tiles, row by row; each has a list of lights.
 struct ListTiles {
     uint columns;
     uint tile_px;
@@ -53,18 +52,18 @@ struct ListTiles {
 
 SHARED_CONSTANT uint exposure_bins = 256U;
 SHARED_CONSTANT float exposure_bins_per_stop = 8.0F;
-SHARED_CONSTANT float exposure_darkest_stops = -16.0F; // where the first bin begins
+SHARED_CONSTANT float exposure_darkest_stops = -16.0F; // lower edge of the first bin
 
-// What is remembered of a page's brightness from frame to frame.
+// The page's brightness, kept from frame to frame.
 struct ExposureState {
-    float stops;   // that the page is brightened by
+    float stops;   // exposure of the page
     uint is_known; // 0 before the first frame
     uint bins[exposure_bins];
 };
 
 struct AdaptConstants {
     float compensation_stops;
-    float most_change_stops; // from the frame before; negative: any
+    float most_change_stops; // largest change since the last frame; negative: no limit
 };
 
 #ifdef __cplusplus

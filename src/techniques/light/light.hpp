@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Light that arrives at each pixel: the sun with its shadow, and any number of local lights, found per tile;
-// what the style says of it, and of how light becomes tone.
+// Lighting of each pixel: the sun with its shadow, and any number of local lights, culled per tile; and the
+// style's sections `light` and `tone`.
 
 #include <optional>
 #include <vector>
@@ -19,7 +19,7 @@ namespace estampe::light {
 
 enum class LightSource : uint8_t { automatic, scene, sun };
 
-/// What sets the exposure: the lights that there are, what is on the page, or the style.
+/// Determines the exposure: from the scene's lights, from the page's brightness, or from the style.
 enum class Metering : uint8_t { lights, page, manual };
 
 struct LightStyle {
@@ -62,16 +62,17 @@ struct ToneStyle {
 
 [[nodiscard]] const style::Table<ToneStyle>& tone_table();
 
-/// The lights of a frame: directional ones first, the strongest first of all, because it throws the shadow.
+/// The lights of a frame. Directional lights come first; the strongest of them is the sun, which casts the
+/// shadow.
 struct Lighting {
     std::vector<shared::LightRecord> records;
     uint32_t directional_count = 0;
-    glm::dvec3 towards_sun{0.0, 1.0, 0.0}; ///< of the first directional light; straight up when there is none
+    glm::dvec3 towards_sun{0.0, 1.0, 0.0}; ///< towards the first directional light; straight up without one
     glm::vec3 ambient{0.0F};
-    float exposure = 1.0F;           ///< what the intensities of the scene's lights were multiplied by
-    Groups sun_casters = all_groups; ///< whose shadows the first directional light throws
+    float exposure = 1.0F;           ///< factor on the intensities of the scene's lights
+    Groups sun_casters = all_groups; ///< groups that cast shadows for the first directional light
     bool has_groups = false;         ///< some light does not light all groups
-    bool indoors = false;            ///< the lamp of a shelter, not of the scene
+    bool indoors = false;            ///< the lights are the default lamp of an interior
 };
 
 /// The exposure key and the scene it was computed from, kept from frame to frame.
@@ -80,21 +81,21 @@ struct ExposureKeyCache {
     ScenePose pose;
     glm::dvec3 anchor{0.0};
     float key = 1.0F;
-    std::vector<shared::LightRecord> room; ///< of a Lighting's records that is done with, for the next
+    std::vector<shared::LightRecord> room; ///< unused storage, reused for the next Lighting's records
 };
 
-/// Places the scene's lights in anchor space. Where it has none it gets the style's sun, which turns with the
-/// front of the `analysis`, or under a shelter a lamp, with daylight where that can come in. Intensities
-/// (lux, candela) are scaled so that the scene's well-lit parts come to about one, whatever units the file
-/// was made in. A light without a range gets one where it falls under 1/400 of that. Cost: linear in lights
-/// times nodes that show something, unless the exposure is manual or `memory` knows the scene as it stands.
+/// Places the scene's lights in anchor space. A scene without lights gets the style's sun, which turns with
+/// the front of the `analysis`; an interior gets a lamp, and daylight through an opening. Intensities (lux,
+/// candela) are scaled so that the scene's well-lit parts reach about one in any unit. A light without a
+/// range ends where it falls below 1/400 of that. Cost: linear in lights times visible nodes, unless the
+/// exposure is manual or `memory` holds the unchanged scene.
 [[nodiscard]] Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& bounds,
                                      const glm::dvec3& anchor, const LightStyle& style,
                                      const ViewAnalysis& analysis = {}, ExposureKeyCache* memory = nullptr);
 
-/// How much of the sun's light comes back to the shadow on the blank ground, linear over the ground: none
-/// below the middle of the scene, `most` where the shadow of its bounds ends. So the shadow is darkest where
-/// its thing stands, as it is on paper.
+/// Share of sunlight that returns to the sun's shadow on the blank ground. It grows linearly from 0 below the
+/// middle of the scene to `most` at the end of the shadow of the scene's bounds, so that the shadow is
+/// darkest at the foot of its object, as in drawings.
 struct Paling {
     glm::vec3 share_per_m{0.0F};
     float share_at_anchor = 0.0F;
@@ -103,23 +104,23 @@ struct Paling {
 [[nodiscard]] Paling ground_paling(const Bounds& bounds, const glm::dvec3& anchor,
                                    const glm::dvec3& towards_sun, float most);
 
-/// Light from everywhere, as surfaces get it that face up and down.
+/// Ambient light on surfaces that face up and down.
 struct SkyAndGround {
     glm::vec3 sky{0.0F};
     glm::vec3 ground{0.0F};
 };
 
-/// A share of ambient light, a quarter brighter from above and darker from below.
+/// Splits a share of ambient light: a quarter brighter from above, a quarter darker from below.
 [[nodiscard]] SkyAndGround sky_and_ground(const glm::vec3& ambient, float share = 1.0F);
 
-/// The style's tone curve as the shaders want it.
+/// Converts the style's tone curve to shader constants.
 [[nodiscard]] shared::ToneConstants tone_constants(const ToneStyle& style);
 
-/// How far the lights see.
+/// The shadow maps of all lights.
 struct ShadowMaps {
     gpu::BufferId sun;           ///< reversed depth, row by row
     gpu::BufferId sun_globals;   ///< SunShadow, see shadow/shadow.glsl.h
-    gpu::BufferId local;         ///< near distance over distance, of all maps of local lights
+    gpu::BufferId local;         ///< near distance over distance, for all maps of local lights
     gpu::BufferId local_shadows; ///< LocalShadow, see shadow/shadow.glsl.h
     gpu::BufferId edge_look;     ///< EdgeLook, see shadow/shadow.glsl.h
     bool has_sun = false;
@@ -139,38 +140,40 @@ struct LightInputs {
     gpu::ImageId coordinate;
     gpu::ImageId footprint;
     ShadowMaps shadows;
-    std::optional<gpu::ImageId> lightmap;  ///< light known ahead: takes the place of ambient where alpha is 1
-    std::optional<gpu::ImageId> sun_share; ///< r16f: how much of the sun terrain, smoke and clouds leave
-    std::optional<gpu::ImageId> occlusion; ///< share of the light from everywhere that arrives
-    bool occludes_all = false;             ///< it takes of all light
-    std::optional<gpu::ImageId> bounced;   ///< ambient light that what occludes bounces back, as a share
-    std::optional<gpu::ImageId> points;    ///< places in anchor space to light, in place of what depths say;
-                                           ///< at every light
-    std::optional<gpu::BufferId> tiles;    ///< to light, see shaders/tiles.glsl.h; elsewhere nothing is
-                                           ///< written
-    uint32_t local_count = 0;              ///< point and spot lights, after the directional ones
+    std::optional<gpu::ImageId> lightmap; ///< baked light; replaces ambient where alpha is 1
+    /// r16f: share of sunlight that terrain, smoke and clouds let through.
+    std::optional<gpu::ImageId> sun_share;
+    std::optional<gpu::ImageId> occlusion; ///< ambient visibility
+    bool occludes_all = false;             ///< occlusion applies to all light, not only to ambient
+    std::optional<gpu::ImageId> bounced;   ///< light that occluders reflect, as a share of ambient
+    std::optional<gpu::ImageId> points; ///< positions to light in anchor space, instead of those from depth
+    std::optional<gpu::BufferId> tiles; ///< only these tiles are lit, see shaders/tiles.glsl.h
+    uint32_t local_count = 0; ///< number of point and spot lights, which follow the directional lights
     bool has_emissive = false;
-    bool keeps_strongest = false; ///< the direction of the strongest light is wanted
-    bool keeps_sun = false;       ///< how much is seen of the first directional light is wanted
-    bool counts_visits = false; ///< instead of light: local lights looked at, and those whose range holds it
-    bool looks_at_all = false;  ///< every pixel at every light, for comparison
-    bool has_links = false;     ///< lights and draws are to be matched by their groups
+    bool keeps_strongest = false; ///< outputs the direction of the strongest light
+    bool keeps_sun = false;       ///< outputs the visible share of the first directional light
+    bool counts_visits = false;   ///< outputs counts of local lights instead of light: tested, and in range
+    bool looks_at_all = false;    ///< tests every light at every pixel, for comparison
+    bool has_links = false;       ///< matches lights and draw calls by their groups
     glm::uvec2 size_px{0};
 };
 
 struct LitPixels {
-    gpu::ImageId light; ///< rgba16f: irradiance over pi, at most 65504, and its luminance; 1 where a material
-                        ///< is unlit or nothing is seen
-    gpu::ImageId strongest; ///< r32ui: octahedral direction towards the strongest light, where that is a
-                            ///< local one, else 0; a single texel unless `keeps_strongest`
-    gpu::ImageId sun; ///< r32f: share of the first directional light that shadows leave; negative where it
-                      ///< lights nothing or only grazes; a single texel unless `keeps_sun`
+    /// rgba16f: irradiance over pi, at most 65504, and its luminance; 1 for unlit materials and the
+    /// background.
+    gpu::ImageId light;
+    /// r32ui: octahedral direction towards the strongest light if it is local, else 0; one texel unless
+    /// `keeps_strongest`.
+    gpu::ImageId strongest;
+    /// r32f: share of the first directional light that is not in shadow; negative where the light is absent
+    /// or grazing; one texel unless `keeps_sun`.
+    gpu::ImageId sun;
 };
 
 /// Lights the surface.
 ///
-/// Cost    one full-screen dispatch; local lights cost where they reach. From 65 of them on a small dispatch
-///         lists them for large tiles first, linear in lights and tiles of 64 pixels
+/// Cost    one full-screen dispatch; local lights cost only where they reach. From 65 local lights on, a
+///         small dispatch first lists them for large tiles, linear in lights and tiles of 64 pixels
 /// Source  tiled culling after Olsson and Assarsson, "Tiled Shading", 2011; the depth mask after Harada, "A
 ///         2.5D Culling for Forward+", 2012
 [[nodiscard]] LitPixels add_light(gpu::Graph& graph, const LightInputs& in);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light against what the formulas say, point by point.
+// Light per point against the formulas.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -32,7 +32,7 @@ shared::LightRecord point_light(const glm::vec3& place, float intensity, float r
     return record;
 }
 
-/// KHR_lights_punctual, with Lambert's cosine.
+/// Light by KHR_lights_punctual, with Lambert's cosine.
 double arriving(const shared::LightRecord& light, const glm::dvec3& point, const glm::dvec3& normal)
 {
     const glm::dvec3 to_light = glm::dvec3(light.position) - point;
@@ -48,8 +48,8 @@ glm::dvec2 centre_of(size_t i)
     return {static_cast<double>(i % lit_px.x) + 0.5, static_cast<double>(i / lit_px.x) + 0.5};
 }
 
-/// Calls `expected` with the place of each pixel on the floor y = 0, and compares to within a half float's
-/// rounding.
+/// Compares the light of each pixel on the floor y = 0 to `expected` of its position, within the rounding of
+/// half floats.
 template <class Expected>
 void expect_on_floor(const test::Drawing& drawing, const std::vector<glm::vec4>& light, Expected expected)
 {

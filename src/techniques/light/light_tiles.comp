@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One workgroup lists the lights whose sphere touches one large tile of the page, in the order of the lights.
-// What lies at which depth is not known here; the light pass looks again, tile by small tile.
+// One workgroup lists the lights whose sphere touches one large tile of the page, in the lights' order. It
+// ignores depth; the light pass culls again per small tile.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -27,7 +27,7 @@ layout(scalar, binding = 2) readonly buffer Lights
 
 layout(scalar, binding = 3) writeonly buffer Lists
 {
-    uint lists[]; // a tile: how many, then which, numbered from the first local light
+    uint lists[]; // per tile: the count, then indices from the first local light
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -35,7 +35,7 @@ layout(push_constant, scalar) uniform Constants
     ListTiles list_tiles;
 };
 
-shared uint touching[2]; // of the 64 lights that are looked at, one bit each
+shared uint touching[2]; // one bit per light of the 64 that are tested
 
 // The plane through three points as normal and offset: dot(n, p) >= d on the side of `inside`.
 vec4 side_through(vec3 a, vec3 b, vec3 c, vec3 inside)
@@ -45,14 +45,14 @@ vec4 side_through(vec3 a, vec3 b, vec3 c, vec3 inside)
     return vec4(n, dot(n, a));
 }
 
-// The four sides of what lies behind the tile on the page, from the eye on.
+// The four side planes of the tile's frustum.
 vec4[4] sides_of(uint tile)
 {
     vec2 low = vec2(uvec2(tile % list_tiles.columns, tile / list_tiles.columns) * list_tiles.tile_px);
     vec2 high = min(low + float(list_tiles.tile_px), vec2(frame.size_px));
     vec2 corners[4] = vec2[](low, vec2(high.x, low.y), high, vec2(low.x, high.y));
     bool is_parallel = frame.is_orthographic != 0u;
-    // As far as the scene is large, so that the sides are well known.
+    // The depth is about the scene's size, so that the planes are precise.
     float depth = is_parallel ? 0.5 : min(frame.near_m / frame.scene_radius_m, 0.5);
     vec3 from[4];
     vec3 far[4];
@@ -69,7 +69,7 @@ vec4[4] sides_of(uint tile)
 bool touches(vec4 sides[4], vec4 reach)
 {
     vec3 from_eye = reach.xyz - frame.eye_anchor;
-    float radius = reach.w + 1e-4 * length(from_eye); // for what floats round away
+    float radius = reach.w + 1e-4 * length(from_eye); // margin against rounding
     bool ahead = frame.is_orthographic != 0u || dot(frame.view_forward, from_eye) > -radius;
     for (int i = 0; i < 4; ++i) {
         ahead = ahead && dot(sides[i].xyz, reach.xyz) - sides[i].w > -radius;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Many lights: the tiles must give what all lights together give, and look at few of them.
+// Many lights: tiled culling must give the result of testing all lights, and test only few.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -17,7 +17,7 @@ namespace {
 constexpr glm::uvec2 tiled_px(160, 120);
 const Camera tiled_camera{.eye = {0.0, 9.0, 5.0}, .vertical_fov_rad = 0.9};
 
-/// Things at several depths before a far floor, so that tiles hold gaps.
+/// Objects at several depths in front of a far floor, so that tiles have gaps in depth.
 Scene deep_scene()
 {
     Scene scene = test::scene_of(shapes::torus(2.0F, 0.7F));
@@ -75,7 +75,7 @@ double cone_share(const shared::LightRecord& light, const glm::dvec3& beam)
                     2.0);
 }
 
-/// What one light gives to a point, by the formulas.
+/// Light of one lamp at a point, by the formulas.
 double arriving_by_formulas(const shared::LightRecord& light, const glm::dvec3& point,
                             const glm::dvec3& normal)
 {
@@ -89,7 +89,7 @@ double arriving_by_formulas(const shared::LightRecord& light, const glm::dvec3& 
            std::max(0.0, glm::dot(normal, to_light / distance));
 }
 
-/// The largest error of a pixel, light above white counted as white, and the mean light.
+/// The largest error of a pixel, with light clamped to white, and the mean light.
 struct Verdict {
     double worst = 0.0;
     double mean = 0.0;
@@ -176,7 +176,7 @@ TEST(LightTiles, FewAreLookedAtThatDoNotReach)
 
 TEST(LightTiles, AGapInDepthLetsLightsThrough)
 {
-    // Bars before a far floor; the lights hang between, and reach neither.
+    // Bars in front of a far floor; the lights hang between them and reach neither.
     Scene scene = test::scene_of(shapes::plane(60.0F, 60.0F));
     for (int i = 0; i < 40; ++i) {
         test::add_object(scene, shapes::box({0.05F, 0.05F, 8.0F}), glm::vec3(1.0F),
@@ -241,7 +241,7 @@ TEST(LightTiles, TheStrongestLightIsKept)
     }
     EXPECT_GT(by_sun, 500U);
     EXPECT_GT(by_lamp, 500U);
-    EXPECT_LT(wrong, 20U); // where two weigh the same
+    EXPECT_LT(wrong, 20U); // pixels where two lights are equally strong
 }
 
 } // namespace

@@ -2,11 +2,11 @@
 #ifndef ESTAMPE_LOCAL_LIGHT
 #define ESTAMPE_LOCAL_LIGHT
 
-// One point or spot light: where it reaches, and how much of it arrives.
+// Reach and attenuation of a point or spot light.
 
 #include "techniques/light/light.glsl.h"
 
-// The share of a local light that leaves along `beam`, a unit vector.
+// Share of a local light that leaves along the unit vector `beam`.
 float in_cone(LightRecord light, vec3 beam)
 {
     uint type = light.type & light_type_mask;
@@ -19,7 +19,7 @@ float in_cone(LightRecord light, vec3 beam)
     return type >= light_spot ? cone * cone : 1.0;
 }
 
-// KHR_lights_punctual's inverse square, windowed to reach zero at the range, or the unit volume's fall-off.
+// Distance attenuation: the windowed inverse square of KHR_lights_punctual, or the falloff of a unit volume.
 float weakened(LightRecord light, float distance_2)
 {
     float ratio = distance_2 / (light.range_m * light.range_m);
@@ -27,7 +27,7 @@ float weakened(LightRecord light, float distance_2)
     return (light.type & light_unit_volume) != 0u ? clamp(1.0 - ratio, 0.0, 1.0) : window / distance_2;
 }
 
-// A sphere beyond which the light does not reach: about the light, or tighter about a narrow spot's cone.
+// A bounding sphere of the light's reach: about the light, or tighter about a narrow spot's cone.
 vec4 reach_of(LightRecord light)
 {
     uint type = light.type & light_type_mask;

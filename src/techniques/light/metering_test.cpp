@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What exposure makes of lux and candela.
+// Exposure of lights in lux and candela.
 #include <cmath>
 #include <numbers>
 
@@ -14,7 +14,7 @@
 namespace estampe::light {
 namespace {
 
-/// A floor, and one light 2 m above its middle that shines down.
+/// A floor, and one light 2 m above its middle, shining down.
 Scene lit_by(Light light)
 {
     Scene scene = test::scene_of(shapes::plane(4.0F, 4.0F));
@@ -34,8 +34,8 @@ Lighting gathered(const Scene& scene, const LightStyle& style)
     return gather_lights(scene, pose, bounds, bounds.center(), style);
 }
 
-/// What a white sheet that faces so many lux shows at an exposure value: its luminance, E over pi, as a share
-/// of what saturates a sensor at that value, 78 / (0.65 * 100) * 2^EV (ISO 12232).
+/// Brightness of a white sheet under `lux` at an exposure value: its luminance, E over pi, as a share of the
+/// luminance that saturates a sensor at that value, 78 / (0.65 * 100) * 2^EV (ISO 12232).
 double white_sheet(double lux, double ev100)
 {
     return lux / (std::numbers::pi * 1.2 * std::exp2(ev100));
@@ -50,7 +50,7 @@ TEST(ManualMetering, TheSunOfManyLux)
         const double wanted = white_sheet(100000.0, static_cast<double>(ev100));
         EXPECT_NEAR(lighting.records[0].color.y, wanted, 1e-4 * wanted);
     }
-    // In sunlight a white sheet comes out nearly white.
+    // A white sheet in sunlight is nearly white.
     EXPECT_NEAR(white_sheet(100000.0, 15.0), 0.81, 0.01);
 }
 
@@ -62,7 +62,7 @@ TEST(ManualMetering, ALampOfCandelaByItsDistance)
     const shared::LightRecord& lamp = lighting.records[0];
     // 800 cd are 200 lux at two metres.
     EXPECT_NEAR(lamp.color.y / 4.0F, white_sheet(200.0, 5.0), 1e-4);
-    // Without a range of its own it reaches to where a 400th of white is left.
+    // Without a range in the file, the light's range ends where a 400th of white is left.
     const double far_m = static_cast<double>(lamp.range_m);
     EXPECT_NEAR(static_cast<double>(lamp.color.y) / (far_m * far_m), 1.0 / 400.0, 1e-5);
 }
@@ -78,7 +78,7 @@ TEST(ManualMetering, StopsAreAddedAndLightsCountInFull)
     const Scene brighter = lit_by({.type = LightType::directional, .intensity = 6000.0F});
     EXPECT_NEAR(gathered(brighter, {.metering = Metering::manual, .ev100 = 8.0F}).records[0].color.y,
                 3.0F * at_8, 1e-4F);
-    // Metering by the lights makes the same of both.
+    // Metering by the lights exposes both alike.
     EXPECT_NEAR(gathered(brighter, {}).records[0].color.y, level({}), 1e-5F);
 }
 
@@ -104,7 +104,7 @@ TEST(MeteringByLights, RemembersWhatStandsAndLooksAnewAtWhatMoved)
     };
     const float first = expect_same(bounds.center());
     EXPECT_EQ(first, expect_same(bounds.center()));
-    memory.key *= 2.0F; // what is in memory is taken
+    memory.key *= 2.0F; // the cached value is used
     EXPECT_EQ(gather_lights(scene, pose_scene(scene, 0.0), bounds, bounds.center(), {}, {}, &memory).exposure,
               0.5F * first);
     scene.lights[0].intensity = 400.0F;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the shadow on the blank ground pales.
+// Paling of the scene's shadow on the blank ground.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ TEST(Paling, GrowsFromTheMiddleToWhereTheTopsShadowEnds)
     const glm::dvec3 towards_sun = glm::normalize(glm::dvec3(-1.0, 1.5, 0.0));
     const Paling paling = ground_paling(box, anchor, towards_sun, most);
     EXPECT_NEAR(share_at(paling, {10.0, 2.0, 0.0}), 0.0F, 1e-6F);
-    // Three metres high, two metres of shadow to a side, from the box's own rim.
+    // The box is three metres high; its shadow reaches two metres beyond its edge.
     EXPECT_NEAR(share_at(paling, {13.0, 2.0, 0.7}), most, 1e-5F);
     EXPECT_NEAR(share_at(paling, {11.5, 2.0, -3.0}), 0.5F * most, 1e-5F);
     EXPECT_LT(share_at(paling, {9.0, 2.0, 0.0}), 0.0F) << "towards the sun it is cut off";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How light becomes darkness, by the shader's own functions.
+// The tone curve, by the shader's own functions.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ shared::ToneConstants curve(ToneCurve which, float gamma = 0.8F)
     return tone_constants({.curve = which, .gamma = gamma});
 }
 
-/// Nothing but the curve.
+/// Only the curve, without the other tone settings.
 shared::ToneConstants bare(ToneCurve which, float gamma = 1.0F)
 {
     return tone_constants({.curve = which,
@@ -68,7 +68,7 @@ TEST(Tone, FilmicIsStraightThenKeepsBrightLightApart)
     for (const float value : {0.0F, 0.2F, 0.59F, 0.6F}) {
         EXPECT_FLOAT_EQ(tone::toned(filmic, value), value);
     }
-    // At the knee neither the value nor the slope jumps.
+    // Value and slope are continuous at the knee.
     const auto slope = [&](float from, float to) {
         return (tone::toned(filmic, to) - tone::toned(filmic, from)) / (to - from);
     };

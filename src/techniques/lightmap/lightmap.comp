@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel looks up the light that was worked out ahead for what is seen there. Alpha is 1 where a
-// map says something: on the front of triangles that wear one.
+// One thread per pixel looks up the baked light of the visible surface. Alpha is 1 on the front of triangles
+// that have a lightmap, otherwise 0.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -26,12 +26,12 @@ layout(scalar, binding = 1) readonly buffer Visibility
 
 layout(scalar, binding = 4) readonly buffer Slots
 {
-    LightmapSlot slots[]; // one a draw
+    LightmapSlot slots[]; // one per draw
 };
 
 layout(scalar, binding = 5) readonly buffer Corners
 {
-    vec2 map_corners[]; // three a triangle
+    vec2 map_corners[]; // three per triangle
 };
 
 layout(binding = 6) uniform sampler2DArray maps;

@@ -112,12 +112,13 @@ gpu::ImageId add_lightmap(gpu::Graph& graph, const LightmapInputs& in, MapBuffer
 const style::Table<LightmapStyle>& lightmap_table()
 {
     static const auto table =
-        style::Table<LightmapStyle>("lightmap", "Baked light, in scenes that have a lightmap")
+        style::Table<LightmapStyle>("lightmap", "Baked light of scenes that have a lightmap")
             .number("strength", &LightmapStyle::strength, {0.0F, 10.0F}, "",
-                    "Brightness of the baked light: 0 leaves it out, 1 is as baked, more is brighter")
+                    "Brightness of the baked light: 0 leaves out the baked light, 1 keeps the baked "
+                    "brightness, more is brighter")
             .toggle("balance", &LightmapStyle::balance,
                     "If true, all light is dimmed so that baked light does not brighten the picture as a "
-                    "whole. If false, baked light is simply added.");
+                    "whole. If false, baked light is added to the other light.");
     return table;
 }
 

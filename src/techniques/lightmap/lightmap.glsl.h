@@ -11,9 +11,9 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint no_lightmap = 0xffffffffU;
 
-// Which of the lightmaps a draw wears.
+// The lightmap of a draw.
 struct LightmapSlot {
-    uint layer; // no_lightmap: none
+    uint layer; // no_lightmap means none
     float strength;
 };
 

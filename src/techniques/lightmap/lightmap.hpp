@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Light that was worked out ahead, looked up where it is seen.
+// Baked light: looks up lightmaps on visible surfaces.
 
 #include <span>
 #include <vector>
@@ -22,22 +22,21 @@ struct LightmapStyle {
 
 [[nodiscard]] const style::Table<LightmapStyle>& lightmap_table();
 
-/// The maps of a scene, and where its triangles lie in them.
+/// The lightmaps of a scene, and the UVs of its triangles.
 struct MapData {
-    std::vector<LightImage> layers;          ///< of any sizes
-    std::vector<shared::LightmapSlot> slots; ///< one a draw
-    std::vector<glm::vec2> corners;          ///< three a triangle, 0 to 1 from the top left
+    std::vector<LightImage> layers;          ///< images of any size
+    std::vector<shared::LightmapSlot> slots; ///< one per draw
+    std::vector<glm::vec2> corners;          ///< UVs, three per triangle; (0, 0) is the top left
 };
 
 struct MapBuffers {
     gpu::Buffer slots;
     gpu::Buffer corners;
-    gpu::Image maps; ///< rgba16f, a layer a map
+    gpu::Image maps; ///< rgba16f, one layer per lightmap
 };
 
-/// Uploads maps, all stretched to the size of the largest, with one coarser level: charts of a map are not
-/// far enough apart for more. Throws Error when they are beyond the device's limits. Cost: about 30 ns a
-/// texel.
+/// Uploads lightmaps, all resized to the largest, with one mip level: a map's charts are too close together
+/// for more. Throws Error if they exceed the device's limits. Cost: about 30 ns per texel.
 [[nodiscard]] MapBuffers upload_maps(gpu::Device& device, const MapData& data);
 
 struct LightmapInputs {
@@ -45,12 +44,14 @@ struct LightmapInputs {
     gpu::BufferId visibility;
     gpu::BufferId triangles;
     gpu::BufferId posed_vertices;
-    float scale = 1.0F; ///< from the maps' exposure to the frame's
+    float scale = 1.0F; ///< converts the maps' exposure to the frame's
     glm::uvec2 size_px{0};
 };
 
-/// Writes  rgba16f: irradiance over pi; 1 in alpha where a map says something
-/// Cost    one full-screen dispatch, with one look into a map a pixel
+/// Looks up the baked light of each pixel.
+///
+/// Writes  rgba16f: irradiance over pi; alpha 1 where a lightmap applies
+/// Cost    one full-screen dispatch with one texture lookup per pixel
 [[nodiscard]] gpu::ImageId add_lightmap(gpu::Graph& graph, const LightmapInputs& in, MapBuffers& maps);
 
 } // namespace estampe::lightmap

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel finds where on the page the point that is seen there stood in the frame before.
+// One thread per pixel computes where the visible point was on the page in the frame before.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -33,7 +33,7 @@ vec4 vertex_before(uint vertex)
     return vec4(uintBitsToFloat(texelFetch(vertex_texels_before, int(vertex)).xyz), 1.0);
 }
 
-// A point of anchor space, homogeneous: now and in the frame before.
+// A homogeneous point of anchor space, now and in the frame before.
 struct Point {
     vec4 now;
     vec4 before;
@@ -53,7 +53,7 @@ Point seen_point(uvec2 seen, vec2 position_px)
                      weight);
 }
 
-// What nothing is seen of stands infinitely far, or on the far plane of a parallel view.
+// The background is infinitely far away, or on the far plane of a parallel view.
 Point far_point(vec2 position_px)
 {
     vec4 far = frame.anchor_from_clip * vec4(ndc_at(position_px, frame.size_px), 0.0, 1.0);

@@ -6,7 +6,7 @@
 namespace estampe::shared {
 #endif
 
-// Where the camera stands and stood, without the shift of a sample within its pixel.
+// Present and former camera, without the subpixel shift of a sample.
 struct MotionConstants {
     mat4 clip_from_anchor;
     mat4 clip_from_anchor_before;

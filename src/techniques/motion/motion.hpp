@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How far what is seen at each pixel has moved on the page since another moment: for effects that look back.
+// Motion vectors: how far the visible surface at each pixel has moved on the page since another moment.
 
 #include "gpu/graph/graph.hpp"
 #include "techniques/motion/motion.glsl.h"
@@ -13,19 +13,19 @@ struct MotionInputs {
     gpu::BufferId visibility;
     gpu::BufferId triangles;
     gpu::BufferId posed_vertices;
-    gpu::BufferId posed_vertices_before; ///< the same where nothing moved
-    glm::mat4 clip_from_anchor{1.0F};    ///< not jittered
+    gpu::BufferId posed_vertices_before; ///< equals posed_vertices if nothing moved
+    glm::mat4 clip_from_anchor{1.0F};    ///< without the subpixel shift of a sample
     glm::mat4 clip_from_anchor_before{1.0F};
     glm::uvec2 size_px{0};
 };
 
-/// The motion of the surface at each pixel, exact: the point of the triangle that is seen is looked up in the
-/// vertices of that moment. Of the background, as of what is infinitely far.
+/// The exact motion of the surface at each pixel: interpolates the visible triangle's vertices as posed at
+/// the other moment. The background moves as if infinitely far away.
 ///
-/// Writes  rgba32f: pixels to the right and down since then; the reversed depth that the point
-///         had then, 0 at infinity; and 1, or 0 where it lay behind the eye and has no place on the page.
-///         What was seen at that place then is the same point unless its depth differs: it was hidden
-/// Cost    one full-screen dispatch, three vertices gathered twice a pixel; 16 bytes written a pixel
+/// Writes  rgba32f: motion in pixels to the right and down; reversed depth of the point at the other moment,
+///         0 at infinity; and 1, or 0 if the point was behind the eye. If the picture of the other moment
+///         has another depth at that place, the point was hidden there
+/// Cost    one full-screen dispatch that gathers three vertices twice per pixel and writes 16 bytes per pixel
 [[nodiscard]] gpu::ImageId add_motion(gpu::Graph& graph, const MotionInputs& in);
 
 } // namespace estampe::motion

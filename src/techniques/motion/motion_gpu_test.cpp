@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Motion against projections worked out in double precision, and hatching that is warped by it.
+// Motion compared with projections in double precision, and hatching warped by motion.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -81,7 +81,7 @@ const Motion& draw_motion(const Moment& since, const Moment& now)
     return test::shared_renderer().motion();
 }
 
-/// A square of 2 m that moves and turns during one second.
+/// A square of 2 m that moves and turns for one second.
 struct Wall {
     static glm::dmat4 place(double time_s)
     {
@@ -152,12 +152,12 @@ TEST(Motion, IsThatOfTheWallAndTheCamera)
     }
     EXPECT_GT(on_wall, motion.size() / 4);
     EXPECT_LT(on_wall, motion.size() - 100);
-    // What was drawn in between does not matter, nor which way time runs.
+    // Pictures drawn in between do not matter, and time may run backwards.
     EXPECT_NE(draw_motion({second, 0.6}, {first, 0.1}).pixels, motion);
     EXPECT_EQ(draw_motion({first, 0.2}, {second, 0.6}).pixels, motion);
 }
 
-/// A ball that morphs, a tube that bends by its skin, and a box that turns.
+/// A ball with morph targets, a skinned tube, and a box that turns.
 Scene bodies()
 {
     Scene scene;
@@ -200,7 +200,7 @@ Scene bodies()
     return scene;
 }
 
-/// Where each node's vertices are at a moment.
+/// The vertices of each node at a moment.
 std::map<Index, std::vector<glm::dvec3>> posed_at(const Scene& scene, double time_s)
 {
     std::map<Index, std::vector<glm::dvec3>> result;
@@ -220,7 +220,7 @@ TEST(Motion, IsThatOfEachVertexOfWhatMorphsBendsAndTurns)
     const test::EmbreeScene rays(scene, now.time_s);
     const auto before = posed_at(scene, since.time_s);
     std::map<Index, size_t> compared;
-    size_t elsewhere = 0; // another triangle was seen, as may be at an outline
+    size_t elsewhere = 0; // pixels at outlines may see another triangle
     double worst_px = 0.0;
     for (size_t i = 0; i < motion.size(); ++i) {
         const glm::dvec3 ray = glm::normalize(page_ray(now.camera, centre_of(i)));
@@ -309,8 +309,8 @@ TEST(Motion, HatchingHoldsStillUnderIt)
     Scene scene = test::scene_of(shapes::plane(60.0F, 60.0F));
     test::add_sun(scene, {-1.0, 2.0, 2.0});
     test::shared_renderer().set_scene(scene);
-    // Strokes of 30 pixels: looking a picture up between its pixels blurs edges by half a pixel, which counts
-    // as motion, and the more so the finer the strokes are.
+    // Strokes of 30 pixels: interpolated lookups blur edges by half a pixel, which counts as motion, more so
+    // for finer strokes.
     constexpr glm::uvec2 large(720, 480);
     const auto camera = [](int step) {
         const double distance_m = 4.0 * std::pow(0.99, step);

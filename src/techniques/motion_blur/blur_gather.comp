@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel of the listed tiles finds what passes it while the shutter is open, and what is seen
-// there when nothing does. Layers of other pixels are read from where they are packed, so that these are
-// drawn in place.
+// For one pixel of the listed tiles, one thread computes what passes it during the exposure, and what is
+// visible there when nothing does. Other pixels are read from their packed copy, so that layers can be
+// modified in place.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -30,30 +30,31 @@ const bool shows_velocity = (variant & blur_shows_velocity) != 0u;
 
 #include "shaders/layer_sample.glsl"
 
-const int most_taps = 24;        // along one way
-const int most_taps_of_two = 16; // along each of two
+const int most_taps = 24;        // along one path
+const int most_taps_of_two = 16; // along each of two paths
 
 float length_of(vec2 way)
 {
     return sqrt(dot(way, way));
 }
 
-// What part of the exposure a thing whose way is `length_px` long to both sides spends on a pixel so far off.
+// Share of the exposure that a surface spends on a pixel at distance `away_px`; `length_px` is its
+// displacement to either side.
 float time_share(float length_px, float away_px)
 {
     return clamp(length_px + 0.5 - away_px, 0.0, 1.0) / (2.0 * max(length_px, 0.5));
 }
 
-// How surely of two depths the first is before the second; nothing that is infinitely far is before anything.
+// How certainly the first depth is in front of the second, 0 to 1; 0 if the first is infinitely far.
 float is_before(float depth, float other)
 {
     return other < depth ? smoothstep(0.02, 0.06, 1.0 - other / depth) : 0.0;
 }
 
 struct Passing {
-    LayerSample before; // what is in front of the pixel's own surface, by its time there
+    LayerSample before; // surfaces in front of the pixel's own, weighted by their time there
     float before_time;
-    LayerSample there; // the surface itself, and what is behind it
+    LayerSample there; // the pixel's own surface and those behind it
     float there_time;
 };
 
@@ -64,7 +65,7 @@ void pass_along(ivec2 pixel, vec2 way, int most, vec2 own_way, float own_depth, 
     int taps = reach_px > 0.0 ? min(int(ceil(2.0 * reach_px + 1.0)), most) : 0;
     vec2 forward = way / max(reach_px, 1e-6);
     float step_px = (2.0 * reach_px + 1.0) / float(max(taps, 1));
-    // The condition stands behind: where there is no way one tap counts for nothing.
+    // A do loop runs at least once: without motion it evaluates one tap of weight 0.
     int i = 0;
     do {
         float along_px = (float(i) + 0.5) * step_px - reach_px - 0.5;
@@ -80,12 +81,12 @@ void pass_along(ivec2 pixel, vec2 way, int most, vec2 own_way, float own_depth, 
         float before = is_before(depth, own_depth);
         float behind = is_before(own_depth, depth);
         float weight = is_there && taps > 0 ? step_px : 0.0;
-        // Only what goes this way comes from there.
+        // Only a surface that moves along this path reaches the pixel from there.
         float same_way = abs(dot(tap_way, forward)) / max(tap_px, 1e-6);
         float moved = tap_px > 0.0 ? same_way * same_way * time_share(tap_px, away_px) * weight : 0.0;
         float uncovered = own_px > 0.0 ? time_share(own_px, away_px) * weight : 0.0;
         LayerSample sample_here = unpack_sample(texel);
-        // At about the same distance what is faster passes over what is slower.
+        // At a similar distance, a faster surface passes over a slower one.
         float faster = clamp(1.0 - 2.0 * own_px / max(tap_px, 1e-6), 0.0, 1.0);
         before += faster * (1.0 - before - behind);
         passing.before = sum_of(passing.before, scaled(sample_here, before * moved));
@@ -117,7 +118,8 @@ void main()
     float own_depth = texelFetch(owner_depth_image, pixel, 0).x;
     bool is_moving = own_way != vec2(0.0);
     Passing passing = Passing(no_sample, 0.0, no_sample, 0.0);
-    // What comes from elsewhere goes the longest way that reaches the pixel; what is there goes its own.
+    // Other surfaces reach the pixel along the longest motion in its tile; its own surface moves along its
+    // own.
     bool is_same = length_of(longest - own_way) < 0.05 * length_of(longest);
     int most = is_same || !is_moving ? most_taps : most_taps_of_two;
     pass_along(pixel, longest, most, own_way, own_depth, passing);

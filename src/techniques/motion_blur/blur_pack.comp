@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread gathers the layers of a pixel in one texel, with the way that it goes in half the exposure.
+// One thread packs the layers of a pixel and its displacement in half the exposure into one texel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -14,10 +14,10 @@ layout(binding = 2) uniform sampler2D wash_image;
 layout(binding = 3) uniform sampler2D hatch_image;
 layout(binding = 4) uniform sampler2D line_image;
 layout(binding = 5) uniform sampler2D sky_ink_image;
-layout(binding = 6) uniform sampler2D own_motion_image; // where shapes are drawn out: as they are
+layout(binding = 6) uniform sampler2D own_motion_image; // unstretched; read in mode `stretched`
 layout(binding = 7, rgba32ui) writeonly uniform uimage2D out_texel;
-layout(binding = 8, r32f) writeonly uniform image2D out_depth; // of what a line belongs to
-layout(binding = 9, r16f) writeonly uniform image2D out_hatch; // with the sky's
+layout(binding = 8, r32f) writeonly uniform image2D out_depth; // of the surface or its line's owner
+layout(binding = 9, r16f) writeonly uniform image2D out_hatch; // including the sky's strokes
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -51,7 +51,7 @@ void main()
     LineOwner owner = owner_of(pixel, layers.lines.a, constants.line_reach_px, ivec2(constants.size_px) - 1);
     vec2 way = half_way(texelFetch(motion_image, owner.pixel, 0));
     if (is_stretched && way == vec2(0.0)) {
-        // What has gone from its place to be drawn out elsewhere is not left there sharp.
+        // Pixels that a stretched shape has left still blur by their own motion, instead of staying sharp.
         way = half_way(texelFetch(own_motion_image, owner.pixel, 0));
     }
     imageStore(out_texel, pixel,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread finds the longest way that reaches a tile, its own or another's, and lists what has to be drawn.
+// One thread finds the longest displacement that reaches a tile, from itself or other tiles, and lists the
+// tile if it must be drawn.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -37,7 +38,7 @@ void main()
     do {
         TileAbout about = tile_about(tile, reach, i, count);
         vec2 way = texelFetch(tile_image, about.tile, 0).xy;
-        // Along each axis it has to cross what lies between the two tiles.
+        // Along each axis, the displacement must span the gap between the two tiles.
         bool gets_here = all(greaterThanEqual(abs(way), vec2(about.between * int(blur_tile_px))));
         longest = gets_here && dot(way, way) > dot(longest, longest) ? way : longest;
     } while (++i < tiles);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The longest ways of tiles, found by a thread a tile and by a group.
+// The longest displacements of tiles, found by a single thread and by a workgroup.
 #include "techniques/motion_blur/motion_blur.hpp"
 
 #include <array>
@@ -12,9 +12,9 @@
 namespace estampe::motion_blur {
 namespace {
 
-constexpr glm::uvec2 size_px(75, 50); // with tiles that the page cuts
+constexpr glm::uvec2 size_px(75, 50); // the page's edge cuts some tiles
 
-/// What of the page is seen, in pixels from and until.
+/// The visible part of the page, from inclusive to exclusive pixels.
 struct Window {
     glm::uvec2 min_px{0};
     glm::uvec2 max_px = size_px;
@@ -25,7 +25,7 @@ glm::vec4 check_at(glm::uvec2 pixel)
     return {glm::vec3((pixel.x / 3 + pixel.y / 3) % 2 == 0 ? 0.1F : 0.9F), 1.0F};
 }
 
-/// Checks of paint, which patches of the page go past in ways of their own, some of the same length.
+/// A painted checkerboard with patches that move in different directions, some equally far.
 std::vector<glm::vec4> blurred(bool by_groups, const Window& window = {})
 {
     const auto way = [](glm::uvec2 pixel) {
@@ -80,7 +80,7 @@ TEST(MotionBlurTiles, BeyondTheWindowAreLeftAndWithinAreBlurredAsEver)
         const glm::uvec2 pixel(i % size_px.x, i / size_px.x);
         const bool is_within = glm::all(glm::greaterThanEqual(pixel, window.min_px)) &&
                                glm::all(glm::lessThan(pixel, window.max_px));
-        const bool is_far = pixel.x < 16 || pixel.y < 16; // tiles of their own
+        const bool is_far = pixel.x < 16 || pixel.y < 16; // in other tiles
         if (is_within) {
             EXPECT_EQ(part[i], whole[i]) << pixel.x << ", " << pixel.y;
         } else if (is_far) {

@@ -36,50 +36,50 @@ const style::Table<MotionBlurStyle>& motion_blur_table()
     };
     static const auto table =
         style::Table<MotionBlurStyle>("motion_blur", "Motion blur, speed lines and smear strokes")
-            .toggle("enabled", &MotionBlurStyle::enabled, "Turns motion blur on: moving objects blur")
+            .toggle("enabled", &MotionBlurStyle::enabled, "Turns motion blur on: moving objects are blurred")
             .choice("mode", &MotionBlurStyle::mode,
                     {{"tiles", Mode::tiles},
                      {"own", Mode::own},
                      {"stretched", Mode::stretched},
                      {"velocity", Mode::velocity}},
-                    "How moving objects blur. tiles: over what they pass; own: within their "
-                    "outline; stretched: within their outline, stretched along the motion; velocity: shows "
-                    "velocities as colours, red to the right and green up.")
+                    "How moving objects are blurred. tiles: over the things that they pass; own: within "
+                    "their outline; stretched: within their outline, stretched along the motion; velocity: "
+                    "shows velocities as colours, red to the right and green up.")
             .number("shutter_deg", &MotionBlurStyle::shutter_deg, {0.0F, 360.0F}, "deg",
-                    "How long the shutter is open: 360 is the whole time from frame to frame, 180 half of "
-                    "it. More blurs more and gives longer speed lines.")
+                    "How long the shutter is open: 360 is the whole time from one frame to the next, 180 is "
+                    "half of it. More gives more blur and longer speed lines.")
             .number("frames_per_s", &MotionBlurStyle::frames_per_s, {1.0F, 1000.0F}, "/s",
-                    "Frame rate that a still picture assumes for its exposure time. Films have a frame rate "
-                    "of their own.")
+                    "Frame rate from which the exposure time of a still picture is computed: less gives more "
+                    "blur. Films use their own frame rate.")
             .number("largest_mm", &MotionBlurStyle::largest_mm, {0.1F, 60.0F}, "mm",
-                    "Longest motion on the page that is blurred or smeared: faster objects are cut to this "
-                    "length")
+                    "Longest motion on the page that is blurred or smeared: the motion of faster objects is "
+                    "limited to this length")
             .toggle("speed_lines.enabled", of_lines(&MotionMarks::enabled),
-                    "Turns speed lines on, behind objects that move fast")
+                    "Turns speed lines on: lines behind objects that move fast")
             .number("speed_lines.length", of_lines(&MotionMarks::length), {0.1F, 20.0F}, "",
-                    "Length of speed lines, as a factor of the motion while the shutter is open, up to 30 "
-                    "mm: more is faster to the eye. Only used when motion_blur.speed_lines.enabled is true.")
-            .number("speed_lines.spacing_mm", of_lines(&MotionMarks::spacing_mm), {0.5F, 50.0F}, "mm",
-                    "Distance from one speed line to the next, about: less gives more lines. Only used when "
+                    "Length of speed lines, as a factor of the object's motion on the page while the shutter "
+                    "is open, up to 30 mm: more makes objects look faster. Only used when "
                     "motion_blur.speed_lines.enabled is true.")
+            .number("speed_lines.spacing_mm", of_lines(&MotionMarks::spacing_mm), {0.5F, 50.0F}, "mm",
+                    "Approximate distance from one speed line to the next: less gives more lines. Only used "
+                    "when motion_blur.speed_lines.enabled is true.")
             .number("speed_lines.width_mm", of_lines(&MotionMarks::width_mm), {0.05F, 5.0F}, "mm",
                     "Width of a speed line at its start, next to the object. Only used when "
                     "motion_blur.speed_lines.enabled is true.")
-            .number(
-                "speed_lines.from_mm", of_lines(&MotionMarks::from_mm), {0.0F, 60.0F}, "mm",
-                "Motion on the page, while the shutter is open, from which an object has speed lines: "
-                "less gives slow objects lines, too. Only used when motion_blur.speed_lines.enabled is true.")
+            .number("speed_lines.from_mm", of_lines(&MotionMarks::from_mm), {0.0F, 60.0F}, "mm",
+                    "Smallest motion on the page, while the shutter is open, that gives an object speed "
+                    "lines: less gives speed lines to slow objects, too. Only used when "
+                    "motion_blur.speed_lines.enabled is true.")
             .color(
                 "speed_lines.ink", of_lines(&MotionMarks::ink),
                 "Colour of the ink of speed lines. Only used when motion_blur.speed_lines.enabled is true.")
             .toggle("smear.enabled", of_smear(&MotionMarks::enabled),
                     "Turns smear strokes on: strokes of a dry brush, drawn from the trailing edge of moving "
                     "objects")
-            .number(
-                "smear.length", of_smear(&MotionMarks::length), {0.1F, 20.0F}, "",
-                "Length of the longest smear strokes, as a factor of the motion while the shutter is open, "
-                "which counts up to motion_blur.largest_mm. Only used when motion_blur.smear.enabled is "
-                "true.")
+            .number("smear.length", of_smear(&MotionMarks::length), {0.1F, 20.0F}, "",
+                    "Length of the longest smear strokes, as a factor of the object's motion on the page "
+                    "while the shutter is open. Motion counts up to motion_blur.largest_mm. Only used when "
+                    "motion_blur.smear.enabled is true.")
             .number("smear.spacing_mm", of_smear(&MotionMarks::spacing_mm), {0.2F, 50.0F}, "mm",
                     "Distance from one smear stroke to the next, across the motion: less gives more strokes. "
                     "Only used when motion_blur.smear.enabled is true.")
@@ -87,15 +87,16 @@ const style::Table<MotionBlurStyle>& motion_blur_table()
                     "Width of the broadest smear strokes at their start, next to the object. Only used when "
                     "motion_blur.smear.enabled is true.")
             .number("smear.from_mm", of_smear(&MotionMarks::from_mm), {0.0F, 60.0F}, "mm",
-                    "Motion on the page, while the shutter is open, from which an object has smear strokes: "
-                    "less gives slow objects strokes, too. Only used when motion_blur.smear.enabled is true.")
+                    "Smallest motion on the page, while the shutter is open, that gives an object smear "
+                    "strokes: less gives smear strokes to slow objects, too. Only used when "
+                    "motion_blur.smear.enabled is true.")
             .color("smear.ink", of_smear(&MotionMarks::ink),
                    "Colour of the ink of smear strokes. Only used when motion_blur.smear.enabled is true.");
     return table;
 }
 
-// Strokes are kept as in a hard-core process: Matérn, "Spatial Variation", 1960, the second of his ways to
-// thin out points, which asks each point for those about it alone.
+// Strokes are thinned out like a hard-core point process: Matérn, "Spatial Variation", 1960, his second
+// method, in which each point only depends on the points around it.
 
 namespace {
 
@@ -107,7 +108,7 @@ float unit_float(uint32_t bits)
     return static_cast<float>(bits >> 8U) / 16777216.0F;
 }
 
-/// One seed in each part of the area of `of_draw`, which are numbers of triangles.
+/// Adds `count` seeds, one in each equal part of the area of a draw; `of_draw` lists its triangles.
 void spread_over(std::span<const uint32_t> of_draw, std::span<const glm::uvec4> triangles,
                  std::span<const glm::vec3> places, uint32_t count, std::vector<shared::SmearSeed>& seeds)
 {
@@ -213,20 +214,20 @@ gpu::ImageId add_smear(gpu::Graph& graph, const SmearScene& scene, const SmearPa
     return drawn;
 }
 
-// Blur spread over the longest way of tiles: McGuire, Hennessy, Bukowski and Osman, "A Reconstruction Filter
-// for Plausible Motion Blur", I3D 2012; along two ways: Guertin, McGuire and Nowrouzezahrai, "A Fast and
-// Stable Feature-Aware Motion Blur Filter", HPG 2014; before and behind apart: Jimenez, "Next Generation Post
-// Processing in Call of Duty", SIGGRAPH 2014.
+// Blur along the longest motion of tiles: McGuire, Hennessy, Bukowski and Osman, "A Reconstruction Filter for
+// Plausible Motion Blur", I3D 2012. Along two motions: Guertin, McGuire and Nowrouzezahrai, "A Fast and
+// Stable Feature-Aware Motion Blur Filter", HPG 2014. Separate foreground and background: Jimenez, "Next
+// Generation Post Processing in Call of Duty", SIGGRAPH 2014.
 
 namespace {
 
 constexpr float longest_line_mm = 30.0F;
 
-/// What moves, packed.
+/// Packed layers and motion of the page.
 struct Packed {
     gpu::ImageId page;
     gpu::ImageId depth;
-    gpu::ImageId hatch; ///< with the sky's strokes, if they are laid; else nothing
+    gpu::ImageId hatch; ///< with the sky's strokes if they are added; otherwise one texel
 };
 
 Packed add_pack(gpu::Graph& graph, const MotionBlurInputs& in, uint32_t variant,
@@ -251,7 +252,7 @@ Packed add_pack(gpu::Graph& graph, const MotionBlurInputs& in, uint32_t variant,
     return packed;
 }
 
-/// The longest ways that reach tiles, and the tiles to draw.
+/// The longest displacements that reach tiles, and the tiles to draw.
 struct Reach {
     gpu::ImageId ways;
     gpu::BufferId tiles; ///< see shaders/tiles.glsl.h
@@ -281,7 +282,7 @@ Reach add_reach(gpu::Graph& graph, const MotionBlurInputs& in, gpu::ImageId page
     return {.ways = ways, .tiles = passed};
 }
 
-/// Blurs `layers` in place where anything moves.
+/// Blurs `layers` in place in the tiles that are passed by motion.
 void blur_in_place(gpu::Graph& graph, const MotionBlurInputs& in, const Packed& packed, uint32_t variant,
                    const shared::MotionBlurConstants& constants, MotionBlurLayers& layers)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_MOTION_BLUR_GLSL_H
 #define ESTAMPE_MOTION_BLUR_GLSL_H
-// What the shaders of motion blur, speed lines and smear strokes share with C++.
+// Constants and structs of motion blur, speed lines and smear strokes, shared by shaders and C++.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
@@ -9,70 +9,70 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-// Variant bits of the shaders of motion blur.
-SHARED_CONSTANT uint blur_has_sky = 1U << 0U; // strokes of the sky stand where nothing is seen
+// Variant bits of the motion blur shaders.
+SHARED_CONSTANT uint blur_has_sky = 1U << 0U; // the sky's strokes are drawn where no surface is visible
 SHARED_CONSTANT uint blur_shows_velocity = 1U << 1U;
-SHARED_CONSTANT uint blur_is_stretched = 1U << 2U; // shapes are drawn out along their way
-SHARED_CONSTANT uint blur_lays_sky = 1U << 3U;     // strokes of the sky go with the others
+SHARED_CONSTANT uint blur_is_stretched = 1U << 2U; // shapes are stretched along their motion
+SHARED_CONSTANT uint blur_lays_sky = 1U << 3U;     // the sky's strokes are added to the hatching
 
 SHARED_CONSTANT uint blur_tile_px = 16U;
-SHARED_CONSTANT float blur_still_px = 0.25F; // who goes less far to either side of now stands still
-SHARED_CONSTANT uint most_speed_lines = 16U; // that pass one tile
+SHARED_CONSTANT float blur_still_px = 0.25F; // a smaller displacement counts as standing still
+SHARED_CONSTANT uint most_speed_lines = 16U; // per tile
 
 struct MotionBlurConstants {
     uvec2 size_px;
-    uvec2 window_min_px; // beyond, nothing is seen
+    uvec2 window_min_px; // pixels outside the window are never visible
     uvec2 window_max_px;
-    float scale;         // from motion to the way that is gone in half the time the shutter is open
-    float most_px;       // of that
-    float line_reach_px; // how far a line lies at most from what it belongs to
-    float cell_px;       // of the page, one speed line each
-    float line_length;   // by the way in half the time
-    float line_most_px;  // and no longer than this
-    float line_half_px;  // where it begins
-    float line_from_px;  // least way in half the time
+    float scale;         // from motion to the displacement in half the exposure
+    float most_px;       // upper limit of that displacement
+    float line_reach_px; // largest distance of a line's pixel from the edge that it follows
+    float cell_px;       // side of a cell of the page that has one speed line
+    float line_length;   // length of speed lines relative to the displacement
+    float line_most_px;  // longest speed line
+    float line_half_px;  // half width at its start
+    float line_from_px;  // least displacement that gets speed lines
     uint seed;
     vec3 line_ink; // linear
 };
 
 struct StretchConstants {
-    mat4 now_from_before; // from where something stood to where it would be seen alike now
-    float share;          // of its way by which a vertex is moved
+    mat4 now_from_before; // moves previous positions to where this camera sees them alike
+    float share;          // part of its motion by which a vertex is displaced
     uint vertex_count;
 };
 
-SHARED_CONSTANT uint smear_block_px = 64U;     // side of the parts of the page that list their strokes
-SHARED_CONSTANT uint most_smear_strokes = 63U; // that pass one part
-SHARED_CONSTANT float smear_bow = 0.03F;       // how far a stroke bends aside at most, by its length
+SHARED_CONSTANT uint smear_block_px = 64U;     // side of the blocks of the page that list their strokes
+SHARED_CONSTANT uint most_smear_strokes = 63U; // per block
+SHARED_CONSTANT float smear_bow = 0.03F;       // largest sideways bend of a stroke relative to its length
 
-// A place on a triangle, one texel.
+// A position on a triangle, one texel.
 struct SmearSeed {
     uint triangle;
-    vec2 weight; // of its second and third corner
-    uint number; // steady, and another for each seed
+    vec2 weight; // barycentric weights of the second and third corner
+    uint number; // constant over time and different for each seed
 };
 
-// Two texels. Without a way there is no stroke.
+// Two texels. A stroke with way_px = 0 is not drawn.
 struct SmearStroke {
-    vec2 from_px; // where what moves ends
-    vec2 way_px;  // backwards, as long as the stroke
+    vec2 from_px; // the trailing edge of the moving body
+    vec2 way_px;  // opposite to the motion, as long as the stroke
     float half_px;
-    float depth; // reversed, of what it comes from
+    float depth; // reversed depth of the body
     uint random;
-    float least_px; // that a pixel goes per half the exposure along with what it comes from
+    float least_px; // a pixel that moves farther than this along the body's motion belongs to the body
 };
 
 struct SmearConstants {
     mat4 clip_from_anchor_before;
     uvec2 size_px;
-    float scale;        // from motion to the way that is gone in half the time the shutter is open
-    float most_px;      // of that
-    float length_share; // of strokes, by the same
-    float spacing_px;   // from stroke to stroke, across their way
-    float width_px;     // of the widest
-    float from_px;      // least way in half the time
+    float scale;        // from motion to the displacement in half the exposure
+    float most_px;      // upper limit of that displacement
+    float length_share; // length of strokes relative to the displacement
+    float spacing_px;   // distance between strokes, across the motion
+    float width_px;     // width of the widest stroke
+    float from_px;      // least displacement that gets strokes
     uint seed;
-    uint count; // of seeds
+    uint count; // number of seeds
     vec3 ink;   // linear
 };
 

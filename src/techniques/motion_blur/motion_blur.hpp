@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What moves while the shutter is open is blurred along its way, or drawn with speed lines or smear strokes:
-// strokes of a dry brush behind it, as animators and comic artists draw it.
+// Motion during the exposure: moving objects are blurred along their motion, or drawn with speed lines or
+// smear strokes. Smear strokes are dry brush strokes behind an object, as animators and comic artists draw
+// them.
 
 #include <memory>
 #include <optional>
@@ -29,7 +30,7 @@ struct MotionMarks {
 };
 
 struct MotionBlurStyle {
-    bool enabled = false; ///< the blur; speed lines and smear strokes have their own
+    bool enabled = false; ///< turns the blur on; speed lines and smear strokes have their own switches
     Mode mode = Mode::tiles;
     float shutter_deg = 180.0F;
     float frames_per_s = 24.0F;
@@ -41,12 +42,12 @@ struct MotionBlurStyle {
 
 [[nodiscard]] const style::Table<MotionBlurStyle>& motion_blur_table();
 
-/// A scene has about that many seeds, shared alike by its draws; and each draw four at least, up to four
-/// times that many in all.
+/// Approximate number of seeds of a scene, divided equally between its draws. Each draw has at least four, so
+/// a scene may have up to four times this number.
 inline constexpr uint32_t smear_seed_count = 2048;
 
-/// Places on the triangles (three vertices and a draw) whose numbers are in `of`, spread by area in the pose
-/// of `places` over each draw. The same for the same triangles. Cost: linear.
+/// Spreads seeds over each draw of a scene by area, in the pose `places`. `of` lists the triangles to use
+/// (three vertices and a draw). The result only depends on the triangles and the pose. Cost: linear.
 [[nodiscard]] std::vector<shared::SmearSeed> spread_seeds(std::span<const uint32_t> of,
                                                           std::span<const glm::uvec4> triangles,
                                                           std::span<const glm::vec3> places);
@@ -60,62 +61,62 @@ struct SmearSeeds {
 
 [[nodiscard]] SmearSeeds upload_seeds(gpu::Device& device, const std::vector<shared::SmearSeed>& seeds);
 
-/// Of the scene.
+/// Inputs of smear strokes from the scene.
 struct SmearScene {
     gpu::BufferId frame;
     gpu::BufferId triangles;
     gpu::BufferId posed_vertices;
     gpu::BufferId posed_vertices_before;
-    glm::mat4 clip_from_anchor_before; ///< shifted within a pixel as the frame's
+    glm::mat4 clip_from_anchor_before; ///< with the frame's subpixel jitter
     SmearSeeds* seeds;
 };
 
-/// Of the page.
+/// Inputs of smear strokes from the page.
 struct SmearPage {
-    gpu::ImageId page;        ///< rgba32ui: in its last word the way of half the exposure
-    gpu::ImageId owner_depth; ///< r32f: of what a line belongs to
+    gpu::ImageId page;        ///< rgba32ui; the last word is the displacement in half the exposure
+    gpu::ImageId owner_depth; ///< r32f: depth of the surface that a line belongs to
     gpu::ImageId depth;       ///< r32f
     glm::uvec2 size_px{0};
 };
 
-/// What all passes share, `size_px`, the seeds and the camera before aside.
+/// Constants of all smear passes, except `size_px`, the seeds and the previous camera.
 [[nodiscard]] shared::SmearConstants smear_constants_of(const MotionBlurStyle& style, float scale,
                                                         float most_px, float pixels_per_mm);
 
-/// Draws smear strokes into `lines`. Where nothing moves, or the scene has nothing to move, they keep their
-/// bits.
+/// Draws smear strokes into `lines`. If nothing moves, or the scene has nothing that can move, the lines keep
+/// their bits.
 ///
-/// Cost    one thread a seed that goes to the edge of its body; one a seed that is compared with all others
-///         where it gave a stroke; lists of 64 x 64 pixels; a pass over the page, of 63 strokes a pixel at
-///         most
+/// Cost    one thread per seed, which walks to the edge of its body; one per stroke, which is compared with
+///         all others; lists for blocks of 64 x 64 pixels; one pass over the page with at most 63 strokes
+///         per pixel
 [[nodiscard]] gpu::ImageId add_smear(gpu::Graph& graph, const SmearScene& scene, const SmearPage& page,
                                      gpu::ImageId lines, shared::SmearConstants constants);
 
-/// How long the shutter is open, in seconds.
+/// Exposure time in seconds.
 [[nodiscard]] double exposure_s(const MotionBlurStyle& style);
 
-/// Whether the style asks for anything that hangs on motion.
+/// Returns whether the style asks for blur, speed lines or smear strokes.
 [[nodiscard]] bool is_wanted(const MotionBlurStyle& style);
 
-/// What all passes share; `scale` is from motion on the page to the way in half the exposure, `line_half_px`
-/// half the widest line of the scene.
+/// Constants of all blur and speed line passes. `scale` is the factor from motion on the page to the
+/// displacement in half the exposure, `line_half_px` half the width of the scene's widest line.
 [[nodiscard]] shared::MotionBlurConstants constants_of(const MotionBlurStyle& style, float scale,
                                                        float pixels_per_mm, float line_half_px);
 
 struct VelocityShapeInputs {
     gpu::BufferId posed_vertices;
     gpu::BufferId posed_vertices_before;
-    glm::mat4 now_from_before{1.0F}; ///< from where something stood to where it would be seen alike now
-    float share = 0.0F;              ///< from motion to the way in half the exposure
+    glm::mat4 now_from_before{1.0F}; ///< moves previous positions to where this camera sees them alike
+    float share = 0.0F;              ///< from motion to the displacement in half the exposure
 };
 
-/// A shape that is drawn for its velocities alone: its vertices now, and where they stood before.
+/// A shape that is drawn only for its velocities: its current and its previous vertices.
 struct VelocityShape {
     gpu::BufferId vertices;
     gpu::BufferId before;
 };
 
-/// What the style's mode keeps of the scene from frame to frame; most keep nothing.
+/// Data that the style's mode keeps between frames; most modes keep none.
 class Memory {
 public:
     Memory();
@@ -125,14 +126,14 @@ public:
     Memory(Memory&&) = delete;
     Memory& operator=(Memory&&) = delete;
 
-    /// Whether the style's mode needs set_vertices() first.
+    /// Returns whether the style's mode needs a call of set_vertices() first.
     [[nodiscard]] bool lacks_vertices(const MotionBlurStyle& style) const;
 
-    /// `places` are of posed vertices at rest. Cost: n log n.
+    /// Sets the posed vertices at rest. Cost: n log n.
     void set_vertices(gpu::Device& device, std::span<const glm::vec3> places,
                       std::span<const uint32_t> draw_of_vertex);
 
-    /// The scene has other vertices.
+    /// Call when the scene has other vertices.
     void forget();
 
 private:
@@ -142,43 +143,44 @@ private:
     std::unique_ptr<Kept> kept_;
 };
 
-/// The shape whose motion MotionBlurInputs wants, where the style's mode looks past the outlines of what
-/// moves; none where that is the scene as it stands.
+/// The shape whose motion is the input MotionBlurInputs::motion, if the style's mode stretches shapes beyond
+/// their outlines; none if that is the scene itself.
 [[nodiscard]] std::optional<VelocityShape> add_velocity_shape(gpu::Graph& graph, Memory& memory,
                                                               const VelocityShapeInputs& in,
                                                               const MotionBlurStyle& style);
 
 struct MotionBlurInputs {
-    gpu::ImageId motion; ///< rgba32f: pixels to the right and down, the depth before, 1 where known
-    gpu::ImageId
-        own_motion;     ///< what of the page moves where nothing in `motion` does; the same unless stretched
-    gpu::ImageId depth; ///< r32f: reversed, 0 where nothing is
-    gpu::ImageId wash;  ///< rgba16f
-    gpu::ImageId hatch; ///< r16f
-    gpu::ImageId lines; ///< rgba8
-    gpu::ImageId sky_ink; ///< r16f
-    bool has_sky = false; ///< else there is no such ink
+    gpu::ImageId motion;     ///< rgba32f: pixels to the right and down, previous depth, 1 where known
+    gpu::ImageId own_motion; ///< motion without stretching, used where `motion` is 0; equal to `motion`
+                             ///< unless the mode is `stretched`
+    gpu::ImageId depth;      ///< r32f: reversed, 0 where no surface is visible
+    gpu::ImageId wash;       ///< rgba16f
+    gpu::ImageId hatch;      ///< r16f
+    gpu::ImageId lines;      ///< rgba8
+    gpu::ImageId sky_ink;    ///< r16f
+    bool has_sky = false;    ///< false: `sky_ink` is not used
     glm::uvec2 size_px{0};
-    glm::uvec2 window_min_px{0}; ///< tiles beyond the window are left as they are
+    glm::uvec2 window_min_px{0}; ///< tiles outside the window are left unchanged
     glm::uvec2 window_max_px{~0U};
-    std::optional<SmearScene> smear; ///< where the style has it
-    bool by_groups = false; ///< the pixels of a tile are looked at by as many threads, as GPUs like it
+    std::optional<SmearScene> smear; ///< set if the style has smear strokes
+    bool by_groups = false;          ///< uses one thread per pixel for a tile, which is faster on a GPU
 };
 
 struct MotionBlurLayers {
     gpu::ImageId wash;
     gpu::ImageId hatch;
     gpu::ImageId lines;
-    bool holds_sky = true; ///< `hatch` has the sky's ink where nothing is seen
+    bool holds_sky = true; ///< `hatch` contains the sky's ink where no surface is visible
 };
 
-/// Draws layers as they are seen while the shutter is open, all together, so that on paper they are the
-/// picture blurred; and speed lines and smear strokes over them.
+/// Blurs the layers by the motion during the exposure, all together, so that composed on paper they look like
+/// the blurred picture. Then draws speed lines and smear strokes over them.
 ///
-/// Writes  the layers in place, or new ones; what stands still, and is not passed by anything, keeps its bits
-/// Cost    a pass over the page that packs it, two over its tiles, one of 64 texels a pixel at most over the
-///         tiles that anything moves through; speed lines three more, of 16 lines a pixel at most; smear
-///         strokes those of add_smear()
+/// Writes  the layers in place, or new ones; pixels that stand still and are not passed by anything keep
+///         their bits
+/// Cost    one pass over the page for packing, two over its tiles, one over the tiles that are passed by
+///         motion with at most 64 texels per pixel; speed lines three more passes with at most 16 lines per
+///         pixel; smear strokes those of add_smear()
 [[nodiscard]] MotionBlurLayers add_motion_blur(gpu::Graph& graph, const MotionBlurInputs& in,
                                                const MotionBlurStyle& style,
                                                shared::MotionBlurConstants constants,

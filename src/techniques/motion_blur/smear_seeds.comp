@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread goes from a seed on a body back along the body's way, to where it ends and leaves what is behind
-// it: a smear stroke may begin there.
+// From a seed on a moving body, one thread walks back along the motion to the body's trailing edge, where it
+// uncovers the background. A smear stroke may begin there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -63,7 +63,8 @@ bool goes_along(vec2 way, vec2 own_way)
     return dot(way, own_way) > 0.5 * dot(own_way, own_way);
 }
 
-// Where a seed is seen now, and how far it goes in half the exposure; no way when it is not before the eye.
+// Position of a seed on the page and its displacement in half the exposure; the displacement is 0 if the seed
+// is behind the eye.
 vec4 place_and_way(uvec4 seed)
 {
     uvec4 corners = triangle_at(seed.x);
@@ -96,7 +97,7 @@ void main()
     vec2 back = -way / max(length_of(way), 1e-6);
     ivec2 last = ivec2(constants.size_px) - 1;
     ivec2 first = ivec2(floor(clamp(moving.xy, vec2(-1.0), vec2(constants.size_px))));
-    // What is seen there has to be what the seed lies on, or to go as that does.
+    // The pixel must show the seed's own surface, or one that moves in the same way.
     vec2 off = way_at(clamp(first, ivec2(0), last)) - way;
     bool is_its = length_of(off) < 0.05 * length_of(way) + 0.25;
     bool goes_on = is_on_page(first) && is_its && length_of(way) > max(constants.from_px, blur_still_px);
@@ -109,7 +110,7 @@ void main()
     }
     ivec2 between = ivec2(floor(moving.xy + (along_px - 0.5 * step_px) * back));
     along_px -= goes_along(way_at(clamp(between, ivec2(0), last)), way) ? 0.0 : 0.5 * step_px;
-    // One pixel more to what it has left, which has to be farther off.
+    // The background just behind the trailing edge must be farther away than the body.
     ivec2 inner = clamp(ivec2(floor(moving.xy + (along_px - 0.5 * step_px) * back)), ivec2(0), last);
     ivec2 left = ivec2(floor(moving.xy + (along_px + 1.0) * back));
     float depth = texelFetch(owner_depth_image, inner, 0).x;
@@ -121,14 +122,14 @@ void main()
     float weight = unit_float(hash(random, 2u));
     SmearStroke stroke;
     stroke.from_px = moving.xy + along_px * back;
-    // Few strokes are long, and few are broad.
+    // Few strokes are long, and few are wide.
     stroke.way_px = ends && goes_along(edge_way, way)
                         ? -edge_way * (constants.length_share * (0.2 + 0.8 * uneven * uneven))
                         : vec2(0.0);
-    // What is short is no tuft.
+    // The width is limited by the length, so that a short stroke does not look like a tuft.
     stroke.half_px = min(0.5 * constants.width_px * (0.15 + 0.85 * weight * weight * weight),
                          length_of(stroke.way_px) / 14.0);
-    // Where the edge runs along the way there is no body for a brush to be set down on.
+    // Where the edge is parallel to the motion, there is no body on which a wide brush could be set down.
     vec2 begin = stroke.from_px - 3.0 * stroke.half_px * back;
     vec2 aside = stroke.half_px * vec2(-back.y, back.x);
     bool has_body = goes_along(way_at(clamp(ivec2(floor(begin + aside)), ivec2(0), last)), way) &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread inks a pixel with the smear strokes that pass it. They lie behind what they come from.
+// One thread draws the smear strokes that cover a pixel. Strokes are hidden by the body that they come from.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -21,11 +21,11 @@ layout(push_constant, scalar) uniform Constants
     SmearConstants constants;
 };
 
-const float hair_px = 1.5; // what the hairs of the brush leave apart, about
+const float hair_px = 1.5; // approximate distance between the hairs of the brush
 const float most_hairs = 7.0;
 
-// A brush that is pressed on at the edge and drawn off: full at first, then its hairs part, run dry in places
-// and are lifted one by one.
+// A dry brush that is set down at the edge and pulled away: full at first, then its hairs separate, run dry
+// in places and lift off one by one.
 float stroke_cover(SmearStroke stroke, vec2 place)
 {
     float length_px = max(sqrt(dot(stroke.way_px, stroke.way_px)), 1e-6);
@@ -37,7 +37,7 @@ float stroke_cover(SmearStroke stroke, vec2 place)
     float aside_px = back.x * off.y - back.y * off.x - bent;
     float hairs = clamp(floor(2.0 * stroke.half_px / hair_px), 1.0, most_hairs);
     float apart_px = 2.0 * stroke.half_px / hairs;
-    // The hairs come together as the brush is lifted.
+    // The hairs converge as the brush is lifted.
     float spread = 1.0 - 0.5 * clamp(along, 0.0, 1.0);
     float cover = 0.0;
     for (int i = 0; i < int(hairs); ++i) {
@@ -53,7 +53,7 @@ float stroke_cover(SmearStroke stroke, vec2 place)
         float off_px = abs(aside_px - middle_px);
         cover = max(cover, clamp(max(half_px, 0.5) + 0.5 - off_px, 0.0, 1.0) * min(half_px / 0.5, 1.0));
     }
-    // It begins within what it comes from, which hides that.
+    // The stroke begins inside the body, which hides its start.
     return along_px > -3.0 * stroke.half_px - 1.0 && along < 1.0 ? cover : 0.0;
 }
 
@@ -69,7 +69,7 @@ void main()
     int count = int(texelFetch(lists, first).x);
     vec2 own_way = unpackHalf2x16(texelFetch(page_image, pixel, 0).w);
     float depth = texelFetch(depth_image, pixel, 0).x;
-    // Where a line lies beyond the edge of what it belongs to, strokes begin under it.
+    // Where a line extends beyond the edge of its body, strokes begin under the line.
     bool is_beyond = depth < texelFetch(owner_depth_image, pixel, 0).x;
     float cover = 0.0;
     for (int i = 1; i <= count; ++i) {

@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_SMEAR_TEXELS
 #define ESTAMPE_SMEAR_TEXELS
 
-// Smear strokes read as texels. Wanted before: SMEAR_TEXELS_BINDING.
+// Reads smear strokes from texels. The including shader must define SMEAR_TEXELS_BINDING.
 
 #include "techniques/motion_blur/motion_blur.glsl.h"
 

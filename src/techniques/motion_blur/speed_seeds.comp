@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread looks for a place in a cell of the page where something fast ends and leaves what is behind it:
-// a speed line begins there.
+// One thread searches a cell of the page for a place on the trailing edge of a fast body. A speed line begins
+// there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -13,7 +13,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform usampler2D page_image;
 layout(binding = 1) uniform sampler2D owner_depth_image;
 layout(binding = 2,
-       rgba32f) writeonly uniform image2D out_seed; // where it begins, and where it goes; 0 for none
+       rgba32f) writeonly uniform image2D out_seed; // start and vector of the line; 0 for none
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -37,7 +37,7 @@ void main()
         ivec2 at = clamp(ivec2((vec2(cell) + part) * constants.cell_px), ivec2(0), last);
         vec2 way = unpackHalf2x16(texelFetch(page_image, at, 0).w);
         float length_px = sqrt(dot(way, way));
-        // What it left a little ago is farther off, and does not go along.
+        // The place that the body has just left shows a farther surface, which does not move along.
         vec2 back = -way / max(length_px, 1e-6);
         ivec2 left = clamp(ivec2(floor(vec2(at) + 3.0 * back + 0.5)), ivec2(0), last);
         vec2 left_way = unpackHalf2x16(texelFetch(page_image, left, 0).w);

@@ -2,31 +2,30 @@
 #ifndef ESTAMPE_HALF_PAGE
 #define ESTAMPE_HALF_PAGE
 
-// The half page, and whether two of its pixels lie on one surface. Wanted before: `frame`, a FrameGlobals,
-// and `constants` with `from_half`.
+// The half page has every second pixel each way; depth planes tell whether two pixels lie on one surface.
+// Define before: `frame`, a FrameGlobals, and `constants` with `from_half`.
 
 #include "shaders/camera.glsl"
 
-// Of what is drawn, the pixel that one of the half page stands for.
+// The pixel of the current tile that a half-page pixel stands for.
 ivec2 whole_pixel(ivec2 half_pixel)
 {
     return min(2 * (half_pixel + ivec2(constants.from_half)) - ivec2(frame.tile_from_px),
                ivec2(frame.size_px) - 1);
 }
 
-// How reversed depth goes on from a pixel over the page where the surface there is flat: it is linear over
-// the page on a plane.
+// Predicts reversed depth around a pixel on a flat surface: it is linear over the page on a plane.
 struct DepthPlane {
     float depth;
-    vec2 slope;      // a pixel
-    float tolerance; // of depth
+    vec2 slope;      // per pixel
+    float tolerance; // in reversed depth
 };
 
 DepthPlane depth_plane(ivec2 pixel, float depth, vec3 normal, float tolerance_m)
 {
     vec3 point = anchor_at(frame, vec2(pixel) + 0.5, depth);
     vec4 plane = vec4(normal, -dot(normal, point)) * frame.anchor_from_clip;
-    // Seen from the side a plane has any slope; then depth is taken as it is.
+    // An edge-on plane has no defined slope: the depth is then taken as constant.
     float facing = abs(plane.z) > 1e-12 ? 1.0 / plane.z : 0.0;
     vec4 nearer = frame.clip_from_anchor * vec4(point - frame.view_forward * tolerance_m, 1.0);
     vec4 farther = frame.clip_from_anchor * vec4(point + frame.view_forward * tolerance_m, 1.0);
@@ -35,7 +34,7 @@ DepthPlane depth_plane(ivec2 pixel, float depth, vec3 normal, float tolerance_m)
                       max(max(tolerance, depth - farther.z / farther.w), 1e-12));
 }
 
-// 1 where `depth`, so many pixels off, lies on the plane, 0 where it lies off it by the tolerance.
+// 1 if `depth` at this offset lies on the plane, falling to 0 when it is off by the tolerance.
 float on_plane(DepthPlane plane, vec2 offset_px, float depth)
 {
     float off = abs(depth - plane.depth - dot(plane.slope, offset_px)) / plane.tolerance;

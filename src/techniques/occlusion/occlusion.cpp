@@ -18,40 +18,40 @@ const style::Table<OcclusionStyle>& occlusion_table()
     static const auto table =
         style::Table<OcclusionStyle>("occlusion", "Ambient occlusion: corners and narrow gaps are darker")
             .toggle("enabled", &OcclusionStyle::enabled,
-                    "Turns ambient occlusion on: corners, folds and places of contact are darker")
+                    "Turns ambient occlusion on: corners, folds and places where things touch are darker")
             .choice("method", &OcclusionStyle::method,
                     {{"horizon", Method::horizon},
                      {"discs", Method::discs},
                      {"splats", Method::splats},
                      {"uv", Method::uv},
                      {"unsharp", Method::unsharp}},
-                    "How occlusion is found. horizon: from the surfaces seen around each pixel; discs: "
-                    "between all vertices, for fine meshes; splats: from all vertices, per pixel; uv: from "
-                    "all vertices, in a texture; unsharp: darkens what lies behind edges.")
+                    "How ambient occlusion is computed. horizon: from visible surfaces around each pixel; "
+                    "discs: between all vertices, for fine meshes; splats: from all vertices, per pixel; uv: "
+                    "from all vertices, in a texture; unsharp: darkens things behind edges.")
             .choice("feeds", &OcclusionStyle::feeds,
                     {{"ambient", Feeds::ambient}, {"tone", Feeds::tone}, {"layer", Feeds::layer}},
-                    "What occlusion darkens. ambient: ambient and fill light; tone: all light; layer: "
-                    "nothing in the picture, only the separate layer \"occlusion\".")
+                    "What ambient occlusion darkens. ambient: ambient and fill light; tone: all light; "
+                    "layer: nothing in the picture, only the separate layer \"occlusion\".")
             .number("radius_m", &OcclusionStyle::radius_m, {0.0F, 1e6F}, "m",
-                    "Largest distance over which one object darkens another; the effect fades up to there. 0 "
-                    "takes a fifth of the scene's radius.")
+                    "Largest distance over which one object darkens another: more gives wider dark areas, "
+                    "which fade out at this distance. 0 uses a fifth of the scene's radius.")
             .number("reach_mm", &OcclusionStyle::reach_mm, {0.1F, 200.0F}, "mm",
-                    "Largest occlusion radius on the page. Near the eye, occlusion.radius_m is cut to this "
-                    "length.")
+                    "Largest radius of ambient occlusion on the page: near the eye, occlusion.radius_m is "
+                    "limited to this length")
             .number("thickness", &OcclusionStyle::thickness, {0.01F, 4.0F}, "",
-                    "Assumed thickness of objects, as a share of the occlusion radius, since only their "
-                    "fronts are seen: less lets light pass behind thin objects. Only used when "
-                    "occlusion.method is horizon.")
+                    "Assumed thickness of objects, as a share of the occlusion radius: less lets light pass "
+                    "behind thin objects. Only the fronts of objects are seen, so the true thickness is "
+                    "unknown. Only used when occlusion.method is horizon.")
             .number("strength", &OcclusionStyle::strength, {0.0F, 8.0F}, "",
                     "Strength of ambient occlusion: 0 has no effect, 1 is physically right, more is darker "
                     "in corners")
-            .number(
-                "bleeding", &OcclusionStyle::bleeding, {0.0F, 4.0F}, "",
-                "Colour that surfaces throw into the corners that they darken: 0 is none, 1 is as much as an "
-                "evenly lit surface throws. Only used when occlusion.method is discs, splats or uv.")
+            .number("bleeding", &OcclusionStyle::bleeding, {0.0F, 4.0F}, "",
+                    "How much coloured light surfaces reflect into the corners that they darken: 0 is none, "
+                    "1 is as much as an evenly lit surface reflects. Only used when occlusion.method is "
+                    "discs, splats or uv.")
             .integer("texels", &OcclusionStyle::texels, {64, 4096}, "texels",
-                     "Side of the texture that holds occlusion: more is finer and slower. Meshes whose UVs "
-                     "overlap are unwrapped into charts. Only used when occlusion.method is uv.");
+                     "Width and height of the texture that stores ambient occlusion: more is finer and "
+                     "slower. Meshes whose UVs overlap get new UVs. Only used when occlusion.method is uv.");
     return table;
 }
 
@@ -77,7 +77,7 @@ float radius_of(const OcclusionStyle& style, float scene_radius_m)
 
 uint32_t reach_px(const OcclusionStyle& style, float pixels_per_mm)
 {
-    // Beside what is looked at, four neighbours of the half page.
+    // Smoothing reads up to four half-page pixels beyond the radius.
     constexpr uint32_t smoothed_px = 8;
     return style.enabled ? static_cast<uint32_t>(std::ceil(style.reach_mm * pixels_per_mm)) + smoothed_px
                          : 0U;

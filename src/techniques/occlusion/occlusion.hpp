@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How much of the light from everywhere reaches what is seen: one interface for every method that a style may
-// choose. The horizon is the usual one; the others are in alternatives/.
+// Ambient occlusion: one interface to every method that a style may choose. The default is the horizon
+// method; the others are in alternatives/.
 
 #include <memory>
 #include <optional>
@@ -16,11 +16,11 @@
 
 namespace estampe::occlusion {
 
-/// How it is found: from the depths on the page, between all vertices, by pixels or by texels from all
-/// vertices, or as a mask of depth.
+/// How occlusion is computed: from depth on the page, between discs at all vertices, from these discs per
+/// pixel or per texel, or by depth darkening.
 enum class Method : uint8_t { horizon, discs, splats, uv, unsharp };
 
-/// What occlusion is let into: light from everywhere, all light, or nothing but its own mask.
+/// What occlusion darkens: ambient light, all light, or nothing but its own layer.
 enum class Feeds : uint8_t { ambient, tone, layer };
 
 struct OcclusionStyle {
@@ -37,57 +37,57 @@ struct OcclusionStyle {
 
 [[nodiscard]] const style::Table<OcclusionStyle>& occlusion_table();
 
-/// A map that lies on all surfaces, as the shaders read it.
+/// A map that covers all surfaces, as the shaders read it.
 struct SurfaceMap {
     gpu::BufferId texels;  ///< see shaders/surface_map.glsl
     gpu::BufferId corners; ///< see shaders/map_corners.glsl
-    uint32_t size = 0;     ///< texels a side
+    uint32_t size = 0;     ///< texels per side
 };
 
-/// The scene's surfaces, posed, for methods that look at all of them, seen or not.
+/// The scene's posed surfaces, for methods that also use invisible ones.
 struct PosedSurfaces {
     gpu::BufferId visibility;
     gpu::BufferId triangles;
     gpu::BufferId posed_vertices;
-    std::optional<SurfaceMap> map; ///< of map_texels() a side, where the style's method needs one
+    std::optional<SurfaceMap> map; ///< of map_texels() per side, if the style's method needs a map
 };
 
 struct OcclusionInputs {
     gpu::BufferId frame; ///< FrameGlobals
     gpu::ImageId depth;
     gpu::ImageId normal;
-    std::optional<PosedSurfaces> surfaces; ///< none: the style's method looks at the page alone
-    float radius_m = 1.0F;                 ///< as radius_of() has it
+    std::optional<PosedSurfaces> surfaces; ///< none if the style's method uses only the page
+    float radius_m = 1.0F;                 ///< from radius_of()
     float pixels_per_mm = 1.0F;
     glm::uvec2 size_px{0};
-    glm::uvec2 from_px{0}; ///< where on the page what is drawn begins
+    glm::uvec2 from_px{0}; ///< first pixel of the current tile on the page
 };
 
-/// What was found for pixels.
+/// Ambient occlusion per pixel.
 struct AmbientOcclusion {
-    gpu::ImageId
-        visibility; ///< r16f: share of the light from everywhere that arrives, 1 where nothing is seen
-    std::optional<gpu::ImageId> bounced; ///< rgba16f: what occluders bounce back of that light, as a share
+    gpu::ImageId visibility; ///< r16f: share of ambient light that arrives; 1 on the background
+    /// rgba16f: light that occluders reflect, as a share of ambient light.
+    std::optional<gpu::ImageId> bounced;
 };
 
-/// The style's radius, or what it is in a scene of this one.
+/// The style's radius, or the default for a scene of this radius.
 [[nodiscard]] float radius_of(const OcclusionStyle& style, float scene_radius_m);
 
-/// How far off the page the pixels may lie that one of this style hangs on.
+/// How many pixels beyond the page a pixel's occlusion depends on.
 [[nodiscard]] uint32_t reach_px(const OcclusionStyle& style, float pixels_per_mm);
 
-/// Side of the map of all surfaces in which the style's method finds occlusion; none where it needs no map.
+/// Texels per side of the occlusion map; none if the style's method needs no map.
 [[nodiscard]] std::optional<uint32_t> map_texels(const OcclusionStyle& style);
 
-/// The surfaces that occlude, at rest, for methods that look at all of them.
+/// The occluding surfaces in the rest pose, for methods that use all surfaces.
 struct OccluderMesh {
-    std::span<const glm::vec3> places; ///< of all posed vertices, times `unit_m`
+    std::span<const glm::vec3> places; ///< all posed vertices, in units of `unit_m`
     float unit_m = 1.0F;
-    std::vector<glm::uvec4> triangles;      ///< their first three numbers are vertices
+    std::vector<glm::uvec4> triangles;      ///< the first three numbers are vertex indices
     std::vector<glm::vec3> color_of_vertex; ///< linear
 };
 
-/// What the style's method keeps from frame to frame; methods on the page keep nothing.
+/// Results that a method keeps from frame to frame; methods on the page keep none.
 class Memory {
 public:
     Memory();
@@ -100,16 +100,16 @@ public:
     /// Whether the style's method needs set_surfaces() first.
     [[nodiscard]] bool lacks_surfaces(const OcclusionStyle& style) const;
 
-    /// Cost: n log n in vertices.
+    /// Takes over the occluding surfaces. Cost: n log n in vertices.
     void set_surfaces(gpu::Device& device, const OccluderMesh& surfaces);
 
-    /// Makes room for what the style's method keeps.
+    /// Allocates memory for the style's method.
     void ensure(gpu::Device& device, const OcclusionStyle& style);
 
-    /// The scene has other surfaces.
+    /// Call this when the scene has other surfaces.
     void forget_surfaces();
 
-    /// What was found for posed surfaces is outdated: they moved.
+    /// Call this when surfaces have moved: discards the results for the posed surfaces.
     void forget_pose();
 
 private:
@@ -119,14 +119,14 @@ private:
     std::unique_ptr<Kept> kept_;
 };
 
-/// Finds occlusion by the style's method; none where no surface occludes.
+/// Computes occlusion by the style's method; none if no surface occludes.
 ///
-/// Writes  images as large as what is drawn
+/// Writes  images of the tile's size
 /// Cost    that of the method: see add_horizon(), and alternatives/
 [[nodiscard]] std::optional<AmbientOcclusion>
 add_occlusion(gpu::Graph& graph, Memory& memory, const OcclusionInputs& in, const OcclusionStyle& style);
 
-/// Finds occlusion from what is seen about each pixel, and nothing else: the usual method.
+/// Computes occlusion from the visible surfaces around each pixel: the default method.
 ///
 /// Cost    four dispatches, all but the last over every second pixel each way: 20 depths, twice 4 neighbours,
 ///         then 4 at every pixel
@@ -136,7 +136,8 @@ add_occlusion(gpu::Graph& graph, Memory& memory, const OcclusionInputs& in, cons
 [[nodiscard]] AmbientOcclusion add_horizon(gpu::Graph& graph, const OcclusionInputs& in,
                                            const OcclusionStyle& style);
 
-/// Pixel `i` is pixel 2 * (from_half + i) of the page: the same pixels of it whatever tile is drawn.
+/// Every second pixel of the page each way: pixel `i` is page pixel 2 * (from_half + i), independent of
+/// tiles.
 struct HalfPage {
     glm::uvec2 from_half{0};
     glm::uvec2 half_px{1};

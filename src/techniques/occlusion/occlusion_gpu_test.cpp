@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Occlusion in whole pictures: what it costs, what it darkens, and its mask.
+// Occlusion in whole pictures: when it runs, what it darkens, and its mask.
 #include "techniques/occlusion/occlusion.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace {
 const Camera camera{.eye = {2.0, 2.0, 4.0}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.6};
 constexpr RenderSettings small{.width = 120, .height = 90};
 
-/// A box before a wall, on a floor.
+/// A box in front of a wall, on a floor.
 Scene corner()
 {
     Scene scene = test::scene_of(shapes::plane(12.0F, 12.0F, 24));
@@ -66,7 +66,7 @@ TEST_F(OcclusionInPictures, OcclusionCostsNothingWhenOff)
     EXPECT_FALSE(test::has_pass("occlusion"));
     EXPECT_EQ(draw({"occlusion.strength=3", "occlusion.radius_m=2"}).rgba, plain.rgba);
     for (const char* method : {"horizon", "discs", "splats", "uv", "unsharp"}) {
-        // Nobody reads what lies in layers alone.
+        // An occlusion that only feeds layers is skipped if no layer is read.
         EXPECT_EQ(draw({"occlusion.enabled=true", "occlusion.feeds=layer",
                         fmt::format("occlusion.method={}", method)})
                       .rgba,
@@ -91,7 +91,7 @@ TEST_F(OcclusionInPictures, OcclusionDarkensWhatItFeeds)
 
 TEST_F(OcclusionInPictures, OcclusionOfAmbientLeavesTheSunAlone)
 {
-    // Without ambient light and fill there is nothing that it could take.
+    // Without ambient and fill light, occlusion has nothing to darken.
     const std::vector<std::string> sun_alone{"light.ambient=0", "light.fill=0"};
     std::vector<std::string> occluded = sun_alone;
     occluded.emplace_back("occlusion.enabled=true");
@@ -112,7 +112,7 @@ TEST_F(OcclusionInPictures, OcclusionIsAMaskOfItsOwn)
 
 TEST_F(OcclusionInPictures, UnsharpDepthsLeavePlanesAlone)
 {
-    // Behind the edges of a box, and nowhere on a slanted floor itself, however strong it is.
+    // Depth darkening appears behind a box's edges, and never on a slanted floor alone, at any strength.
     const std::vector<std::string> unsharp{"occlusion.enabled=true", "occlusion.method=unsharp",
                                            "occlusion.feeds=layer", "occlusion.strength=8"};
     EXPECT_GT(std::ranges::max(mask_of(unsharp)), 0.2F);
@@ -139,8 +139,7 @@ TEST_F(OcclusionInPictures, DiscsThrowTheirColorOnWhatIsBeside)
         }
         return shares;
     };
-    // One after the other by the same renderer: what the first found without colours must not do for the
-    // second.
+    // The same renderer draws both: results without colours must not be reused for a picture with colours.
     for (const char* method : {"occlusion.method=discs", "occlusion.method=splats", "occlusion.method=uv"}) {
         const std::vector<float> plain = redness_of(method, "occlusion.bleeding=0");
         const std::vector<float> tinted = redness_of(method, "occlusion.bleeding=4");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the tests of occlusion share: a page that is drawn, and rays that tell what is right.
+// Support for tests of occlusion: a drawn page, and ray tracing as ground truth.
 
 #include <cmath>
 #include <numbers>
@@ -17,14 +17,14 @@
 
 namespace estampe::occlusion {
 
-/// What is seen of a scene, and the light from everywhere that arrives there, 0 to 1.
+/// The visible surfaces of a scene, and their ambient visibility, 0 to 1.
 struct SeenPage {
     SeenPage(const Scene& scene, const Camera& seen_from, glm::uvec2 page_px)
         : camera(seen_from), size_px(page_px), drawing(scene, seen_from, page_px), surface(drawing.surface())
     {
     }
 
-    /// Of a part of the page, or of all.
+    /// Visibility of a part of the page, or of the whole page.
     [[nodiscard]] std::vector<float> open(const OcclusionStyle& style, float radius_m,
                                           std::optional<features::PixelRect> part = std::nullopt) const
     {
@@ -59,7 +59,7 @@ struct SeenPage {
         return drawing.point_seen(pixel, surface.depth[pixel]) + drawing.layout.anchor;
     }
 
-    /// Whether the camera sees a place of the world.
+    /// Whether a world position is visible to the camera.
     [[nodiscard]] bool sees(const glm::dvec3& place) const
     {
         const glm::dvec4 clip =
@@ -79,14 +79,13 @@ struct SeenPage {
     test::SurfacePixels surface;
 };
 
-/// What rays tell of a pixel.
+/// Ground truth of a pixel by ray tracing.
 struct Truth {
     double open = 1.0;
-    double hidden_share = 0.0; ///< how much of what occludes the camera does not see
+    double hidden_share = 0.0; ///< share of the occlusion that comes from surfaces invisible to the camera
 };
 
-/// By `count` rays of a weight that goes with the cosine; what they meet at the distance t counts by
-/// 1 - (t / radius)^2.
+/// Traces `count` cosine-distributed rays; a hit at distance t counts 1 - (t / radius)^2.
 [[nodiscard]] inline Truth traced(const SeenPage& page, const test::EmbreeScene& rays, size_t pixel,
                                   double radius_m, int count)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread lays the layers of one pixel on the paper: paint lets the paper through and settles in its
-// hollows, ink lies on top and skips the heights a little.
+// One thread composes the layers of one pixel on the paper. Paint lets the paper through and settles in its
+// hollows; ink lies on top and skips the paper's high spots a little.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -11,7 +11,7 @@
 #include "shaders/loops.glsl"
 #include "techniques/paper/paper.glsl.h"
 
-// A warp writes a whole line of memory, which is what a bus to the host wants.
+// With this workgroup size a warp writes a whole line of memory, which suits the bus to the host.
 layout(local_size_x = 32, local_size_y = 8) in;
 
 layout(scalar, binding = 0) uniform Frame
@@ -23,15 +23,15 @@ layout(binding = 1) uniform sampler2D wash_image;
 layout(binding = 2) uniform sampler2D hatch_image;
 layout(binding = 3) uniform sampler2D line_image;
 layout(binding = 4) uniform sampler2D sky_ink_image;
-layout(binding = 5) uniform sampler2D light_image;       // of the variant that tints
-layout(binding = 6) uniform sampler2D ink_image;         // of the variant that has ink that flows
-layout(binding = 7) uniform sampler2D smoke_paint_image; // of the variant that has smoke
+layout(binding = 5) uniform sampler2D light_image;       // for compose_has_tint
+layout(binding = 6) uniform sampler2D ink_image;         // for compose_has_ink
+layout(binding = 7) uniform sampler2D smoke_paint_image; // for compose_has_smoke
 layout(binding = 8) uniform sampler2D smoke_ink_image;
-layout(binding = 9) uniform sampler2D cover_image; // of the variant that has one
+layout(binding = 9) uniform sampler2D cover_image; // for compose_has_cover
 layout(binding = 10, rgba16f) writeonly uniform image2D out_picture;
-layout(binding = 11, rgba32f) writeonly uniform image2D out_stage; // of the variant that is staged
+layout(binding = 11, rgba32f) writeonly uniform image2D out_stage; // for compose_is_staged
 
-layout(std430, binding = 12) writeonly buffer Pixels // of the variant that develops
+layout(std430, binding = 12) writeonly buffer Pixels // for compose_develops
 {
     uint pixels[];
 };
@@ -54,28 +54,28 @@ const bool is_transparent = (variant & compose_is_transparent) != 0u;
 const bool keeps_things = (variant & compose_keeps_things) != 0u;
 const bool has_cover = (variant & compose_has_cover) != 0u;
 
-// How far the edge of the window strays at most, to and fro.
+// Largest deviation of the window's edge from a straight line.
 const float edge_stray_mm = 0.17;
 
-// How much of a pure colour of light the darkest ink shows under it.
+// Share of a pure light colour that the darkest ink shows.
 const float sheen = 0.3;
 
-// Ink in light of this colour: black by multiplication alone, if it did not shine a little.
+// Ink under light of colour `tint`. Multiplication alone leaves ink black, so the ink also shines a little.
 vec3 lit_ink(vec3 ink, vec3 tint)
 {
     float purity = 1.0 - min(tint.r, min(tint.g, tint.b));
     return mix(ink * tint, tint, sheen * purity);
 }
 
-// What the paper is like at a place.
+// Relief of the paper at a place.
 struct Paper {
-    float relief; // about 0 on average, in features of a few tenths of a millimetre with long faint fibres
-    float tooth;  // 0 to 1: of it what has no direction
-    float pooled; // where paint gathers, the same in features of a centimetre
-    float stray;  // about 0 on average: of a line along a ruler
+    float relief; // mean about 0; features of a few tenths of a millimetre, with long faint fibres
+    float tooth;  // 0 to 1: the isotropic part of the relief
+    float pooled; // mean about 0; where paint gathers, in features of a centimetre
+    float stray;  // mean about 0; deviation of a ruled line
 };
 
-// All noises but the finest come from one loop, which is compiled once on processors.
+// All noises but the finest come from one loop, which CPU drivers compile only once.
 Paper paper_at(vec2 page_mm, int loop_count)
 {
     vec2 tooth_at = page_mm * 3.1;
@@ -106,22 +106,22 @@ Paper paper_at(vec2 page_mm, int loop_count)
     return Paper(0.72 * tooth + 0.28 * fibre - 0.5, tooth, pooled - 0.5, stray);
 }
 
-// How much of a dry stroke the paper takes at a place: its heights rub it off, its hollows stay bare. About
-// as much on average as the stroke has, whatever the grain.
+// Share of a dry stroke that the paper takes at a place: high spots take it, hollows stay bare. The mean
+// equals the stroke's, whatever the grain.
 float caught(float stroke, float tooth)
 {
     float bare = smoothstep(0.4, 0.68, 1.0 - tooth);
     return clamp(stroke * mix(1.0, 1.4 - bare, constants.ink_grain), 0.0, 1.0);
 }
 
-// Distance to the edge of the window, below 0 within.
+// Distance to the edge of the drawing's window, negative inside.
 float from_window_mm(vec2 page_mm)
 {
     vec2 beyond = max(constants.window_min_mm - page_mm, page_mm - constants.window_max_mm);
     return max(beyond.x, beyond.y);
 }
 
-// How much of a pixel hides what the picture is laid on, whatever is painted there.
+// Share of a pixel that objects cover, for the alpha of a transparent background.
 float things_at(ivec2 pixel, float wash_alpha)
 {
     if (!keeps_things) {
@@ -130,9 +130,9 @@ float things_at(ivec2 pixel, float wash_alpha)
     return clamp(has_cover ? texelFetch(cover_image, pixel, 0).r : wash_alpha, 0.0, 1.0);
 }
 
-// Paint on paper: linear colour, and the alpha of it. Paper that is left out has no relief, or what the
-// picture is laid on would show it; what stands on it hides as little as will do.
-// Source: alpha as in "colour to alpha" of painting programs
+// Paint on paper: linear colour and alpha. Transparent paper has no relief, which would tint the backdrop;
+// covered pixels get the smallest alpha that can show their colour. Source: "colour to alpha" of painting
+// programs.
 vec4 painted(vec3 bare, vec3 paint, float cover)
 {
     if (!is_transparent) {
@@ -183,7 +183,7 @@ void main()
     }
     float border = 0.0;
     if (has_margin) {
-        // The border lies over the lines, in the ink of the strokes.
+        // The border covers the lines, in the ink of the strokes.
         border = (0.5 * constants.border_mm - abs(beyond_mm)) * frame.pixels_per_mm + 0.5;
         border = clamp(border, 0.0, min(constants.border_mm * frame.pixels_per_mm, 1.0));
         float cover = 1.0 - (1.0 - line_cover) * (1.0 - border);
@@ -223,7 +223,7 @@ void main()
                                                        : page.a;
         imageStore(out_stage, pixel, vec4(page.rgb, cover));
     } else if (develops) {
-        // As what is developed later is kept: light that differs by less than that gives the same bytes.
+        // Rounds to half floats, so that the bytes equal those of a picture that is developed later.
         vec3 kept = vec3(unpackHalf2x16(packHalf2x16(page.rg)), unpackHalf2x16(packHalf2x16(page.bb)).x);
         pixels[uint(pixel.y) * frame.size_px.x + uint(pixel.x)] =
             is_transparent ? straight_srgb_bytes(constants.paper_color, page.rgb, page.a, kept)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread takes how much of a pixel things cover out of the wash's alpha, and copies the ink over it: a
-// lens or a shutter then blurs that cover as it does the picture.
+// One thread per pixel copies the objects' coverage from the wash's alpha, and the ink, into new layers.
+// Depth of field or motion blur then blurs the coverage like the picture.
 #version 460
 
 layout(local_size_x = 8, local_size_y = 32) in;

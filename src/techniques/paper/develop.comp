@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread adds one pixel of this frame to the mean of the frames before; the last frame writes it out as
-// sRGB bytes, or as it is.
+// One thread per pixel adds a frame to the running mean of a picture's samples; the last frame writes the
+// mean as sRGB bytes or as floats.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -16,7 +16,7 @@ layout(binding = 1, rgba32f) uniform image2D sum_image;
 
 layout(std430, binding = 2) writeonly buffer Pixels
 {
-    uint pixels[]; // one word a pixel, four of the variant that keeps floats
+    uint pixels[]; // one word per pixel; four for develop_keeps_floats
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -38,7 +38,7 @@ void main()
     }
     ivec2 at = ivec2(pixel);
     vec4 color = texelFetch(picture_image, at, 0);
-    if (is_transparent && !keeps_floats) { // as opaque pictures are kept, for the same bytes
+    if (is_transparent && !keeps_floats) { // rounded to half floats like opaque pictures, for the same bytes
         color.rgb = vec3(unpackHalf2x16(packHalf2x16(color.rg)), unpackHalf2x16(packHalf2x16(color.bb)).x);
     }
     if (has_samples) {

@@ -21,14 +21,14 @@ Window window_of(const PaperStyle& style, float width_mm)
 
 namespace {
 
-/// All but one are next to nothing, which nobody reads.
+/// Only the wanted output has the page's size; the others are placeholders.
 struct Composed {
     gpu::ImageId picture;
     gpu::ImageId stage;
     gpu::BufferId pixels;
 };
 
-/// What becomes of the layers: without either, a picture to be developed.
+/// The wanted output; without `stage` and `pixels`, a picture for add_develop().
 struct Wanted {
     std::optional<Stage> stage = {};
     std::optional<gpu::BufferId> pixels = {};
@@ -55,7 +55,7 @@ Composed compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& s
 {
     auto pass = graph.compute("compose", shaders::compose_comp);
     pass.uniform(in.frame).sample(in.wash).sample(in.hatch).sample(in.lines).sample(in.sky_ink);
-    // Unread, the light's memory is free for others by now.
+    // Unless it is needed, the light image is not read here, so that its memory can be reused.
     pass.sample(style.ink_tint > 0.0F ? in.light : in.wash);
     pass.sample(in.ink.value_or(in.wash));
     pass.sample(in.smoke_paint.value_or(in.wash)).sample(in.smoke_ink.value_or(in.wash));
@@ -94,7 +94,7 @@ Composed compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& s
 gpu::ImageId add_compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style)
 {
     if (style.transparent != Transparency::none) {
-        // In halves an alpha near 1 would let through too much of the paper under dark ink.
+        // Half floats are too coarse for an alpha near 1: too much paper would show under dark ink.
         return compose(graph, in, style, {.stage = Stage::picture}).stage;
     }
     return compose(graph, in, style, {}).picture;
@@ -156,34 +156,39 @@ CoverLayers add_cover(gpu::Graph& graph, const CoverLayers& drawn, glm::uvec2 si
 const style::Table<PaperStyle>& paper_table()
 {
     static const auto table =
-        style::Table<PaperStyle>("paper", "Paper: the page, and how ink and paint lie on it")
+        style::Table<PaperStyle>("paper", "Paper: the page, and how ink and paint look on the page")
             .number("height_mm", &PaperStyle::height_mm, {10.0F, 5000.0F}, "mm",
-                    "Height of the picture on the page, to which all widths in millimetres refer: less makes "
-                    "pens and strokes look larger")
+                    "Height of the page: all widths in millimetres are measured on a page of this height. "
+                    "Less makes pens and strokes look larger.")
             .number("margin_mm", &PaperStyle::margin_mm, {0.0F, 1000.0F}, "mm",
-                    "Blank margin around the drawing, at most a third of the shorter side")
+                    "Width of the blank margin around the drawing, at most a third of the page's shorter "
+                    "side: more makes the drawing smaller")
             .number("border_mm", &PaperStyle::border_mm, {0.0F, 5.0F}, "mm",
-                    "Width of the line around the drawing, at the edge of the margin. 0 draws none.")
-            .color("color", &PaperStyle::color, "Colour of the paper: white, cream, or a toned sheet")
+                    "Width of the border line around the drawing, at the edge of the margin: more is bolder. "
+                    "0 draws no line.")
+            .color("color", &PaperStyle::color,
+                   "Colour of the paper, such as white, cream, or a tinted sheet")
             .choice("transparent", &PaperStyle::transparent,
                     {{"none", Transparency::none},
                      {"background", Transparency::background},
                      {"paper", Transparency::paper}},
-                    "Which paper is transparent, so that the picture has an alpha channel. none: no paper; "
-                    "background: paper beyond all objects; paper: all bare paper, which leaves ink and paint "
-                    "alone.")
+                    "Which parts of the paper are transparent, so that the picture has an alpha channel. "
+                    "none: no part; background: the paper beyond all objects; paper: all bare paper, so that "
+                    "only ink and paint remain.")
             .number("grain", &PaperStyle::grain, {0.0F, 1.0F}, "",
                     "Visible relief of the paper: 0 is smooth, 1 is rough")
             .number("granulation", &PaperStyle::granulation, {0.0F, 1.0F}, "",
-                    "How far paint settles in the hollows of the paper: 0 is even, 1 shows the grain")
+                    "How much paint settles in the hollows of the paper: 0 is even, 1 shows the grain")
             .color("ink", &PaperStyle::ink, "Colour of the ink of hatching strokes")
             .number("ink_break", &PaperStyle::ink_break, {0.0F, 1.0F}, "",
-                    "How far ink skips the high spots of the paper: 0 covers evenly, 1 looks like a dry pen")
+                    "How much ink breaks up on the rough surface of the paper by skipping its high spots: 0 "
+                    "covers evenly, 1 looks like a dry pen")
             .number("ink_grain", &PaperStyle::ink_grain, {0.0F, 1.0F}, "",
-                    "How far strokes and lines catch only on the tooth of the paper, as graphite and chalk "
-                    "do: 0 is liquid ink, 1 dry chalk")
+                    "How much strokes and lines touch only the raised grain of the paper, as graphite and "
+                    "chalk do: 0 is liquid ink, 1 is dry chalk")
             .number("ink_tint", &PaperStyle::ink_tint, {0.0F, 1.0F}, "",
-                    "How far coloured light colours the ink of hatching strokes: 0 keeps the ink's colour");
+                    "How much coloured light changes the colour of the ink of hatching strokes: 0 keeps the "
+                    "colour of the ink, 1 changes it most");
     return table;
 }
 

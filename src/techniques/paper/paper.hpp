@@ -10,11 +10,11 @@
 
 namespace estampe::paper {
 
-/// What of the paper lets through what the picture is laid on.
+/// Which paper is transparent, so that the picture has an alpha channel.
 enum class Transparency : uint8_t {
-    none,       ///< nothing: the picture is opaque
-    background, ///< the paper beyond all geometry; things hide what is behind them
-    paper       ///< all of it: ink and paint alone are left
+    none,       ///< none: the picture is opaque
+    background, ///< the paper beyond all objects; objects hide what is behind them
+    paper       ///< all paper: only ink and paint remain
 };
 
 struct PaperStyle {
@@ -34,20 +34,20 @@ struct PaperStyle {
 
 [[nodiscard]] const style::Table<PaperStyle>& paper_table();
 
-/// The colour of paper that lets through what the picture is laid on; nothing for an opaque picture.
+/// The colour of transparent paper; none for an opaque picture.
 [[nodiscard]] inline std::optional<glm::vec3> transparent_color(const PaperStyle& style)
 {
     return style.transparent == Transparency::none ? std::nullopt : std::optional(style.color);
 }
 
-/// The part of a page that is drawn on.
+/// The part of the page inside the margin.
 struct Window {
     glm::vec2 min_mm{0.0F}; ///< from the page's upper left corner, y down
     glm::vec2 max_mm{0.0F};
     bool operator==(const Window&) const = default;
 };
 
-/// What the margin leaves of a page of this width and of the style's height.
+/// The window inside the margin of a page with this width and the style's height.
 [[nodiscard]] Window window_of(const PaperStyle& style, float width_mm);
 
 struct ComposeInputs {
@@ -56,29 +56,31 @@ struct ComposeInputs {
     gpu::ImageId hatch;
     gpu::ImageId lines;
     gpu::ImageId sky_ink;
-    std::optional<gpu::ImageId> ink = {};         ///< that flows under strokes and lines: rgba8, as lines
-    float ink_settles = 0.0F;                     ///< how far that settles in the hollows of the paper
-    std::optional<gpu::ImageId> smoke_paint = {}; ///< over the lines: rgba8, roots of it, cover in alpha
-    std::optional<gpu::ImageId> smoke_ink = {};   ///< r16f, where there is such paint
-    bool has_sky = true;                          ///< else there is no such ink
-    std::optional<gpu::ImageId> cover = {};       ///< rgba16f, in red: how much of each pixel things cover
-                                                  ///< on a transparent background; else the wash's alpha is
-    gpu::ImageId light;                           ///< read where the style tints the ink
-    glm::uvec2 page_px{0};                        ///< of the whole page
-    glm::uvec2 size_px{0};                        ///< of what is drawn of it
+    std::optional<gpu::ImageId> ink = {}; ///< flowing ink, below strokes and lines: rgba8 like `lines`
+    float ink_settles = 0.0F;             ///< how far flowing ink settles in the hollows of the paper
+    /// Over the lines: rgba8, square roots of the colour, coverage in alpha.
+    std::optional<gpu::ImageId> smoke_paint = {};
+    std::optional<gpu::ImageId> smoke_ink = {}; ///< r16f; required together with `smoke_paint`
+    bool has_sky = true;                        ///< false: `sky_ink` is not used
+    /// rgba16f: coverage by objects in red, for a transparent background; without it the wash's alpha is
+    /// used.
+    std::optional<gpu::ImageId> cover = {};
+    gpu::ImageId light;    ///< used if the style tints the ink
+    glm::uvec2 page_px{0}; ///< size of the whole page
+    glm::uvec2 size_px{0}; ///< size of the current tile
 };
 
-/// Lays the layers on paper. Writes rgba16f, linear colour; where the style's paper is transparent rgba32f,
-/// with the picture's alpha besides. Cost: one full-screen dispatch.
+/// Composes the layers on paper. Writes rgba16f, linear colour; for transparent paper rgba32f, with the
+/// picture's alpha. Cost: one full-screen dispatch.
 [[nodiscard]] gpu::ImageId add_compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style);
 
-/// Lays the layers on paper and writes a picture of one sample into `pixels`, as add_compose() and
-/// add_develop() do one after the other. `pixels` may be the host's memory. Cost: one full-screen dispatch,
-/// and the bus to where the pixels are.
+/// Composes the layers on paper and writes a picture of one sample into `pixels`, like add_compose() followed
+/// by add_develop(). `pixels` may be host memory. Cost: one full-screen dispatch, and the transfer to the
+/// pixels' memory.
 [[nodiscard]] gpu::BufferId add_pixels(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style,
                                        gpu::BufferId pixels);
 
-/// How far the layers are laid, from the paper up; all of them are the picture.
+/// The last layer that is composed, from the paper up.
 enum class Stage : uint8_t {
     paper = shared::stage_paper,
     wash = shared::stage_wash,
@@ -86,16 +88,16 @@ enum class Stage : uint8_t {
     hatch = shared::stage_hatch,
     lines = shared::stage_lines,
     smoke = shared::stage_smoke,
-    picture = shared::stage_picture ///< all of them, with the picture's alpha in place of a cover
+    picture = shared::stage_picture ///< all layers, with the picture's alpha instead of a layer's coverage
 };
 
-/// Lays the layers up to one of them. Writes rgba32f: linear colour, and how much of it hides what lies below
-/// the topmost of these layers: 1 of paper and wash. Where the style's paper is transparent, the paper has no
-/// relief but under things, and the wash has the picture's alpha so far. Cost: as add_compose().
+/// Composes the layers up to `stage`. Writes rgba32f: linear colour, and the topmost layer's coverage, which
+/// is 1 for paper and wash. For transparent paper, the paper has relief only below objects, and the wash has
+/// the picture's alpha so far. Cost: as add_compose().
 [[nodiscard]] gpu::ImageId add_compose_stage(gpu::Graph& graph, const ComposeInputs& in,
                                              const PaperStyle& style, Stage stage);
 
-/// Which of the jittered frames of one picture this is.
+/// Position of this frame among the jittered samples of one picture.
 struct Accumulation {
     uint32_t sample_index = 0;
     uint32_t sample_count = 1;
@@ -105,34 +107,34 @@ struct Accumulation {
 
 enum class PixelForm : uint8_t { srgb_bytes, linear_floats };
 
-/// What a developed picture is made of: new versions of both.
+/// Outputs of add_develop(): new versions of both.
 struct Developed {
     gpu::ImageId sums;
     gpu::BufferId pixels;
 };
 
-/// The sums of the samples before, or for the first of them an image that may hold anything.
+/// Imports the sums of earlier samples; the first sample ignores the image's content.
 [[nodiscard]] gpu::ImageId import_sums(gpu::Graph& graph, gpu::Image& sums, const Accumulation& accumulation);
 
-/// Adds a frame to `sums` (rgba32f, as large as the picture where it has several samples) and, with the last
-/// one, writes `pixels`: the mean, sRGB-encoded in four bytes a pixel, or as it is in four floats. Bytes are
-/// opaque, or where the picture was laid on `transparent` paper of a colour, straight: see
-/// shaders/color.glsl; floats have that paper taken off them, and are multiplied by alpha. Cost: one
+/// Adds a frame to `sums` (rgba32f, as large as the picture if it has several samples). The last frame writes
+/// the mean to `pixels`: as four sRGB bytes per pixel, or as four linear floats. `transparent` is the colour
+/// of transparent paper: the bytes then have straight alpha, see shaders/color.glsl; the floats have the
+/// paper's colour removed and are premultiplied by alpha. Otherwise the bytes are opaque. Cost: one
 /// full-screen dispatch.
 [[nodiscard]] Developed add_develop(gpu::Graph& graph, gpu::ImageId picture, gpu::ImageId sums,
                                     gpu::BufferId pixels, glm::uvec2 size_px,
                                     const Accumulation& accumulation, PixelForm form = PixelForm::srgb_bytes,
                                     const std::optional<glm::vec3>& transparent = {});
 
-/// Takes how much of each pixel things cover out of the wash's alpha, so that lens and shutter can blur that
-/// as they do the wash: red, green and blue of its own wash. Strokes and lines come along as copies.
+/// The layers whose colours depth of field and motion blur process. add_cover() makes copies whose wash holds
+/// the objects' coverage in red, green and blue, so that the coverage is blurred like the wash.
 struct CoverLayers {
     gpu::ImageId wash;  ///< rgba16f
     gpu::ImageId hatch; ///< r16f
     gpu::ImageId lines; ///< rgba8
 };
 
-/// Cost: one full-screen dispatch.
+/// Copies strokes and lines, and turns the wash's alpha into a wash. Cost: one full-screen dispatch.
 [[nodiscard]] CoverLayers add_cover(gpu::Graph& graph, const CoverLayers& drawn, glm::uvec2 size_px);
 
 } // namespace estampe::paper

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Layers of known coverage on the page, against the formula; the paper's own relief, by its statistics.
+// Layers of known coverage on the page against the formula, and statistics of the paper's relief.
 #include "techniques/paper/paper.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ struct Layers {
     bool has_sky = true;
 };
 
-/// What `add`, called with a graph and inputs, makes of the layers.
+/// Calls `add` with a graph and inputs, and returns the composed layers.
 template <class Add>
 auto made_of(const Layers& layers, glm::uvec2 size_px, float pixels_per_mm, const Add& add)
 {
@@ -57,7 +57,7 @@ auto made_of(const Layers& layers, glm::uvec2 size_px, float pixels_per_mm, cons
     return add(graph, inputs);
 }
 
-/// The picture, or what one of its stages comes to.
+/// The picture, or one of its stages.
 std::vector<glm::vec4> compose(const Layers& layers, const PaperStyle& style, glm::uvec2 size_px,
                                float pixels_per_mm = 3.0F, std::optional<Stage> stage = std::nullopt)
 {
@@ -68,13 +68,13 @@ std::vector<glm::vec4> compose(const Layers& layers, const PaperStyle& style, gl
     });
 }
 
-/// Without relief: every layer lies as it was laid.
+/// Paper without relief: layers stay as they were painted.
 PaperStyle smooth()
 {
     return {.margin_mm = 0.0F, .grain = 0.0F, .granulation = 0.0F, .ink_break = 0.0F};
 }
 
-/// How much lighter than the paper each pixel is.
+/// How much lighter each pixel is than the paper's colour.
 std::vector<double> relief(const PaperStyle& style, glm::uvec2 size_px, float pixels_per_mm)
 {
     std::vector<double> heights;
@@ -93,7 +93,7 @@ double mean(const std::vector<double>& values)
     return sum / static_cast<double>(values.size());
 }
 
-/// Pearson's coefficient.
+/// Pearson correlation coefficient.
 double correlation(const std::vector<double>& a, const std::vector<double>& b)
 {
     const double mean_a = mean(a);
@@ -116,7 +116,7 @@ void expect_near(const glm::vec3& actual, const glm::vec3& expected, float toler
     }
 }
 
-constexpr float half_step = 6e-4F; // of a half float near one, and of what the layers round to
+constexpr float half_step = 6e-4F; // rounding of a half float near 1, and of the layers
 
 TEST(Compose, NoInkIsThePaperAndFullInkIsTheInk)
 {
@@ -133,7 +133,7 @@ TEST(Compose, NoInkIsThePaperAndFullInkIsTheInk)
     }
     covered.lines = [](glm::uvec2) { return glm::vec4(0.64F, 0.04F, 0.25F, 1.0F); };
     for (const glm::vec4& color : compose(covered, style, size_px)) {
-        expect_near(glm::vec3(color), {0.64F, 0.04F, 0.25F}, 4e-3F); // eight bits of a root
+        expect_near(glm::vec3(color), {0.64F, 0.04F, 0.25F}, 4e-3F); // 8-bit square roots
     }
 }
 
@@ -198,7 +198,7 @@ TEST(Compose, EachStageLaysOneLayerMore)
         expect_near(glm::vec3(hatch[i]), glm::mix(glm::vec3(wash[i]), style.ink, hatch[i].w), 1e-6F);
         const glm::vec3 line = glm::vec3(0.5F, 0.2F, 0.1F);
         expect_near(glm::vec3(lines[i]), glm::mix(glm::vec3(hatch[i]), line, lines[i].w),
-                    4e-3F); // roots of 8 bits
+                    4e-3F); // 8-bit square roots
         expect_near(glm::vec3(lines[i]), glm::vec3(picture[i]), half_step);
     }
 }
@@ -222,7 +222,7 @@ TEST(Compose, LightTintsTheInkByItsColourAlone)
     constexpr glm::uvec2 size_px(24, 8);
     PaperStyle style = smooth();
     style.ink = {0.2F, 0.1F, 0.05F};
-    // White light, red light, none; on a line, on strokes and on bare paper.
+    // White light, red light, and no light; on a line, on strokes and on bare paper.
     const glm::vec3 red(2.0F, 0.5F, 0.25F);
     Layers layers;
     layers.light = [&](glm::uvec2 pixel) {
@@ -335,7 +335,7 @@ TEST(Compose, PaintSettlesInTheHollowsAndInkSkipsTheHeights)
     painted.wash = [](glm::uvec2) { return glm::vec4(glm::vec3(0.4F), 1.0F); };
     const auto paint = lightness(painted);
     for (size_t i = 0; i < paint.size(); ++i) {
-        // 0.1 * relief is what the first page shows of it; the rest of the exponent is the slow pooling.
+        // The first page shows 0.1 * relief; the rest of the exponent is the slow pooling.
         const auto pooled = [&](size_t k) {
             const double exponent = std::log(paint[k] / static_cast<double>(style.color.y)) / std::log(0.4);
             return exponent - 1.0 + 7.0 * heights[k];
@@ -360,7 +360,7 @@ TEST(Compose, PaintSettlesInTheHollowsAndInkSkipsTheHeights)
     EXPECT_GT(*std::ranges::max_element(broken), 0.3) << "somewhere the ink skips";
 }
 
-/// A page of 32 mm by 24, all covered with ink, at 6 pixels a millimetre.
+/// A page of 32 mm by 24 mm, fully covered with ink, at 6 pixels per millimetre.
 std::vector<glm::vec4> framed(PaperStyle style)
 {
     style.height_mm = 24.0F;
@@ -380,7 +380,7 @@ TEST(Compose, TheMarginIsBarePaper)
     for (int i = 0; i < static_cast<int>(picture.size()); ++i) {
         const glm::ivec2 pixel(i % 192, i / 192);
         const glm::ivec2 beyond = glm::max(23 - pixel, pixel - glm::ivec2(168, 120));
-        const int beyond_px = std::max(beyond.x, beyond.y); // 0 and less: within
+        const int beyond_px = std::max(beyond.x, beyond.y); // 0 or less: inside
         if (beyond_px > 1) {
             expect_near(glm::vec3(picture[static_cast<size_t>(i)]), style.color, half_step);
         } else if (beyond_px < -1) {
@@ -438,7 +438,7 @@ TEST(Compose, DryStrokesCatchOnTheToothAndStayAsDark)
     }
 }
 
-/// Pictures one after another through the same sums, and the pixels after each.
+/// Develops pictures one after another with the same sums; returns the pixels after each.
 template <class Pixel>
 std::vector<std::vector<Pixel>> develop_as(const std::vector<test::Painter<glm::vec4>>& pictures,
                                            glm::uvec2 size_px, PixelForm form)
@@ -483,7 +483,7 @@ void expect_developed(const std::vector<glm::u8vec4>& bytes, const test::Painter
 
 TEST(Develop, IsOnePassWithTheLayingOfAnOnlySample)
 {
-    constexpr glm::uvec2 size_px(67, 21); // no whole number of groups
+    constexpr glm::uvec2 size_px(67, 21); // not a multiple of the workgroup size
     const Layers layers{
         .wash =
             [](glm::uvec2 pixel) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How particles fly, against what can be known of that.
+// The flight of particles against known properties.
 #include "techniques/particles/particles.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 const Emitter chimney{.place = {1.0, 2.0, 3.0}, .direction = {0.0, 1.0, 0.0}};
 
-/// Without wind and swirls.
+/// A style without wind and swirls.
 ParticleStyle still_air()
 {
     return {.per_s = 40.0F,
@@ -110,7 +110,7 @@ TEST(Particles, MoveSmoothlyAndAreTheSameWhateverWasAskedBefore)
 
 TEST(Particles, StayBehindWhenTheirEmitterMoves)
 {
-    // It goes along x at 4 m/s and gives straight up.
+    // The emitter moves along x at 4 m/s and emits straight up.
     constexpr double speed = 4.0;
     constexpr double step_s = 0.15;
     Emitter moving{.place = {12.0, 0.0, 0.0}, .step_s = step_s};

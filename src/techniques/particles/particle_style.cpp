@@ -8,46 +8,50 @@ namespace estampe::particles {
 const style::Table<ParticleStyle>& particle_table()
 {
     static const auto table =
-        style::Table<ParticleStyle>("particles",
-                                    "Particles: smoke, dust and sparks from objects without a mesh")
+        style::Table<ParticleStyle>(
+            "particles", "Particles: smoke, dust and sparks that come out of objects without a mesh")
             .text("emitters", &ParticleStyle::emitters,
-                  "Objects without a mesh that give particles along their own +y, as name patterns with "
-                  "commas between them")
+                  "Objects without a mesh that send out particles along their own +y, as name patterns "
+                  "separated by commas")
             .choice("look", &ParticleStyle::look,
                     {{"drawn", Look::drawn},
                      {"wash", Look::wash},
                      {"blots", Look::blots},
                      {"strokes", Look::strokes}},
-                    "How particles are drawn. drawn: one mass with an outline; wash: soft colour; blots: "
-                    "blots of ink; strokes: short strokes of ink.")
+                    "How particles are drawn. drawn: as one mass with an outline; wash: in soft colour; "
+                    "blots: as blots of ink; strokes: as short strokes of ink.")
             .number("per_s", &ParticleStyle::per_s, {0.0F, 200.0F}, "1/s",
-                    "Number of particles that each emitter gives per second")
+                    "Number of particles that each emitter sends out per second: more gives denser smoke, "
+                    "dust or sparks")
             .number("life_s", &ParticleStyle::life_s, {0.05F, 100.0F}, "s",
-                    "How long a particle lives before it is gone")
+                    "How long a particle lives before the particle disappears: more gives longer trails")
             .number("speed_m_per_s", &ParticleStyle::speed_m_per_s, {0.0F, 100.0F}, "m/s",
                     "Speed at which particles leave their emitter")
             .number("spread_deg", &ParticleStyle::spread_deg, {0.0F, 180.0F}, "deg",
-                    "Largest angle between a particle's first direction and the emitter's: 0 is a jet, 90 a "
-                    "half sphere, 180 every direction")
+                    "Largest angle between the first direction of a particle and the direction of its "
+                    "emitter: 0 is a jet, 90 is a half sphere, 180 is every direction")
             .number("lift_m_per_s2", &ParticleStyle::lift_m_per_s2, {-20.0F, 20.0F}, "m/s2",
                     "Upward acceleration of particles: above 0 they rise like smoke, below 0 they fall like "
                     "sparks")
-            .number("wind_m_per_s", &ParticleStyle::wind_m_per_s, {0.0F, 100.0F}, "m/s",
-                    "Speed of the wind that carries particles along")
+            .number(
+                "wind_m_per_s", &ParticleStyle::wind_m_per_s, {0.0F, 100.0F}, "m/s",
+                "Speed of the wind that carries particles along: more carries particles farther to the side")
             .number("wind_deg", &ParticleStyle::wind_deg, {-360.0F, 360.0F}, "deg",
-                    "Bearing towards which the wind carries particles: 0 is +z, 90 is +x")
+                    "Direction towards which the wind carries particles: 0 is +z, 90 is +x")
             .number("swirl_m_per_s", &ParticleStyle::swirl_m_per_s, {0.0F, 100.0F}, "m/s",
                     "Speed of the swirls that particles drift through: 0 lets them fly smoothly, more "
                     "scatters them")
             .number("swirl_m", &ParticleStyle::swirl_m, {0.01F, 1000.0F}, "m",
-                    "Size of the swirls that particles drift through")
+                    "Size of the swirls that particles drift through: less gives small curls, more gives "
+                    "wide bends")
             .number("size_m", &ParticleStyle::size_m, {0.001F, 100.0F}, "m",
                     "Width of a particle when it leaves its emitter")
             .number("grown_m", &ParticleStyle::grown_m, {0.001F, 100.0F}, "m",
                     "Width of a particle at the end of its life")
             .file_or_name("sheet", &ParticleStyle::sheet, {"smoke"},
-                          "Picture of a particle as a sprite sheet of frames over its life, where white is "
-                          "dense; or smoke, a simulated puff. An empty text gives ragged discs.")
+                          "Picture of a particle: a sprite sheet whose frames show the life of a particle, "
+                          "with white where the particle is dense. The name smoke uses a simulated puff of "
+                          "smoke. If empty, particles are ragged discs.")
             .integer("rows", &ParticleStyle::rows, {1, 64}, "",
                      "Number of rows of frames in the picture that particles.sheet names")
             .integer("columns", &ParticleStyle::columns, {1, 64}, "",
@@ -60,9 +64,9 @@ const style::Table<ParticleStyle>& particle_table()
                     "Width of the outline around particles. Only used when particles.look is drawn.")
             .color("ink", &ParticleStyle::ink,
                    "Colour of the ink of particles: their outlines, blots or strokes")
-            .number(
-                "soft_m", &ParticleStyle::soft_m, {0.001F, 100.0F}, "m",
-                "Distance in front of a surface over which particles fade: more hides where they cut into it")
+            .number("soft_m", &ParticleStyle::soft_m, {0.001F, 100.0F}, "m",
+                    "Distance in front of a surface over which particles fade out: more hides the hard edge "
+                    "where particles cut into the surface")
             .by_surface_but({"emitters"});
     return table;
 }

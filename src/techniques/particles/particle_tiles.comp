@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a tile of 8 x 8 pixels lists it if the page has sprites there.
+// One thread per tile of 8 x 8 pixels lists the tile if it has sprites.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -35,7 +35,8 @@ void main()
 {
     uvec2 tile = gl_GlobalInvocationID.xy;
     uvec2 from_px = 8u * tile;
-    // It is smaller than a tile that has a list: where those meet in it, all that do have a corner of it.
+    // This tile is smaller than the tiles with sprite lists, so each of these that it overlaps contains one
+    // of its corners.
     bool is_inhabited = has_sprites(from_px) || has_sprites(from_px + uvec2(7u, 0u)) ||
                         has_sprites(from_px + uvec2(0u, 7u)) || has_sprites(from_px + 7u);
     if (all(lessThan(from_px, frame.size_px)) && is_inhabited) {

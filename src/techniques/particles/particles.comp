@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread lays the sprites over one pixel of the layers, the farthest first.
+// One thread draws the sprites over one pixel of the layers, farthest first.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_vote : require
@@ -21,7 +21,7 @@ layout(binding = 2) uniform usamplerBuffer start_texels;
 layout(binding = 3) uniform usamplerBuffer listed_texels;
 layout(binding = 4) uniform samplerBuffer sheet_texels;
 layout(binding = 5) uniform sampler2D depth_image;
-layout(binding = 6) uniform sampler2D sky_image; // what haze fades into
+layout(binding = 6) uniform sampler2D sky_image; // colour that haze fades into
 layout(binding = 7, rgba16f) uniform image2D wash_image;
 layout(binding = 8, r16f) uniform image2D hatch_image;
 layout(binding = 9, rgba8) uniform image2D line_image;
@@ -37,7 +37,7 @@ layout(push_constant, scalar) uniform Constants
 layout(constant_id = 0) const uint variant = 0u;
 const bool by_groups = (variant & particles_by_groups) != 0u;
 
-// From the eye along the view, of what is seen; far beyond all where nothing is.
+// Distance of the visible surface along the view; very large for the background.
 float seen_at_m(ivec2 pixel)
 {
     float depth = texelFetch(depth_image, min(pixel, ivec2(frame.size_px) - 1), 0).x;
@@ -45,7 +45,7 @@ float seen_at_m(ivec2 pixel)
     return depth > 0.0 ? (frame.clip_from_anchor * vec4(point, 1.0)).w : 1e12;
 }
 
-// Brightness of one frame of the sheet, `at` from 0 to 1.
+// Brightness of frame `which` of the sprite sheet, at `at`, 0 to 1.
 float sheet_at(vec2 at, int which)
 {
     ivec2 cell_px = ivec2(constants.sheet_px / constants.frames);
@@ -62,7 +62,7 @@ float sheet_at(vec2 at, int which)
         mix(texelFetch(sheet_texels, lower + low.x).x, texelFetch(sheet_texels, lower + high.x).x, f.x), f.y);
 }
 
-// How dense a sprite is at a place from its middle, in radii: a ragged disc, or what its frame shows.
+// Density of a sprite at an offset from its centre, in radii: a ragged disc, or the frame of its sheet.
 float density_at(vec2 uv, float trait, float shown)
 {
     float ragged = value_noise(2.6 * uv + 97.0 * trait, 3u) + 0.2 * value_noise(5.6 * uv - 61.0 * trait, 4u);
@@ -78,19 +78,19 @@ float density_at(vec2 uv, float trait, float shown)
     return max(abs(uv.x), abs(uv.y)) < 1.0 ? density : 0.0;
 }
 
-// What all sprites over a place add up to.
+// Sums over all sprites at a place.
 struct Mass {
     float density;
-    vec2 beside;  // density one pixel to the right, and one below
-    float soft;   // density, one over the other
-    float shade;  // 0 to 1: on the lower side of the nearest
-    float fold;   // ink where one lies before others
-    float away_m; // along the view, of what is seen of them on average
+    vec2 beside;  // density one pixel to the right, and one pixel below
+    float soft;   // density, with sprites composited over each other
+    float shade;  // 0 to 1: shade on the lower side of the nearest sprite
+    float fold;   // ink where a sprite overlaps others
+    float away_m; // mean distance of the visible sprites along the view
 };
 
 struct SpriteOver {
     Sprite sprite;
-    vec2 away; // of the place from its middle, in radii
+    vec2 away; // offset of the place from the sprite's centre, in radii
 };
 
 SpriteOver sprite_of(vec2 place, vec4 a, vec4 b, vec4 c)
@@ -105,21 +105,21 @@ SpriteOver sprite_over(vec2 place, int i)
                      texelFetch(sprite_texels, sprite + 2));
 }
 
-// Along the sprite and across.
+// Offset in the sprite's axes: along it and across it.
 vec2 turned(Sprite sprite, vec2 away)
 {
     return vec2(dot(away, sprite.turn) / sprite.stretch, dot(away, vec2(-sprite.turn.y, sprite.turn.x)));
 }
 
-// Whether anything of the sprite is seen there or a pixel beside.
+// Whether the sprite covers this place or a pixel next to it.
 bool is_near(SpriteOver over)
 {
     vec2 uv = abs(turned(over.sprite, over.away));
     return max(uv.x, uv.y) < 1.0 + (constants.outline_px + 2.0) / over.sprite.radius_px;
 }
 
-// The next of the list that is near to any place of the subgroup; `last` where there is none. A loop of
-// little, so that processors do all the rest for as few sprites as they can.
+// Index of the next sprite in the list that is near any place of the subgroup; `last` without one. This small
+// loop lets CPUs skip sprites cheaply.
 int find_sprite(vec2 place, int i, int last)
 {
     bool is_far;
@@ -134,7 +134,7 @@ int find_sprite(vec2 place, int i, int last)
 
 void add_sprite(inout Mass mass, SpriteOver over, float opacity, float surface_m, bool is_crisp)
 {
-    const float edge = 0.6; // in radii: where it hides those behind
+    const float edge = 0.6; // in radii: edge of the part that hides sprites behind
     Sprite sprite = over.sprite;
     vec2 away = over.away;
     vec2 uv = turned(sprite, away);
@@ -150,7 +150,7 @@ void add_sprite(inout Mass mass, SpriteOver over, float opacity, float surface_m
                             density_at(below, sprite.trait, sprite.frame)) *
                        (opacity * before);
     }
-    // What a sheet shows has its own shape within.
+    // Frames of a sheet have their own inner shading.
     float solid = constants.frames.x > 0u ? 0.0 : opacity * before;
     float beyond_px = (length(away) - edge) * sprite.radius_px;
     float hides = clamp(0.5 - beyond_px, 0.0, 1.0) * smoothstep(0.1, 0.3, solid);
@@ -164,8 +164,8 @@ void add_sprite(inout Mass mass, SpriteOver over, float opacity, float surface_m
     mass.fold = max(mass.fold * (1.0 - hides), arc * smoothstep(0.2, 0.5, solid));
 }
 
-// The lists of two tiles may meet in a subgroup, where what is drawn is a tile of the page: those that are
-// through add nothing more.
+// A subgroup may span the lists of two tiles if a tile of the page is drawn; lanes past their list's end add
+// nothing.
 Mass mass_at(vec2 place, float surface_m, bool is_crisp)
 {
     uvec2 tile = min(uvec2(place), frame.page_px - 1u) / particle_tile_px;
@@ -183,14 +183,14 @@ Mass mass_at(vec2 place, float surface_m, bool is_crisp)
     return mass;
 }
 
-// By groups: as many of the list as a group has threads, one read by each.
+// particles_by_groups: a workgroup reads as many sprites as it has threads, one per thread.
 const int read_at_once = 64;
 shared vec4 held[3 * read_at_once];
 
 void read_sprites(int first, int last)
 {
     int own = int(gl_LocalInvocationIndex);
-    barrier(); // those before are through
+    barrier(); // all threads have finished with the sprites before
     if (first + own < last) {
         int sprite = 3 * int(texelFetch(listed_texels, first + own).x);
         for (int k = 0; k < 3; ++k) {
@@ -200,7 +200,7 @@ void read_sprites(int first, int last)
     barrier();
 }
 
-// As mass_at(), of a group whose pixels are all in one tile.
+// Like mass_at(), for a workgroup whose pixels are all in one tile.
 Mass mass_by_groups(vec2 place, float surface_m, bool is_crisp)
 {
     uvec2 tile = min(listed_from_px() + frame.tile_from_px, frame.page_px - 1u) / particle_tile_px;
@@ -219,13 +219,13 @@ Mass mass_by_groups(vec2 place, float surface_m, bool is_crisp)
     return mass;
 }
 
-// Where density passes a limit, as a distance in pixels, above 0 within.
+// Distance in pixels from the density's threshold contour, positive inside.
 float within_px(Mass mass)
 {
     return (mass.density - 0.35) / max(length(mass.beside - mass.density), 1e-4);
 }
 
-// How often haze has halved what is seen of them.
+// Number of times that haze has halved the particles' contrast.
 float halvings(ivec2 pixel, float away_m)
 {
     vec3 way = frame.is_orthographic != 0u ? frame.view_forward

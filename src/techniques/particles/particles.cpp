@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How particles are born and fly, and how they are drawn.
+// The birth, flight and drawing of particles.
 #include "techniques/particles/particles.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ uint32_t lattice(double coordinate)
     return static_cast<uint32_t>(static_cast<int64_t>(coordinate));
 }
 
-/// Value noise in [0, 1] and its gradient; smooth twice, so that the gradient has no kinks.
+/// Gradient of value noise in [0, 1]; the noise is smooth to second order, so that its gradient has no kinks.
 glm::dvec3 noise_gradient(const glm::dvec3& place, uint32_t seed)
 {
     const glm::dvec3 cell = glm::floor(place);
@@ -52,7 +52,7 @@ glm::dvec3 noise_gradient(const glm::dvec3& place, uint32_t seed)
     return gradient;
 }
 
-/// A unit vector within `spread` of `direction`, even over that cap.
+/// A unit vector within `spread_rad` of `direction`, uniform over that cap.
 glm::dvec3 scattered(const glm::dvec3& direction, double spread_rad, double a, double b)
 {
     const double up = 1.0 - a * (1.0 - std::cos(spread_rad));
@@ -68,7 +68,7 @@ Particle fly(const ParticleStyle& style, const Emitter& emitter, uint32_t number
              double age_s)
 {
     constexpr double longest_step_s = 0.35;
-    constexpr double drag_s = 0.8; // in which air takes a particle along
+    constexpr double drag_s = 0.8; // time constant of air drag
     const auto seed = static_cast<uint32_t>(style.seed);
     const auto trait = [&](uint32_t which) { return hashed(number, emitter_number, which, seed); };
     const double bearing = glm::radians(static_cast<double>(style.wind_deg));
@@ -102,7 +102,8 @@ Particle fly(const ParticleStyle& style, const Emitter& emitter, uint32_t number
     return particle;
 }
 
-/// Where an emitter stood so long ago: straight on between what is known, and at the oldest before that.
+/// The emitter as it was `ago_s` seconds ago: interpolated linearly between known states; before the oldest,
+/// that one.
 Emitter stood(const Emitter& emitter, double ago_s)
 {
     if (emitter.before.empty() || emitter.step_s <= 0.0) {
@@ -173,7 +174,7 @@ glm::dvec2 projected_px(const ParticleView& view, const glm::dvec3& place, doubl
     return (0.5 * glm::dvec2(clip) / clip.w + 0.5) * glm::dvec2(view.page_px);
 }
 
-/// How dense a particle is at an age: it comes quickly and goes slowly.
+/// Opacity of a particle by age: fades in quickly and out slowly.
 float density_at(float age)
 {
     return glm::smoothstep(0.0F, 0.12F, age) * (1.0F - glm::smoothstep(0.45F, 1.0F, age));
@@ -184,10 +185,10 @@ glm::vec2 turn_by(float angle)
     return {std::cos(angle), std::sin(angle)};
 }
 
-/// Lists of what each tile has, in the order of the sprites.
+/// Lists the sprites of each tile, in the order of the sprites.
 void list_sprites(ParticlePlan& plan, glm::uvec2 tiles)
 {
-    constexpr float beyond_px = 2.0F; // soft edges, shifts of samples
+    constexpr float beyond_px = 2.0F; // margin for soft edges and sample jitter
     const auto for_tiles = [&](const shared::Sprite& sprite, const auto& visit) {
         const float reach = sprite.radius_px * sprite.stretch + beyond_px;
         const glm::vec2 side(shared::particle_tile_px);
@@ -314,7 +315,7 @@ void Sheet::ensure(gpu::Device& device, const ParticleStyle& style,
 
 namespace {
 
-/// The tiles of 8 x 8 pixels where the page has sprites.
+/// Lists the tiles of 8 x 8 pixels that have sprites.
 gpu::BufferId add_tiles(gpu::Graph& graph, const ParticleInputs& in, gpu::BufferId starts,
                         uint32_t tiles_across)
 {

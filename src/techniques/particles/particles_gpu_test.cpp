@@ -26,12 +26,12 @@ struct Drawn {
     std::vector<float> hatch;
 };
 
-/// Sprites over white wash and full ink of strokes, before a wall `wall_m` away.
+/// Sprites over a white wash and full hatching ink, in front of a wall `wall_m` away.
 class Page {
 public:
     Camera camera{.eye = {0.0, 0.0, 10.0}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.8};
     double wall_m = 1e4;
-    float halves_per_m = 0.0F; ///< of haze into green
+    float halves_per_m = 0.0F; ///< haze that fades into green
     bool by_groups = false;
 
     [[nodiscard]] Drawn draw(const ParticleStyle& style, const std::vector<Particle>& particles) const
@@ -87,7 +87,7 @@ public:
     }
 };
 
-/// In its prime, with full density.
+/// A particle of middle age, with full opacity.
 Particle at(const glm::dvec3& place)
 {
     return {.place = place, .age = 0.3F, .trait = 0.5F, .trait_b = 0.2F};
@@ -108,7 +108,7 @@ double cover(const Drawn& drawn)
     return sum;
 }
 
-/// More than a group reads at once, over the whole page.
+/// More particles than a workgroup reads at once, over the whole page.
 std::vector<Particle> crowd()
 {
     std::vector<Particle> particles;
@@ -236,14 +236,14 @@ TEST(ParticlePictures, ShowTheFrameOfTheSheetThatTheirAgeHas)
 TEST(ParticlePictures, FadeIntoTheSkyByHowFarTheyAre)
 {
     Page page;
-    const std::vector<Particle> particles{at({0.0, 0.0, 0.0})}; // ten metres off, red
+    const std::vector<Particle> particles{at({0.0, 0.0, 0.0})}; // ten metres away, red
     const Drawn clear = page.draw(soft(), particles);
     page.halves_per_m = 0.5F;
     const Drawn hazy = page.draw(soft(), particles);
     const size_t middle = size_t{size_px.y / 2} * size_px.x + size_px.x / 2;
     const double covered = 1.0 - static_cast<double>(clear.wash[middle].y);
     ASSERT_GT(covered, 0.5);
-    // Beyond 4 m six are left, in which haze halves three times: an eighth of the red is left.
+    // Six metres lie beyond 4 m; haze halves three times there, so an eighth of the red is left.
     EXPECT_NEAR(1.0 - static_cast<double>(hazy.wash[middle].x), covered * (1.0 - 0.125), 0.01);
     EXPECT_NEAR(1.0 - static_cast<double>(hazy.wash[middle].y), covered * 0.125, 0.01);
     EXPECT_NEAR(hazy.hatch[middle], clear.hatch[middle], 1e-6F) << "what is behind is hidden all the same";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All primitive modes of glTF: what is seen where, and the ink that it leaves.
+// All primitive modes of glTF: what is visible where, and the ink that it leaves.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,7 +19,7 @@ namespace {
 
 const std::vector<glm::dvec2> corners{{-1.0, 0.8}, {-0.5, -0.8}, {0.0, 0.8}, {0.5, -0.8}, {1.0, 0.8}};
 
-/// The corners, drawn in a mode of glTF.
+/// The corners as a primitive of one glTF mode.
 Scene in_mode(int mode)
 {
     gltf::TestFile file = gltf::triangle_file();
@@ -33,7 +33,7 @@ Scene in_mode(int mode)
     return file.load();
 }
 
-/// The corners that each mode joins, by the specification.
+/// The corners that each mode joins, by the glTF specification.
 struct Mode {
     int number = 0;
     std::vector<std::pair<size_t, size_t>> lines;
@@ -61,7 +61,7 @@ double distance_to(const glm::dvec2& point, const Mode& mode)
 
 constexpr uint32_t side_px = 160;
 constexpr double half_height_m = 0.04;
-constexpr double wire_m = 3e-3; // of the scene's radius
+constexpr double wire_m = 3e-3; // share of the scene's radius
 
 Camera magnifier(const glm::dvec2& middle)
 {
@@ -81,7 +81,7 @@ TEST(DrawnLines, AreSeenWhereTheyShouldBeAtTheirWidth)
     for (const Mode& mode : line_modes) {
         const Scene scene = in_mode(mode.number);
         for (const auto& [from, to] : mode.lines) {
-            const glm::dvec2 middle = glm::mix(corners[from], corners[to], 0.4); // clear of other lines
+            const glm::dvec2 middle = glm::mix(corners[from], corners[to], 0.4); // away from other lines
             test::Drawing drawing(scene, magnifier(middle), glm::uvec2(side_px));
             const double radius_m = wire_m * drawing.layout.bounds.radius();
             const double pixel_m = 2.0 * half_height_m / side_px;
@@ -89,7 +89,7 @@ TEST(DrawnLines, AreSeenWhereTheyShouldBeAtTheirWidth)
             double seen = 0.0;
             for (size_t i = 0; i < draw.size(); ++i) {
                 const double away_m = distance_to(place_of(i, middle), mode);
-                // Five sides: as wide as 0.81 to 1 of the radius either way.
+                // A wire has five sides: its half width is 0.81 to 1 of the radius.
                 if (away_m < 0.8 * radius_m - pixel_m) {
                     EXPECT_NE(draw[i], 0U) << "mode " << mode.number;
                 }
@@ -147,7 +147,8 @@ TEST(DrawnLines, TrianglesStripsAndFansAreFilled)
                     edge_m = std::min(edge_m, distance_to(place, a, b));
                     least = std::min(least, way.x * (place.y - a.y) - way.y * (place.x - a.x));
                 }
-                inside |= least > 0.0; // counter-clockwise: the back of a material with one side is not seen
+                // Counter-clockwise: back faces of single-sided materials are invisible.
+                inside |= least > 0.0;
             }
             if (edge_m > 0.02) {
                 EXPECT_EQ(draw[i] != 0, inside) << "mode " << 4 + k << " at " << place.x << ", " << place.y;
@@ -160,7 +161,7 @@ TEST(DrawnLines, LeaveInkAlongTheirWholeLengthAndNowhereElse)
 {
     constexpr RenderSettings settings{.width = 640, .height = 480};
     Style style;
-    // A pen of 2.6 pixels covers some pixel in full wherever it passes.
+    // A pen of 2.6 pixels fully covers at least one pixel everywhere along its line.
     for (const char* assignment :
          {"paper.color=#ffffff", "paper.grain=0", "paper.margin_mm=0", "sky.enabled=false",
           "picture.ground=false", "contour.outline.width_mm=0.8", "contour.pressure=0",

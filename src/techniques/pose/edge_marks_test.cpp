@@ -8,7 +8,7 @@
 namespace estampe::pose {
 namespace {
 
-/// Two primitives of two triangles each: the first see-through and marked, the second opaque.
+/// Two primitives of two triangles each: the first transparent and marked, the second opaque.
 Scene sheets(bool are_marked)
 {
     Scene scene;
@@ -30,7 +30,7 @@ Scene sheets(bool are_marked)
 
 TEST(EdgeMarks, GoWithTheirTrianglesHoweverThoseAreSorted)
 {
-    // What is opaque comes first, then what is not, then the ground.
+    // Opaque triangles come first, then transparent ones, then the ground.
     const MeshData meshes = build_meshes(sheets(true), 1);
     EXPECT_EQ(meshes.edge_marks, (std::vector<uint8_t>{0, 0, marks_edges | 5, marks_edges | 3, 0, 0}));
     EXPECT_TRUE(build_meshes(sheets(false), 1).edge_marks.empty());

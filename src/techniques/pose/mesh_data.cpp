@@ -22,7 +22,7 @@ namespace estampe::pose {
 namespace {
 
 constexpr uint32_t enough_sheets = 8;
-constexpr double wire_radius = 3e-3; // of lines, in the scene's own: framed whole, as wide as a pen
+constexpr double wire_radius = 3e-3; // as a share of the scene's radius: about a pen's width in a framed view
 
 template <typename T>
 T value_or(const std::vector<T>& values, size_t index, const T& otherwise)
@@ -30,7 +30,7 @@ T value_or(const std::vector<T>& values, size_t index, const T& otherwise)
     return index < values.size() ? values[index] : otherwise;
 }
 
-/// Weights in 16 bits that still sum to one: the largest takes what rounding lost.
+/// Rounds weights to 16 bits so that they still sum to one: the largest takes the rounding error.
 std::array<uint32_t, 8> round_weights(const glm::vec4& weights_0, const glm::vec4& weights_1)
 {
     std::array<uint32_t, 8> rounded{};
@@ -59,7 +59,7 @@ shared::SkinVertex pack_influences(const Primitive& primitive, size_t vertex)
                         pair(weights[4], weights[5]), pair(weights[6], weights[7])}};
 }
 
-/// Where a primitive's vertices have been put, so that nodes that share a mesh share its vertices.
+/// Offsets of a primitive's uploaded vertices, which nodes with the same mesh share.
 struct UploadedPrimitive {
     uint32_t first_rest_vertex = 0;
     uint32_t first_skin_vertex = shared::no_skin;
@@ -116,8 +116,8 @@ private:
         return range;
     }
 
-    /// Appends by the groups that the triangles throw shadows for, the most of them first, and of each what
-    /// stands still first.
+    /// Appends triangles sorted by their shadow groups, larger group masks first, and static before moving
+    /// ones.
     Range append_solid(std::vector<glm::uvec4>& triangles, bool masked)
     {
         const auto kind_of = [this](const glm::uvec4& triangle) {
@@ -127,7 +127,8 @@ private:
         const auto comes_first = [&](const glm::uvec4& a, const glm::uvec4& b) {
             return kind_of(a) > kind_of(b);
         };
-        if (!std::is_sorted(triangles.begin(), triangles.end(), comes_first)) { // of most scenes they are
+        // Most scenes are sorted already.
+        if (!std::is_sorted(triangles.begin(), triangles.end(), comes_first)) {
             std::stable_sort(triangles.begin(), triangles.end(), comes_first);
         }
         const Range whole = append(triangles);
@@ -190,7 +191,7 @@ private:
         }
     }
 
-    /// Cloth swings, and falls, about as far as it is large.
+    /// Cloth swings and falls about as far as its own size.
     Bounds reached_bounds(const Node& node, const Primitive& primitive, const Bounds& bounds) const
     {
         Bounds reached = bounds;
@@ -389,7 +390,7 @@ private:
     std::vector<bool> moving_nodes_;
     std::vector<bool> draw_moves_;
     std::map<const Primitive*, UploadedPrimitive> uploaded_;
-    std::map<const Primitive*, Primitive> bodies_; ///< of lines and points
+    std::map<const Primitive*, Primitive> bodies_; ///< triangle meshes of lines and points
     std::vector<glm::uvec4> opaque_, masked_, blended_;
 };
 
@@ -456,7 +457,7 @@ std::vector<uint8_t> edge_marks_of(const MeshData& meshes, const Scene& scene)
                             [&](const DrawSource& source) { return marks_of(source).empty(); })) {
         return {};
     }
-    // However triangles were sorted, those of one draw have kept their order.
+    // Sorting keeps the order of triangles within a draw call.
     std::vector<size_t> seen_of_draw(meshes.draws.size(), 0);
     std::vector<uint8_t> marks(meshes.triangles.size(), 0);
     for (size_t t = 0; t < meshes.triangles.size(); ++t) {

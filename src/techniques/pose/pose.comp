@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread poses one vertex: morph targets first, then the skin, then the place of its object.
+// One thread poses one vertex: morph targets first, then the skin or the object's transform.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -107,10 +107,10 @@ void main()
     }
     vec4 posed = place * vec4(position, 1.0);
     mat3 linear = mat3(place);
-    // The cofactor matrix turns normals as the inverse transpose does, and survives a flattening scale.
+    // The cofactor matrix transforms normals like the inverse transpose, and also works for a scale of 0.
     mat3 cofactor =
         mat3(cross(linear[1], linear[2]), cross(linear[2], linear[0]), cross(linear[0], linear[1]));
-    // A mirroring would point them inwards: its determinant is negative.
+    // A mirrored transform has a negative determinant and would turn normals inwards.
     vec3 turned = cofactor * normal * (dot(linear[0], cofactor[0]) < 0.0 ? -1.0 : 1.0);
     float turned_length = length(turned);
     turned = turned_length > 0.0 ? turned / turned_length : vec3(0.0, 1.0, 0.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Poses meshes: matrices and weights of a moment, what has moved since, and the dispatch on the GPU.
+// Poses meshes: matrices and weights at a time, the changes since the last pose, and the dispatch on the GPU.
 #include "techniques/pose/pose.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ Bounds transformed(const Bounds& local, const glm::dmat4& place)
     return result;
 }
 
-/// A floor: flat, level, and nothing below it, so that its shadow can fall on nothing.
+/// Whether a draw call is a floor: flat, level, and the lowest, so that nothing can receive its shadow.
 bool is_lowest_floor(const Bounds& draw, const Bounds& scene)
 {
     const double extent =
@@ -157,7 +157,7 @@ void extend(Bounds& place, const Bounds& local, const glm::mat4& anchor_from_loc
     }
 }
 
-/// The matrices that place one draw's vertices.
+/// The matrices that transform one draw call's vertices.
 struct Places {
     size_t first = 0;
     size_t count = 0;
@@ -241,7 +241,7 @@ bool weighs_otherwise(const shared::DrawRecord& draw, const PoseData& before, co
     return draw.morph_target_count > 0 && !std::ranges::equal(weights(before), weights(now));
 }
 
-/// Runs in ascending order, of which the two with the least between them become one where there is no room.
+/// Collects runs in ascending order; when full, it merges the two with the smallest gap.
 class Collector {
 public:
     void add(const VertexRun& run)
@@ -294,7 +294,7 @@ VertexRuns runs_to_pose(const MeshData& meshes, const PoseData* before, const Po
     if (before == nullptr) {
         return {VertexRun{.first = 0, .count = static_cast<uint32_t>(meshes.draw_of_vertex.size())}};
     }
-    // Which joints a skin has is not known here: all skinned bodies are taken to move with any of them.
+    // The joints of a single skin are not known here: if any joint moved, all skinned bodies count as moved.
     const bool have_joints_moved = before->joints != now.joints;
     Collector runs;
     for (uint32_t i = 0; i < now.draws.size(); ++i) {
@@ -381,7 +381,7 @@ gpu::BufferId add_pose_of_moved(gpu::Graph& graph, MeshBuffers& meshes, const Me
 {
     PosedAs& posed = meshes.posed_as[0];
     const VertexRuns runs = runs_to_pose(data, posed.is_known ? &posed.pose : nullptr, now, written_over);
-    posed.is_known = false; // until the graph has run
+    posed.is_known = false; // false until the graph has run
     posed.pose = now;
     return add_runs(graph, meshes, data, runs, draws, rest_vertices);
 }

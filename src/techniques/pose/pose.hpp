@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Puts the meshes on the GPU and poses there, in one dispatch, those vertices that have to be posed anew.
+// Uploads meshes to the GPU, and poses the changed vertices there in one dispatch.
 
 #include <span>
 
@@ -22,19 +22,19 @@ struct VertexRun {
 
 using VertexRuns = InlineVector<VertexRun, shared::most_pose_runs>;
 
-/// The vertices that stand otherwise in `now` than in `before`, all of them where that is null, and those of
-/// the draws `written_over`, which are in ascending order. What lies between the nearest of many runs is in
-/// them as well. Cost: linear in draws, joints and weights.
+/// The vertices whose pose differs between `before` and `now` (all of them if `before` is null), and those of
+/// the draw calls `written_over`, which must be in ascending order. Too many runs are merged, with the
+/// vertices between them. Cost: linear in draws, joints and weights.
 [[nodiscard]] VertexRuns runs_to_pose(const MeshData& meshes, const PoseData* before, const PoseData& now,
                                       std::span<const uint32_t> written_over);
 
-/// What stands in a buffer of posed vertices.
+/// The pose that a buffer of posed vertices holds.
 struct PosedAs {
     PoseData pose;
     bool is_known = false;
 };
 
-/// A scene's meshes on the GPU. The posed vertices are kept twice: of this frame and of the one before.
+/// A scene's meshes on the GPU. Posed vertices are stored for this frame and for the last frame.
 struct MeshBuffers {
     gpu::Buffer rest_vertices;
     gpu::Buffer skin_vertices;
@@ -53,27 +53,26 @@ struct MeshBuffers {
 /// Uploads `data`. Throws Error when it does not fit the device. Cost: one copy of everything.
 [[nodiscard]] MeshBuffers upload_meshes(gpu::Device& device, const MeshData& data);
 
-/// Overwrites what moves: draws, joints, weights, and the triangles when draws of `data`, which `meshes` were
-/// made of, turned inside out or back; returns whether any did. Waits for the copy.
+/// Uploads the pose: draws, joints, weights, and the triangles if mirrored flags change. `meshes` must be
+/// made from `data`. Returns whether triangles changed. Waits for the copy.
 bool upload_pose(gpu::Device& device, MeshBuffers& meshes, MeshData& data, const PoseData& pose);
 
-/// What was of this frame is of the one before, and the other way round.
+/// Swaps the posed vertices of this frame and the last frame.
 void swap_posed(MeshBuffers& meshes);
 
-/// Poses vertices of `meshes`, which were made of `data`: morph targets, then the skin, or the place of the
-/// object where there is none. Only those are posed that do not stand in their buffer as `now`, which was
-/// uploaded, has them, and those of the draws `written_over`, in ascending order, in whose place others
-/// write. `draws` and `rest_vertices` are their handles in this graph. Call keep_posed() when the graph has
-/// run.
+/// Poses vertices of `meshes`, which must be made from `data`: morph targets, then the skin, or the object's
+/// transform without a skin. It poses only vertices whose buffer differs from `now`, which must be uploaded,
+/// and those of the draw calls `written_over`, in ascending order, which other passes overwrite. `draws` and
+/// `rest_vertices` are their handles in this graph. Call keep_posed() after the graph has run.
 ///
 /// Writes  posed vertices, relative to the anchor
-/// Cost    a dispatch for each of the runs that runs_to_pose() finds, one thread per vertex
-/// Source  linear blend skinning as glTF 2.0, section 3.7.3, has it
+/// Cost    one dispatch over the runs of runs_to_pose(), one thread per vertex
+/// Source  linear blend skinning as in glTF 2.0, section 3.7.3
 [[nodiscard]] gpu::BufferId add_pose_of_moved(gpu::Graph& graph, MeshBuffers& meshes, const MeshData& data,
                                               const PoseData& now, std::span<const uint32_t> written_over,
                                               gpu::BufferId draws, gpu::BufferId rest_vertices);
 
-/// What add_pose_of_moved() was to pose is posed.
+/// Confirms that the graph of add_pose_of_moved() has run.
 void keep_posed(MeshBuffers& meshes);
 
 } // namespace estampe::pose

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Posed vertices against the processor's, and which side of a posed triangle is its front.
+// Posed vertices against the CPU's, and the front side of posed triangles.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -30,7 +30,7 @@ glm::dvec3 decode_normal(uint32_t packed)
         glm::dvec3(e.x + (e.x >= 0.0 ? -fold : fold), e.y + (e.y >= 0.0 ? -fold : fold), z));
 }
 
-/// A normal as the posed surface has it: the direction that stays square to two posed tangents.
+/// The normal of the posed surface: perpendicular to two posed tangents.
 glm::dvec3 turned(const glm::dmat3& linear, const glm::dvec3& normal)
 {
     return glm::normalize(glm::inverse(glm::transpose(linear)) * normal);
@@ -84,7 +84,7 @@ Scene skinned_scene()
     Primitive tube = shapes::cylinder(0.5F, 4.0F, 12);
     for (size_t i = 0; i < tube.positions.size(); ++i) {
         glm::vec4 weights[2];
-        uint32_t left = 65535; // weights that 16 bits hold exactly
+        uint32_t left = 65535; // 16 bits hold these weights exactly
         for (uint32_t k = 0; k < 8; ++k) {
             const uint32_t part = k < 7 ? std::uniform_int_distribution<uint32_t>(1, left / 2)(random) : left;
             weights[k / 4][static_cast<int>(k % 4)] = static_cast<float>(part) / 65535.0F;
@@ -98,7 +98,7 @@ Scene skinned_scene()
     Scene scene = test::scene_of(std::move(tube));
     scene.skins.emplace_back();
     scene.nodes[0].skin = 0;
-    scene.nodes[0].transform.translation = {50.0, 0.0, 0.0}; // of no account: the joints place a skin
+    scene.nodes[0].transform.translation = {50.0, 0.0, 0.0}; // no effect: the joints place a skinned mesh
     for (Index joint = 1; joint <= 8; ++joint) {
         const double height = 0.5 * (joint - 1);
         scene.skins[0].joints.push_back(joint);
@@ -120,7 +120,7 @@ Scene skinned_scene()
     return scene;
 }
 
-/// Linear part of what places a vertex, in double precision.
+/// Linear part of a vertex's transform, in double precision.
 glm::dmat3 vertex_linear(const Scene& scene, const ScenePose& pose, const PosedPrimitive& posed,
                          size_t vertex, uint32_t instance)
 {
@@ -203,7 +203,7 @@ TEST(PosedMeshes, SkinsWithEightInfluences)
 
 TEST(PosedMeshes, OfWhatMovedIsThatOfAll)
 {
-    // Boxes that stand, rise at a time of their own, and stand again.
+    // Boxes that stand still, rise, each at its own time, and stand still again.
     Scene scene = morphing_scene();
     for (uint32_t i = 0; i < 12; ++i) {
         const Index box =
@@ -234,7 +234,7 @@ TEST(PosedMeshes, OfWhatMovedIsThatOfAll)
     }
 }
 
-/// Sum over the page of whether something is seen, and of its depth.
+/// Sums over the page: the number of covered pixels, and their depth.
 std::pair<int, double> seen(const Scene& scene, double time_s = 0.0)
 {
     test::Drawing drawing(scene, {.eye = {4.0, 5.0, 9.0}}, {120, 90}, time_s);
@@ -309,7 +309,7 @@ TEST(PosedMeshes, ABoxThatMirrorsItselfInTimeShowsItsOutside)
             EXPECT_NEAR(count_then, count, 2) << (skinned ? "skinned, " : "rigid, ") << time_s << " s";
             EXPECT_NEAR(depth_then, depth, 1e-3 * depth) << (skinned ? "skinned, " : "rigid, ") << time_s;
         }
-        // One renderer through all of it: the triangles turn back, too.
+        // One renderer draws all times, so that mirrored triangles also turn back.
         const auto at = [](double time_s) {
             return test::shared_renderer().render({.eye = {4.0, 5.0, 9.0}}, {},
                                                   {.width = 120, .height = 90, .time_s = time_s});

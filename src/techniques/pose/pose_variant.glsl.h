@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_POSE_VARIANT_GLSL_H
 #define ESTAMPE_POSE_VARIANT_GLSL_H
-// What is asked of pose.comp.
+// Variant bits and constants of pose.comp.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
@@ -14,12 +14,12 @@ SHARED_CONSTANT uint pose_has_morphs = 1U << 1U;
 
 SHARED_CONSTANT uint most_pose_runs = 8U;
 
-// Vertices that are posed together: runs of them, one after another.
+// Runs of vertices that one dispatch poses.
 struct PoseRuns {
     uint run_count;
     uint item_count;             // vertices of all runs
-    uint firsts[most_pose_runs]; // vertices
-    uint ends[most_pose_runs];   // in items
+    uint firsts[most_pose_runs]; // first vertex of each run
+    uint ends[most_pose_runs];   // end of each run, counted in items
 };
 
 #ifdef __cplusplus

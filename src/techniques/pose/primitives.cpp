@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What build_meshes() asks of one primitive: bodies of lines and points, how many sheets lie one behind
-// another, and whether its texture coordinates can carry strokes.
+// Analysis of single primitives for build_meshes(): meshes of lines and points, the number of layers behind
+// each other, and whether texture coordinates can carry strokes.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,8 +18,7 @@
 namespace estampe::pose {
 namespace {
 
-/// Copies everything that belongs to vertex `from` but its position and normal, so that a body moves as its
-/// vertex does.
+/// Copies a vertex's attributes to a new position and normal, so that the new vertex moves like its source.
 class Copier {
 public:
     Copier(const Primitive& source, Primitive& target) : source_(source), target_(target)
@@ -120,10 +119,10 @@ Primitive drawn_body(const Primitive& primitive, float radius_m)
 
 namespace {
 
-constexpr size_t most_triangles = 1U << 16U; // of a primitive that is looked into at all
-constexpr size_t most_tests = 1U << 24U;     // of a corner against a triangle's plane
+constexpr size_t most_triangles = 1U << 16U; // larger primitives are not analysed
+constexpr size_t most_tests = 1U << 24U;     // largest number of tests of a corner against a triangle's plane
 
-/// Vertices in one place count as one, so that bodies whose corners were split along their edges stay whole.
+/// Merges vertices at the same position, so that meshes with split vertices along edges stay connected.
 std::vector<uint32_t> weld(const std::vector<glm::vec3>& positions)
 {
     std::map<std::tuple<float, float, float>, uint32_t> places;
@@ -145,7 +144,7 @@ uint32_t root_of(std::vector<uint32_t>& parents, uint32_t vertex)
     return vertex;
 }
 
-/// The parts of a primitive that hang together, as lists of corners, three a triangle.
+/// The connected parts of a primitive, as lists of corners, three per triangle.
 std::vector<std::vector<uint32_t>> parts_of(const Primitive& primitive)
 {
     const std::vector<uint32_t> welded = weld(primitive.positions);
@@ -172,8 +171,8 @@ std::vector<std::vector<uint32_t>> parts_of(const Primitive& primitive)
 
 enum class Form : uint8_t { flat, convex, other };
 
-/// Flat when all corners lie in the plane of every triangle, convex when all lie on one side of each, the
-/// same side for all of them.
+/// A part is flat if all corners lie in the plane of every triangle, convex if all corners lie on the same
+/// side of every triangle's plane.
 Form form_of(const std::vector<glm::vec3>& positions, const std::vector<uint32_t>& part)
 {
     const std::set<uint32_t> corners(part.begin(), part.end());
@@ -185,7 +184,8 @@ Form form_of(const std::vector<glm::vec3>& positions, const std::vector<uint32_t
         bounds.extend(positions[corner]);
     }
     const double radius = bounds.radius();
-    const double rounding = 1.2e-7 * (glm::length(bounds.center()) + radius); // of corners, in floats
+    // Rounding error of float positions.
+    const double rounding = 1.2e-7 * (glm::length(bounds.center()) + radius);
     bool has_below = false;
     bool has_above = false;
     for (size_t i = 0; i < part.size() && !(has_below && has_above); i += 3) {
@@ -194,7 +194,7 @@ Form form_of(const std::vector<glm::vec3>& positions, const std::vector<uint32_t
         const glm::dvec3 ac = glm::dvec3(positions[part[i + 2]]) - a;
         const glm::dvec3 across = glm::cross(ab, ac);
         const double twice_area = glm::length(across);
-        // The plane of a sliver is as good as unknown.
+        // The plane of a sliver triangle is inaccurate.
         const double breadth =
             twice_area / std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
         const double tolerance = 1e-5 * radius + 4.0 * radius * rounding / breadth;
@@ -231,20 +231,20 @@ uint32_t most_sheets(const Primitive& primitive, bool two_sided, uint32_t enough
 
 namespace {
 
-/// A triangle's side, filed under the lower number of the two places that it joins.
+/// An edge of a triangle, stored under the lower number of its two positions.
 struct Side {
-    uint32_t higher = 0;    ///< number of the other place
-    uint32_t corner = 0;    ///< where it begins, an index of Primitive::indices
-    bool goes_up = true;    ///< begins at the lower place
-    bool is_paired = false; ///< has met the triangle beyond
+    uint32_t higher = 0;    ///< the higher position number
+    uint32_t corner = 0;    ///< its first corner, an index into Primitive::indices
+    bool goes_up = true;    ///< runs from the lower to the higher number
+    bool is_paired = false; ///< the neighbouring triangle's edge has been found
 };
 
-/// The number of each vertex's place: an edge is the same one on both sides of a seam of the texture.
+/// Numbers vertices by position, so that an edge at a texture seam is the same edge on both sides.
 std::vector<uint32_t> number_places(const Primitive& primitive)
 {
     std::vector<glm::vec3> positions = primitive.positions;
     for (glm::vec3& position : positions) {
-        position += 0.0F; // -0 is 0
+        position += 0.0F; // turns -0 into 0
     }
     std::vector<uint32_t> places(positions.size());
     meshopt_generateVertexRemap(places.data(), nullptr, positions.size(), positions.data(), positions.size(),
@@ -257,7 +257,7 @@ uint32_t end_of(uint32_t corner)
     return corner % 3 == 2 ? corner - 2 : corner + 1;
 }
 
-/// Lengths of the edges between two triangles, and of those along which the texture is cut.
+/// Total length of inner edges, and of those on texture seams.
 struct EdgeLengths {
     double inner = 0.0;
     double seams = 0.0;
@@ -285,7 +285,7 @@ public:
 private:
     [[nodiscard]] uint32_t place(uint32_t corner) const { return places_[primitive_.indices[corner]]; }
 
-    /// Sorts by the lower place, and of one place by the triangles' order.
+    /// Sorts edges by the lower position; edges of one position stay in the triangles' order.
     void file_sides()
     {
         const auto count = static_cast<uint32_t>(primitive_.indices.size() / 3 * 3);
@@ -302,10 +302,10 @@ private:
         }
     }
 
-    /// The last side before it that runs the other way between the same places and is still alone.
+    /// Pairs an edge with the last unpaired earlier edge that runs the opposite way.
     void pair_with_earlier(std::span<Side> earlier, Side& side)
     {
-        constexpr size_t most = 256; // where very many triangles meet, the nearest in the list will do
+        constexpr size_t most = 256; // limits the search at vertices with very many triangles
         const size_t first = earlier.size() - std::min(earlier.size(), most);
         for (size_t i = earlier.size(); i > first; --i) {
             Side& other = earlier[i - 1];
@@ -338,7 +338,7 @@ private:
     EdgeLengths lengths_;
 };
 
-/// Ratio of the larger to the smaller stretch of the map from a triangle to its texture; infinite when
+/// Ratio of the larger to the smaller stretch of the map from a triangle to its texture; infinite if
 /// degenerate.
 float stretch(const glm::vec3& p0, const glm::vec3& p1, const glm::vec3& p2, glm::vec2 u0, glm::vec2 u1,
               glm::vec2 u2)

@@ -13,7 +13,7 @@ namespace {
 
 constexpr uint32_t box_vertices = 24;
 
-/// Boxes in a row, each a draw.
+/// Boxes in a row, each a draw call.
 struct Row {
     explicit Row(int count)
     {
@@ -58,7 +58,7 @@ TEST(RunsToPose, HoldWhatMovedAndWhatWasWrittenOver)
 
 TEST(RunsToPose, HoldWhatIsBetweenTheNearestWhereThereAreMany)
 {
-    // Every third moves, and two that are nearer to each other.
+    // Every third box moves, and two that are nearer to each other.
     Row row(40);
     std::vector<uint32_t> moved;
     for (uint32_t i = 0; i < 40; i += 3) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How many surfaces of a primitive can lie one behind another, against rays through it.
+// The number of a primitive's layers behind each other, against rays through the primitive.
 #include <algorithm>
 #include <random>
 
@@ -35,7 +35,7 @@ Primitive several(const std::vector<std::pair<Primitive, glm::vec3>>& parts)
     return whole;
 }
 
-/// A sheet folded once, seen from both sides of the fold.
+/// A sheet folded once, visible from both sides of the fold.
 Primitive folded()
 {
     Primitive primitive;
@@ -68,7 +68,7 @@ TEST(Sheets, OfWhatBendsNothingIsKnown)
     EXPECT_EQ(most_sheets(morphed, false, enough), enough);
 }
 
-/// Triangles that a line meets, on their fronts or on either side.
+/// Number of triangles that a line hits, on their fronts or on either side.
 uint32_t met(const Primitive& primitive, const glm::vec3& from, const glm::vec3& direction, bool two_sided)
 {
     uint32_t count = 0;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Peeling: whether a triangle lies behind what another visibility buffer holds at a pixel. BEHIND_BINDING is
-// its binding.
+// Depth peeling: tests whether a triangle is behind the surface in another visibility buffer. BEHIND_BINDING
+// is that buffer's binding.
 
 #include "shaders/visibility.glsl"
 
 layout(binding = BEHIND_BINDING) uniform usamplerBuffer peeled;
 
-// Whether what a picture of every second pixel shows lies behind, whose depths are not the same to the bit,
-// and which sees beside an edge what the whole one sees on it: the surface itself, which faces the eye as
-// what is peeled does, is told by its slope.
+// Variant for pictures of every second pixel. Their depths are not bit-identical to the full picture's, and
+// beside an edge they may see the surface itself again. A tolerance from its slope excludes triangles that
+// face the eye, as the peeled surface does.
 bool lies_clearly_behind(uint index, float depth, float change, uint triangle, bool faces_eye)
 {
     uvec2 word = texelFetch(peeled, int(index)).xy;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread puts one texel of a depth picture into its place among the rows of a larger map.
+// One thread per texel: copies a texel of a depth picture into the rows of a larger map.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

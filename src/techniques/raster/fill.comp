@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fills a buffer with one 32-bit value, four quads a thread: a GPU starts fewer groups.
+// Fills a buffer with one 32-bit value. Four quads per thread, so that a GPU starts fewer workgroups.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

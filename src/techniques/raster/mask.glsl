@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Alpha masks: whether the texture leaves a pixel of a triangle standing. MASK_BINDING is the first of eight
+// Alpha masks: tests whether the texture keeps a pixel of a triangle. MASK_BINDING is the first of eight
 // bindings; CLIP_FROM_ANCHOR and PICTURE_PX name the view.
 
 #include "shaders/scene.glsl.h"
@@ -22,7 +22,7 @@ layout(binding = MASK_BINDING + 5) uniform sampler2DArray texture_class_2;
 layout(binding = MASK_BINDING + 6) uniform sampler2DArray texture_class_3;
 layout(binding = MASK_BINDING + 7) uniform sampler2DArray texture_class_4;
 
-// The size classes that hold textures.
+// One bit for each size class that holds textures.
 layout(constant_id = 0) const uint variant = 31u;
 #define TEXTURE_CLASSES variant
 

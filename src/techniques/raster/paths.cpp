@@ -69,14 +69,15 @@ void bind_masks(gpu::Pass& pass, const RasterInputs& in)
 
 namespace {
 
-/// Which pixels of a peel are drawn, as the shaders know it: see draws_second.
+/// Shader bits of the pixels that a peel draws, see draws_second.
 uint32_t second_bits(const View& view)
 {
     return view.second_from ? shared::draws_second | view.second_from->x << 1U | view.second_from->y << 2U
                             : 0U;
 }
 
-/// The variant of a shader that draws a batch: what peels can test masks, and need not.
+/// Shader variant for drawing a batch. Shaders for depth peeling can test masks; the variant turns that off
+/// if the batch has none.
 uint32_t mask_variant(const RasterInputs& in, const Batch& batch, const View& view)
 {
     if (batch.masked) {
@@ -105,13 +106,13 @@ Stages stages(bool depth_only, bool masked, bool behind)
                   : Stages{shaders::small_ids_comp, shaders::bin_ids_comp, shaders::tile_ids_comp};
 }
 
-/// New counters of a batch, which have to be cleared.
+/// New counters for a batch; they must be cleared.
 gpu::BufferId new_counters(gpu::Graph& graph, const gpu::Name& name)
 {
     return graph.buffer(name + "/counters", {.size_bytes = (sizeof(shared::RasterCounters) + 15) / 16 * 16});
 }
 
-/// Clears `target` and `counters`, and makes new versions of them.
+/// Clears `target` and `counters`, and updates both handles.
 void add_clear_of_both(gpu::Graph& graph, const gpu::Name& name, gpu::BufferId& target,
                        gpu::BufferId& counters)
 {
@@ -125,7 +126,7 @@ void add_clear_of_both(gpu::Graph& graph, const gpu::Name& name, gpu::BufferId& 
 gpu::BufferId add_batch(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in, const Batch& batch,
                         const View& view, gpu::BufferId target, gpu::BufferId counters, bool depth_only)
 {
-    const uint32_t large_capacity = 2 * batch.triangle_count; // clipping makes two of one at most
+    const uint32_t large_capacity = 2 * batch.triangle_count; // clipping splits a triangle into at most two
     const glm::uvec2 page_tiles = (view.size_px + shared::raster_tile_px - 1U) / shared::raster_tile_px;
     const auto tile_capacity = static_cast<uint32_t>(
         std::min(most_tiles, static_cast<uint64_t>(large_capacity) * page_tiles.x * page_tiles.y));
@@ -199,9 +200,9 @@ gpu::BufferId draw_by_compute(gpu::Graph& graph, const gpu::Name& name, const Ra
 
 namespace {
 
-/// What the batches draw into, one after another.
+/// The images that the batches draw into, one after another.
 struct Attachments {
-    gpu::ImageId words; ///< not drawn into when only depth is wanted
+    gpu::ImageId words; ///< not used if only depth is wanted
     gpu::ImageId depth;
 };
 
@@ -222,7 +223,7 @@ gpu::Pass begin_draw(gpu::Graph& graph, const gpu::Name& name, bool masked, bool
                         masked ? shaders::draw_masked_frag : shaders::draw_ids_frag);
 }
 
-/// Clip space of the picture that is drawn: the middle of its pixel i is that of pixel 2 i + second_from.
+/// Clip space of the picture that is drawn: the centre of its pixel i is that of pixel 2 i + second_from.
 glm::mat4 drawn_clip(const View& view)
 {
     if (!view.second_from) {
@@ -250,7 +251,7 @@ shared::DrawConstants constants_of(const Batch& batch, const View& view)
             .second = second_bits(view)};
 }
 
-/// The triangles of a batch that may be seen.
+/// The triangles of a batch that may be visible.
 struct Culled {
     gpu::BufferId listed;
     gpu::BufferId arguments;
@@ -277,7 +278,7 @@ Culled add_cull(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in
     return {listed, arguments};
 }
 
-/// Draws from a list of triangles.
+/// Begins a pass that draws from a list of triangles.
 gpu::Pass begin_listed_draw(gpu::Graph& graph, const gpu::Name& name, bool depth_only, bool tests_sides,
                             bool behind)
 {
@@ -291,7 +292,7 @@ gpu::Pass begin_listed_draw(gpu::Graph& graph, const gpu::Name& name, bool depth
                         depth_only ? shaders::draw_depth_frag : shaders::draw_ids_frag);
 }
 
-/// A batch of many triangles without masks: drawn from a list of those that may be seen.
+/// Culls a batch of many triangles without masks, and draws the rest from a list.
 void add_culled_batch(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in, const Batch& batch,
                       const View& view, bool depth_only, Attachments& to)
 {
@@ -338,7 +339,7 @@ void add_whole_batch(gpu::Graph& graph, const gpu::Name& name, const RasterInput
     pass.push(constants_of(batch, view)).draw(3 * batch.triangle_count);
 }
 
-/// Parts of an image, row by row, into a buffer of such rows.
+/// Copies parts of an image, row by row, into a buffer with rows of `row_texels`.
 gpu::BufferId add_copy(gpu::Graph& graph, const gpu::Name& name, gpu::ImageId from, VkImageAspectFlags aspect,
                        std::span<const DepthPart> parts, uint32_t row_texels, gpu::BufferId target)
 {
@@ -359,7 +360,7 @@ gpu::BufferId add_copy(gpu::Graph& graph, const gpu::Name& name, gpu::ImageId fr
     auto copy = graph.custom(name + "/copy");
     copy.touch(from, gpu::Access::transfer_read);
     const gpu::BufferId to = copy.touch_write(target, gpu::Access::transfer_write);
-    if (parts.size() == 1) { // as in every frame, without a list
+    if (parts.size() == 1) { // the usual case, which needs no list and does not allocate
         copy.execute([from, to, record, region = region_of(parts.front())](gpu::Recorder& recorder) {
             record(recorder, from, to, {&region, 1});
         });
@@ -461,7 +462,7 @@ double total_ms(const std::vector<PassTiming>& timings)
 
 RasterPath measure_paths(gpu::Device& device, gpu::Executor& executor)
 {
-    Mesh mesh; // a body's front, and its back behind it
+    Mesh mesh; // a body's front side, and its back side behind it
     add_sheet(mesh, 0.7F, true);
     add_sheet(mesh, 0.3F, false);
     gpu::Buffer vertices = gpu::upload_buffer(device, "measured vertices", mesh.vertices);
@@ -481,7 +482,7 @@ RasterPath measure_paths(gpu::Device& device, gpu::Executor& executor)
     for (int round = 0; round <= rounds; ++round) {
         const double hardware_now_ms = draw_ms(RasterPath::hardware);
         const double compute_now_ms = draw_ms(RasterPath::compute);
-        if (round > 0) { // the first one warms up
+        if (round > 0) { // the first round warms up
             hardware_ms = std::min(hardware_ms, hardware_now_ms);
             compute_ms = std::min(compute_ms, compute_now_ms);
         }

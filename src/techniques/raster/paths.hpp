@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The two raster paths, compute and hardware, what both need, and which of them is taken; raster.hpp is what
-// others call to draw.
+// The compute and the hardware raster path, what both need, and the choice between them. Callers that draw
+// use raster.hpp.
 
 #include <optional>
 
@@ -13,18 +13,18 @@
 
 namespace estampe::raster {
 
-/// Pairs of large triangle and tile that one draw lists at most.
+/// Most pairs of large triangle and tile that are listed for one batch.
 inline constexpr uint64_t most_tiles = 1ULL << 18U;
-/// llvmpipe ends a thread's loops after 65535 rounds in all, without a word; a tile takes 65 of them.
+/// llvmpipe silently ends a thread's loops after 65535 rounds in all; a tile takes 65 rounds.
 inline constexpr uint32_t most_tiles_a_group = 1000;
 
-/// Zeros for `buffer`, whose size is a multiple of 16 bytes.
+/// Fills `buffer` with zeros; its size must be a multiple of 16 bytes.
 [[nodiscard]] gpu::BufferId add_clear(gpu::Graph& graph, const gpu::Name& name, gpu::BufferId buffer);
 
-/// Binds what alpha masks look up, eight bindings, in the order of mask.glsl.
+/// Binds the resources of alpha masks, eight bindings, in the order of mask.glsl.
 void bind_masks(gpu::Pass& pass, const RasterInputs& in);
 
-/// Draws the batches that hold triangles into `target`, 64 bits a pixel, or 32 when `depth_only`.
+/// Draws the non-empty batches into `target`: 64 bits per pixel, or 32 if `depth_only`.
 [[nodiscard]] gpu::BufferId draw_by_compute(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
                                             std::span<const Batch> batches, const View& view,
                                             gpu::BufferId target, bool depth_only);
@@ -36,30 +36,30 @@ void bind_masks(gpu::Pass& pass, const RasterInputs& in);
                                                    const View& view, const std::vector<DepthPart>& parts,
                                                    uint32_t row_texels, gpu::BufferId map);
 
-/// What is clear without measuring: `wanted`, unless it is automatic; hardware where compute is impossible,
-/// and on a processor, where it is the quicker to start and the answer must never change. Nothing on other
-/// GPUs. Throws Error when the device cannot draw as wanted.
+/// The path that can be chosen without measuring: `wanted` unless it is automatic; hardware where compute is
+/// impossible, and on CPU devices, where hardware starts faster and the answer must not change. Empty on
+/// other GPUs. Throws Error if the device does not support `wanted`.
 [[nodiscard]] std::optional<RasterPath> settled_path(const DeviceInfo& device, RasterPath wanted);
 
-/// The path to draw by, never automatic: settled_path(), or else measure_paths().
+/// The path to draw with, never automatic: settled_path(), or else measure_paths().
 [[nodiscard]] RasterPath choose_path(gpu::Device& device, gpu::Executor& executor, RasterPath wanted);
 
-/// What is drawn on a page.
 struct PageWork {
     uint64_t triangles = 0;
     uint64_t pixels = 0;
-    bool has_masks = false; ///< some triangles have holes, or are seen through
+    bool has_masks = false; ///< some triangles have alpha masks or are transparent
 };
 
-/// The paths of a picture, where `wanted` was asked for and `chosen` is of choose_path(). They are the same,
-/// but on a processor that was left to choose: compute for a page that has a triangle for every eight pixels
-/// or fewer, as all cores draw small triangles and the driver's rasteriser sets them up on one. With masks it
-/// is hardware all the same: theirs are many shaders, which a first picture waits for.
+/// The paths of a picture for the requested path `wanted` and choose_path()'s result `chosen`. Both are
+/// `chosen`, with one exception: a CPU device with `automatic` draws a page by compute if it has at least one
+/// triangle per eight pixels, because all cores draw small triangles while the driver sets them up on one.
+/// With masks it stays with hardware, because compiling the many masked shaders would delay the first
+/// picture.
 [[nodiscard]] Paths paths_of(const DeviceInfo& device, RasterPath wanted, RasterPath chosen,
                              const PageWork& work);
 
-/// The path that draws a small scene of its own in less time. Compute, unless hardware is quicker by a fifth:
-/// near a tie the answer is the same each time.
+/// Measures which path draws a small test scene faster. Returns compute unless hardware is faster by a fifth,
+/// so that the answer is stable near a tie.
 ///
 /// Cost    the pipelines of both paths, and four frames each of 0.1 to 1 ms
 [[nodiscard]] RasterPath measure_paths(gpu::Device& device, gpu::Executor& executor);

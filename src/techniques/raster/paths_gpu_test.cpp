@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The two paths against each other, on whole scenes.
+// Compares the two paths on whole scenes.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -26,8 +26,8 @@ Material& last_material(Scene& scene, bool double_sided)
     return scene.materials.back();
 }
 
-/// A floor that runs under the eye and behind it, a ball of triangles smaller than pixels, and bodies that
-/// reach through one another. No triangle is two-sided or mirrored.
+/// A floor that extends below and behind the eye, a sphere of triangles smaller than pixels, and bodies that
+/// intersect. No triangle is two-sided or mirrored.
 Scene plain_scene()
 {
     Scene scene = test::scene_of(shapes::plane(40.0F, 40.0F));
@@ -39,7 +39,7 @@ Scene plain_scene()
     return scene;
 }
 
-/// With walls of all kinds: seen from the front and from behind, two-sided or not, mirrored or not, and one
+/// Adds walls of all kinds: seen from the front and from behind, two-sided or not, mirrored or not, and one
 /// with holes.
 Scene mixed_scene()
 {
@@ -90,10 +90,10 @@ uint32_t depth_bits_of(uint64_t word)
 }
 
 struct Agreement {
-    double same_ids = 0.0; ///< of all pixels
+    double same_ids = 0.0; ///< share of all pixels
     size_t covered = 0;
-    size_t seen_in_one_only = 0; ///< pixels that one path leaves blank
-    std::vector<int64_t> ulps;   ///< between depths where the ids are the same, in order
+    size_t seen_in_one_only = 0; ///< pixels that only one path covers
+    std::vector<int64_t> ulps;   ///< sorted depth differences where ids agree
 
     [[nodiscard]] int64_t ulps_at(double quantile) const
     {
@@ -119,8 +119,8 @@ Agreement compare(const std::vector<uint64_t>& a, const std::vector<uint64_t>& b
     return result;
 }
 
-/// Draws by both paths and compares. Depths differ by rounding, which goes with the largest depth of the
-/// triangle, and by a shift of up to 1/256 pixel, which is much where a triangle is seen edge-on.
+/// Draws with both paths and compares. Depths differ by rounding, in proportion to the triangle's largest
+/// depth, and by a shift of up to 1/256 pixel, which matters where a triangle is seen edge-on.
 Agreement expect_agreement(const Scene& scene, const Camera& from, const char* what)
 {
     const Agreement found = compare(drawing_of(scene, RasterPath::compute, from).visibility(),
@@ -155,7 +155,7 @@ TEST(RasterPathsAgree, OnTwoSidedMirroredAndMaskedOnes)
     ASSERT_FALSE(drawing.layout.opaque.plain);
     const Agreement found = expect_agreement(scene, paths_camera, "mixed");
     EXPECT_LE(found.ulps_at(0.999), 512);
-    // All that the scene is meant to test is in sight: of the eight walls those that do not turn away.
+    // Everything to be tested is visible: of the eight walls, those that are not culled.
     std::vector<bool> seen(drawing.layout.triangles.size(), false);
     for (const uint64_t word : drawing.visibility()) {
         seen[triangle_of(word)] = seen[triangle_of(word)] || word != 0;
@@ -169,8 +169,8 @@ TEST(RasterPathsAgree, OnTwoSidedMirroredAndMaskedOnes)
     EXPECT_TRUE(seen[drawing.layout.masked.first] && seen[drawing.layout.masked.first + 1]);
 }
 
-/// A one-sided body is seen from outside, also where nothing but a mirrored node is in the scene: the order
-/// of its triangles turns with the node's determinant.
+/// The outside of a one-sided body is seen, even if the scene has only a mirrored node: the triangles'
+/// orientation follows the node's determinant.
 TEST(RasterPathsAgree, OnAMirroredNodeAlone)
 {
     Scene scene = test::scene_of(shapes::sphere(0.8F, 60, 30));

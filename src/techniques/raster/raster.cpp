@@ -175,7 +175,7 @@ Tuning tuning_of(const gpu::ExecutionProfile& execution)
     if (!execution.is_processor) {
         return {};
     }
-    // A processor draws a fairly large triangle faster on one thread than it hands tiles to many.
+    // On a CPU device, one thread draws a fairly large triangle faster than many threads share its tiles.
     return {.small_area_px = 2048,
             .list_groups = 32,
             .threads_list_tiles = false,

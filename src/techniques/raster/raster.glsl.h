@@ -10,16 +10,17 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint cluster_triangles = 64U;
 SHARED_CONSTANT uint raster_tile_px = 64U;
-// Bits of the variants, above those of the texture classes.
+// Bits of shader variants, above those of the texture classes.
 SHARED_CONSTANT uint draw_tests_sides = 1U << 5U;
-SHARED_CONSTANT uint draw_has_no_masks = 1U << 6U; // of shaders that could test them
-SHARED_CONSTANT uint draw_lists_tiles = 1U << 7U;  // a thread does, of a triangle that touches few
-SHARED_CONSTANT uint bounds_by_thread = 1U;        // a thread finds the box of a whole cluster
-SHARED_CONSTANT uint cull_drops_backs = 1U;        // of the list that is drawn from
-// Of peels that draw but every second pixel each way; the two bits above it say at which they begin.
+SHARED_CONSTANT uint draw_has_no_masks = 1U << 6U; // disables masks in shaders that could test them
+SHARED_CONSTANT uint draw_lists_tiles = 1U << 7U;  // each thread lists the tiles of a triangle with few
+SHARED_CONSTANT uint bounds_by_thread = 1U;        // one thread finds the bounding box of a whole cluster
+SHARED_CONSTANT uint cull_drops_backs = 1U;        // culls back faces from the list of triangles to draw
+// Depth peeling at half resolution draws only every second pixel in x and y; the two bits above this one give
+// the first pixel.
 SHARED_CONSTANT uint draws_second = 1U;
 
-// Which triangles to draw into which picture.
+// Selects the triangles to draw and the picture to draw into.
 struct RasterConstants {
     mat4 clip_from_anchor;
     uvec2 size_px;
@@ -28,29 +29,29 @@ struct RasterConstants {
     uint large_capacity;
     uint tile_capacity;
     uint cull_back_faces;
-    uint small_area_px; // up to this many pixels of bounding box one thread draws a triangle whole
-    uint second;        // of peels, see draws_second
+    uint small_area_px; // one thread draws a triangle whole if its bounding box has at most this many pixels
+    uint second;        // peeling at half resolution, see draws_second
 };
 
-// One square depth map of many that are drawn together.
+// One of many square depth maps that are drawn together.
 struct RasterView {
     mat4 clip_from_anchor;
     vec3 eye_anchor;
-    float reach_m;    // nothing farther from the eye is wanted
-    uint first_texel; // in the buffer of all maps; rows follow one another
+    float reach_m;    // objects farther from the eye are skipped
+    uint first_texel; // position in the buffer of all maps; rows are contiguous
     uint size_px;
-    uvec2 origin_px; // in the image that the hardware path draws into
-    uint groups;     // shows the batches that share a bit
-    uvec2 turn_px;   // compute: where its first texel stands; what would go over an end goes on at the other
+    uvec2 origin_px; // position in the image of the hardware path
+    uint groups;     // draws the batches that share a bit with this mask
+    uvec2 turn_px;   // compute only: position of the first texel; the map wraps around at its ends
 };
 
-// Box about 64 consecutive triangles of the list, as they stand in anchor space.
+// Bounding box of 64 consecutive triangles of the list, in anchor space.
 struct ClusterBounds {
     vec3 low;
     vec3 high;
 };
 
-// Which triangles to draw into which views.
+// Selects the triangles to draw and the views to draw into.
 struct ViewsConstants {
     uint first_triangle;
     uint triangle_count;
@@ -59,37 +60,36 @@ struct ViewsConstants {
     uint large_capacity;
     uint tile_capacity;
     uint small_area_px;
-    uint groups;    // of the batch
-    uvec2 image_px; // hardware: of the image that holds all views
+    uint groups;    // groups of the batch
+    uvec2 image_px; // hardware only: size of the image that holds all views
 };
 
-// A cluster that a view may show: what an instance of the hardware path draws.
+// A cluster that a view may show; one instance of the hardware path's draw call.
 struct ClusterInView {
     uint cluster;
     uint view;
 };
 
-// A triangle too large for one thread, after clipping: the part is 0 or 1, since clipping can make two of
-// one.
+// A triangle that is too large for one thread. Clipping can split a triangle into part 0 and part 1.
 struct LargeTriangle {
     uint triangle;
-    uint part_and_view; // part in bit 0, view above; 0 where there is one view
+    uint part_and_view; // part in bit 0, view above; view 0 if there is only one
 };
 
 // A tile of the picture that a large triangle touches.
 struct TriangleTile {
     uint triangle;
-    uint part_and_tile; // part in bit 31; of one view tile row in bits 15-29, tile column in 0-14; of many
-                        // the view in bits 16-30, row in 8-15, column in 0-7
+    uint part_and_tile; // part in bit 31. Single view: tile row in bits 15-29, column in 0-14. Many views:
+                        // view in bits 16-30, row in 8-15, column in 0-7
 };
 
-// Counts of the two lists above.
+// Lengths of the lists of LargeTriangle and of TriangleTile.
 struct RasterCounters {
     uint large_count;
     uint tile_count;
 };
 
-// A rectangle of a depth picture, and where it goes in a map of longer rows.
+// A rectangle of a depth picture and its place in a map with longer rows.
 struct DepthPartConstants {
     uvec2 from_px;
     uvec2 size_px;
@@ -98,14 +98,14 @@ struct DepthPartConstants {
     uint first_texel;
 };
 
-// The same for the hardware path.
+// Selects the triangles that the hardware path draws, and the picture.
 struct DrawConstants {
     mat4 clip_from_anchor;
     uvec2 size_px;
     uint first_triangle;
     uint triangle_count;
-    uint peeled_width_px; // of the picture that is peeled
-    uint second;          // of peels, see draws_second
+    uint peeled_width_px; // width of the picture that is peeled
+    uint second;          // peeling at half resolution, see draws_second
 };
 
 #ifdef __cplusplus

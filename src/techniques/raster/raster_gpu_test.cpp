@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rasteriser against one that could hardly be simpler, pixel by pixel.
+// Compares the rasteriser with a very simple reference, pixel by pixel.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -14,10 +14,10 @@
 namespace estampe::raster {
 namespace {
 
-/// What must hold of both paths.
+/// Properties that both paths must have.
 class RasterPaths : public testing::TestWithParam<RasterPath> {
 protected:
-    /// Compute under six tunings, exact to the bit; hardware with the slack that it has on lavapipe.
+    /// Compute with six tunings, bit-exact; hardware with the tolerance that lavapipe needs.
     [[nodiscard]] static std::vector<Way> ways()
     {
         if (GetParam() == RasterPath::hardware) {
@@ -43,7 +43,7 @@ TEST_P(RasterPaths, DrawsTrianglesOfEverySize)
 
 TEST_P(RasterPaths, SharesOutPixelCentresOnEdges)
 {
-    // Corners on pixel centres, so that many edges, level and upright ones too, run through centres.
+    // Corners on pixel centres, so that many edges, also horizontal and vertical ones, pass through centres.
     Soup random(8);
     const auto centre = [&] { return (std::floor(random.between(0.0F, 12.0F)) + 26.5F) / 32.0F - 1.0F; };
     expect_soup(many(300,
@@ -74,8 +74,8 @@ TEST_P(RasterPaths, ClipsAtTheNearPlane)
 
 TEST_P(RasterPaths, DrawsTrianglesThatReachFarBeyondThePage)
 {
-    // Compute holds what is as good as infinitely far away at 2^21 pixels, and so does the reference.
-    // Hardware clips at the page in floats: at 10^3 pages those lie 1/64 pixel apart.
+    // Compute clamps extremely distant corners to 2^21 pixels, and so does the reference. Hardware clips at
+    // the page in floats: at 10^3 page sizes these have a resolution of 1/64 pixel.
     const bool hardware = GetParam() == RasterPath::hardware;
     auto far_ways = ways();
     far_ways.front().slack = hardware ? 4 : 0;
@@ -131,7 +131,7 @@ TEST_P(RasterPaths, AGridCoversEachPixelOnce)
     std::vector<glm::vec4> corners;
     for (int y = 0; y <= rows; ++y) {
         for (int x = 0; x <= columns; ++x) {
-            // The rim lies beyond the page; a corner inside may lie in a pixel's very centre.
+            // The border is outside the page; an inner corner may be exactly at a pixel's centre.
             const bool inner = x > 0 && x < columns && y > 0 && y < rows;
             const glm::vec2 px = glm::vec2(x * 18 - 15, y * 16 - 8) +
                                  (inner ? glm::vec2(random.between(-6.0F, 6.0F), random.between(-6.0F, 6.0F))
@@ -166,8 +166,8 @@ TEST_P(RasterPaths, AGridCoversEachPixelOnce)
 
 TEST(Raster, DrawsWhatTheTileListCannotHold)
 {
-    // 128 tiles a triangle: together more than the 2^18 that the list holds. The nearest comes last, and few
-    // workgroups go through all in order, so that it is among those left over.
+    // 128 tiles per triangle, together more than the 2^18 of the list. The nearest triangle is last, and few
+    // workgroups process all in order, so it is among those that did not fit.
     const glm::uvec2 size_px(8192, 1);
     std::vector<ClipTriangle> soup;
     for (int i = 0; i < 2400; ++i) {
@@ -180,7 +180,7 @@ TEST(Raster, DrawsWhatTheTileListCannotHold)
 
 TEST(Raster, LosesNoneOfManyTiles)
 {
-    // Full tiles in one column, more than llvmpipe's limit on loops would let few workgroups draw.
+    // More full tiles in one column than llvmpipe's loop limit allows for few workgroups.
     const glm::uvec2 size_px(1, 8192);
     std::vector<ClipTriangle> soup;
     for (int i = 0; i < 400; ++i) {
@@ -193,7 +193,7 @@ TEST(Raster, LosesNoneOfManyTiles)
 
 TEST_P(RasterPaths, AlphaMasksCutHoles)
 {
-    // A wall that fills the page, of 8 x 8 squares that are there or not, before a whole one.
+    // A wall that fills the page, with 8 x 8 opaque or missing squares, in front of a solid one.
     Image checker{.width = 8, .height = 8, .rgba = std::vector<uint8_t>(256, 255)};
     for (size_t i = 0; i < 64; ++i) {
         checker.rgba[4 * i + 3] = (i / 8 + i) % 2 == 0 ? 255 : 0;
@@ -233,7 +233,7 @@ TEST_P(RasterPaths, AlphaMasksCutHoles)
 
 TEST_P(RasterPaths, PeelsEverySecondPixel)
 {
-    // Bodies of a few pixels and of many, seen through each other: what lies behind the nearest.
+    // Bodies of few and of many pixels that intersect: tests what is behind the nearest surface.
     const glm::uvec2 size_px(181, 133);
     Scene scene;
     test::add_object(scene, shapes::sphere(0.3F, 48, 24), glm::vec3(1.0F), {-0.3, 0.2, 0.0});
@@ -281,14 +281,14 @@ TEST_P(RasterPaths, PeelsEverySecondPixel)
                 }
             }
             EXPECT_GT(there, 1000U);
-            // The hardware places edges anew.
+            // The hardware snaps edges again.
             EXPECT_LE(other, GetParam() == RasterPath::compute ? 0U : there / 500)
                 << from.x << ", " << from.y;
         }
     }
 }
 
-/// More threads than one row of workgroups holds: each has an item of its own.
+/// More threads than one row of workgroups holds; each has its own item.
 TEST(Raster, ClearsALargePageToItsEnd)
 {
     const std::vector<uint32_t> dirty(4 * ((size_t{1} << 21U) + 100000), 7U);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the rasteriser's tests share: random triangles, drawing them, and judging the page.
+// Shared by the rasteriser's tests: random triangles, drawing them, and checking the page.
 
 #include <algorithm>
 #include <bit>
@@ -25,11 +25,11 @@ using test::PageHit;
 
 inline constexpr float near_z = 0.1F;
 
-/// clip = (x, y, near, z): no rounding between a vertex and its place in clip space.
+/// clip = (x, y, near, z): no rounding between a vertex and its clip-space position.
 inline const glm::mat4 plain_perspective(glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 0, 1),
                                          glm::vec4(0, 0, near_z, 0));
 
-/// A way to draw, and the slack that it takes in placing edges, in 1/256 pixel.
+/// A way to draw, and the tolerance of its edges in 1/256 pixel.
 struct Way {
     RasterPath path = RasterPath::compute;
     int64_t slack = 0;
@@ -41,7 +41,7 @@ inline std::string path_name(const testing::TestParamInfo<RasterPath>& info)
     return name_of(info.param);
 }
 
-/// Corners, and triangles of them, on the device.
+/// Vertices and triangles on the device.
 struct SoupBuffers {
     gpu::Buffer vertices;
     gpu::Buffer triangles;
@@ -70,7 +70,7 @@ inline SoupBuffers upload_soup(const std::vector<ClipTriangle>& soup)
             .triangles = gpu::upload_buffer(test::shared_device(), "triangles", triangles)};
 }
 
-/// With the boxes of its clusters where so few triangles are to be listed by these.
+/// Includes the clusters' boxes if the tuning culls batches this small by clusters.
 inline std::vector<uint64_t> draw(const std::vector<ClipTriangle>& soup, glm::uvec2 size_px, const Way& way,
                                   Batch batch)
 {
@@ -100,8 +100,7 @@ inline float depth_of(uint64_t word)
     return std::bit_cast<float>(static_cast<uint32_t>(word >> 32U));
 }
 
-/// Whether the page shows at a pixel what it should: the nearest triangle, or one as near as rounding and
-/// slack can tell.
+/// Whether a pixel shows the right triangle: the nearest, or one as near within rounding and tolerance.
 inline bool agrees(uint64_t word, const std::vector<PageHit>& hits)
 {
     const auto nearest_sure = std::ranges::find(hits, true, &PageHit::sure);
@@ -138,7 +137,7 @@ public:
 
     float between(float low, float high) { return std::uniform_real_distribution<float>(low, high)(random_); }
 
-    /// A corner at a place of the page (-1 to 1 spans it), seen at distance w.
+    /// A corner at a place of the page (-1 to 1), seen at distance w.
     static glm::vec4 at(glm::vec2 ndc, float w) { return {ndc.x * w, ndc.y * w, near_z, w}; }
 
     ClipTriangle around(float spread, float size)
@@ -159,7 +158,7 @@ public:
                             at(to + glm::vec2(between(-0.01F, 0.01F)), between(0.3F, 4.0F))}});
     }
 
-    /// Corners on both sides of the eye.
+    /// A triangle with corners in front of the eye and behind it.
     ClipTriangle through_the_eye()
     {
         ClipTriangle triangle{};
@@ -169,7 +168,7 @@ public:
         return with_sides(triangle);
     }
 
-    /// Surrounds the page, with corners up to 10^`magnitude` pages away.
+    /// A triangle that surrounds the page, with corners up to 10^`magnitude` page sizes away.
     ClipTriangle endless(float magnitude)
     {
         ClipTriangle triangle{};
@@ -202,7 +201,6 @@ std::vector<ClipTriangle> many(size_t count, Make make)
     return soup;
 }
 
-/// Draws `soup` and compares.
 inline void expect_soup(const std::vector<ClipTriangle>& soup, glm::uvec2 size_px, const std::string& what,
                         const std::vector<Way>& ways)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a tile of 8 x 8 pixels lists it if anything is seen there. A processor looks at as many tiles as
-// it has lanes, pixel by pixel, until all of them are known.
+// One thread per tile of 8 x 8 pixels: lists the tile if any surface is visible in it. On a CPU device each
+// lane scans one tile, pixel by pixel, until all lanes have an answer.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_vote : require

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every tile in which anything is seen is listed, once, and no other.
+// Every tile in which a surface is visible is listed once, and no other tile is.
 #include <algorithm>
 #include <bit>
 #include <random>
@@ -19,7 +19,7 @@ constexpr glm::uvec2 tiles_across(glm::uvec2 size_px)
     return (size_px + 7U) / 8U;
 }
 
-/// Words of a visibility buffer, of triangle 0 and up, seen in a share of the tiles, there in one pixel.
+/// A visibility buffer in which a share of the tiles shows triangles, numbered from 0, in one pixel each.
 std::vector<glm::uvec2> sparse_page(glm::uvec2 size_px, double share)
 {
     std::mt19937 random(size_px.x);
@@ -59,7 +59,7 @@ void expect_tiles(glm::uvec2 size_px, double share)
     ASSERT_GE(list.size(), shared::tile_list_first + wanted.size());
     const uint32_t count = list[shared::tile_list_count];
     ASSERT_EQ(count, wanted.size());
-    // Groups enough for all of them, in rows, and no row too many.
+    // The dispatch has enough workgroups, in rows, and no row too many.
     EXPECT_EQ(list[0], shared::tile_list_groups);
     EXPECT_EQ(list[1], (count + shared::tile_list_groups - 1) / shared::tile_list_groups);
     EXPECT_EQ(list[2], 1U);
@@ -72,7 +72,7 @@ TEST(SeenTiles, AreThoseInWhichAnythingIsSeen)
 {
     for (const double share : {0.0, 0.02, 0.5, 1.0}) {
         expect_tiles({640, 360}, share);
-        expect_tiles({163, 91}, share); // tiles that reach beyond the page
+        expect_tiles({163, 91}, share); // tiles that extend beyond the page
         expect_tiles({5, 3}, share);
     }
 }

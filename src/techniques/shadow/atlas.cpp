@@ -9,9 +9,9 @@
 namespace estampe::shadow {
 namespace {
 
-// A size is kept until what is wanted is this many doublings away: half of one would do without flicker.
+// A size is kept until the wanted size is this many doublings away; 0.5 would be plain rounding and flicker.
 constexpr float patience = 0.8F;
-// Who has texels is worth more than who would take them, so that equals do not take turns.
+// Factor on the importance of lights that have a map, so that equal lights do not take turns.
 constexpr float loyalty = 1.25F;
 
 uint32_t next_size(const AtlasRequest& request, uint32_t held)
@@ -51,7 +51,7 @@ void Atlas::choose_sizes(std::span<const AtlasRequest> requests, const AtlasBudg
         sizes_[order_.front()] = 0;
         order_.erase(order_.begin());
     }
-    // Halve the largest, of these the least important first, until all fit; then drop from below.
+    // Halve the largest maps, the least important first, until all fit; then drop the least important lights.
     while (total > budget.texels && !order_.empty()) {
         const size_t largest =
             *std::ranges::max_element(order_, [&](size_t a, size_t b) { return sizes_[a] < sizes_[b]; });
@@ -96,7 +96,7 @@ void Atlas::place(std::span<const AtlasRequest> requests, uint64_t budget_texels
     if (end_texel() <= budget_texels) {
         return;
     }
-    // Free places lie scattered: all move together.
+    // Free space is fragmented: move all maps together.
     uint64_t at = 0;
     for (const size_t light : taken_) {
         held_[light].allotment.first_texel = static_cast<uint32_t>(at);
@@ -126,17 +126,17 @@ uint64_t Atlas::end_texel() const
 
 namespace {
 
-// Wider than this a single map would spend most of its texels on its border.
+// A single map wider than this would spend most of its texels near its border.
 constexpr float widest_map_rad = 1.1F;
-// Near planes lie so close because reversed floats keep their precision at any distance.
+// Near planes may be this close because reversed float depth stays precise at any distance.
 constexpr float near_share = 1e-4F;
 
 struct Axes {
     glm::vec3 right, down, along;
 };
 
-/// Of a cube's face, as local_shadow.glsl has them: which of them points which way does not matter, as
-/// triangles count from either side.
+/// Axes of a cube's face, as in local_shadow.glsl. Their handedness does not matter, because triangles are
+/// drawn from both sides.
 Axes face_axes(uint32_t face)
 {
     const auto axis = static_cast<int>(face / 2);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The maps of local lights. Which light gets how many texels, and where: all maps share one buffer of limited
-// size. What they look at: a spot's one map along its beam, an omni's six along the axes.
+// Shadow maps of local lights: how many texels each light gets in the shared buffer, and where; and the views
+// of the maps: one along a spot's beam, six along the axes for an omnidirectional light.
 
 #include <array>
 #include <cstdint>
@@ -17,40 +17,39 @@ namespace estampe::shadow {
 
 inline constexpr uint32_t smallest_map = 64;
 
-/// What a light asks for. `map_count` of 0 asks for nothing.
+/// What a light requests. With `map_count` 0 it requests nothing.
 struct AtlasRequest {
     uint32_t map_count = 0;
-    float wanted_size = 0.0F; ///< texels a side at which a texel is about a pixel
+    float wanted_size = 0.0F; ///< texels per side at which a texel is about as large as a pixel
     uint32_t largest_size = 512;
-    float importance = 0.0F; ///< who gets texels when there are too few; any scale
+    float importance = 0.0F; ///< priority if texels are short; only ratios between lights matter
 };
 
-/// What it gets: maps of `size` texels a side, a power of two, one after another. 0: none.
+/// The texels that a light gets: its maps of `size` texels per side, a power of two, one after another. Size
+/// 0 means no map.
 struct Allotment {
     uint32_t size = 0;
     uint32_t first_texel = 0;
     bool operator==(const Allotment&) const = default;
 };
 
-/// What there is to share out.
 struct AtlasBudget {
     uint64_t texels = 0;
-    size_t lights = SIZE_MAX; ///< how many of them at most
+    size_t lights = SIZE_MAX; ///< at most this many lights get maps
 };
 
-/// Gives lights their texels, frame after frame. Sizes change only when what is wanted has clearly changed,
-/// and a light that has a place keeps it, so that maps can be kept.
+/// Shares texels out among lights in each frame. Sizes change only if the wanted size has changed clearly,
+/// and a light keeps its place, so that its maps can be kept.
 class Atlas {
 public:
-    /// Shares the budget out among the lights of a frame, who keep their order from frame to frame. The most
-    /// important get the power of two next to what they want. When that is too much, the largest are halved,
-    /// of these the least important first, and of those at `smallest_map` the least important go without.
-    /// Cost: a sort, and linear in lights for each halving.
-    /// Valid until the next call.
+    /// Shares the budget out among the lights of a frame. A light must keep its index from frame to frame.
+    /// The most important lights get the power of two next to their wanted size. If that is too much, the
+    /// largest maps are halved, the least important first; at `smallest_map` the least important lights get
+    /// none. Cost: a sort, and linear in lights for each halving. The result is valid until the next call.
     [[nodiscard]] const std::vector<Allotment>& allot(std::span<const AtlasRequest> requests,
                                                       const AtlasBudget& budget);
 
-    /// How many texels the buffer must hold.
+    /// Number of texels that the buffer must hold.
     [[nodiscard]] uint64_t end_texel() const;
 
 private:
@@ -68,25 +67,25 @@ private:
     void place(std::span<const AtlasRequest> requests, uint64_t budget_texels);
 
     std::vector<Held> held_; ///< by light
-    // Room that a frame works in, so that the next needs none.
+    // Buffers that are reused from frame to frame.
     std::vector<uint32_t> sizes_; ///< by light
-    std::vector<size_t> order_;   ///< lights by what they are worth
+    std::vector<size_t> order_;   ///< lights in order of importance
     std::vector<Held> held_before_;
-    std::vector<size_t> taken_; ///< lights that have a place, in the order of places
+    std::vector<size_t> taken_; ///< lights that have a place, in order of places
     std::vector<size_t> waiting_;
     std::vector<Allotment> allotted_;
 };
 
-/// All of a local light that its maps depend on, in anchor space.
+/// Everything about a local light that its shadow maps depend on, in anchor space.
 struct LocalLight {
     glm::vec3 position{0.0F};
-    float range_m = 1.0F;           ///< what is farther away is neither lit nor drawn
-    glm::vec3 beam{0.0F, 0.0F, -1}; ///< unit; of spots
-    glm::vec3 side{1.0F, 0.0F, 0};  ///< unit, square to the beam; a pyramid's sides are along it and across
-    float half_angle_rad = 0.0F;    ///< of a spot's cone or pyramid; 0: shines to all sides
-    uint32_t casters = ~0U;         ///< groups of objects that throw shadows in its light
+    float range_m = 1.0F;           ///< objects farther away are neither lit nor drawn into the maps
+    glm::vec3 beam{0.0F, 0.0F, -1}; ///< unit vector; only for spots
+    glm::vec3 side{1.0F, 0.0F, 0};  ///< unit vector perpendicular to the beam, along two sides of a pyramid
+    float half_angle_rad = 0.0F;    ///< half angle of a spot's cone or pyramid; 0 is an omnidirectional light
+    uint32_t casters = ~0U;         ///< object groups that cast shadows in this light
 
-    /// Six maps: a light to all sides, or a spot too wide for one.
+    /// Whether the light needs six maps: it is omnidirectional, or a spot too wide for one map.
     [[nodiscard]] bool is_cube() const;
 
     [[nodiscard]] uint32_t map_count() const { return is_cube() ? 6 : 1; }
@@ -94,21 +93,21 @@ struct LocalLight {
     bool operator==(const LocalLight&) const = default;
 };
 
-/// Texels about each map beyond what it has to show, so that lookups near its border find neighbours there.
+/// Margin of texels around each map, so that lookups near its border find neighbours.
 inline constexpr uint32_t rim_texels = 2;
 
-/// The record that lookups read, of maps of `size` texels a side that begin at `first_texel`. `radius_m` is
-/// that of the ball that glows.
+/// Record for shader lookups: the maps have `size` texels per side and start at `first_texel`. `radius_m` is
+/// the radius of the luminous sphere.
 [[nodiscard]] shared::LocalShadow local_shadow(const LocalLight& light, uint32_t size, uint32_t first_texel,
                                                float radius_m = 0.0F);
 
-/// One map to draw. In clip space y points down, z is reversed: near_m at the near plane, 0 at infinity.
+/// The view of one map. In clip space y points down and z is reversed: 1 at the near plane, 0 at infinity.
 struct LocalView {
     glm::mat4 clip_from_anchor{1.0F};
     uint32_t first_texel = 0;
 };
 
-/// The maps of `light` that `shadow` tells of, in their order.
+/// The views of the maps of `light`, in the order in which `shadow` stores them.
 [[nodiscard]] std::vector<LocalView> local_views(const LocalLight& light, const shared::LocalShadow& shadow);
 
 } // namespace estampe::shadow

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_SHADOW_GLSL_H
 #define ESTAMPE_SHADOW_GLSL_H
-// Shadow maps of the sun and of local lights, and the edges of their shadows, as lookups need to know them.
+// Data for lookups in the shadow maps of the sun and of local lights, and for the edges of shadows.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
@@ -11,64 +11,64 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint sun_levels = 8U;
 
-// The sun's shadow map, as who looks it up needs to know it.
+// Data for lookups in the sun's shadow map.
 struct SunShadow {
-    mat4 clip_from_anchor; // reversed z: 1 nearest to the sun
-    vec3 right;            // directions of the map's x and y, both square to the sun
-    float texel_m;         // the longer side of a texel; of a clipmap, the finest
+    mat4 clip_from_anchor; // reversed z: 1 is nearest to the sun
+    vec3 right;            // direction of the map's x, perpendicular to the sun; `down` is that of y
+    float texel_m;         // longer side of a texel; in a clipmap, of the finest level
     vec3 down;
-    float depth_m;     // what clip z of 0 to 1 spans
+    float depth_m;     // depth that clip z from 0 to 1 covers
     vec2 texels_per_m; // along x and y
-    uint size;         // texels a side; 0: no shadow
+    uint size;         // texels per side; 0 means no shadow
     float sun_slope;   // tangent of the sun's angular radius
-    uint level_count;  // of a clipmap; 0 for a single map
-    float pixel_m;     // what a pixel spans at a distance of one; in parallel projection at any
-    float fade;        // 1: shadow pales towards the edge of the last level
+    uint level_count;  // levels of a clipmap; 0 is a single map
+    float pixel_m;     // size of a pixel at distance 1; at any distance in parallel projection
+    float fade;        // 1: the shadow fades towards the edge of the last level
     vec2 window_low[sun_levels];
-    vec2 warp; // of a map in perspective: clip y is warp.x - warp.y / w
+    vec2 warp; // perspective map: clip y is warp.x - warp.y / w
 };
 
-// A square of a level, both of powers of two, and where a picture of it begins. Its first column is a
-// multiple of 4.
+// A square of a level; both sizes are powers of two. Its first column is a multiple of 4. The picture of the
+// square starts at `first_texel`.
 struct MixedSquare {
-    uvec2 low;  // as two's complement
-    uint sizes; // logarithms: of the square's side in bits 0-7, of the level's in 8-15; the level above
+    uvec2 low;  // in two's complement
+    uint sizes; // log2 of the square's side in bits 0-7, of the level's in 8-15; level number from bit 16
     uint first_texel;
 };
 
 struct SunVerticesConstants {
-    vec3 right; // times texels a metre
+    vec3 right; // multiplied by texels per metre
     uint vertex_count;
     vec3 down;
-    vec4 depth_row; // of the sun's clip z
+    vec4 depth_row; // row of the sun's clip matrix that gives z
 };
 
-// The shadow maps of one local light: one map along a spot's beam, or six along the axes of anchor space,
-// +x -x +y -y +z -z, one after another. Texels hold near_m / w, w being the distance along the map's axis.
+// Shadow maps of one local light: one along a spot's beam, or six along the axes of anchor space, +x -x +y -y
+// +z -z, one after another. Texels hold near_m / w, where w is the distance along the map's axis.
 struct LocalShadow {
-    vec3 right;       // of a spot's map, towards its growing columns
-    float scale;      // half the map's side, at distance 1 from the light, is 1 / scale
-    vec3 down;        // of a spot's map, towards its growing rows
-    uint first_texel; // in the buffer of all maps
-    vec3 along;       // the axis of a spot's map
-    uint size;        // texels a side
+    vec3 right;       // direction of growing columns in a spot's map
+    float scale;      // half the map's side at distance 1 from the light is 1 / scale
+    vec3 down;        // direction of growing rows in a spot's map
+    uint first_texel; // position in the buffer of all maps
+    vec3 along;       // axis of a spot's map
+    uint size;        // texels per side
     float near_m;
     uint is_cube;
-    float radius_m; // of the ball that glows; 0: a point
-    uint unused;    // four texels of four words
+    float radius_m; // radius of the luminous sphere; 0 is a point light
+    uint unused;    // pads the struct to 16 words
 };
 
-// What the teeth of shadows' edges look like, and what they follow.
+// Shape and direction of the teeth along shadow edges.
 struct EdgeLook {
-    float amplitude_px; // how far a tooth reaches to either side of the edge, on the page
-    float width_px;     // of the lines that carry the teeth, and how dark they are: their spacing follows
+    float amplitude_px; // reach of a tooth to either side of the edge, on the page
+    float width_px;     // width of the lines that carry the teeth; determines the teeth's spacing
     float darkness;
-    float variety;  // 0: all teeth are as long; 1: some hardly show
-    vec3 axis_0;    // waves: across the teeth of the first and of the second family
-    uint seed;      // of the hatching
-    vec3 axis_1;    // waves
-    vec3 axis_2;    // waves of lamps
-    vec2 flat_axis; // strokes: as the hatching's first layer has them
+    float variety; // 0: all teeth have the same length; 1: some hardly show
+    vec3 axis_0;   // waves: axis across the first family of teeth; axis_1 is that of the second
+    uint seed;
+    vec3 axis_1;    // waves only
+    vec3 axis_2;    // waves of lamps only
+    vec2 flat_axis; // strokes only: axis of the hatching's first layer
     vec2 wind;
     vec2 ground_wind;
     vec3 towards_light;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sun's shadow against rays.
+// Compares the sun's shadow with ray tracing.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ glm::dvec2 centre_of(size_t i)
     return {static_cast<double>(i % shadow_page_px.x) + 0.5, static_cast<double>(i / shadow_page_px.x) + 0.5};
 }
 
-/// Asks rays about every pixel that faces the sun, but for a band of two texels about the shadow's edge.
+/// Traces rays for every pixel that faces the sun, except for a band of two texels around the shadow's edge.
 SunVerdict compare_sun(const Scene& scene, const Camera& camera, const glm::dvec3& towards_sun)
 {
     test::Drawing drawing(scene, camera, shadow_page_px);

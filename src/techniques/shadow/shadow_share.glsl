@@ -2,15 +2,15 @@
 #ifndef ESTAMPE_SHADOW_SHARE
 #define ESTAMPE_SHADOW_SHARE
 
-// What shadows leave of a light, edges and the light's breadth counted. Who includes this declares what the
-// lookups need, `EdgeLook edge_look`, `coordinate_image` and `footprint_image`, and which of has_edges,
-// has_stroke_edges, has_wave_edges, has_soft_sun and has_soft_lamps hold.
+// Share of a light that shadows leave, with toothed edges and the light's size. The including shader declares
+// what the lookups need, `EdgeLook edge_look`, `coordinate_image` and `footprint_image`, and the constants
+// has_edges, has_stroke_edges, has_wave_edges, has_soft_sun and has_soft_lamps.
 //
-// Edges are as an illustrator leaves them: in teeth. The point that is looked up in a shadow map is moved
-// along the surface, to and fro across a coordinate v that is fixed to the world, so that the edge breaks up
-// into strokes and stays where it is as the eye moves. After Zanuttini, "Recherches en rendu non realiste
-// temps reel", 2008, who moves it along the axes of the world. How far and how dense is measured on the page;
-// where v's lines are those of the hatching, each tooth is the end of a stroke.
+// Edges have teeth, as illustrators draw them. The lookup point is moved along the surface, back and forth
+// across a coordinate v that is fixed to the world, so that the edge breaks up into strokes that stay in
+// place when the eye moves. After Zanuttini, "Recherches en rendu non realiste temps reel", 2008, who moves
+// it along the world's axes. Amplitude and density are measured on the page. Where v follows the hatching
+// lines, each tooth is the end of a stroke.
 
 #include "shaders/camera.glsl"
 #include "shaders/stroke_field.glsl"
@@ -19,7 +19,7 @@
 #include "techniques/shadow/local/local_shadow.glsl"
 #include "techniques/shadow/sun/sun_shadow.glsl"
 
-// How far the surface goes over one pixel of the page, in metres.
+// Distance in metres on the surface per pixel of the page, in x and in y.
 struct PageRates {
     vec3 dx;
     vec3 dy;
@@ -27,20 +27,20 @@ struct PageRates {
 
 // A family of teeth at a pixel.
 struct Teeth {
-    LineField field; // v alone counts
-    vec3 step_m;     // along the teeth, one pixel of the page
+    LineField field; // only v is used
+    vec3 step_m;     // one pixel of the page along the teeth
     uint seed;
 };
 
-// Where to look a light up in place of a point: at two points.
+// Two points at which to look the light up instead of at the surface point.
 struct EdgePoints {
     vec3 first;
     vec3 second;
-    float lean; // 0: the mean of both counts; above: the darker; below: the lighter
+    float lean; // 0: use the mean of both; positive: the darker; negative: the lighter
 };
 
-// Where the page's point `at_px`, taken at the depth of `point`, meets the plane through `point`; held where
-// the plane is seen along itself.
+// Intersection of the view ray at `at_px` with the plane through `point`; limited at grazing angles. `depth`
+// is that of `point`.
 vec3 on_plane(FrameGlobals frame, vec2 at_px, float depth, vec3 point, vec3 normal)
 {
     vec3 beside = anchor_at(frame, at_px, depth);
@@ -77,7 +77,7 @@ Teeth wave_teeth(vec3 axis, vec3 point, PageRates rates, uint seed)
     return teeth_across(dot(axis, point), vec2(dot(axis, rates.dx), dot(axis, rates.dy)), rates, false, seed);
 }
 
-// Teeth that end the strokes of the hatching's first layer.
+// Teeth that are ends of the strokes of the hatching's first layer.
 Teeth stroke_teeth(EdgeLook look, uint kind, vec3 coordinate, Footprint f, vec3 normal, PageRates rates)
 {
     StrokeAxes axes = StrokeAxes(look.flat_axis, look.flat_axis, look.flat_axis, look.wind, look.ground_wind,
@@ -89,13 +89,13 @@ Teeth stroke_teeth(EdgeLook look, uint kind, vec3 coordinate, Footprint f, vec3 
                         kind == strokes_form, hash(look.seed * 64u + family));
 }
 
-// Teeth of a wide penumbra are wide themselves.
+// Teeth get wider with the penumbra.
 float edge_tooth(Teeth teeth, EdgeLook look, float penumbra_px)
 {
     return tooth(teeth.field, teeth.seed, look.width_px + penumbra_px / 8.0, look.darkness, look.variety);
 }
 
-// Strokes that go on past the edge on whichever side the light is, and let it in between them.
+// Strokes extend past the edge on the lit side and leave gaps of light on the other.
 EdgePoints stroke_edge(Teeth teeth, EdgeLook look, vec3 point, float penumbra_px)
 {
     float lean = edge_tooth(teeth, look, penumbra_px);
@@ -103,7 +103,7 @@ EdgePoints stroke_edge(Teeth teeth, EdgeLook look, vec3 point, float penumbra_px
     return EdgePoints(point + shift, point - shift, lean);
 }
 
-// One sample along each of two axes, and the mean of both.
+// One sample along each of two axes; their mean counts.
 EdgePoints wave_edge(Teeth first, Teeth second, EdgeLook look, vec3 point, float penumbra_px)
 {
     float reach_px = look.amplitude_px + 0.5f * penumbra_px;
@@ -111,12 +111,12 @@ EdgePoints wave_edge(Teeth first, Teeth second, EdgeLook look, vec3 point, float
                       point + second.step_m * (reach_px * edge_tooth(second, look, penumbra_px)), 0.0f);
 }
 
-// All that the edges of shadows need to know of a pixel, whichever light throws them.
+// Data of a pixel for the edges of all lights' shadows.
 struct Edge {
     Teeth first;
     Teeth second;   // waves only
-    Teeth third;    // waves of lamps
-    float m_per_px; // of a surface that faces the eye
+    Teeth third;    // waves of lamps only
+    float m_per_px; // on a surface that faces the eye
 };
 
 EdgePoints edge_points(Edge edge, EdgeLook look, bool is_waves, vec3 point, float penumbra_m)
@@ -126,7 +126,7 @@ EdgePoints edge_points(Edge edge, EdgeLook look, bool is_waves, vec3 point, floa
                     : stroke_edge(edge.first, look, point, penumbra_px);
 }
 
-// One more place to look up what shines to all sides.
+// A third lookup point, for omnidirectional lights.
 vec3 third_wave_point(Edge edge, EdgeLook look, vec3 point, float penumbra_m)
 {
     float penumbra_px = penumbra_m / max(edge.m_per_px, 1e-20);
@@ -134,14 +134,14 @@ vec3 third_wave_point(Edge edge, EdgeLook look, vec3 point, float penumbra_m)
     return point + edge.third.step_m * (reach_px * edge_tooth(edge.third, look, penumbra_px));
 }
 
-// What moves a place into shadow is looked up a little nearer to the light than it lies: the plane that it
-// moves along runs into what is curved or folded, and would find the surface's own shadow there.
+// A point that was moved into shadow is raised towards the light: the plane in which it moves may cut into a
+// curved or folded surface, which would then shadow itself.
 vec3 raised(vec3 moved, EdgePoints points, vec3 point, vec3 towards_light)
 {
     return points.lean < 0.0f ? moved : moved + towards_light * (0.7f * distance(moved, point));
 }
 
-// The share of light of an edge, from those of its two points.
+// Combines the light at the edge's two points.
 float edge_blend(EdgePoints points, float first, float second)
 {
     return points.lean > 0.0f   ? min(first, second)
@@ -185,7 +185,7 @@ float sun_share(vec3 point, vec3 normal, vec3 towards_sun, Edge edge)
     return edge_blend(points, first, second);
 }
 
-// `part` is how much of the light's breadth counts.
+// Uses only `part` of the light's radius.
 float local_lookup(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal, Penumbra penumbra,
                    float part)
 {
@@ -194,7 +194,7 @@ float local_lookup(LocalShadow shadow, vec3 light_position, vec3 point, vec3 nor
                           : local_visibility(shadow, light_position, point, normal);
 }
 
-// Of a lamp or a spot.
+// Share of a lamp or spot that arrives at a point.
 float local_share(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal, Edge edge)
 {
     Penumbra penumbra = Penumbra(0.0, 0.0);
@@ -212,7 +212,7 @@ float local_share(LocalShadow shadow, vec3 light_position, vec3 point, vec3 norm
     float second = local_lookup(shadow, light_position, raised_second, normal, penumbra, 0.5);
     float share = edge_blend(points, first, second);
     if (has_wave_edges) {
-        // A lamp's shadows run in all directions: it has a third axis.
+        // A lamp's shadows run in all directions, so it has a third axis.
         vec3 point_3 = third_wave_point(edge, edge_look, point, penumbra.mean_m);
         float third = local_lookup(shadow, light_position, point_3, normal, penumbra, 0.5);
         share = shadow.is_cube != 0u ? mix(share, third, 1.0 / 3.0) : share;

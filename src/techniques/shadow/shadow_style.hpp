@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How shadows fall and how their edges are drawn, and what the shaders are told of it.
+// Style of shadows and of their edges, and the shader data that it determines.
 
 #include <optional>
 #include <span>
@@ -12,10 +12,9 @@
 
 namespace estampe::shadow {
 
-/// How the edges of shadows are drawn.
 enum class Edge : uint8_t { plain, strokes, waves };
 
-/// What holds the sun's shadow.
+/// Kind of shadow map for the sun.
 enum class SunMapKind : uint8_t { automatic, whole, clipmap, faded, warped };
 
 struct ShadowStyle {
@@ -35,27 +34,27 @@ struct ShadowStyle {
 
 [[nodiscard]] const style::Table<ShadowStyle>& shadow_table();
 
-/// What the hatching's first layer is like, where lines are hatched at all.
+/// The hatching's first layer, if lines are hatched.
 struct HatchedLines {
     float width_mm = 0.3F;
-    float darkness = 0.5F; ///< of the lines where they run, in full shadow
+    float darkness = 0.5F; ///< darkness of the lines themselves in full shadow
     uint32_t seed = 1;
-    glm::vec2 flat_axis{0.0F, 1.0F}; ///< across the strokes, over UVs and on the page
+    glm::vec2 flat_axis{0.0F, 1.0F}; ///< across the strokes, in UV space and on the page
     glm::vec2 wind{0.0F, 1.0F};      ///< horizontal direction x, z
     glm::vec2 ground_wind{1.0F, 0.0F};
     glm::vec3 towards_light{0.0F, 1.0F, 0.0F};
     bool has_directions = false; ///< some strokes follow height, wind, light or slope
 };
 
-/// The teeth that `style` asks for, on a page of so many pixels a millimetre.
+/// The teeth that `style` asks for, on a page of `pixels_per_mm`.
 [[nodiscard]] shared::EdgeLook edge_look(const ShadowStyle& style, const std::optional<HatchedLines>& lines,
                                          float pixels_per_mm);
 
-/// What the light's shader has to do for it, as bits of shaders/light_variant.glsl.h. Whoever fits the sun's
-/// map adds those of clipmaps and of perspective.
+/// Variant bits of the lighting shader (shaders/light_variant.glsl.h) that the style needs. The caller that
+/// fits the sun's map adds the bits for clipmaps and perspective maps.
 [[nodiscard]] uint32_t shadow_variant(const ShadowStyle& style, const std::optional<HatchedLines>& lines);
 
-/// What it has to do besides for those lamps and spots.
+/// Additional variant bits that these lamps and spots need.
 [[nodiscard]] uint32_t lamps_variant(std::span<const shared::LocalShadow> lamps);
 
 } // namespace estampe::shadow

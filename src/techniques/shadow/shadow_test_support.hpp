@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What tests of shadows share.
+// Shared by the tests of shadows.
 
 #include "support/drawing.hpp"
 #include "techniques/light/light.glsl.h"
@@ -18,7 +18,7 @@ namespace estampe::shadow {
     return sun;
 }
 
-/// Around the eye of a drawing, levels of `size` texels a side.
+/// A clipmap around the eye of a drawing, with levels of `size` texels per side.
 [[nodiscard]] inline Clipmap clipmap_of(const test::Drawing& drawing, const glm::dvec3& towards_sun,
                                         uint32_t size)
 {

@@ -21,10 +21,10 @@ SkyLook mix(const SkyLook& a, const SkyLook& b, float share)
 struct Disc {
     glm::vec3 towards{0.0F};
     glm::vec3 color{0.0F};
-    float lit = 1.0F; ///< share of its width
+    float lit = 1.0F; ///< lit share of the disc's width
 };
 
-/// The sun where it stands, or the moon across from one that has set.
+/// The sun at its position, or the moon on the opposite side after sunset.
 Disc disc_of(const SkyStyle& style, const glm::vec3& towards_sun, const std::optional<float>& daylight_rad)
 {
     if (!daylight_rad) {
@@ -33,7 +33,7 @@ Disc disc_of(const SkyStyle& style, const glm::vec3& towards_sun, const std::opt
     const glm::vec2 level = glm::normalize(glm::vec2(towards_sun.x, towards_sun.z) + glm::vec2(0.0F, 1e-6F));
     const float up = std::sin(*daylight_rad);
     const glm::vec2 along = level * std::cos(*daylight_rad);
-    constexpr float set_rad = -0.035F; // by when the glow is gone
+    constexpr float set_rad = -0.035F; // elevation at which the sun's glow has gone
     return *daylight_rad > set_rad
                ? Disc{.towards = {along.x, up, along.y}, .color = style.sun_color}
                : Disc{.towards = {-along.x, -up, -along.y}, .color = style.moon_color, .lit = style.moon_lit};
@@ -120,24 +120,24 @@ Sky add_sky(gpu::Graph& graph, const SkyInputs& in, const SkyStyle& style)
 const style::Table<SkyStyle>& sky_table()
 {
     static const auto table =
-        style::Table<SkyStyle>("sky", "Sky: a wash with long level strokes")
+        style::Table<SkyStyle>("sky", "Sky: a colour wash with long horizontal strokes")
             .auto_toggle("enabled", &SkyStyle::enabled,
-                         "Draws a sky behind the scene. true: always; false: never, which leaves bare paper; "
-                         "auto: if the scene brings a camera and a sun.")
+                         "Draws a sky behind the scene. true: always; false: never, so the paper stays bare; "
+                         "auto: if the scene file contains a camera and a sun.")
             .color("horizon", &SkyStyle::horizon,
-                   "Colour of the sky at the horizon, or at the horizon under a sun 4 to 12 degrees high if "
-                   "the sky follows the sun")
+                   "Colour of the sky at the horizon. When the sky follows the sun (see sky.follow), this is "
+                   "the colour while the sun is 4 to 12 degrees high.")
             .color("zenith", &SkyStyle::zenith,
-                   "Colour of the sky high above, or high above under a sun 4 to 12 degrees high if the sky "
-                   "follows the sun")
+                   "Colour of the sky high above. When the sky follows the sun (see sky.follow), this is the "
+                   "colour while the sun is 4 to 12 degrees high.")
             .number("darkness", &SkyStyle::darkness, {0.0F, 1.0F}, "",
-                    "Darkness of the strokes high in the sky: 0 draws none")
+                    "Darkness of the strokes high in the sky: 0 draws no strokes, 1 draws the darkest")
             .number("width_mm", &SkyStyle::width_mm, {0.02F, 10.0F}, "mm",
                     "Width of a stroke of the sky on the page")
             .choice("follow", &SkyStyle::follow,
                     {{"auto", SkyFollow::automatic}, {"sun", SkyFollow::sun}, {"none", SkyFollow::none}},
-                    "When the sky's colours follow the height of the sun, through noon, dusk and night. sun: "
-                    "always; none: never; auto: if sun.by is place.")
+                    "When the colours of the sky follow the height of the sun, through noon, dusk and night. "
+                    "sun: always; none: never; auto: if sun.by is place.")
             .color("noon_horizon", &SkyStyle::noon_horizon,
                    "Colour of the sky at the horizon when the sun is above 40 degrees. Only used when the "
                    "sky follows the sun (see sky.follow).")
@@ -157,33 +157,33 @@ const style::Table<SkyStyle>& sky_table()
                    "Colour of the sky high above when the sun is 10 degrees or more below the horizon. Only "
                    "used when the sky follows the sun (see sky.follow).")
             .number("night_darkness", &SkyStyle::night_darkness, {0.0F, 1.0F}, "",
-                    "Darkness of the strokes high in the sky at night. Only used when the sky follows the "
-                    "sun (see sky.follow).")
+                    "Darkness of the strokes high in the sky at night: more gives a darker night. Only used "
+                    "when the sky follows the sun (see sky.follow).")
             .integer("steps", &SkyStyle::steps, {0, 12}, "",
-                     "Number of flat tones from horizon to zenith, each wiped into the next as in a "
-                     "woodblock print. 0 grades the sky evenly.")
+                     "Number of flat bands of tone from the horizon to the zenith, blended at their edges as "
+                     "in a woodblock print. 0 gives a smooth gradient.")
             .color("high_band", &SkyStyle::high_band,
-                   "Colour of a band that is wiped into the sky from above. Only used when sky.high_band_deg "
-                   "is below 90.")
+                   "Colour of a band at the top of the sky that fades out downwards. Only used when "
+                   "sky.high_band_deg is below 90.")
             .number("high_band_deg", &SkyStyle::high_band_deg, {0.0F, 90.0F}, "deg",
-                    "Height above the horizon of the lower edge of the high band: less brings the band "
-                    "further down. 90 draws none.")
+                    "Height above the horizon of the lower edge of the colour band at the top of the sky: "
+                    "less brings the band further down. 90 draws no band.")
             .color("low_band", &SkyStyle::low_band,
-                   "Colour of a band that is wiped into the sky at the horizon. Only used when "
+                   "Colour of a band that lies along the horizon and fades out upwards. Only used when "
                    "sky.low_band_deg is above 0.")
             .number("low_band_deg", &SkyStyle::low_band_deg, {0.0F, 90.0F}, "deg",
-                    "Height above the horizon of the upper edge of the low band: more makes the band taller. "
-                    "0 draws none.")
-            .number(
-                "disc_deg", &SkyStyle::disc_deg, {0.0F, 45.0F}, "deg",
-                "Width of the disc of the sun, and of the moon at night: 0.53 is natural. 0 draws neither.")
+                    "Height above the horizon of the upper edge of the colour band at the horizon: more "
+                    "makes the band taller. 0 draws no band.")
+            .number("disc_deg", &SkyStyle::disc_deg, {0.0F, 45.0F}, "deg",
+                    "Width of the disc of the sun in the sky, and of the moon at night: 0.53 is natural, "
+                    "more is larger. 0 draws no disc.")
             .color("sun_color", &SkyStyle::sun_color,
                    "Colour of the sun's disc. Only used when sky.disc_deg is above 0.")
             .color("moon_color", &SkyStyle::moon_color,
                    "Colour of the moon's disc. Only used when sky.disc_deg is above 0.")
             .number("moon_lit", &SkyStyle::moon_lit, {0.0F, 1.0F}, "",
-                    "Share of the moon's width that shines: 0.5 is a half moon, 1 a full moon. Only used "
-                    "when sky.disc_deg is above 0.");
+                    "Share of the moon's width that is bright: 0.5 is a half moon, 1 is a full moon. Only "
+                    "used when sky.disc_deg is above 0.");
     return table;
 }
 

@@ -40,45 +40,45 @@ struct SkyStyle {
 
 struct SkyInputs {
     gpu::BufferId frame; ///< FrameGlobals
-    gpu::ImageId depth;  ///< r32f: reversed, 0 where nothing is
+    gpu::ImageId depth;  ///< r32f: reversed depth, 0 for the background
     glm::vec3 towards_sun{0.0F, 1.0F, 0.0F};
-    std::optional<float> daylight_rad; ///< height of a sun that stands by place and hour
+    std::optional<float> daylight_rad; ///< elevation of the sun if sun.by is place
     float pixels_per_mm = 1.0F;
     bool drawn = false;
     glm::uvec2 size_px{0};
-    /// Then these alone are painted, as of surface::add_far_tiles(); others are blank.
+    /// Paints only these tiles, from surface::add_far_tiles(); other tiles stay blank.
     std::optional<gpu::BufferId> tiles;
-    /// Then pixels that see something nearer to the eye are blank.
+    /// Leaves pixels blank whose visible surface is nearer than this distance.
     std::optional<float> far_m;
 };
 
 struct Sky {
-    gpu::ImageId wash; ///< rgba16f: what the paint lets through
+    gpu::ImageId wash; ///< rgba16f: transmittance of the paint
     gpu::ImageId ink;  ///< r16f: coverage
 };
 
-/// What an hour's sky looks like.
+/// The colours of the sky at a time of day.
 struct SkyLook {
     glm::vec3 horizon{0.0F};
     glm::vec3 zenith{0.0F};
-    float darkness = 0.0F; ///< of the strokes high above
+    float darkness = 0.0F; ///< darkness of the strokes at the zenith
 };
 
-/// The look that the style has under this sun: by its height where the style follows that.
+/// The sky's colours under this sun; they depend on its elevation if the style's sky follows the sun.
 [[nodiscard]] SkyLook look_under(const SkyStyle& style, const glm::vec3& towards_sun,
                                  const std::optional<float>& daylight_rad);
 
-/// The height of the sun that colours go by; none where they stay.
+/// Elevation of the sun that the sky's colours follow; none if the style keeps them fixed.
 [[nodiscard]] std::optional<double> followed_elevation_rad(const SkyStyle& style,
                                                            const glm::vec3& towards_sun,
                                                            const std::optional<float>& daylight_rad);
 
-/// The look under a sun at that height: night up to -10 degrees, dusk at -2, the style's horizon and zenith
-/// from 4 to 12, noon from 40, smooth between.
+/// The colours at a sun elevation: night up to -10 degrees, dusk at -2, the style's horizon and zenith from 4
+/// to 12, noon from 40, with smooth transitions.
 [[nodiscard]] SkyLook look_at(const SkyStyle& style, double sun_elevation_rad);
 
-/// Paints the background of the page; one blank texel for all of it where no sky is drawn. Cost: one
-/// dispatch, over the page or a list of tiles; next to nothing without a sky.
+/// Paints the sky of the page; returns blank images of one texel if no sky is drawn. Cost: one dispatch over
+/// the page or a list of tiles; next to nothing without a sky.
 [[nodiscard]] Sky add_sky(gpu::Graph& graph, const SkyInputs& in, const SkyStyle& style);
 
 } // namespace estampe::sky

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The background against its equations, direction by direction; its strokes by how much ink they leave.
+// The sky against its equations, direction by direction; its strokes by their mean ink.
 #include "techniques/sky/sky.hpp"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ double smoothstep(double low, double high, double x)
     return t * t * (3.0 - 2.0 * t);
 }
 
-/// Shares of the zenith's colour.
+/// Share of the zenith's colour in the wash.
 double zenith_share(const glm::vec4& wash)
 {
     return static_cast<double>((wash.x - horizon.x) / (zenith.x - horizon.x));
@@ -104,7 +104,7 @@ TEST(Sky, WashDoesNotDependOnThePicturesSize)
     const auto many = paint_sky(large, {}).wash;
     for (size_t y = 0; y < 30; ++y) {
         for (size_t x = 0; x < 40; ++x) {
-            // The middle one of nine small pixels has the centre of the large one.
+            // The middle one of nine small pixels has the same centre as the large pixel.
             EXPECT_NEAR(zenith_share(few[y * 40 + x]), zenith_share(many[(3 * y + 1) * 120 + 3 * x + 1]),
                         2e-3);
         }
@@ -153,7 +153,7 @@ TEST(Sky, StrokesHaveTheDarknessOfTheirPlace)
 {
     SkyStyle style;
     style.darkness = 0.6F;
-    style.width_mm = 0.1F; // thin, so that a picture holds strokes enough for a mean
+    style.width_mm = 0.1F; // thin, so that a picture has enough strokes for a mean
     constexpr glm::uvec2 size_px(384, 288);
     for (const double sun_away_deg : {0.0, 90.0, 180.0}) {
         double asked = 0.0;
@@ -247,10 +247,11 @@ TEST(Sky, DiscStandsWhereTheSunDoesAndIsAsWide)
     const auto cover = [&](const glm::vec4& color, const glm::vec3& disc) {
         const float share =
             glm::dot(glm::vec3(color) - horizon, disc - horizon) / glm::dot(disc - horizon, disc - horizon);
-        return share > 0.01F ? static_cast<double>(share) : 0.0; // not what halves of floats leave
+        // Ignores what rounding to half floats leaves.
+        return share > 0.01F ? static_cast<double>(share) : 0.0;
     };
     const auto expect_disc = [&](const glm::dvec3& towards, const glm::vec3& color, double lit) {
-        style.low_band = horizon; // one colour behind
+        style.low_band = horizon; // a background of one colour
         style.low_band_deg = 90.0F;
         double solid_angle = 0.0;
         glm::dvec3 sum(0.0);
@@ -274,9 +275,9 @@ TEST(Sky, DiscStandsWhereTheSunDoesAndIsAsWide)
     view.towards_sun = glm::vec3(ahead);
     expect_disc(ahead, style.sun_color, 1.0);
     view.towards_sun = glm::vec3(glm::normalize(glm::dvec3(ahead.x, 0.1, ahead.z)));
-    view.daylight_rad = static_cast<float>(std::asin(ahead.y)); // its light may come from elsewhere
+    view.daylight_rad = static_cast<float>(std::asin(ahead.y)); // the light may come from another direction
     expect_disc(ahead, style.sun_color, 1.0);
-    view.daylight_rad = -*view.daylight_rad; // it has set across from the moon
+    view.daylight_rad = -*view.daylight_rad; // the sun has set, opposite the moon
     view.towards_sun = glm::vec3(-ahead.x, 0.05F, -ahead.z);
     expect_disc(ahead, style.moon_color, 1.0);
     style.moon_lit = 0.3F;

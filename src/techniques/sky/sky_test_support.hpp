@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What tests of the sky look at it from.
+// Camera and page for tests of the sky.
 
 #include <cmath>
 #include <numbers>
@@ -18,9 +18,9 @@ struct View {
     float pixels_per_mm = 3.0F;
     bool drawn = true;
     std::optional<float> daylight_rad = {};
-    std::optional<float> far_m = {}; ///< then a wall at 50 m hides the left half, and one at 200 m a third
+    std::optional<float> far_m = {}; ///< with it a wall at 50 m hides the left half, and one at 200 m a third
 
-    /// Reversed, of what is seen at a pixel.
+    /// Reversed depth at a pixel.
     [[nodiscard]] float depth_at(glm::uvec2 pixel) const
     {
         const float away_m = 2 * pixel.x < size_px.x ? 50.0F : 6 * pixel.x < 5 * size_px.x ? 200.0F : 1e30F;
@@ -29,7 +29,7 @@ struct View {
         return far_m ? static_cast<float>(camera.near_m / (static_cast<double>(away_m) * straight)) : 0.0F;
     }
 
-    /// Whether that is nearer.
+    /// Whether the surface at a pixel is nearer than `far_m`.
     [[nodiscard]] bool is_covered(size_t i) const { return far_m && 2 * (i % size_px.x) < size_px.x; }
 
     [[nodiscard]] shared::FrameGlobals globals() const
@@ -37,7 +37,7 @@ struct View {
         return features::frame_globals(camera, {}, camera.eye, {.size_px = size_px});
     }
 
-    /// Where a place of the page looks.
+    /// View direction of a place of the page.
     [[nodiscard]] glm::dvec3 direction(glm::dvec2 position_px) const
     {
         const glm::dvec2 ndc = 2.0 * position_px / glm::dvec2(size_px) - 1.0;

@@ -2,39 +2,39 @@
 #ifndef ESTAMPE_VAULT
 #define ESTAMPE_VAULT
 
-// Strokes on the sky. The includer has `frame`.
+// Strokes on the sky. Define before: `frame`.
 
 #include "shaders/camera.glsl"
 #include "shaders/lines.glsl"
 
-// By a point far off: of one near the eye, what the two places have in common would use up the digits.
+// Uses a distant point: near the eye, the difference of two positions would lose its digits to cancellation.
 vec3 direction_at(vec2 position_px)
 {
     return -towards_eye(frame, anchor_at(frame, position_px, 1e-5));
 }
 
-// Whether what is seen in the direction `d` is nearer to the eye than that, so that no sky shows.
+// Whether the visible surface in direction `d` is nearer than `far_m`, so that it hides the sky.
 bool is_covered(sampler2D depth_image, ivec2 pixel, vec3 d, float far_m)
 {
     float depth_at_most = frame.near_m / max(0.999 * far_m * dot(d, frame.view_forward), 1e-9);
     return frame.is_orthographic == 0u && texelFetch(depth_image, pixel, 0).x > depth_at_most;
 }
 
-// Height above the horizon, bent so that the strokes bow like a vault.
+// Bearing, and height above the horizon, bent so that strokes curve like a vault.
 vec2 vault(vec3 d)
 {
     return vec2(atan(d.x, -d.z), d.y / (0.35 + length(d.xz)));
 }
 
-// Along the strokes: the bearing, which must jump by a turn somewhere. It does so behind, at a place of its
-// own for each height, so that no two strokes break at the same bearing.
+// Coordinate along the strokes: the bearing, which must jump by a full turn somewhere. The jump lies behind
+// the viewer, at a different bearing for each height, so that strokes do not all break at one bearing.
 float along_strokes(vec2 here)
 {
     float middle = 1.2 * sin(53.0 * here.y);
     return here.x + 6.2831853 * round((middle - here.x) / 6.2831853);
 }
 
-// Level strokes at the direction `d`, that of the place `position_px`.
+// Horizontal strokes in direction `d`, which belongs to `position_px`.
 LineField level_strokes(vec3 d, vec2 position_px)
 {
     vec2 here = vault(d);
@@ -54,7 +54,7 @@ LineField level_strokes(vec3 d, vec2 position_px)
     return field;
 }
 
-// A pen for such strokes.
+// The pen of these strokes.
 LineLook level_pen(float pen_px)
 {
     return LineLook(pen_px, 0.9 * pen_px, 26.0 * pen_px, 40.0 * pen_px, 190.0 * pen_px, 0.35, 0.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Integration that keeps energy at any step: Hillaire, "Physically-based & Unified Volumetric Rendering in
-// Frostbite", SIGGRAPH 2015 course.
+// Energy-conserving integration at any step size: Hillaire, "Physically-based & Unified Volumetric Rendering
+// in Frostbite", SIGGRAPH 2015 course.
 #include "techniques/smoke/smoke.hpp"
 
 #include <algorithm>
@@ -37,13 +37,13 @@ glm::uvec3 light_cells_of(const glm::uvec3& cells)
     return (cells + (shared::smoke_light_cells - 1)) / shared::smoke_light_cells;
 }
 
-/// There are at least two layers, so that it is an array to shaders.
+/// Images have at least two layers, so that shaders see an array.
 gpu::ImageDesc field_desc(const glm::uvec3& size, gpu::Format format)
 {
     return {.width = size.x, .height = size.y, .format = format, .layers = std::max(size.z, 2U)};
 }
 
-/// A lamp as the box sees it, with its share still in luminance.
+/// Converts a lamp to the box's space; `strength` is a luminance, not yet a share.
 shared::SmokeLight light_of(const Lamp& lamp, const Box& box)
 {
     const glm::mat3 turned = box.cell_m * glm::mat3(box.grid_from_anchor);
@@ -59,7 +59,7 @@ shared::SmokeLight light_of(const Lamp& lamp, const Box& box)
                              .shadow = lamp.shadow};
     if (is_near) {
         const glm::vec3 way_m = box.cell_m * (light.place - 0.5F * glm::vec3(box.cells));
-        // As far as to the middle of the box, but no nearer than its sides.
+        // The distance to the middle of the box, at least half the box's width.
         const float away_m = std::max(glm::length(way_m), 0.5F * box.width_m());
         light.falloff = away_m * away_m;
         light.strength /= light.falloff;
@@ -74,7 +74,7 @@ glm::vec3 towards(const shared::SmokeLight& light, const Box& box)
                                 : light.place;
 }
 
-/// Layers of an image from which on a box of so many may begin.
+/// Rounds a number of layers up to whole bricks, where the next box may begin.
 uint32_t whole_bricks(uint32_t layers)
 {
     return shared::smoke_brick * groups_of(layers, shared::smoke_brick);
@@ -136,7 +136,7 @@ gpu::BufferId add_puffs(gpu::Graph& graph, const shared::SmokeBox& box, gpu::Buf
     return puffs;
 }
 
-/// What is drawn of a box's quantities.
+/// The drawn quantities of a box: density, and fire if any.
 struct Seen {
     gpu::ImageId density;
     std::optional<gpu::ImageId> fire = {};
@@ -160,14 +160,14 @@ Seen add_seen(gpu::Graph& graph, const shared::SmokeBox& box, const SmokeStyle& 
     return {.density = density, .fire = is_burning(style) ? std::optional(fire) : std::nullopt};
 }
 
-/// Several boxes write into one image, one after the other.
+/// Several boxes write to one image one after another: the first writes, others modify.
 template <class Handle>
 Handle write_turn(gpu::Pass& pass, Handle into, bool is_first)
 {
     return is_first ? pass.write(into) : pass.modify(into);
 }
 
-/// Whether some texel of the fields belongs to no box.
+/// Whether some texels of the fields belong to no box.
 bool has_gaps(std::span<const shared::SmokeBox> boxes, const shared::SmokeGlobals& globals)
 {
     const glm::uvec2 sides(globals.field_cells);
@@ -182,7 +182,7 @@ uint32_t shaded_variant(const Fields& in)
     return in.shadows ? shared::smoke_is_shaded | (in.shadows->variant & of_map) : 0U;
 }
 
-/// `blank` takes the place of what is not there.
+/// `blank` stands in for missing maps.
 void bind_shadows(gpu::Pass& pass, const Fields& in, gpu::BufferId blank)
 {
     const SceneShadows shadows = in.shadows.value_or(SceneShadows{.frame = in.globals,
@@ -248,7 +248,7 @@ Volume add_volume(gpu::Graph& graph, VolumeMemory& memory, const SmokeStyle& sty
     gpu::ImageId packed =
         graph.import_image("smoke/packed", memory.packed_, memory.packed_.desc(), gpu::Layout::undefined);
     gpu::BufferId densest = gpu::import_whole(graph, "smoke/bricks", memory.bricks_);
-    // Filters come upon texels beside boxes, with no weight: those have to be numbers.
+    // Filters read texels next to boxes with weight 0, so these texels must not hold NaN.
     const bool is_blank = boxes.size() > 1 && has_gaps(boxes, known);
     if (is_blank) {
         for (gpu::ImageId* const field : {&shape, &light, &packed}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Several boxes of smoke in one picture, against what can be worked out by hand.
+// Several boxes of smoke in one picture, against analytic results.
 #include "techniques/smoke/smoke.hpp"
 
 #include <algorithm>
@@ -12,7 +12,8 @@
 namespace estampe::smoke {
 namespace {
 
-/// Boxes of other sizes, cells and turns than the first; the second overlaps it, the third stands apart.
+/// Boxes that differ from the first in size, cells and rotation; the second overlaps it, the third stands
+/// apart.
 Box smaller_box(const glm::dvec3& middle, const glm::uvec3& cells, double box_cell_m, double turn_rad)
 {
     glm::dmat4 anchor_from_grid = glm::translate(glm::dmat4(1.0), middle);
@@ -48,14 +49,14 @@ TEST(SmokeBoxes, LetThroughTogetherWhatBeerAndLambertSay)
             const Drawn drawn =
                 draw(filled_boxes([](glm::vec3) { return 0.75F; }), style, {.camera = camera});
             size_t in_several = 0;
-            double sum = 0.0; // of differences: by slices single rays come upon one more or less
+            double sum = 0.0; // sum of differences: with slices, single rays hit one plane more or less
             double most = 0.0;
             for (size_t i = 0; i < drawn.marched.size(); ++i) {
                 double depth = 0.0;
                 size_t through = 0;
                 for (const Box& box : boxes) {
                     const double way_m = way_through_box(in_sides(box, ray_through(drawn, camera, i)));
-                    // A tenth of a box's width is as thick as the style says.
+                    // `thickness` is the optical depth of a tenth of a box's width.
                     depth += 0.75 * static_cast<double>(style.thickness) / (0.1 * box.width_m()) * way_m;
                     through += way_m > 0.0 ? 1 : 0;
                 }
@@ -103,7 +104,7 @@ TEST(SmokeBoxes, ThatAreEmptyChangeNothing)
 
 TEST(SmokeBoxes, TheNearerHidesTheFarther)
 {
-    // Opaque: what is seen is the front of the nearest box.
+    // The smoke is opaque, so the front of the nearest box is visible.
     const std::vector<Box> boxes = three_boxes();
     const Drawn drawn = draw(filled_boxes([](glm::vec3) { return 1.0F; }), plain(2000.0F), {});
     std::vector<size_t> counts(boxes.size());
@@ -133,7 +134,7 @@ TEST(SmokeBoxes, TheNearerHidesTheFarther)
 TEST(SmokeBoxes, ShadeEachOther)
 {
     constexpr double extinction_per_m = 2.0;
-    // A flat box above the first keeps light from all of it.
+    // A flat box above the first one shades all of it.
     const glm::dmat3 turn(Turned().anchor_from_box);
     glm::dmat4 anchor_from_grid = Turned().anchor_from_box;
     anchor_from_grid = glm::translate(anchor_from_grid, glm::dvec3(-1.0, 0.8, -1.0));
@@ -147,7 +148,7 @@ TEST(SmokeBoxes, ShadeEachOther)
         .camera = camera, .lamps = {{.place = glm::vec3(turn[1]), .luminance = 0.75F}}, .ambient = 0.25F};
     const Density one = [](glm::vec3) { return 1.0F; };
     const Drawn drawn = draw({{Turned().box(), one}, {above, one}}, plain(extinction_per_m), seen);
-    // A tenth of each box's width is as thick: 1 m and 2 m wide.
+    // A tenth of each box's width has the same optical depth; the boxes are 1 m and 2 m wide.
     const double passed = std::exp(-0.5 * extinction_per_m * 0.4);
     size_t count = 0;
     for (size_t i = 0; i < drawn.marched.size(); ++i) {

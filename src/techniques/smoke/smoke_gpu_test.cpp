@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Smoke that tests fill a grid with, against what can be worked out by hand.
+// Smoke in grids that tests fill, against analytic results.
 #include "techniques/smoke/smoke.hpp"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ TEST(Smoke, SlabLetsThroughWhatBeerAndLambertSay)
 
 TEST(Smoke, EndsWhereTheSceneBegins)
 {
-    constexpr double wall_m = 2.1; // before the eye
+    constexpr double wall_m = 2.1; // distance from the eye
     const Seen seen{.depth = [](glm::uvec2 pixel) {
         return pixel.x < size_px.x / 2 ? static_cast<float>(near_m / wall_m) : 0.0F;
     }};
@@ -55,7 +55,8 @@ TEST(Smoke, WhiteFurnaceStaysWhite)
             double most = 0.0;
             for (const glm::vec4& pixel : drawn.marched) {
                 most = std::max(most, static_cast<double>(pixel.x));
-                // Light is 1 everywhere, also behind: what smoke takes of it, it gives back.
+                // Light is 1 everywhere, also behind the smoke, so the smoke adds exactly the light that it
+                // absorbs.
                 EXPECT_NEAR(pixel.x * pixel.y + (1.0F - pixel.x), 1.0F, 0.02F);
             }
             EXPECT_GT(most, 0.95);
@@ -86,7 +87,7 @@ TEST(Smoke, ThreeWaysOfLookingUpAgreeWithABallsChord)
 
 TEST(Smoke, PlanesOfTheGridStandFast)
 {
-    // Between planes four cells apart there is smoke that none of them sees, at whatever slant.
+    // Smoke lies between planes four cells apart, so no plane samples it at any slant.
     const Density between = [](glm::vec3 place) {
         const auto layer = static_cast<uint32_t>(place.z / cell_m) % 4;
         return layer == 1 || layer == 2 ? 1.0F : 0.0F;
@@ -140,7 +141,7 @@ TEST(Smoke, ALineGoesAroundIt)
     const Density ball = [](glm::vec3 place) { return glm::length(place - 0.5F) < 0.35F ? 1.0F : 0.0F; };
     SmokeStyle style = plain(100.0F);
     style.medium = Medium::wash;
-    style.line_mm = 0.5F; // two pixels
+    style.line_mm = 0.5F; // width of two pixels
     const Drawn drawn = draw(ball, style);
     const auto covers = [&](int x, int y) {
         return drawn.cover(static_cast<size_t>(y) * size_px.x + static_cast<size_t>(x)) > 0.5F;
@@ -165,7 +166,7 @@ TEST(Smoke, ALineGoesAroundIt)
 
 TEST(Smoke, LinesOfWhatStandsBeforeItStay)
 {
-    // Whatever lies before the smoke ends in the middle of the page; its line reaches beyond.
+    // An object in front of the smoke ends in the middle of the page; its outline reaches beyond the edge.
     const Seen seen{
         .depth = [](glm::uvec2 pixel) { return pixel.x < 24 ? static_cast<float>(near_m / 1.0) : 0.0F; },
         .lines = [](glm::uvec2 pixel) { return glm::vec4(0.0F, 0.0F, 0.0F, pixel.x == 24 ? 1.0F : 0.0F); }};
@@ -192,7 +193,7 @@ TEST(Smoke, PuffsAreRoundAndOnlyWhereItIsDense)
         in_half.direction.x *= 2.0;
         dense += way_through_box(in_half) > 0.3 ? 1 : 0;
         drawn_dense += way_through_box(in_half) > 0.3 && drawn.cover(i) > 0.5F ? 1 : 0;
-        Ray in_rest = ray; // farther off than a puff is large
+        Ray in_rest = ray; // farther away than a puff's diameter
         in_rest.origin.x = (ray.origin.x - 0.7) / 0.3;
         in_rest.direction.x /= 0.3;
         drawn_far += way_through_box(in_rest) > 0.0 && way_through_box(in_half) == 0.0 &&
@@ -207,7 +208,8 @@ TEST(Smoke, PuffsAreRoundAndOnlyWhereItIsDense)
 
 TEST(Smoke, ThrowsTheShadowThatBeerAndLambertSay)
 {
-    // On a wall behind the box, square to the view, in a sun from the upper left before it.
+    // The shadow falls on a wall behind the box, at a right angle to the view, under a sun from the upper
+    // left front.
     constexpr double extinction_per_m = 3.0;
     constexpr double wall_m = 3.2;
     Seen seen{.depth = [](glm::uvec2) { return static_cast<float>(near_m / wall_m); }};
@@ -224,7 +226,7 @@ TEST(Smoke, ThrowsTheShadowThatBeerAndLambertSay)
             const double way_m =
                 way_through_box(in_sides(Turned().box(), {point, glm::dvec3(*seen.towards_sun)}));
             const double left = std::exp(-0.75 * extinction_per_m * way_m);
-            // The test says that something else has taken half.
+            // The input share already removes half of the light.
             EXPECT_NEAR(drawn.share[i], 0.5 * glm::mix(1.0, left, static_cast<double>(strength)), 1e-3) << i;
             shaded += way_m > 0.0 ? 1 : 0;
         }

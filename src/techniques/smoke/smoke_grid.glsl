@@ -2,16 +2,17 @@
 #ifndef ESTAMPE_SMOKE_GRID
 #define ESTAMPE_SMOKE_GRID
 
-// Needs `smoke`, a SmokeGlobals, and `has_several`. Places are counted in cells from the low corner of a box.
+// Define before: `smoke`, a SmokeGlobals, and `has_several`. Positions are in cells from the low corner of a
+// box.
 
-// Where a place of a field lies in its image; what is beyond the outermost nodes is on them.
+// Texture coordinate of a position in a field; positions beyond the outermost nodes are clamped to them.
 vec2 field_uv(vec2 place, vec2 size, vec2 image_size)
 {
     return (has_several ? clamp(place, vec2(0.5), size - 0.5) : place) / image_size;
 }
 
-// Between nodes in the middle of cells, of which the field has `size` each way from a layer on, in an image
-// of `image_size`; constant beyond the outermost.
+// Trilinear interpolation between nodes at the middles of cells, constant beyond the outermost nodes. The
+// field has `size` nodes from layer `first_layer` on, in an image of `image_size`.
 float sample_layers(sampler2DArray field, vec3 place, vec3 size, vec2 image_size, float first_layer)
 {
     float z = clamp(place.z - 0.5, 0.0, size.z - 1.0);
@@ -39,7 +40,8 @@ int brick_index(uint box, uvec3 brick)
     return int((layer * counts.y + brick.y) * counts.x + brick.x);
 }
 
-// Where along a ray it is within the box: enters and leaves, in the ray's own lengths; leaves first if never.
+// Distances at which a ray enters and leaves the box, in lengths of `direction`; if it misses the box, it
+// leaves before it enters.
 vec2 range_in_box(vec3 cells, vec3 origin, vec3 direction)
 {
     vec3 safe = mix(direction, vec3(1e-9), lessThan(abs(direction), vec3(1e-9)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel goes through the box from front to back, as far as what is seen there: how much the
-// smoke hides, how bright it is, and where it is dense enough to be drawn.
+// One thread per pixel marches through the boxes from front to back, up to the visible surface: opacity of
+// the smoke, its brightness, and the distance at which it is dense enough to draw.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -36,16 +36,16 @@ layout(binding = 5, rgba32f) writeonly uniform image2D out_smoke;
 #include "techniques/smoke/smoke_grid.glsl"
 #include "techniques/smoke/smoke_volume.glsl"
 
-const float least_left = 5e-5; // of what is behind: less is not looked for
+const float least_left = 5e-5; // stops when the transmittance is lower
 
-// Where samples lie along a ray: the i-th from `first` on, `spacing` apart.
+// Sample positions along a ray: from `first` on, `spacing` apart.
 struct Samples {
     float first;
     float spacing;
 };
 
-// Planes stand fast in the grid of the box, across the axis that the eye looks along most, or across the
-// view.
+// For smoke_by_axis the planes are fixed in the box's grid, across the main axis of the view; for
+// smoke_by_view they face the view.
 Samples samples_of(Ray ray, uint box, float from)
 {
     float step_m = smoke.boxes[box].step_m;
@@ -79,15 +79,15 @@ vec3 facing(uint box, vec3 place)
     return slope * inversesqrt(max(dot(slope, slope), 1e-12));
 }
 
-// A stretch of a ray, in metres along it, that lies in the same boxes from end to end: a bit for each.
+// A part of a ray, in metres, that lies in the same boxes from end to end: one bit per box.
 struct Stretch {
     float from;
     float until;
     uint boxes;
-    uint finest; // the box of the shortest steps
+    uint finest; // the box with the shortest step
 };
 
-// The stretch that begins at `from`, none of whose length is beyond `most`; no boxes where it is in none.
+// The stretch from `from` to at most `most`; `boxes` is 0 outside all boxes.
 Stretch stretch_from(Ray ray, float from, float most)
 {
     Stretch stretch = Stretch(from, most, 0u, 0u);
@@ -105,19 +105,19 @@ Stretch stretch_from(Ray ray, float from, float most)
     return stretch;
 }
 
-// What a ray has gone through.
+// Accumulated state of a ray.
 struct Gone {
-    float left; // of what is behind
+    float left; // transmittance so far
     float bright;
-    float surface_m; // where it passed the edge, 0 where it has not
-    uint box;        // that is densest there
+    float surface_m; // distance at which the ray passed the edge opacity, 0 before
+    uint box;        // the densest box there
 };
 
-// What a step goes through.
+// Sum over boxes of one step.
 struct Passed {
     float thickness;
     float light;
-    float empty; // length in which nothing more is
+    float empty; // distance without smoke from here
     uint densest;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A workgroup a brick: density and light of a cell and of the one above it along z in one texel, so that one
-// filtered look-up is one between eight cells; and the densest that a brick has.
+// One workgroup per brick packs density and light of a cell and of its neighbour along z into one texel, so
+// that one filtered lookup interpolates between eight cells. It also stores the brick's highest density.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -21,7 +21,7 @@ layout(scalar, binding = 0) uniform Smoke
 
 layout(binding = 1) uniform sampler2DArray shape;
 layout(binding = 2) uniform sampler2DArray light;
-layout(binding = 3) uniform sampler2DArray fire; // of the variant that has some; the box's own
+layout(binding = 3) uniform sampler2DArray fire; // for smoke_has_fire; the box's own image
 layout(binding = 4, rgba16f) writeonly uniform image2DArray out_packed;
 
 layout(scalar, binding = 5) writeonly buffer Bricks
@@ -36,7 +36,7 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/smoke/smoke_grid.glsl"
 
-shared uint densest; // floats that are not negative order as their bits do
+shared uint densest; // float bits; non-negative floats sort like their bits
 
 float shape_at(ivec3 cell)
 {
@@ -71,7 +71,7 @@ void main()
         if (all(lessThan(cell, ivec3(smoke.boxes[turn.box].cells)))) {
             imageStore(out_packed, cell + ivec3(0, 0, smoke.boxes[turn.box].first_layer), vec4(here, there));
         }
-        // Between a brick's cells and the next ones there is no more than in both.
+        // Interpolation between the brick's cells and the next ones never exceeds their maximum.
         float beside = max(max(shape_at(cell + ivec3(1, 0, 0)), shape_at(cell + ivec3(0, 1, 0))),
                            shape_at(cell + ivec3(1, 1, 0)));
         float beyond = max(max(shape_at(cell + ivec3(1, 0, 1)), shape_at(cell + ivec3(0, 1, 1))),

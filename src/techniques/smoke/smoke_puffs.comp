@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a puff: where its middle is and how large it is. Puffs are balls on a lattice that rises with
-// the smoke, each as large as it is dense in the ball's middle.
+// One thread per puff computes its centre and radius. Puffs are balls on a lattice that rises with the smoke;
+// the radius depends on the density at the centre.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -16,11 +16,11 @@ layout(scalar, binding = 0) uniform Smoke
     SmokeGlobals smoke;
 };
 
-layout(binding = 1) uniform sampler2DArray density; // the first `depth` layers
+layout(binding = 1) uniform sampler2DArray density; // only the first `depth` layers
 
 layout(scalar, binding = 2) writeonly buffer Puffs
 {
-    vec4 out_puffs[]; // middle and radius, in cells
+    vec4 out_puffs[]; // centre and radius, in cells
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -52,7 +52,7 @@ void main()
                   smoke.boxes[turn.box].puffs_risen;
     float most = mix(0.5, smoke_most_puff, unit_float(hash(identity + 3u))) * apart;
     float radius = most * sqrt(smoothstep(0.1, 0.7, density_near(middle, uvec3(cells))));
-    // The box cuts none of them but by its floor.
+    // The box's floor may cut a puff; its other sides must not.
     vec3 inside = min(middle, cells - middle);
     inside.y = cells.y - middle.y;
     out_puffs[item] = vec4(middle, min(radius, min(inside.x, min(inside.y, inside.z))));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: what is seen of smoke that burns or is moist. Cloud is as dense as smoke, and so are
-// flames, which give light.
+// One thread per cell computes the drawn density of smoke that burns or is moist. Cloud and flames count as
+// density; flames also emit light.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -41,7 +41,7 @@ void main()
     if (has_fire) {
         float hot = smoothstep(0.5 * seen.ignition, seen.ignition, amount_of(smoke_temperature, cell));
         float burning = min(seen.flame * hot * amount_of(smoke_fuel, cell), 1.0);
-        fire = burning * burning; // thin ends of flames let shade be
+        fire = burning * burning; // thin ends of flames leave shade dark
         dense = max(dense, burning);
     }
     imageStore(out_density, cell, vec4(dense));

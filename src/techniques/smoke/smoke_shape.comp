@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: how dense the smoke is that is drawn there: as a heap of puffs, so that its edge is
-// scalloped, or as it is.
+// One thread per cell computes the drawn density: a heap of puffs with a scalloped edge, or the simulated
+// density.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -18,7 +18,7 @@ layout(scalar, binding = 0) uniform Smoke
     SmokeGlobals smoke;
 };
 
-layout(binding = 1) uniform sampler2DArray density; // the first `depth` layers
+layout(binding = 1) uniform sampler2DArray density; // only the first `depth` layers
 layout(binding = 2) uniform samplerBuffer puff_texels;
 layout(binding = 3, r16f) writeonly uniform image2DArray out_shape;
 
@@ -27,10 +27,9 @@ layout(push_constant, scalar) uniform Constants
     SmokeTurn turn;
 };
 
-const float soft_cells = 1.5; // in which a puff ends
+const float soft_cells = 1.5; // width of a puff's soft edge
 
-// Which knots of the lattice, from `first` to `last` on from the one below a place, may have a puff that
-// reaches it.
+// Lattice offsets, `first` to `last` from the knot below a place, whose puffs may reach the place.
 struct Knots {
     ivec3 first;
     ivec3 last;
@@ -44,7 +43,7 @@ Knots knots_about(vec3 within)
     return Knots(ivec3(is_below_far) - 1, ivec3(is_above_near));
 }
 
-// How far within the deepest of the puffs about a place it is, in cells; negative outside.
+// Depth inside the deepest puff around a place, in cells; negative outside.
 float depth_in_puffs(vec3 place)
 {
     vec3 at = (place - smoke.boxes[turn.box].puffs_risen) / smoke.boxes[turn.box].puff_cells;

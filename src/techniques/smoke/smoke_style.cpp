@@ -9,137 +9,141 @@ const style::Table<SmokeStyle>& smoke_table()
 {
     static const auto table =
         style::Table<SmokeStyle>("smoke",
-                                 "Smoke, fire and clouds, simulated in boxes around objects without a mesh")
+                                 "Smoke, fire and clouds: simulated in boxes around objects without a mesh")
             .toggle("enabled", &SmokeStyle::enabled,
-                    "Turns smoke on, at the objects that smoke.objects names")
+                    "Turns smoke on: smoke rises from the objects that smoke.objects names")
             .text("objects", &SmokeStyle::objects,
-                  "Objects without a mesh that smoke rises from, as a name pattern. Each fills a box, 2 m "
-                  "wide each way in the object's own space, from the middle of the box's floor.")
+                  "Objects without a mesh from which smoke rises, as a name pattern. The smoke of each fills "
+                  "a box, 2 m wide each way in the object's own space. The object is at the middle of the "
+                  "box's floor.")
             .integer("cells", &SmokeStyle::cells, {16, 256}, "",
                      "Number of cells along the longest side of a smoke box, a power of two: more is finer "
                      "and much slower")
             .number("age_s", &SmokeStyle::age_s, {0.0F, 60.0F}, "s",
-                    "How long smoke has risen already in a still picture, or in the first frame of a film")
+                    "How long smoke has already risen before a still picture or the first frame of a film: "
+                    "more gives a taller column")
             .number("source", &SmokeStyle::source, {0.02F, 1.0F}, "",
                     "Radius of the source of smoke, as a share of half the box's width: more gives a wider "
                     "column")
             .number("amount_per_s", &SmokeStyle::amount_per_s, {0.0F, 100.0F}, "1/s",
-                    "How quickly smoke gets dense at its source: more gives thicker smoke")
+                    "How quickly smoke becomes dense at its source: more gives thicker smoke")
             .number("rise_s", &SmokeStyle::rise_s, {0.2F, 100.0F}, "s",
-                    "Time in which smoke rises to the top of its box, about: less rises faster")
+                    "Approximate time in which smoke rises to the top of its box: less rises faster")
             .number("wind_m_per_s", &SmokeStyle::wind_m_per_s, {0.0F, 100.0F}, "m/s",
-                    "Speed of the wind around the smoke: more bends the column over")
+                    "Speed of the wind around the smoke: more bends the column of smoke over")
             .number("wind_deg", &SmokeStyle::wind_deg, {-360.0F, 360.0F}, "deg",
-                    "Bearing towards which the wind carries the smoke: 0 is +z, 90 is +x")
+                    "Direction towards which the wind carries the smoke: 0 is +z, 90 is +x")
             .number("curl", &SmokeStyle::curl, {0.0F, 4.0F}, "",
                     "Strength of the swirls in smoke: 0 adds none, more gives livelier curls")
             .toggle("obstacles", &SmokeStyle::obstacles,
-                    "If true, smoke flows around solid objects in its box, where they stand when the smoke "
-                    "starts")
+                    "If true, smoke flows around solid objects in its box. The place of each object is the "
+                    "one where it stands when the smoke starts.")
             .choice("solver", &SmokeStyle::solver,
                     {{"automatic", Solver::automatic},
                      {"spectral", Solver::spectral},
                      {"multigrid", Solver::multigrid},
                      {"jacobi", Solver::jacobi}},
-                    "How the pressure of the air is solved. spectral: directly, for an empty box; multigrid: "
-                    "around obstacles; jacobi: simplest, least exact; automatic: spectral if the box is "
-                    "empty, else multigrid.")
+                    "How the air pressure in smoke is computed. spectral: directly, for an empty box; "
+                    "multigrid: around obstacles; jacobi: simplest, least exact; automatic: spectral if the "
+                    "box is empty, else multigrid.")
             .choice("advection", &SmokeStyle::advection,
                     {{"automatic", Advection::automatic},
                      {"linear", Advection::linear},
                      {"cubic", Advection::cubic},
                      {"maccormack", Advection::maccormack}},
-                    "How the air carries smoke. linear: fast, blurs; cubic: sharper; maccormack: sharp at "
-                    "little cost; automatic: maccormack.")
+                    "How the movement of smoke with the air is computed. linear: fast, but blurs the smoke; "
+                    "cubic: sharper; maccormack: sharp at little cost; automatic: maccormack.")
             .choice("stepping", &SmokeStyle::stepping,
                     {{"project", Stepping::project}, {"reflect", Stepping::reflect}},
-                    "How the simulation steps in time. project: loses some swirls; reflect: keeps swirls "
-                    "alive and takes twice as long.")
+                    "How the smoke simulation advances in time. project: quick, but loses some swirls; "
+                    "reflect: keeps swirls alive and takes twice as long.")
             .number("life_s", &SmokeStyle::life_s, {0.1F, 1000.0F}, "s",
-                    "Lifetime of smoke: about a third is left after this time")
+                    "How long smoke lasts: about a third of it is left after this time")
             .number("fuel_per_s", &SmokeStyle::fuel_per_s, {0.0F, 100.0F}, "1/s",
-                    "How quickly fuel rises with the smoke and burns where it is warm: more gives larger "
-                    "flames. 0 gives no fire.")
+                    "How quickly fuel rises with the smoke and burns where the air is warm: more gives "
+                    "larger flames. 0 gives no fire.")
             .number("burn_s", &SmokeStyle::burn_s, {0.02F, 100.0F}, "s",
-                    "Time after which about a third of the fuel in a fire is left: longer gives higher "
-                    "flames. Only used when smoke.fuel_per_s is above 0.")
+                    "Time after which about a third of the fuel in a fire is left: more gives higher flames. "
+                    "Only used when smoke.fuel_per_s is above 0.")
             .number("burn_heat", &SmokeStyle::burn_heat, {0.0F, 10.0F}, "",
-                    "Heat of burning fuel, which makes the smoke rise: more rises faster. Only used when "
-                    "smoke.fuel_per_s is above 0.")
+                    "Heat of burning fuel, which makes the smoke rise: more heat makes smoke rise faster. "
+                    "Only used when smoke.fuel_per_s is above 0.")
             .number("soot", &SmokeStyle::soot, {0.0F, 10.0F}, "",
-                    "Smoke from burning fuel: 0 burns clean, more is sootier. Only used when "
-                    "smoke.fuel_per_s is above 0.")
+                    "Amount of smoke from burning fuel: 0 burns without smoke, more gives darker, sootier "
+                    "fire. Only used when smoke.fuel_per_s is above 0.")
             .number("humidity", &SmokeStyle::humidity, {0.0F, 10.0F}, "",
-                    "Water in the rising air, which turns into a cloud higher up: more gives a denser cloud. "
-                    "0 gives no cloud.")
-            .number("cloud_base", &SmokeStyle::cloud_base, {0.0F, 1.0F}, "",
-                    "Height at which rising water turns into a cloud, as a share of the box's height. Warm "
-                    "air turns higher up. Only used when smoke.humidity is above 0.")
+                    "Amount of water in the rising air, which turns into a cloud higher up: more gives a "
+                    "denser cloud. 0 gives no cloud.")
+            .number(
+                "cloud_base", &SmokeStyle::cloud_base, {0.0F, 1.0F}, "",
+                "Height at which water in the rising air turns into a cloud, as a share of the box's height. "
+                "In warm air, the cloud forms higher up. Only used when smoke.humidity is above 0.")
             .number("humidity_outside", &SmokeStyle::humidity_outside, {0.0F, 1.0F}, "",
-                    "Water in the air around, as a share of smoke.humidity: more keeps the cloud from drying "
-                    "up. Only used when smoke.humidity is above 0.")
+                    "Amount of water in the air around the smoke, as a share of smoke.humidity: more keeps "
+                    "the cloud from drying up. Only used when smoke.humidity is above 0.")
             .number("latent_heat", &SmokeStyle::latent_heat, {0.0F, 10.0F}, "",
-                    "Heat from water that turns into a cloud: more makes the cloud billow higher. Only used "
-                    "when smoke.humidity is above 0.")
+                    "Heat that is released where water turns into a cloud: more makes the cloud rise and "
+                    "billow higher. Only used when smoke.humidity is above 0.")
             .number("thickness", &SmokeStyle::thickness, {0.1F, 100.0F}, "",
-                    "How opaque smoke is: the optical depth of dense smoke a tenth of the box deep. Less is "
-                    "thin mist, more is solid.")
+                    "How opaque smoke is: less is thin mist, more looks solid. The value is the optical "
+                    "depth of dense smoke over a tenth of the box's depth.")
             .toggle("puffs", &SmokeStyle::puffs,
-                    "If true, smoke is drawn as round puffs, as in comics. If false, as the density that was "
-                    "simulated.")
+                    "If true, smoke is drawn as round puffs, as in comics. If false, smoke is drawn with the "
+                    "simulated shape.")
             .number("puff", &SmokeStyle::puff, {0.02F, 1.0F}, "",
                     "Distance from one puff of smoke to the next, as a share of the box's width: less gives "
                     "more and smaller puffs. Only used when smoke.puffs is true.")
             .choice("sampling", &SmokeStyle::sampling,
                     {{"rays", Sampling::rays}, {"axis", Sampling::axis}, {"view", Sampling::view}},
-                    "Where the density of smoke is sampled. rays: in equal steps along each ray; axis: on "
+                    "How the density of smoke is sampled. rays: in equal steps along each ray; axis: on "
                     "planes of the grid; view: on planes that face the eye.")
-            .number(
-                "step", &SmokeStyle::step, {0.1F, 4.0F}, "",
-                "Distance from one sample of the smoke to the next, in cells: less is smoother and slower")
+            .number("step", &SmokeStyle::step, {0.1F, 4.0F}, "",
+                    "Distance from one sample of the smoke to the next, in cells of the grid: less is "
+                    "smoother and slower")
             .number("scatter", &SmokeStyle::scatter, {0.0F, 1.0F}, "",
-                    "How far samples stray at random within their step: more turns bands in thin smoke into "
-                    "noise. Only used when smoke.sampling is rays.")
+                    "How far samples of the smoke move at random within their step: more turns visible bands "
+                    "in thin smoke into noise. Only used when smoke.sampling is rays.")
             .number("edge", &SmokeStyle::edge, {0.02F, 0.98F}, "",
-                    "Opacity at which the outline of smoke runs: less draws it farther out")
+                    "Opacity of smoke at which its outline is drawn: less draws the outline farther out")
             .choice("medium", &SmokeStyle::medium,
                     {{"wash", Medium::wash}, {"strokes", Medium::strokes}, {"both", Medium::both}},
-                    "What draws the shade of smoke. wash: flat colours; strokes: hatching; both: colours and "
-                    "hatching.")
+                    "How the shade of smoke is drawn. wash: in flat colours; strokes: with hatching; both: "
+                    "in colours and with hatching.")
             .color("color", &SmokeStyle::color, "Colour of smoke where light falls on it")
             .color("shade_color", &SmokeStyle::shade_color,
-                   "Colour of smoke in shade, where the light is below smoke.shade_below")
+                   "Colour of smoke in shade, where the light level is below smoke.shade_below")
             .color("deep_color", &SmokeStyle::deep_color,
-                   "Colour of smoke in deep shade, where the light is below smoke.deep_below")
+                   "Colour of smoke in deep shade, where the light level is below smoke.deep_below")
             .number("opacity", &SmokeStyle::opacity, {0.0F, 1.0F}, "",
-                    "How much the paint of smoke covers what lies behind: 0 leaves outlines and strokes "
-                    "alone, 1 is opaque")
+                    "How much the colour of smoke covers the things behind the smoke: 0 draws only outlines "
+                    "and strokes, 1 is opaque")
             .number("shade_below", &SmokeStyle::shade_below, {0.0F, 1.0F}, "",
                     "Light level below which smoke takes the shade colour: more gives larger shaded areas")
             .number("deep_below", &SmokeStyle::deep_below, {0.0F, 1.0F}, "",
                     "Light level below which smoke takes the deep-shade colour: more gives larger dark areas")
             .number("form", &SmokeStyle::form, {0.0F, 1.0F}, "",
-                    "What shades smoke: 0 is the light that comes through the smoke, 1 is the round form of "
-                    "each puff")
+                    "How smoke is shaded: 0 shades by the light that comes through the smoke, 1 shades each "
+                    "puff as a round form")
             .number("line_mm", &SmokeStyle::line_mm, {0.0F, 5.0F}, "mm",
-                    "Width of the outlines of smoke, wider in shade. 0 draws none.")
+                    "Width of the outlines of smoke: more is bolder. Outlines are wider in shade. 0 draws no "
+                    "outlines.")
             .number("stroke_mm", &SmokeStyle::stroke_mm, {0.02F, 5.0F}, "mm",
                     "Width of the hatching strokes in smoke. Only used when smoke.medium is strokes or both.")
             .number("darkness", &SmokeStyle::darkness, {0.0F, 1.0F}, "",
-                    "Darkness of the hatching strokes in smoke that lies in full shade. Only used when "
+                    "Darkness of the hatching strokes where smoke lies in full shade. Only used when "
                     "smoke.medium is strokes or both.")
-            .toggle("shaded", &SmokeStyle::shaded, "If true, the scene's shadows fall on the smoke")
+            .toggle("shaded", &SmokeStyle::shaded, "If true, the shadows of other objects fall on the smoke")
             .number(
                 "shadow", &SmokeStyle::shadow, {0.0F, 1.0F}, "",
-                "Darkness of the shadow that smoke throws in the sun: 0 throws none, 1 is physically right")
+                "Darkness of the shadow that smoke throws in sunlight: 0 throws none, 1 is physically right")
             .number("glow", &SmokeStyle::glow, {0.0F, 100.0F}, "",
-                    "Brightness of the fire below the smoke, a lamp that flickers: 1 lights a surface half "
-                    "the box's width away as brightly as the main light. 0 gives no light.")
+                    "Brightness of the flickering light from the fire below the smoke: 1 lights a surface "
+                    "half the box's width away as brightly as the main light. 0 gives no light.")
             .color("glow_color", &SmokeStyle::glow_color, "Colour of the light from the fire below the smoke")
             .number("flame", &SmokeStyle::flame, {0.0F, 10.0F}, "",
-                    "How dense flames are for the fuel that burns: less is pale, more is solid. 0 draws no "
-                    "flames. Only used when smoke.fuel_per_s is above 0.")
-            .color("flame_color", &SmokeStyle::flame_color, "Colour that flames are painted with");
+                    "How dense flames look for the amount of fuel that burns: less is pale, more is solid. 0 "
+                    "draws no flames. Only used when smoke.fuel_per_s is above 0.")
+            .color("flame_color", &SmokeStyle::flame_color, "Colour in which flames are painted");
     return table;
 }
 

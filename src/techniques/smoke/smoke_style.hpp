@@ -9,14 +9,14 @@
 
 namespace estampe::smoke {
 
-/// Where along its rays the volume is looked up.
+/// Positions of samples along the view rays.
 enum class Sampling : uint8_t {
-    rays, ///< at equal steps from where each enters the box, scattered within them
-    axis, ///< on planes of the grid, across the axis that the eye looks along most
-    view  ///< on planes that face the eye
+    rays, ///< equal steps from the ray's entry into the box, with random offsets
+    axis, ///< planes of the grid, across the main axis of the view
+    view  ///< planes that face the eye
 };
 
-/// What takes the divergence out of what moves it, and how that carries things.
+/// Pressure solver of the fluid simulation, and its advection.
 enum class Solver : uint8_t { automatic, spectral, multigrid, jacobi };
 enum class Advection : uint8_t { automatic, linear, cubic, maccormack };
 enum class Stepping : uint8_t { project, reflect };
@@ -74,7 +74,7 @@ struct SmokeStyle {
     int seed = 1;
 };
 
-/// Whether there is fuel in it, or water.
+/// Whether the smoke contains fuel (is_burning) or water (is_moist).
 [[nodiscard]] inline bool is_burning(const SmokeStyle& style)
 {
     return style.fuel_per_s > 0.0F;

@@ -13,7 +13,7 @@
 #include "support/layers.hpp"
 #include "techniques/smoke/smoke.hpp"
 
-/// Smoke that tests fill a grid with, drawn, and the rays that pictures are worked out by.
+/// Smoke from grids that tests fill, and rays for computing the expected pictures.
 namespace estampe::smoke {
 
 inline constexpr glm::uvec2 size_px(48, 40);
@@ -21,10 +21,10 @@ inline constexpr double near_m = 0.05;
 inline constexpr uint32_t side = 32;
 inline constexpr float cell_m = 1.0F / side;
 
-/// Of a cell's middle, in a box of one metre.
+/// Density as a function of the cell's middle, in a box of one metre.
 using Density = std::function<float(glm::vec3)>;
 
-/// A box of one metre about the origin, turned a little.
+/// A slightly rotated box of one metre around the origin.
 struct Turned {
     glm::dmat4 anchor_from_box = glm::rotate(glm::dmat4(1.0), 0.4, glm::normalize(glm::dvec3(0.3, 1.0, 0.2)));
 
@@ -44,24 +44,24 @@ struct Seen {
     test::Painter<glm::vec4> lines = [](glm::uvec2) { return glm::vec4(0.0F); };
     std::vector<Lamp> lamps = {};
     float ambient = 1.0F;
-    std::optional<glm::vec3> towards_sun = {}; ///< whose share is asked for
-    std::optional<float> haze_reach_m = {};    ///< into green, from half a metre on
+    std::optional<glm::vec3> towards_sun = {}; ///< if set, the smoke's shadow is computed
+    std::optional<float> haze_reach_m = {};    ///< haze into green, from half a metre on
 };
 
 struct Drawn {
     std::vector<glm::vec4> marched;
     std::vector<uint32_t> paint; ///< four bytes each
     std::vector<float> ink;
-    std::vector<float> share; ///< of the sun
+    std::vector<float> share; ///< share of sunlight
     shared::FrameGlobals frame;
 
     [[nodiscard]] float cover(size_t i) const { return static_cast<float>(paint[i] >> 24U) / 255.0F; }
 };
 
-/// A box and what it is filled with.
+/// A box and its content.
 struct Filled {
     Box box;
-    Density density; ///< of a cell's middle, in metres from the low corner
+    Density density; ///< function of the cell's middle, in metres from the low corner
 };
 
 inline gpu::Image field_of(const Filled& filled)
@@ -161,7 +161,7 @@ struct Ray {
     glm::dvec3 direction;
 };
 
-/// Through the middle of a pixel.
+/// The ray through the middle of a pixel.
 inline Ray ray_through(const Drawn& drawn, const Camera& camera, size_t pixel)
 {
     const glm::dvec2 ndc =
@@ -177,7 +177,7 @@ inline Ray ray_through(const Drawn& drawn, const Camera& camera, size_t pixel)
             is_parallel ? glm::normalize(camera.target - camera.eye) : glm::normalize(near - camera.eye)};
 }
 
-/// The same in the box's own axes, which begin at its low corner.
+/// The ray through a pixel's middle in the box's axes, from the low corner.
 inline Ray ray_of(const Drawn& drawn, const Camera& camera, size_t pixel)
 {
     const Ray ray = ray_through(drawn, camera, pixel);
@@ -186,7 +186,7 @@ inline Ray ray_of(const Drawn& drawn, const Camera& camera, size_t pixel)
             glm::dmat3(box_from_anchor) * ray.direction};
 }
 
-/// Where a ray is within the box of one metre, up to `most`; enters and leaves.
+/// The part of a ray in the box of one metre, up to `most`: distances of entry and exit.
 inline glm::dvec2 range_in_box(const Ray& ray, double most = 1e9)
 {
     double from = 0.0;
@@ -206,7 +206,7 @@ inline double way_through_box(const Ray& ray, double most = 1e9)
     return std::max(range.y - range.x, 0.0);
 }
 
-/// A ray through the scene, in lengths of a box's sides from its low corner.
+/// Transforms a ray of the scene to the box: lengths are box sides, from the low corner.
 inline Ray in_sides(const Box& box, const Ray& ray)
 {
     const glm::dmat4 grid_from_anchor(box.grid_from_anchor);
@@ -218,10 +218,10 @@ inline std::vector<Camera> cameras()
 {
     Camera parallel{.eye = {0.4, 0.3, 2.2}, .target = {0.0, 0.05, 0.0}, .near_m = near_m};
     parallel.orthographic_half_height_m = 0.9;
-    return {
-        Seen().camera,
-        parallel,
-        {.eye = {0.1, -0.05, 0.2}, .target = {0.3, 0.1, -1.0}, .near_m = near_m}}; // the last within the box
+    return {Seen().camera,
+            parallel,
+            // The last one is inside the box.
+            {.eye = {0.1, -0.05, 0.2}, .target = {0.3, 0.1, -1.0}, .near_m = near_m}};
 }
 
 } // namespace estampe::smoke

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel: how much of the sun the smoke between it and what is seen there leaves.
+// One thread per pixel: the share of sunlight that the smoke lets through to the visible surface.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -27,7 +27,7 @@ layout(scalar, binding = 1) uniform Smoke
 layout(binding = 2) uniform sampler2DArray packed;
 layout(binding = 3) uniform samplerBuffer brick_texels;
 layout(binding = 4) uniform sampler2D depth_image;
-layout(binding = 5) uniform sampler2D share_image; // of the variant that has one
+layout(binding = 5) uniform sampler2D share_image; // for smoke_has_share
 layout(binding = 6, r16f) writeonly uniform image2D out_share;
 
 layout(push_constant, scalar) uniform Constants
@@ -38,10 +38,10 @@ layout(push_constant, scalar) uniform Constants
 #include "techniques/smoke/smoke_grid.glsl"
 #include "techniques/smoke/smoke_volume.glsl"
 
-const float stride = 1.0;     // cells
-const float most_depth = 8.0; // more lets nothing through that is seen
+const float stride = 1.0;     // in cells
+const float most_depth = 8.0; // stops here: the remaining light is invisible
 
-// Optical depth of a box from a place on.
+// Optical depth of a box along a ray.
 float depth_through(uint box, Ray ray)
 {
     Ray within = ray_in_box(box, ray);

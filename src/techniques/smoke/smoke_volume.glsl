@@ -2,22 +2,22 @@
 #ifndef ESTAMPE_SMOKE_VOLUME
 #define ESTAMPE_SMOKE_VOLUME
 
-// Looks smoke up along rays. Needs what smoke_grid.glsl needs and is included after it and smoke_ray.glsl;
-// and `packed` and `brick_texels`, of smoke_pack.comp.
+// Reads smoke along rays. Include after smoke_grid.glsl and smoke_ray.glsl. Define before: `packed` and
+// `brick_texels`, written by smoke_pack.comp.
 
 uint box_count()
 {
     return has_several ? smoke.box_count : 1u;
 }
 
-// A ray in the cells of a box; lengths along it stay metres.
+// Transforms a ray to the cells of a box; lengths along it stay in metres.
 Ray ray_in_box(uint box, Ray ray)
 {
     return Ray((smoke.boxes[box].grid_from_anchor * vec4(ray.origin, 1.0)).xyz,
                mat3(smoke.boxes[box].grid_from_anchor) * ray.direction);
 }
 
-// Density and light.
+// Density and light at a place.
 vec2 smoke_at(uint box, vec3 place)
 {
     uvec3 cells = smoke.boxes[box].cells;
@@ -28,7 +28,7 @@ vec2 smoke_at(uint box, vec3 place)
     return mix(both.xy, both.zw, z - low);
 }
 
-// How far, in the ray's lengths, a ray stays in a brick that is empty; 0 where it is not.
+// Distance, in lengths of `direction`, that a ray stays in an empty brick; 0 in others.
 float empty_way(uint box, vec3 place, vec3 direction)
 {
     uvec3 cells = smoke.boxes[box].cells;
@@ -38,7 +38,7 @@ float empty_way(uint box, vec3 place, vec3 direction)
     vec3 low = vec3(brick * smoke_brick) + 0.5;
     vec3 plane = mix(low, low + float(smoke_brick), greaterThan(direction, vec3(0.0)));
     vec3 way = (plane - place) / mix(direction, vec3(1e-9), lessThan(abs(direction), vec3(1e-9)));
-    // Beyond the outermost planes nothing changes any more.
+    // Beyond the outermost planes the field is constant.
     way = mix(way, vec3(1e9), lessThanEqual(way, vec3(0.0)));
     return densest > 0.0 ? 0.0 : min(way.x, min(way.y, way.z));
 }

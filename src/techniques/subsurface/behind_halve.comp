@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread takes the mean of four texels, weighed so that halves of halves are the blur of a tent.
+// One thread per texel of a half-size image averages four texels; repeated halving approximates a tent blur.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

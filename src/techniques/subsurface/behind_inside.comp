@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel follows the eye's ray through clear bodies, up to what lies behind them: what they leave
-// of each colour, and how far off they throw it.
+// One thread per pixel follows the view ray through clear bodies to the background: the transmittance per
+// colour, and the width of the blur.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -33,10 +33,11 @@ layout(binding = 8) uniform usamplerBuffer inside_1;
 layout(binding = 9) uniform usamplerBuffer inside_2;
 layout(binding = 10) uniform usamplerBuffer inside_3;
 
-layout(binding = 11) uniform sampler2D color_image; // square root of linear colour
+layout(binding = 11) uniform sampler2D color_image; // square roots of linear colour
 
-layout(binding = 12, rgba32f) writeonly uniform image2D out_clear; // what is left; deviation on the page
-layout(binding = 13, r16f) writeonly uniform image2D out_share;    // of what lies behind that is seen
+// Transmittance; standard deviation of the blur on the page.
+layout(binding = 12, rgba32f) writeonly uniform image2D out_clear;
+layout(binding = 13, r16f) writeonly uniform image2D out_share; // visible share of the background
 
 uvec2 inside_at(int layer, int index)
 {
@@ -60,7 +61,7 @@ void main()
     float end_depth = seen_depth(texelFetch(background, index).xy);
     vec3 absorbed = vec3(0.0);
     float blur_m = 0.0;
-    uint entered = 0u; // the look of the body that the ray is in, and 1; 0 outside
+    uint entered = 0u; // variant of the body that the ray is in, plus 1; 0 outside
     float entered_depth = 0.0;
     float before_depth = 2.0;
     float pixel_m = 1.0;
@@ -68,7 +69,7 @@ void main()
     int layers = share > 0.0 ? 4 : 1;
     do {
         uvec2 seen = inside_at(i, index);
-        // A buffer that stands for one that is not there repeats the last.
+        // A placeholder for a missing layer repeats the last layer's buffer.
         bool is_there = share > 0.0 && sees_triangle(seen) && seen_depth(seen) < before_depth;
         float depth = is_there ? seen_depth(seen) : end_depth;
         bool is_behind = depth <= end_depth;
@@ -85,7 +86,7 @@ void main()
         if (i == 0) {
             pixel_m = pixel_size_m(frame, there);
         }
-        // What is entered again before it was left is a sheet.
+        // A second entry without an exit is a thin sheet.
         uint left = goes_out ? entered - 1u : look;
         float inside_m = goes_in ? look_scatter(left).a
                                  : distance(there, anchor_at(frame, middle_px, max(entered_depth, 1e-9)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel lays what is seen through a body over its own paint: the background, blurred by a cubic
-// spline over whichever halves of it are as coarse as the blur is wide.
+// One thread per pixel blends the background seen through a body with the body's own paint. The background is
+// blurred by a cubic spline over a level of its halved images that matches the blur's width.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -21,7 +21,7 @@ layout(binding = 8, rgba16f) uniform image2D wash;
 
 layout(push_constant) uniform Constants
 {
-    float most_px; // deviation
+    float most_px; // largest standard deviation
 }
 
 constants;
@@ -36,8 +36,8 @@ vec3 level_at(int level, vec2 place)
                         : textureLod(level_5, place, 0.0).rgb;
 }
 
-// Four looks between texels stand for the sixteen of a cubic B-spline: Sigg and Hadwiger, "Fast Third-Order
-// Texture Filtering", GPU Gems 2, 2005.
+// A cubic B-spline of sixteen texels from four bilinear lookups: Sigg and Hadwiger, "Fast Third-Order Texture
+// Filtering", GPU Gems 2, 2005.
 vec3 smooth_at(int level, vec2 pixel, vec2 size_px)
 {
     vec2 texels = ceil(size_px / float(1 << level));
@@ -62,7 +62,7 @@ vec3 smooth_at(int level, vec2 pixel, vec2 size_px)
     return sum;
 }
 
-// Deviation on the page of a level looked up so: of its halvings, and of the spline.
+// Standard deviation on the page of a level's halvings and of the spline.
 float deviation_of(int level)
 {
     float side = float(1 << level);
@@ -83,7 +83,7 @@ void main()
     vec4 clear = texelFetch(clear_image, pixel, 0);
     float wanted_px = min(clear.a, constants.most_px);
     vec2 middle_px = vec2(pixel) + 0.5;
-    // Between two levels by variance; between the background itself and the first of them too.
+    // Interpolates two levels by variance; the unblurred background counts as the finest level.
     int upper = 0;
     while (upper < int(behind_levels) - 1 && deviation_of(upper) < wanted_px) {
         ++upper;

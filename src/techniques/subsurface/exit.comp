@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel of the half page finds where the eye's ray leaves what it entered: the next surface
-// behind, if its back is turned; else what is seen is a sheet, whose other side lies where it does. Where
-// next to nothing comes through so much, nothing has to be lit: tiles with anything to light are listed.
+// One thread per half-page pixel finds where the view ray leaves the body that it entered: the next surface
+// behind, if it is a back face; else the body is a thin sheet with its exit at the same place. It lists the
+// tiles whose exits need lighting; bodies that let almost nothing through need none.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -22,7 +22,7 @@ layout(binding = 1) uniform usampler2D draw_image;
 layout(binding = 2) uniform sampler2D depth_image;
 layout(binding = 3) uniform usampler2D normal_image;
 
-layout(binding = 4) uniform usamplerBuffer behind_texels; // visibility of what lies behind
+layout(binding = 4) uniform usamplerBuffer behind_texels; // visibility buffer of the next surfaces behind
 
 #define MESH_TEXELS_BINDING 5
 #include "shaders/mesh_texels.glsl"
@@ -34,7 +34,7 @@ layout(constant_id = 0) const uint variant = 0u;
 
 layout(binding = 9, r32ui) writeonly uniform uimage2D out_draw;
 layout(binding = 10, r32f) writeonly uniform image2D out_depth;
-layout(binding = 11, rg32ui) writeonly uniform uimage2D out_normal; // away from the eye
+layout(binding = 11, rg32ui) writeonly uniform uimage2D out_normal; // normals that point away from the eye
 
 #define TILE_LIST_BINDING 12
 #include "shaders/tile_list_fill.glsl"
@@ -46,11 +46,12 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/subsurface/scatter.glsl"
 
-const float least_through = 1.0 / 4096.0; // a white light sixteen times as bright changes no pixel by it
+// Below this share, even white light sixteen times as bright changes no pixel.
+const float least_through = 1.0 / 4096.0;
 
-shared uint shining_tiles; // a bit for each of the four that a group has, one below the other
+shared uint shining_tiles; // one bit per tile of the workgroup's four, which lie below each other
 
-// Lists those of a column of tiles whose bits are set, one at least; the first is bit 0.
+// Lists the tiles of a column whose bits are set, at least one; bit 0 is the first tile.
 void list_rows(uvec2 first, uint rows)
 {
     uint number = list_room(uint(bitCount(rows)));

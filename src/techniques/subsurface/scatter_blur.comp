@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel of the half page lets light spread along rows, or along columns, by five taps of a
-// B-spline. What lies too far off along the view gives nothing, and gets nothing: its share stays. For
-// processors, whose threads share memory slowly: scatter_blur_tile.comp does both ways at once.
+// One thread per half-page pixel spreads light along rows or columns, by five taps of a B-spline. Pixels too
+// far apart along the view exchange no light; their share stays. For CPUs, whose threads share memory slowly;
+// scatter_blur_tile.comp does both directions at once.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -19,7 +19,7 @@ layout(scalar, binding = 0) uniform Frame
 layout(binding = 1) uniform sampler2D spread_image;
 layout(binding = 2) uniform sampler2D light_image;
 layout(binding = 3, rgba32f) writeonly uniform image2D out_light;
-layout(binding = 4, rgba32f) uniform image2D sum_image; // of the levels before, and this one
+layout(binding = 4, rgba32f) uniform image2D sum_image; // sum of the levels before, then with this one
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -40,7 +40,8 @@ void main()
     vec4 own = texelFetch(light_image, half_pixel, 0);
     int apart = 1 << constants.level;
     float by = falloff_at(own, apart);
-    // Mesa takes a vector that a specialization constant chooses for the one it has by default.
+    // Mesa replaces a vector chosen by a specialization constant with its default value, so it is computed
+    // here.
     int upright = is_upright ? 1 : 0;
     ivec2 along = apart * ivec2(1 - upright, upright);
     int taps = by < 0.0 ? 4 : 1;

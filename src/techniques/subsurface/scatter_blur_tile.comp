@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One group lets light spread in a tile of pixels that lie as far apart as the taps, along rows and then
-// along columns, by five taps of a B-spline each way. What lies too far off along the view gives nothing, and
-// gets nothing: its share stays.
+// One workgroup spreads light in a tile of pixels that are as far apart as the taps, along rows and then
+// along columns, by five taps of a B-spline each. Pixels too far apart along the view exchange no light;
+// their share stays.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -19,7 +19,7 @@ layout(scalar, binding = 0) uniform Frame
 layout(binding = 1) uniform sampler2D spread_image;
 layout(binding = 2) uniform sampler2D light_image;
 layout(binding = 3, rgba32f) writeonly uniform image2D out_light;
-layout(binding = 4, rgba32f) uniform image2D sum_image; // of the levels before, and this one
+layout(binding = 4, rgba32f) uniform image2D sum_image; // sum of the levels before, then with this one
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -31,12 +31,12 @@ layout(push_constant, scalar) uniform Constants
 const int side = int(blur_tile_side);
 const int beside = 2; // taps to each side
 const int wide = side + 2 * beside;
-const int in_rows = wide * wide; // where light stands that has spread along rows, behind what was given
+const int in_rows = wide * wide; // start of the light that has spread along rows, after the input
 
-shared vec4 held[wide * wide + side * wide]; // light, and how far ahead it is
+shared vec4 held[wide * wide + side * wide]; // light, and distance along the view
 
-// By how much the light of a pixel changes, which stands at `at`; its neighbours stand `stride` apart there,
-// and `along` on the half page.
+// Change of a pixel's light, stored at `at`; its neighbours are `stride` apart there, and `along` apart on
+// the half page.
 vec3 change_along(int at, int stride, ivec2 half_pixel, ivec2 along)
 {
     vec4 own = held[at];
@@ -59,7 +59,7 @@ void main()
     int thread = int(gl_LocalInvocationIndex);
     ivec2 local = ivec2(gl_LocalInvocationID.xy);
     ivec2 half_pixel = first + apart * local;
-    // What is wanted at the end is asked for at once.
+    // These reads start early, because their results are needed last.
     vec3 spread_px = texelFetch(spread_image, min(half_pixel, last_of_page), 0).rgb;
     vec4 sum = imageLoad(sum_image, min(half_pixel, last_of_page));
     for (int i = thread; i < wide * wide; i += side * side) {

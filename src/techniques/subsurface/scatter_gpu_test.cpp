@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light that spreads under flat surfaces, against Burley's profile integrated.
+// Light that spreads under flat surfaces, against the integral of Burley's profile.
 #include "techniques/subsurface/subsurface.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ constexpr double away_m = 5.0;
 const Camera sheet_camera{
     .eye = {0.0, 0.0, away_m}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.5, .near_m = near_m};
 
-/// What a pixel spans on a sheet that faces the camera.
+/// Size of a pixel on a sheet that faces the camera.
 double pixel_m()
 {
     return 2.0 * away_m * std::tan(0.25) / sheet_px.y;
@@ -44,7 +44,7 @@ SubsurfaceStyle spreading(double scatter_px, const glm::vec3& color = glm::vec3(
             .reach_mm = 200.0F};
 }
 
-/// Of a part of the page, or of all.
+/// Light after spreading, of a part of the page or of the whole page.
 std::vector<glm::vec4> spread(const Painted& page, const SubsurfaceStyle& style, glm::uvec2 from_px = {0, 0},
                               glm::uvec2 part_px = sheet_px, bool on_processor = false)
 {
@@ -60,7 +60,7 @@ std::vector<glm::vec4> spread(const Painted& page, const SubsurfaceStyle& style,
     auto frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{globals});
     auto looks = gpu::upload_buffer(test::shared_device(), "looks", std::vector{look_of(style)});
     gpu::Graph graph;
-    // What is imported stays as it is: the light is copied first.
+    // The graph must not change the imported image, so the light is copied first.
     const gpu::ImageId given = light.in(graph);
     const gpu::ImageId result = add_scatter(graph,
                                             {.frame = gpu::import_whole(graph, "frame", frame),
@@ -83,7 +83,7 @@ TEST(Scatter, IntegratesTheProfileOnce)
     EXPECT_NEAR(beside_line(60.0), 0.5, 1e-4);
 }
 
-/// How far a blurred step is from the profile's integral, at most, by colour.
+/// Largest difference between a blurred step and the profile's integral, per colour.
 glm::dvec3 worst_of_step(double scatter_px, const glm::vec3& color)
 {
     const std::vector<glm::vec4> result =
@@ -114,7 +114,7 @@ TEST(Scatter, BlursAStepAsTheProfileDoes)
 
 TEST(Scatter, SpreadsColorsByTheirShare)
 {
-    // Blue spreads by two pixels and a bit, which is about what every second pixel can tell.
+    // Blue spreads by little more than two pixels, about the limit of the half page.
     const glm::dvec3 worst = worst_of_step(9.0, {1.0F, 0.5F, 0.25F});
     RecordProperty("worst", fmt::format("{:.4f}, {:.4f}, {:.4f}", worst.x, worst.y, worst.z));
     EXPECT_LT(worst.x, 0.01);
@@ -160,7 +160,7 @@ TEST(Scatter, LeavesWhatSpreadsWithinPixelsToTheBit)
 
 TEST(Scatter, DoesNotCrossAGap)
 {
-    // A lit sheet before a dark one; light beside both that takes none in.
+    // A lit sheet in front of a dark one; next to both, lit surfaces that scatter no light.
     Painted page{.light = [](glm::uvec2 pixel) {
         return glm::vec4(pixel.x < 60 ? 1.0F : pixel.x < 120 ? 0.0F : 5.0F);
     }};
@@ -179,8 +179,8 @@ TEST(Scatter, DoesNotCrossAGap)
 
 TEST(Scatter, IsOnAProcessorWhatItIsOnAGpu)
 {
-    // Depths differ, and some of the page takes no light in: each tap has a weight of its own. The widest of
-    // them spreads over all levels.
+    // Depths differ, and parts of the page scatter no light, so that each tap has its own weight. The widest
+    // spreading uses all levels.
     Painted page{.light = [](glm::uvec2 pixel) {
         return glm::vec4(static_cast<float>(pixel.x * 7 % 11), static_cast<float>(pixel.y % 3),
                          static_cast<float>((pixel.x + pixel.y) % 5), 0.0F);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel of the listed squares lays what light has come through, and from elsewhere under the
-// surface, over what stays.
+// One thread per pixel of the listed squares adds transmitted and scattered light to the light that stays in
+// place.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -42,12 +42,13 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/subsurface/scatter.glsl"
 
-const float most_light = 65504.0; // that half floats hold
-const float least_near = 1e-4;    // what is so thin that the half page saw nothing of it shines as others do
+const float most_light = 65504.0; // largest half float
+// Lets a feature too thin for the half page take transmitted light from its neighbours.
+const float least_near = 1e-4;
 
 void main()
 {
-    // A square that is done twice would be lit twice.
+    // A square in the list twice would get its light twice.
     ivec2 pixel =
         has_listed_tile() ? ivec2(listed_from_px() + gl_LocalInvocationID.xy) : ivec2(frame.size_px);
     if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
@@ -64,8 +65,8 @@ void main()
     bool is_shone_through = shines && takes && look_through(look).a > 0.0;
     float tolerance_m = max(4.0 * pixel_m, max(max(scatter_m.x, scatter_m.y), scatter_m.z));
     float per_variance = -0.5 / max(tolerance_m * tolerance_m, 1e-12);
-    // Pixels of the half page stand for the middle of four of the page; what comes through was looked up at
-    // the first of them.
+    // Half-page pixels lie at the middle of four page pixels; transmitted light was computed at the first of
+    // the four.
     uvec2 on_page = uvec2(pixel) + frame.tile_from_px;
     vec2 place = 0.5 * vec2(on_page) - 0.25 - vec2(constants.from_half);
     ivec2 first = ivec2(floor(place));

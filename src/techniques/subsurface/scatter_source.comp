@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel of the half page takes the light that spreads from there, with what comes through from
-// the far side. Blurs that no pixel needs are never run, and squares of the page that get nothing of it are
-// not listed.
+// One thread per half-page pixel collects the light that spreads from it, with transmitted light from the far
+// side. It also records which blurs are needed, and lists the squares of the page that receive light.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -28,15 +27,18 @@ const bool spreads = (variant & subsurface_spreads) != 0u;
 const bool looks_less = (variant & subsurface_looks_less) != 0u;
 const bool in_perspective = (variant & subsurface_in_perspective) != 0u;
 
-// Of the far side, on the half page.
-layout(binding = 6) uniform usampler2D far_draw_image; // 0 where no light comes through
+// Images of the far side, on the half page.
+layout(binding = 6) uniform usampler2D far_draw_image; // 0 where no light is transmitted
 layout(binding = 7) uniform sampler2D far_depth_image;
 layout(binding = 8) uniform sampler2D far_light_image;
 
-layout(binding = 9, rgba32f) writeonly uniform image2D out_light;    // and how far ahead of the eye it is
-layout(binding = 10, rgba16f) writeonly uniform image2D out_spread;  // by colour, on the page
-layout(binding = 11, rgba32f) writeonly uniform image2D out_sum;     // of blurs so far; how far ahead
-layout(binding = 12, rgba16f) writeonly uniform image2D out_through; // light; takes_... of scatter.glsl
+layout(binding = 9, rgba32f) writeonly uniform image2D out_light; // light, and distance along the view
+// Scattering distance per colour, on the page.
+layout(binding = 10, rgba16f) writeonly uniform image2D out_spread;
+// Sum of blurs so far; distance along the view.
+layout(binding = 11, rgba32f) writeonly uniform image2D out_sum;
+// Light; takes_... constant of scatter.glsl.
+layout(binding = 12, rgba16f) writeonly uniform image2D out_through;
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -48,37 +50,37 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/subsurface/scatter.glsl"
 
-const float most_light = 65504.0; // that half floats hold
+const float most_light = 65504.0; // largest half float
 
-shared uint widest_of_group; // spread on the page, as bits
-shared uint reached_about;   // a bit for each of the squares about this group, and its own
-shared uint newly_reached;   // how many of them
-shared uint first_listed;    // the number of the first
+shared uint widest_of_group; // scattering distance on the page, as float bits
+shared uint reached_about;   // one bit for each square around this workgroup, and for its own
+shared uint newly_reached;   // number of squares that this workgroup lists
+shared uint first_listed;    // index of its first square in the list
 
-// A group has four squares, one below the other, and one more on each side.
+// A workgroup has four squares, one below the other; with a border of one square there are 3 x 6.
 const uint squares_across = 3u;
 const uint squares_about = 18u;
 
-// In which squares the pixels of the page lie that look at this one of the half page: also the next one's.
+// Squares whose page pixels read this half-page pixel, possibly also neighbouring squares.
 uint squares_that_look(uvec2 local)
 {
     uvec2 within = local % 8u;
     uint columns = 2u | (within.x == 0u ? 1u : 0u) | (within.x == 7u ? 4u : 0u);
-    uint row = squares_across * (local.y / 8u); // of the one above
+    uint row = squares_across * (local.y / 8u); // row of the square above
     uint about = columns << (row + squares_across);
     about |= within.y == 0u ? columns << row : 0u;
     return about | (within.y == 7u ? columns << (row + 2u * squares_across) : 0u);
 }
 
-// One of the squares about.
+// Position of a square around the workgroup.
 ivec2 square_about(uint about)
 {
     ivec2 own = ivec2(gl_WorkGroupID.xy) * ivec2(1, 4);
     return own + ivec2(about % squares_across, about / squares_across) - 1;
 }
 
-// What stands behind the list: how many groups to dispatch for one blur after another, four words each, then
-// whether squares are listed.
+// Data behind the tile list: dispatch sizes of the blurs, four words each, then one flag per square that is
+// listed.
 uint needs_word(uint level)
 {
     uvec2 squares = squares_of(frame.size_px);
@@ -90,7 +92,7 @@ uint reached_word(uvec2 square)
     return needs_word(most_scatter_levels) + square.y * squares_of(frame.size_px).x + square.x;
 }
 
-// Whether it is this group that has to list a square: none has yet.
+// Whether this workgroup is the first to reach a square, so that it must list it.
 bool reaches_first(ivec2 square)
 {
     ivec2 squares = ivec2(squares_of(frame.size_px));
@@ -134,8 +136,7 @@ void main()
         vec3 spread_px = spread_px_of(scatter_m.rgb, pixel_m_at(ahead));
         float widest = max(max(spread_px.r, spread_px.g), spread_px.b);
         bool scatters = !holds_all(kept_below_px(), widest);
-        // Light of the pixels about it counts, so that the edge of a shadow does not jump from one to the
-        // next.
+        // Averages neighbouring pixels, so that the edge of a shadow does not jump between half-page pixels.
         vec4 sum = vec4(0.0);
         int i = 0;
         int corners = scatters || !looks_less ? 4 : 1;
@@ -162,7 +163,8 @@ void main()
         imageStore(out_through, half_pixel, vec4(through, takes));
     }
     barrier();
-    // One thread for each says that it has to run, unless another group has: all would wait in turn.
+    // One thread per blur level requests its dispatch, unless another workgroup already did: atomics on one
+    // address are serialized.
     uint item = gl_LocalInvocationIndex;
     uint need = needs_word(item);
     if (item < uint(constants.level) &&

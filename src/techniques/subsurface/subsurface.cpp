@@ -25,63 +25,65 @@ namespace estampe::subsurface {
 const style::Table<SubsurfaceStyle>& subsurface_table()
 {
     static const auto table =
-        style::Table<SubsurfaceStyle>("subsurface",
-                                      "Subsurface scattering: light within skin, wax, leaves and glass")
+        style::Table<SubsurfaceStyle>(
+            "subsurface",
+            "Subsurface scattering: light that enters skin, wax, leaves or glass and comes out elsewhere")
             .toggle(
                 "enabled", &SubsurfaceStyle::enabled,
                 "Turns subsurface scattering on: light spreads under surfaces and shines through thin ones")
             .number("scatter_m", &SubsurfaceStyle::scatter_m, {0.0F, 1e4F}, "m",
-                    "How far light spreads under a surface: half of the light leaves within 1.5 times this "
-                    "distance. 0 does not spread light; more makes skin look like wax.")
+                    "How far light spreads under a surface: half of the light comes out again within 1.5 "
+                    "times this distance. 0 does not spread light. More makes skin look like wax.")
             .color("scatter_color", &SubsurfaceStyle::scatter_color,
                    "How far each colour spreads, as a factor of subsurface.scatter_m: a reddish colour gives "
                    "shadows red edges, as on skin")
             .number("depth_m", &SubsurfaceStyle::depth_m, {0.0F, 1e4F}, "m",
-                    "Thickness at which light that shines through takes the colour of subsurface.tint: more "
-                    "lets more light through. 0 lets no light through.")
+                    "Thickness of material through which shining light takes the colour subsurface.tint: "
+                    "more lets more light through. 0 lets no light through.")
             .color("tint", &SubsurfaceStyle::tint,
-                   "Colour of white light that has shone through the thickness subsurface.depth_m")
-            .number(
-                "strength", &SubsurfaceStyle::strength, {0.0F, 8.0F}, "",
-                "Brightness of light that shines through: 0 is none, 1 is as much as falls on the far side")
+                   "Colour that white light has after shining through material of the thickness "
+                   "subsurface.depth_m")
+            .number("strength", &SubsurfaceStyle::strength, {0.0F, 8.0F}, "",
+                    "Brightness of light that shines through thin parts: 0 is none, 1 is as much light as "
+                    "falls on the far side")
             .number("sheet_m", &SubsurfaceStyle::sheet_m, {0.0F, 1e4F}, "m",
                     "Assumed thickness of open surfaces without a far side, such as leaves: more lets less "
                     "light through")
             .number("behind", &SubsurfaceStyle::behind, {0.0F, 1.0F}, "",
-                    "How much is seen through an object: 0 nothing, as through wax, 1 all that the tint lets "
-                    "through, as through coloured glass")
+                    "How clearly one sees through an object: 0 shows nothing, as with wax, 1 shows "
+                    "everything in the colour of the tint, as with coloured glass")
             .number("behind_blur", &SubsurfaceStyle::behind_blur, {0.0F, 8.0F}, "",
-                    "How much things blur when seen through an object: 0 is clear glass, more is frosted. "
-                    "The blur grows with the thickness that is looked through.")
+                    "How much things behind an object are blurred when seen through the object: 0 is clear "
+                    "glass, more is frosted glass. A thicker object blurs more.")
             .toggle("transmission", &SubsurfaceStyle::transmission,
-                    "If true, materials with glTF's transmission and volume are seen through, unless the "
-                    "style sets subsurface.behind for them")
+                    "If true, materials with transmission and volume from glTF are see-through, unless the "
+                    "style sets subsurface.behind for these materials")
             .number("reach_mm", &SubsurfaceStyle::reach_mm, {0.1F, 200.0F}, "mm",
-                    "Largest distance over which light spreads on the page. Wider spreading, close to the "
-                    "eye, is cut to this length.")
+                    "Largest distance on the page over which light spreads under a surface: near the eye, "
+                    "wider spreading is limited to this length")
             .choice("space", &SubsurfaceStyle::space, {{"page", Space::page}, {"texture", Space::texture}},
-                    "Where light spreads. page: between visible pixels; texture: over all surfaces, so also "
-                    "from parts that are not seen.")
+                    "How the spreading of light under surfaces is computed. page: between visible pixels; "
+                    "texture: over all surfaces, so light also comes from parts that are not visible.")
             .integer("texels", &SubsurfaceStyle::texels, {64, 4096}, "texels",
-                     "Side of the texture in which light spreads: more is finer and slower. Only used when "
-                     "subsurface.space is texture.")
+                     "Width and height of the texture in which light spreads: more is finer and slower. Only "
+                     "used when subsurface.space is texture.")
             .by_surface_but({"reach_mm", "space", "texels"});
     return table;
 }
 
 namespace {
 
-/// Tangent by which glass of roughness 1 throws what is behind it about, at a refraction of 1.5.
+/// Tangent of the angle by which glass of roughness 1 scatters the background, at a refractive index of 1.5.
 constexpr float rough_blur = 0.5F;
 
-/// How far off the page the light of a pixel spreads over so many levels.
+/// How many pixels beyond the page light spreads from with `levels` blurs.
 uint32_t reach_of_levels(uint32_t levels)
 {
     constexpr uint32_t neighbours_px = 4;
     return 4U * ((1U << levels) - 1U) + neighbours_px;
 }
 
-/// As many as the style's reach has room for.
+/// Number of blur levels within the style's reach.
 uint32_t levels_within(float reach_mm, float pixels_per_mm)
 {
     uint32_t levels = 1;
@@ -92,7 +94,7 @@ uint32_t levels_within(float reach_mm, float pixels_per_mm)
     return levels;
 }
 
-/// The d of the profile whose tail the widest of so many blurs holds.
+/// Largest scattering distance d whose profile fits in `levels` blurs.
 float most_spread_px(uint32_t levels)
 {
     const double blurred = 4.0 * (std::exp2(2.0 * levels) - 1.0) / 3.0;
@@ -104,7 +106,7 @@ float widest(const SubsurfaceStyle& style)
     return std::max({style.scatter_color.x, style.scatter_color.y, style.scatter_color.z});
 }
 
-/// Binds looks and numbers of looks; the variant says whether there are any.
+/// Binds the parameter sets and each draw call's set; returns the variant bit for several sets.
 uint32_t bind_looks(gpu::Pass& pass, const SubsurfaceInputs& in)
 {
     pass.sample(in.looks, gpu::Format::rgba32f);
@@ -112,14 +114,14 @@ uint32_t bind_looks(gpu::Pass& pass, const SubsurfaceInputs& in)
     return in.look_of_draw ? shared::subsurface_has_looks : 0U;
 }
 
-/// How far a pass looks about, and along which view, as bits of its variant.
+/// Variant bits for the device's reading strategy and the projection.
 uint32_t looking(const SubsurfaceInputs& in)
 {
     return (in.execution.looks_only_where_needed() ? shared::subsurface_looks_less : 0U) |
            (in.in_perspective ? shared::subsurface_in_perspective : 0U);
 }
 
-/// Of so many blurs.
+/// Constants for `levels` blurs.
 shared::ScatterConstants constants_of(const SubsurfaceInputs& in, uint32_t levels)
 {
     return {.from_half = (in.from_px + 1U) / 2U,
@@ -129,16 +131,16 @@ shared::ScatterConstants constants_of(const SubsurfaceInputs& in, uint32_t level
             .is_last = 0U};
 }
 
-/// Light of the half page, what of it stays, and which blurs are needed.
+/// Light of the half page, the share that stays in place, and the dispatch sizes of the blurs.
 struct Source {
     gpu::ImageId light;
     gpu::ImageId spread;
     gpu::ImageId sum;
     gpu::BufferId needs;
-    uint64_t needs_bytes; ///< where they begin
+    uint64_t needs_bytes; ///< offset of the dispatch sizes in `needs`
 };
 
-/// Adds one blur, or one way of it, and returns the blurred light. `constants` say which blur.
+/// Adds one blur, or one direction of it, and returns the blurred light. `constants` select the blur.
 gpu::ImageId add_blur(gpu::Pass pass, gpu::Graph& graph, const SubsurfaceInputs& in,
                       const shared::ScatterConstants& constants, Source& source)
 {
@@ -152,7 +154,7 @@ gpu::ImageId add_blur(gpu::Pass pass, gpu::Graph& graph, const SubsurfaceInputs&
     return blurred;
 }
 
-/// The sum of the blurs of a source. `constants` say how many there are at most.
+/// The sum of a source's blurs. `constants.level` is the largest number of blurs.
 gpu::ImageId add_blurs(gpu::Graph& graph, const SubsurfaceInputs& in, shared::ScatterConstants constants,
                        Source source)
 {
@@ -199,11 +201,11 @@ SubsurfaceStyle seen_through(SubsurfaceStyle style, const Material& material, fl
     const Transmission& seen = *material.transmission;
     style.enabled = true;
     style.scatter_m = 0.0F;
-    style.strength = 0.0F; // light that comes through is what is seen behind
+    style.strength = 0.0F; // `behind` already shows transmitted light
     style.depth_m = seen.attenuation_m;
     style.tint = glm::mix(glm::vec3(1.0F), seen.attenuation_color, color_share);
     style.sheet_m = seen.thickness_m;
-    style.behind = seen.share * (1.0F - material.metallic); // metals let nothing through
+    style.behind = seen.share * (1.0F - material.metallic); // metals are opaque
     style.behind_blur = rough_blur * material.roughness * material.roughness;
     style.behind_tint = color_share;
     return style;
@@ -264,7 +266,7 @@ gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::Ima
     const shared::ScatterConstants constants = constants_of(in, levels);
     const glm::uvec2 across = (in.size_px + shared::scatter_square_px - 1U) / shared::scatter_square_px;
     const uint64_t squares = uint64_t{across.x} * across.y;
-    // Behind the list stand what blurs need, and which squares are listed.
+    // Behind the list are the blurs' dispatch sizes, and flags of listed squares.
     const gpu::BufferId none_listed = gpu::add_empty_group_list(graph, "subsurface/squares", squares,
                                                                 4U * shared::most_scatter_levels + squares);
     const uint32_t variant = (through ? shared::subsurface_shines : 0U) |
@@ -297,7 +299,7 @@ gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::Ima
 
 namespace {
 
-/// The background, and itself in halves, quarters and so on.
+/// The background at full size, half size, quarter size and so on.
 std::vector<gpu::ImageId> add_halves(gpu::Graph& graph, const BehindInputs& in)
 {
     std::vector<gpu::ImageId> levels{in.painted};
@@ -351,7 +353,7 @@ gpu::ImageId add_behind(gpu::Graph& graph, const BehindInputs& in, gpu::ImageId 
 
 namespace {
 
-/// The d of the profile, in texels, whose tail the widest of so many blurs holds.
+/// Largest scattering distance d, in texels, whose profile fits in `levels` blurs.
 float most_spread_tx(uint32_t levels)
 {
     return 0.25F * static_cast<float>(std::sqrt((std::exp2(2.0 * levels) - 1.0) / 3.0));

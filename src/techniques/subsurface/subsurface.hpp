@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Light that goes into what is seen: it comes through from behind, and out again beside where it went in, on
-// the page or in a map that lies on all surfaces. What lies behind thick see-through bodies.
+// Subsurface scattering: light is transmitted from the far side, and spreads below the surface, on the page
+// or in a map that covers all surfaces. Also draws the background of thick clear bodies.
 
 #include <optional>
 #include <vector>
@@ -16,7 +16,7 @@
 
 namespace estampe::subsurface {
 
-/// Where light spreads: between pixels of the page, or between texels of a map that lies on all surfaces.
+/// Where light spreads: between pixels of the page, or between texels of a map that covers all surfaces.
 enum class Space : uint8_t { page, texture };
 
 struct SubsurfaceStyle {
@@ -29,7 +29,7 @@ struct SubsurfaceStyle {
     float sheet_m = 0.0F;
     float behind = 0.0F;
     float behind_blur = 0.5F;
-    float behind_tint = 0.0F; ///< by the surface's own colour, of what a file says is seen through
+    float behind_tint = 0.0F; ///< tint by the surface's own colour, for the file's transmission
     bool transmission = true;
     float reach_mm = 20.0F;
     Space space = Space::page;
@@ -38,44 +38,44 @@ struct SubsurfaceStyle {
 
 [[nodiscard]] const style::Table<SubsurfaceStyle>& subsurface_table();
 
-/// What the shaders know of a style.
+/// Converts a style to shader parameters.
 [[nodiscard]] shared::SubsurfaceLook look_of(const SubsurfaceStyle& style);
 
-/// A style with what a material says of what is seen through it; `color_share` is how much of its colours is
-/// painted, else they tint nothing.
+/// The style for a material with transmission. `color_share` is the share of the material's colours that the
+/// picture paints; at 0 the body does not tint the background.
 [[nodiscard]] SubsurfaceStyle seen_through(SubsurfaceStyle style, const Material& material,
                                            float color_share);
 
-/// Whether light comes through, or spreads.
+/// Whether light is transmitted (shines), or spreads (scatters).
 [[nodiscard]] bool shines(const SubsurfaceStyle& style);
 [[nodiscard]] bool scatters(const SubsurfaceStyle& style);
 
-/// Whether what lies behind is seen.
+/// Whether the background is visible through the body.
 [[nodiscard]] bool is_clear(const SubsurfaceStyle& style);
 
-/// Whether lines behind it are drawn: it is clear, and at least half of what lies behind is seen. Lines do
-/// not pale, so that what is nearly solid hides them.
+/// Whether lines behind the body are drawn: at least half of the background must be visible. Lines do not
+/// fade, so a nearly opaque body hides them.
 [[nodiscard]] bool shows_lines(const SubsurfaceStyle& style);
 
-/// How far off the page the pixels may lie that one of this style hangs on.
+/// How many pixels beyond the page a pixel depends on.
 [[nodiscard]] uint32_t reach_px(const SubsurfaceStyle& style, float pixels_per_mm);
 
-/// What is seen, and which of it takes light in.
+/// The visible surfaces, and their subsurface parameters.
 struct SubsurfaceInputs {
     gpu::BufferId frame; ///< FrameGlobals
     gpu::ImageId draw;
     gpu::ImageId depth;
     gpu::ImageId normal;
-    gpu::BufferId looks;                       ///< SubsurfaceLook
-    std::optional<gpu::BufferId> look_of_draw; ///< where there are several
+    gpu::BufferId looks;                       ///< SubsurfaceLook, one per parameter set
+    std::optional<gpu::BufferId> look_of_draw; ///< set of each draw call; none if there is one set
     float reach_mm = 20.0F;
     float pixels_per_mm = 1.0F;
     glm::uvec2 size_px{0};
-    glm::uvec2 from_px{0}; ///< where on the page what is drawn begins
+    glm::uvec2 from_px{0}; ///< first pixel of the current tile on the page
     gpu::ExecutionProfile execution;
-    bool in_perspective = false; ///< then depth alone tells how far along the view something lies
+    bool in_perspective = false; ///< perspective projection: depth alone gives the distance along the view
 
-    /// Every second pixel each way, of those at even places of the page: which is the first, and how many.
+    /// The half page: first pixel of the tile at even page positions, and the number of pixels.
     [[nodiscard]] glm::uvec2 second_from() const { return from_px & 1U; }
 
     [[nodiscard]] glm::uvec2 half_px() const
@@ -84,33 +84,32 @@ struct SubsurfaceInputs {
     }
 };
 
-/// The far side of what is seen, for light to fall on: a surface as that of the near side, of every second
-/// pixel each way.
+/// The far side of visible bodies as a surface to light, on the half page.
 struct FarSide {
-    gpu::ImageId draw;   ///< r32ui: draw + 1, 0 where next to no light comes through
-    gpu::ImageId depth;  ///< r32f: reversed
-    gpu::ImageId normal; ///< rg32ui: away from the eye, twice
-    gpu::BufferId tiles; ///< in which light does, see shaders/tiles.glsl.h
+    gpu::ImageId draw;   ///< r32ui: draw + 1, 0 where almost no light is transmitted
+    gpu::ImageId depth;  ///< r32f: reversed depth
+    gpu::ImageId normal; ///< rg32ui: away from the eye, stored twice
+    gpu::BufferId tiles; ///< tiles with transmitted light, see shaders/tiles.glsl.h
 };
 
-/// Finds where the eye's ray leaves what it entered. `behind` is the visibility of what takes light in and
-/// lies behind what is seen, of every second pixel each way. Cost: one dispatch over these.
+/// Finds where the view ray leaves each visible body. `behind` is the visibility buffer of the next
+/// scattering surfaces behind the visible ones, on the half page. Cost: one dispatch over the half page.
 [[nodiscard]] FarSide add_far_side(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::BufferId behind,
                                    gpu::BufferId triangles, gpu::BufferId posed_vertices);
 
-/// Light that falls on the far side.
+/// Light on the far side.
 struct Through {
     FarSide far_side;
     gpu::ImageId light;
 };
 
-/// Lets `light`, with what comes through from the far side, spread under the surface; or, if it does not
-/// spread, adds the one to the other. Returns the new version of `light`. What comes through follows Beer and
-/// Lambert's law.
+/// Spreads `light`, with transmitted light from the far side, below the surface; if `spreads` is false it
+/// only adds the transmitted light. Returns the new version of `light`. Transmission follows the Beer-Lambert
+/// law.
 ///
-/// Cost    one dispatch over every second pixel each way, then one over the squares that get any of it. Where
-///         it spreads one, two on a processor, for each doubling of how far it does on the page, as far as
-///         its reach, over every second pixel
+/// Cost    one dispatch over the half page, then one over the squares that receive light. Spreading adds one
+///         dispatch (two on a CPU) over the half page per doubling of the scattering distance on the page, up
+///         to the reach
 /// Source  Christensen and Burley, "Approximate Reflectance Profiles for Efficient Subsurface Scattering",
 ///         2015; Gaussians after d'Eon, Luebke and Enderton, "Efficient Rendering of Human Skin", 2007; on
 ///         the page after Jimenez, Sundstedt and Gutierrez, "Screen-Space Perceptual Rendering of Human
@@ -120,30 +119,31 @@ struct Through {
                                        const std::optional<Through>& through = std::nullopt,
                                        bool spreads = true);
 
-inline constexpr uint32_t inside_layers =
-    4; ///< surfaces of bodies that count: two bodies, one behind another
+/// Surfaces of clear bodies per pixel: front and back of two bodies, one behind the other.
+inline constexpr uint32_t inside_layers = 4;
 
 struct BehindInputs {
     SubsurfaceInputs common;
-    gpu::BufferId visibility;          ///< of all that is solid
-    std::vector<gpu::BufferId> inside; ///< of clear bodies alone, `inside_layers` at most, the nearest first
-    gpu::BufferId background;          ///< visibility of all that is solid but them
+    gpu::BufferId visibility;          ///< all solid surfaces
+    std::vector<gpu::BufferId> inside; ///< clear bodies only, nearest first, at most `inside_layers`
+    gpu::BufferId background;          ///< visibility buffer of all solid surfaces but clear bodies
     gpu::BufferId triangles;
     gpu::BufferId posed_vertices;
-    gpu::ImageId color;   ///< rgba8: of what is seen, square root of linear
+    gpu::ImageId color;   ///< rgba8: visible surface, square root of linear colour
     gpu::ImageId painted; ///< rgba16f: paint of the background
 };
 
-/// Lays what lies behind into `wash`, where clear bodies are seen, and returns its new version. The way
-/// through all bodies is summed up, colour by the law of Beer and Lambert and blur by thickness; then the
-/// background is blurred once, by that sum.
+/// Blends the background into `wash` where clear bodies are visible, and returns the new version. Absorption
+/// (Beer-Lambert law) and blur are summed along the path through all bodies; then the background is blurred
+/// once.
 ///
-/// Cost    a dispatch over all, one for each halving of the background, and one over all that reads 16 texels
-///         a pixel of a body
+/// Cost    one full-screen dispatch, one per halving of the background, and one full-screen dispatch with 16
+///         texel reads per pixel of a body
 /// Source  Zanuttini, "Recherches en rendu non réaliste temps réel", Université Paris 8, 2008, section 8.5
 [[nodiscard]] gpu::ImageId add_behind(gpu::Graph& graph, const BehindInputs& in, gpu::ImageId wash);
 
-/// The map, see shaders/surface_map.glsl and shaders/map_corners.glsl, and what lies in it.
+/// A map of all surfaces, see shaders/surface_map.glsl and shaders/map_corners.glsl, with the data of its
+/// surfaces.
 struct TextureInputs {
     gpu::BufferId map_texels;
     gpu::BufferId map_corners;
@@ -151,37 +151,37 @@ struct TextureInputs {
     gpu::BufferId posed_vertices;
     gpu::BufferId draws;
     gpu::BufferId materials;
-    gpu::BufferId looks;                       ///< SubsurfaceLook
-    std::optional<gpu::BufferId> look_of_draw; ///< where there are several
-    uint32_t size = 0;                         ///< texels a side
-    float most_spread_tx = 1.0F;               ///< of all colours of all looks, in texels
+    gpu::BufferId looks;                       ///< SubsurfaceLook, one per parameter set
+    std::optional<gpu::BufferId> look_of_draw; ///< set of each draw call; none if there is one set
+    uint32_t size = 0;                         ///< texels per side
+    float most_spread_tx = 1.0F;               ///< largest scattering distance of all colours and sets
 };
 
-/// The map as a surface for light to fall on, as large as the map.
+/// The map's texels as surfaces to light; all images have the map's size.
 struct TextureSurface {
-    gpu::ImageId draw;   ///< r32ui: as surface has it, 0 where there is nothing
+    gpu::ImageId draw;   ///< r32ui: like Surface::draw, 0 for unused texels
     gpu::ImageId normal; ///< rg32ui
-    gpu::ImageId points; ///< rgba32f: places in anchor space, and what a texel spans there
+    gpu::ImageId points; ///< rgba32f: position in anchor space, and size of a texel there
 };
 
-/// Places the map's texels on the surface as it is posed. Cost: one dispatch over the map.
+/// Places the map's texels on the posed surfaces. Cost: one dispatch over the map.
 [[nodiscard]] TextureSurface add_texture_surface(gpu::Graph& graph, const TextureInputs& in);
 
-/// Light that has spread in the map.
+/// Light after spreading in the map.
 struct TextureLight {
-    gpu::ImageId spread; ///< rgba32f: by colour, in texels
-    gpu::ImageId sum;    ///< rgba32f: what comes from elsewhere; 1 where it does
+    gpu::ImageId spread; ///< rgba32f: scattering distance per colour, in texels
+    gpu::ImageId sum;    ///< rgba32f: light scattered from other texels; alpha 1 where the surface scatters
 };
 
-/// Lets the `light` that falls on the map's texels spread between them, by the same profile as add_scatter().
+/// Spreads `light`, which falls on the map's texels, between them, with the same profile as add_scatter().
 ///
-/// Cost    two dispatches for each doubling of the reach in texels, and one, over the map
+/// Cost    two dispatches per doubling of the reach in texels, and one more, over the map
 /// Source  d'Eon, Luebke and Enderton, "Efficient Rendering of Human Skin", 2007, and as add_scatter()
 [[nodiscard]] TextureLight add_texture_scatter(gpu::Graph& graph, const TextureInputs& in,
                                                const TextureSurface& surface, gpu::ImageId light);
 
-/// Lays it over what of `light`, the page's, stays where it is. Returns the new version of that. Cost: one
-/// full-screen dispatch.
+/// Adds the map's spread light to the share of the page's `light` that stays in place. Returns the new
+/// version of `light`. Cost: one full-screen dispatch.
 [[nodiscard]] gpu::ImageId add_texture_page(gpu::Graph& graph, const TextureInputs& in,
                                             const TextureLight& spread, gpu::BufferId frame,
                                             gpu::BufferId visibility, gpu::ImageId light, glm::uvec2 size_px);

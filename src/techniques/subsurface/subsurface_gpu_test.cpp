@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light that goes into things, in whole pictures.
+// Subsurface scattering in whole pictures.
 #include "techniques/subsurface/subsurface.hpp"
 
 #include <cmath>
@@ -20,7 +20,7 @@ namespace {
 const Camera body_camera{.eye = {0.0, 0.5, 4.0}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.6};
 constexpr RenderSettings small{.width = 120, .height = 90};
 
-/// Two slabs against the sun; in the one of skin there is a thin one of stone.
+/// Two backlit slabs; the slab of skin contains a thin slab of stone.
 Scene against_the_sun()
 {
     Scene scene = test::scene_of(shapes::box({0.8F, 1.0F, 0.1F}));
@@ -100,7 +100,7 @@ TEST_F(SubsurfaceInPictures, LightInThingsHasNoSeamsBetweenTiles)
     EXPECT_LE(test::most_between_tiles(body_camera, style, 130), 2);
 }
 
-/// A clear slab of some thickness before a wall whose left half is bright.
+/// A clear slab in front of a wall whose left half is bright.
 Scene slab_before_halves(float thickness_m)
 {
     Scene scene = test::scene_of(shapes::box({2.0F, 2.0F, thickness_m}));
@@ -128,7 +128,7 @@ protected:
         return test::shared_renderer().render_linear(parallel, with(all), {.width = 128, .height = 64});
     }
 
-    /// Along the middle row.
+    /// Colour in the middle row.
     [[nodiscard]] static glm::dvec3 at(const LinearImage& image, uint32_t x)
     {
         return glm::dvec3(image.pixels[size_t{32} * image.width + x]);
@@ -145,7 +145,7 @@ TEST_F(SeenBehind, IsTintedByTheThickness)
     const LinearImage bare = draw(0.01F, {"object.*.subsurface.enabled=false", "picture.ground=false"});
     const double gray = std::pow((128.0 / 255.0 + 0.055) / 1.055, 2.4);
     const LinearImage thin = draw(0.001F, clear);
-    // Paper adds a share of its own to all three alike.
+    // The paper adds the same offset to all three.
     const auto left = [&](double thickness_m) { return std::pow(gray, (thickness_m - 0.001) / 0.2); };
     const LinearImage thicker = draw(0.1F, clear);
     const LinearImage thickest = draw(0.4F, clear);
@@ -167,14 +167,14 @@ TEST_F(SeenBehind, IsTheMoreBlurredTheThickerItIs)
     double before = 1.0;
     for (const float thickness_m : {0.001F, 0.1F, 0.2F, 0.4F}) {
         const LinearImage seen = draw(thickness_m, clear);
-        // How much of the step two pixels span.
+        // Share of the step within two pixels.
         const double steep = (at(seen, 63).x - at(seen, 65).x) / (at(seen, 28).x - at(seen, 100).x);
         EXPECT_LT(steep, before * 1.001) << thickness_m;
         before = 0.8 * steep;
     }
 }
 
-/// A slab of glass, as a file has it, before a wall whose left half is bright.
+/// A slab of glass from a file's transmission, in front of a wall whose left half is bright.
 Scene glass_before_halves(const Transmission& transmission, const glm::vec3& color = glm::vec3(1.0F))
 {
     Scene scene = slab_before_halves(0.2F);
@@ -208,7 +208,7 @@ protected:
 
 TEST_F(SeenThroughGlass, IsWhatTheFileSays)
 {
-    // The same slab by the style alone.
+    // The same slab, with glass parameters from the style alone.
     Scene plain = glass_before_halves({});
     plain.materials.front().transmission.reset();
     const LinearImage by_style =
@@ -245,7 +245,7 @@ TEST_F(SeenThroughGlass, IsTintedByItsOwnColour)
     const glm::vec4 clear = seen(1.0F);
     const glm::vec4 red = seen(0.25F);
     EXPECT_NEAR(red.x, clear.x, 5e-3F);
-    // Paper adds a share of its own to all three alike.
+    // The paper adds the same offset to all three.
     EXPECT_NEAR((clear.y - seen(0.5F).y) / (clear.y - red.y), 2.0F / 3.0F, 0.01F);
     EXPECT_GT(clear.y - red.y, 0.3F);
     const std::vector<std::string> gray{"wash.strength=0"};

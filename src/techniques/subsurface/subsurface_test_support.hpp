@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What tests of light under surfaces are compared with.
+// Reference values for tests of subsurface scattering.
 
 #include <cmath>
 #include <numbers>
 
 namespace estampe::subsurface {
 
-/// Share of Burley's profile within `x` times d of a line through its middle, to one side: his profile
-/// integrated along lines, which gives modified Bessel functions, and then across, by x = s^2.
+/// Share of Burley's profile within `x` times d of a line through its middle, on one side. The profile is
+/// integrated along lines, which gives modified Bessel functions, and then across, with x = s^2.
 [[nodiscard]] inline double beside_line(double x)
 {
     constexpr int steps = 4000;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How thick things are, and what light comes through them.
+// The thickness of objects, and the light that they transmit.
 #include <algorithm>
 #include <cmath>
 
@@ -21,15 +21,15 @@ namespace {
 constexpr glm::uvec2 through_px(120, 96);
 constexpr glm::uvec2 half_px = through_px / 2U;
 
-/// Of every second pixel each way.
+/// Images of the half page.
 struct Far {
     std::vector<uint32_t> draw;
     std::vector<double> thickness_m;
-    std::vector<glm::vec4> light;   ///< that came through, of white light on the far side
-    std::vector<glm::vec4> on_page; ///< the same at every pixel
+    std::vector<glm::vec4> light;   ///< transmitted light, for white light on the far side
+    std::vector<glm::vec4> on_page; ///< transmitted light at every pixel of the page
 };
 
-/// Where a pixel of the half page lies on the page.
+/// Page position of a half-page pixel.
 glm::uvec2 pixel_of(size_t half)
 {
     return 2U * glm::uvec2(half % half_px.x, half / half_px.x);
@@ -40,7 +40,7 @@ size_t half_at(glm::uvec2 pixel)
     return size_t{pixel.y / 2} * half_px.x + pixel.x / 2;
 }
 
-/// All of a scene takes light in.
+/// The far side of a scene in which all surfaces scatter light.
 Far far_side_of(const Scene& scene, const Camera& camera, const SubsurfaceStyle& style,
                 RasterPath path = RasterPath::compute)
 {
@@ -103,7 +103,7 @@ Far far_side_of(const Scene& scene, const Camera& camera, const SubsurfaceStyle&
     return result;
 }
 
-/// How long the eye's ray through a pixel is within a sphere about the origin.
+/// Length of the view ray through a pixel inside a sphere around the origin.
 double chord_m(const Camera& camera, glm::uvec2 pixel, double radius_m)
 {
     const auto globals = features::frame_globals(camera, {}, camera.eye, {.size_px = through_px});
@@ -164,7 +164,7 @@ TEST(Through, AbsorbsAsBeerAndLambertSay)
 
 TEST(Through, LightsNothingWhereNothingComesThrough)
 {
-    // A ray that loses half its light each centimetre has nothing left behind half a metre.
+    // At half of the light lost per centimetre, nothing is left behind half a metre.
     const Scene scene = test::scene_of(shapes::box({0.5F, 0.5F, 0.5F}));
     const Camera camera{
         .eye = {0.0, 0.25, 3.0}, .target = {0.0, 0.25, 0.0}, .orthographic_half_height_m = 0.4};
@@ -178,7 +178,7 @@ TEST(Through, LightsNothingWhereNothingComesThrough)
 
 TEST(Through, TakesASheetForThin)
 {
-    // A leaf before a body: the next surface behind it turns its face.
+    // A leaf in front of a body: the next surface behind the leaf is a front face.
     Scene scene = test::scene_of(shapes::quad(1.0F, 1.0F));
     test::add_object(scene, shapes::box({2.0F, 2.0F, 0.5F}), glm::vec3(1.0F), {0.0, -1.0, -2.0});
     const Camera camera{.eye = {0.0, 0.5, 3.0}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.3};
@@ -189,8 +189,8 @@ TEST(Through, TakesASheetForThin)
 
 TEST(Through, LiesBetweenItsNeighboursOnThePage)
 {
-    // What is looked up at every second pixel is on the page what it is there, goes on evenly between, and
-    // does not fade where the body ends.
+    // At the half page's pixels the page equals the half page; between them it is interpolated, and it does
+    // not fade at the body's edge.
     const Scene scene = test::scene_of(shapes::box({0.5F, 0.5F, 0.2F}));
     const Camera camera{
         .eye = {0.0, 0.25, 3.0}, .target = {0.0, 0.25, 0.0}, .orthographic_half_height_m = 0.4};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a tile of 8 x 8 pixels lists it if nothing is seen somewhere in it, or something far off. A
-// processor looks at as many tiles as it has lanes, pixel by pixel, until all of them are known.
+// One thread per tile of 8 x 8 pixels lists the tile if any pixel shows the background or a distant surface.
+// CPUs test several tiles in lockstep, pixel by pixel, until all are decided.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_vote : require
@@ -23,16 +23,17 @@ layout(binding = 1) uniform sampler2D depth_image;
 
 layout(push_constant, scalar) uniform Constants
 {
-    float from_m; // from the eye
+    float from_m; // distance from the eye
 };
 
-// The cosine of the angle between the view and a corner of the tile.
+// Cosine of the angle between the view direction and a corner of the tile.
 float straight_at(vec2 corner_px)
 {
     return dot(normalize(anchor_at(frame, corner_px, 1e-5) - frame.eye_anchor), frame.view_forward);
 }
 
-// The depth of what lies no nearer than the distance, anywhere in the tile; it may lie farther.
+// Upper bound on the reversed depth of surfaces at `distance_m` or farther, anywhere in the tile; nearer
+// surfaces may also pass.
 float depth_at_most(vec2 from_px, float distance_m)
 {
     float least = min(min(straight_at(from_px), straight_at(from_px + vec2(8.0, 0.0))),
@@ -46,7 +47,7 @@ void main()
     uvec2 from_px = 8u * tile;
     bool is_on_page = all(lessThan(from_px, frame.size_px));
     ivec2 last_px = ivec2(frame.size_px) - 1;
-    // In parallel projection depth is no measure of how far off the eye is.
+    // In parallel projection, depth does not give the distance from the eye.
     float limit = frame.is_orthographic != 0u ? 1e30 : depth_at_most(vec2(from_px), from_m);
     bool is_far = false;
     int i = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every tile in which nothing is seen somewhere, or something far off, is listed, once; none of what is near.
+// Every tile with a background pixel or a distant surface is listed exactly once, and no tile with only near
+// surfaces.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@
 namespace estampe::surface {
 namespace {
 
-constexpr glm::uvec2 size_px(163, 91); // tiles that reach beyond the page
+constexpr glm::uvec2 size_px(163, 91); // some tiles reach beyond the page
 constexpr float from_m = 110.0F;
 
 shared::FrameGlobals globals_of(bool is_parallel)
@@ -26,7 +27,7 @@ shared::FrameGlobals globals_of(bool is_parallel)
     return features::frame_globals(camera, {}, camera.eye, {.size_px = size_px});
 }
 
-/// Reversed depth of what is seen so far from the eye; any in parallel projection.
+/// Reversed depth of a surface at a distance from the eye; arbitrary in parallel projection.
 float depth_at(const shared::FrameGlobals& globals, glm::uvec2 pixel, float away_m)
 {
     if (globals.is_orthographic != 0) {
@@ -38,7 +39,7 @@ float depth_at(const shared::FrameGlobals& globals, glm::uvec2 pixel, float away
     return globals.near_m / (away_m * glm::dot(way, globals.view_forward));
 }
 
-/// Of a tile: 0 all near; 1 a pixel without anything; 2 a pixel just far enough.
+/// Content of a tile: 0 all near; 1 one background pixel; 2 one pixel just far enough.
 uint32_t kind_of(glm::uvec2 tile)
 {
     return (7 * tile.x + 3 * tile.y) % 3;

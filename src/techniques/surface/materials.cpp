@@ -25,7 +25,7 @@ size_t class_of(const Image& image)
     return size_class;
 }
 
-/// `wanted`, or where that has all of its layers, a smaller class, else a larger one; else the number of
+/// A size class with a free layer: `wanted`, else the next smaller one, else a larger one; else the number of
 /// classes.
 size_t class_with_room(const TexturePlan& plan, size_t wanted, uint32_t most_layers)
 {
@@ -64,12 +64,12 @@ float linear(uint8_t encoded)
     return linear_from_srgb(static_cast<float>(encoded) / 255.0F);
 }
 
-/// Mean linear colour of a texture, over about four thousand texels; see-through ones do not count.
+/// Mean linear colour of a texture, over about four thousand texels; transparent texels do not count.
 glm::vec3 mean_color(const Image& image)
 {
     const size_t texels = static_cast<size_t>(image.width) * image.height;
-    const size_t stride =
-        std::max<size_t>(1, texels / 4096) | 1U; // odd, so that it does not keep to one column
+    // An odd stride avoids reading a single column.
+    const size_t stride = std::max<size_t>(1, texels / 4096) | 1U;
     glm::vec4 sum(0.0F);
     for (size_t i = 0; i < texels; i += stride) {
         const uint8_t* texel = &image.rgba[4 * i];
@@ -79,7 +79,7 @@ glm::vec3 mean_color(const Image& image)
     return sum.w > 0.0F ? glm::vec3(sum) / sum.w : glm::vec3(1.0F);
 }
 
-/// What darkens the material: nothing where it is unlit or the texture's strength is zero.
+/// The occlusion texture of a material; none if the material is unlit or the texture's strength is zero.
 TextureRef occlusion_of(const Material& material)
 {
     return material.unlit || material.occlusion_strength <= 0.0F ? TextureRef{} : material.occlusion_texture;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel turns the identity of a triangle into the surface seen there: shading normal and smooth
-// normal, colour, the coordinate that strokes follow and how it changes over the pixel. Where nothing is seen
-// only draw, depth and a blank normal are written; nobody may read the rest there.
+// One thread per pixel converts the visible triangle to surface attributes: shading normal and smooth normal,
+// colour, and the coordinate that strokes follow with its change per pixel. Background pixels get only draw,
+// depth and a blank normal; the other images are undefined there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_vote : require
@@ -44,12 +44,12 @@ layout(scalar, binding = 6) readonly buffer StrokeCoordinates
 
 layout(scalar, binding = 8) readonly buffer StrokeKinds
 {
-    uint stroke_kinds[]; // one a draw, see shaders/stroke_kind.glsl.h
+    uint stroke_kinds[]; // one per draw call, see shaders/stroke_kind.glsl.h
 };
 
 layout(scalar, binding = 9) readonly buffer FormCoordinates
 {
-    vec2 form_coordinates[]; // three a triangle
+    vec2 form_coordinates[]; // three per triangle
 };
 
 layout(binding = 10) uniform sampler2DArray texture_class_0;
@@ -57,10 +57,11 @@ layout(binding = 11) uniform sampler2DArray texture_class_1;
 layout(binding = 12) uniform sampler2DArray texture_class_2;
 layout(binding = 13) uniform sampler2DArray texture_class_3;
 layout(binding = 14) uniform sampler2DArray texture_class_4;
-layout(binding = 15, r32ui) writeonly uniform uimage2D out_draw;    // see shaders/surface_images.glsl
-layout(binding = 16, r32f) writeonly uniform image2D out_depth;     // reversed, 0 for nothing
-layout(binding = 17, rg32ui) writeonly uniform uimage2D out_normal; // packed: shading, smooth geometric
-layout(binding = 18, rgba8) writeonly uniform image2D out_color;    // square root of linear colour; occlusion
+layout(binding = 15, r32ui) writeonly uniform uimage2D out_draw; // see shaders/surface_images.glsl
+layout(binding = 16, r32f) writeonly uniform image2D out_depth;  // reversed, 0 for the background
+// Packed: shading normal, smooth geometric normal.
+layout(binding = 17, rg32ui) writeonly uniform uimage2D out_normal;
+layout(binding = 18, rgba8) writeonly uniform image2D out_color; // square root of linear colour; occlusion
 layout(binding = 19, rgba32f) writeonly uniform image2D out_coordinate;
 layout(binding = 20, rgba32ui) writeonly uniform uimage2D out_footprint;
 
@@ -69,7 +70,7 @@ layout(push_constant) uniform Constants
     float strokes_per_m;
 }
 
-constants; // stroke coordinates a metre
+constants; // stroke coordinates per metre
 
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_textures = (variant & texture_class_mask) != 0u;
@@ -94,15 +95,15 @@ UvFootprint uv_at(uvec3 rest, uint uv_set, Barycentric b)
     return UvFootprint(uv * b.weight, uv * b.dx, uv * b.dy);
 }
 
-// What the textures of a material hold at a place of its surface; nothing known where it has none.
+// Texels of a material's textures at a place of its surface; white without a texture.
 struct Texels {
     vec4 base;
     vec4 normal;
     vec4 occlusion;
 };
 
-// One look-up for all of them, as it is dear to compile; where no pixel of a subgroup needs the next, a
-// processor leaves it out.
+// One loop with a single lookup, which is expensive to compile. CPUs skip a texture that no pixel of a
+// subgroup needs.
 Texels texels_at(uint material, uvec3 rest, Barycentric b)
 {
     Texels texels = Texels(vec4(1.0), vec4(1.0), vec4(1.0));
@@ -123,8 +124,8 @@ Texels texels_at(uint material, uvec3 rest, Barycentric b)
     return texels;
 }
 
-// Turns a tangent-space normal by the frame that position and texture coordinate span on the page: Schueler,
-// "Normal Mapping without Precomputed Tangents", 2006.
+// Transforms a tangent-space normal by the frame that the screen derivatives of position and texture
+// coordinate span: Schueler, "Normal Mapping without Precomputed Tangents", 2006.
 vec3 perturb(vec3 normal, vec3 mapped, vec3 position_dx, vec3 position_dy, UvFootprint f)
 {
     vec3 across = cross(position_dy, normal);
@@ -135,7 +136,8 @@ vec3 perturb(vec3 normal, vec3 mapped, vec3 position_dx, vec3 position_dy, UvFoo
     if (longest <= 0.0) {
         return normal;
     }
-    // Down the page is the second direction, so the two span a left-handed frame where they face the eye.
+    // The page's y axis points down, so on surfaces that face the eye the two derivatives span a left-handed
+    // frame.
     float inverse = inversesqrt(longest) * (dot(cross(position_dx, position_dy), normal) < 0.0 ? -1.0 : 1.0);
     vec3 turned = tangent * inverse * mapped.x - bitangent * inverse * mapped.y + normal * mapped.z;
     return unit(turned);
@@ -193,7 +195,7 @@ void main()
                                      uv_at(rest, uv_set_of(slot), at));
         }
     }
-    float open = 1.0; // share of the light that occlusion lets by
+    float open = 1.0; // visibility from the occlusion texture
     if (has_occlusion) {
         TextureSlot slot = occlusion_texture_of(draw.material);
         if (slot.location != no_texture) {

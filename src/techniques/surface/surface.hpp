@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// From identities to surfaces: what is seen at each pixel, as images that all later techniques read.
+// Converts the visibility buffer to images of surface attributes, which all later techniques read.
 
 #include <array>
 
@@ -10,16 +10,16 @@
 
 namespace estampe::surface {
 
-/// What a scene needs of the shaders; the rest is left out of them.
+/// Features that a scene needs; shaders omit the others.
 struct SceneNeeds {
-    uint32_t texture_classes = 0; ///< a bit for each size class that holds textures
+    uint32_t texture_classes = 0; ///< one bit for each size class that holds textures
     bool normal_maps = false;
     bool occlusion = false; ///< some material has an occlusion texture
     bool vertex_colors = false;
     bool second_uvs = false;
     bool emissive = false;
-    bool own_outlines = false; ///< some material brings an outline of its own
-    bool moves = false;        ///< has animations, skins or morph targets
+    bool own_outlines = false; ///< some material has its own outline
+    bool moves = false;        ///< the scene has animations, skins or morph targets
 };
 
 struct ResolveInputs {
@@ -30,30 +30,33 @@ struct ResolveInputs {
     gpu::BufferId draws;
     gpu::BufferId rest_vertices;
     gpu::BufferId stroke_coordinates;
-    gpu::BufferId stroke_kinds;     ///< one a draw, see shaders/stroke_kind.glsl.h
-    gpu::BufferId form_coordinates; ///< three a triangle; read where a kind says form
+    gpu::BufferId stroke_kinds;     ///< one per draw call, see shaders/stroke_kind.glsl.h
+    gpu::BufferId form_coordinates; ///< three per triangle; read only for strokes_form
     gpu::BufferId materials;
     std::array<gpu::ImageId, 5> textures;
     SceneNeeds needs;
-    uint32_t strokes_present = 0; ///< a bit for each kind of stroke in `stroke_kinds`
-    float strokes_per_m = 1.0F;   ///< stroke coordinates a metre
+    uint32_t strokes_present = 0; ///< one bit for each kind of stroke in `stroke_kinds`
+    float strokes_per_m = 1.0F;   ///< stroke coordinates per metre
     glm::uvec2 size_px{0};
 };
 
 struct Surface {
-    gpu::ImageId draw;   ///< r32ui: draw + 1, 0 where nothing is
-    gpu::ImageId depth;  ///< r32f: reversed, 0 where nothing is
-    gpu::ImageId normal; ///< rg32ui: octahedral in two signed 16-bit parts: bent by normal maps, smooth;
-                         ///< towards the eye
-    gpu::ImageId color;  ///< rgba8: square root of linear colour; share of the light that occlusion lets by
-    gpu::ImageId
-        coordinate; ///< rgba32f: what strokes follow: two numbers and 0, or the place in the rest pose
-    gpu::ImageId footprint; ///< rgba32ui: its change over a pixel, see shaders/surface_images.glsl
+    gpu::ImageId draw;  ///< r32ui: draw + 1 and flags, 0 for the background
+    gpu::ImageId depth; ///< r32f: reversed depth, 0 for the background
+    /// rg32ui: two packed normals towards the eye, octahedral in two signed 16-bit parts: with normal maps,
+    /// and smooth.
+    gpu::ImageId normal;
+    gpu::ImageId color; ///< rgba8: square root of linear colour; visibility from the occlusion texture
+    /// rgba32f: coordinate that strokes follow: two numbers and 0, or the position in the rest pose.
+    gpu::ImageId coordinate;
+    gpu::ImageId footprint; ///< rgba32ui: change of `coordinate` per pixel, see shaders/surface_images.glsl
 };
 
-/// Cost    one full-screen dispatch; 52 bytes written a pixel
+/// Computes the surface attributes of all pixels.
+///
+/// Cost    one full-screen dispatch; 52 bytes written per pixel
 /// Source  Schied and Dachsbacher, "Deferred Attribute Interpolation for Memory-Efficient Deferred Shading",
-/// 2015
+///         2015
 [[nodiscard]] Surface add_resolve(gpu::Graph& graph, const ResolveInputs& in);
 
 struct FarInputs {
@@ -62,11 +65,12 @@ struct FarInputs {
     glm::uvec2 size_px{0};
 };
 
-/// Lists the tiles of 8 x 8 pixels that sky may show in: where nothing is seen somewhere, or something
-/// `from_m` or farther from the eye. None other has such a pixel. In parallel projection all are listed.
+/// Lists the tiles of 8 x 8 pixels that may show sky: those with any pixel of background, or of a surface
+/// `from_m` or farther from the eye. No unlisted tile has such a pixel. In parallel projection all are
+/// listed.
 ///
 /// Writes  a list of tiles, see shaders/tiles.glsl.h
-/// Cost    a thread a tile, which stops at the first such pixel
+/// Cost    one thread per tile, which stops at the first such pixel
 [[nodiscard]] gpu::BufferId add_far_tiles(gpu::Graph& graph, const FarInputs& in, float from_m);
 
 } // namespace estampe::surface

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the surface pass says of each pixel: coordinates and their change, normals, colours.
+// Output of the surface pass per pixel: coordinates and their change, normals, colours.
 #include <cmath>
 #include <random>
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr uint32_t side_px = 96;
 
-/// A square of 2 m in z = 0 that fills the page of `parallel_camera`, its first row of texels on top.
+/// A square of 2 m in z = 0 that fills the page of `parallel_camera`, with the first row of texels on top.
 Primitive wall(float least_uv = 0.0F, float greatest_uv = 1.0F)
 {
     Primitive primitive;
@@ -42,7 +42,7 @@ Scene textured(Primitive primitive, Image image)
     return scene;
 }
 
-/// Red and green over blue and white.
+/// An image with red and green above blue and white.
 Image four_colors()
 {
     return {.width = 2,
@@ -134,7 +134,7 @@ TEST(Surface, TexturesOfAnySizeAreStretchedToTheirClass)
 TEST(Surface, WrapModesHoldBeyondTheTexture)
 {
     Scene scene = textured(wall(-1.0F, 2.0F), four_colors());
-    // Along the top row of texels of the middle copy; a sixth of the page is half a copy.
+    // Reads the top row of texels of the middle copy; a sixth of the page is half a copy.
     const auto color_of = [&](Wrap wrap, float u) {
         scene.textures[0].wrap_u = wrap;
         const auto surface = test::Drawing(scene, parallel_camera(), glm::uvec2(side_px)).surface();
@@ -155,7 +155,7 @@ TEST(Surface, WrapModesHoldBeyondTheTexture)
 
 TEST(Surface, OcclusionTexturesSayHowMuchLightGetsBy)
 {
-    // Red is what counts: 0.4 on the left and all on the right; green and blue say otherwise.
+    // Only the red channel counts: 0.4 on the left and 1 on the right; green and blue differ.
     Primitive primitive = wall();
     primitive.uvs[1] = {{1, 1}, {0, 1}, {0, 0}, {1, 0}};
     Scene scene = test::scene_of(std::move(primitive));
@@ -261,7 +261,8 @@ struct Plane {
     glm::dvec3 value[3];
 };
 
-/// Value of the plane's linear function where the ray through a place of the page meets it.
+/// Value of the plane's linear function at the point where the ray through a place of the page meets the
+/// plane.
 glm::dvec3 value_at(const test::Drawing& drawing, const Plane& plane, glm::dvec2 position_px)
 {
     const glm::dvec3 from = drawing.point_at(position_px, 0.9);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where textures go when a class has fewer layers than there are textures of its size.
+// Assignment of textures when a class has fewer layers than there are textures of its size.
 #include <gtest/gtest.h>
 
 #include <estampe/shapes.hpp>
@@ -10,7 +10,7 @@
 namespace estampe::surface {
 namespace {
 
-/// A scene of one material for each texture, which are as many pixels wide as `widths` says, and one high.
+/// A scene with one material per texture; textures have the widths in `widths` and a height of one pixel.
 Scene painted(const std::vector<uint32_t>& widths)
 {
     Scene scene = test::scene_of(shapes::quad(1.0F, 1.0F));

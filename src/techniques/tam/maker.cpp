@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // After Praun, Hoppe, Webb and Finkelstein, "Real-Time Hatching", SIGGRAPH 2001: tones from light to dark,
-// levels from coarse to fine, and of many random strokes the one that is best spaced at all scales.
+// levels from coarse to fine, and among many random strokes the one that is best spaced at all scales.
 #include "techniques/tam/maker.hpp"
 
 #include <algorithm>
@@ -19,15 +19,15 @@ namespace estampe::tam {
 namespace {
 
 constexpr uint32_t full = 65535;
-constexpr uint32_t half = full / 2; ///< above it a texel is ink
+constexpr uint32_t half = full / 2; ///< a texel with more than this is ink
 
-/// What a mark adds to a texel.
+/// Ink that a mark adds to a texel.
 uint32_t added(uint32_t ink, uint32_t mark)
 {
     return (full - ink) * mark / full;
 }
 
-/// Bilinear lookup in a grid of `size` cells a side, a power of two; `x` and `y` in cells, wrapped.
+/// Bilinear lookup in a grid of `size` cells per side, a power of two; `x` and `y` in cells, wrapped.
 template <typename Cell>
 float lookup(const std::vector<Cell>& grid, uint32_t size, float x, float y)
 {
@@ -144,7 +144,7 @@ void Spacing::spread(std::span<const Mark> marks)
     const uint32_t size_px = scales_.front().size_px;
     for (const Mark& mark : marks) {
         const uint32_t ink =
-            mark.ink >> 4U; // sums of a whole level of 2048 px stay within 32 bits at scale 4
+            mark.ink >> 4U; // keeps sums over a whole level of 2048 px within 32 bits at scale 4
         ink_ += ink;
         uint32_t x = mark.texel % size_px;
         uint32_t y = mark.texel / size_px;
@@ -187,7 +187,7 @@ namespace {
 
 constexpr size_t most_layers = 3;
 
-/// A cosine and sine that do not depend on the last bits of the mathematical library.
+/// Cosine and sine, rounded so that they do not depend on the last bits of the maths library.
 glm::vec2 direction_of(float degrees)
 {
     constexpr double steps = 1048576.0;
@@ -198,7 +198,7 @@ glm::vec2 direction_of(float degrees)
     return {static_cast<float>(x / length), static_cast<float>(y / length)};
 }
 
-/// One level: its picture, and where the strokes of each layer are.
+/// One level: its picture, and the positions of the strokes of each layer.
 struct Level {
     Canvas canvas;
     std::vector<Spacing> spacing_of_layer;
@@ -242,7 +242,7 @@ public:
     }
 
 private:
-    /// A plain full line, for spacing.
+    /// A plain solid line, for spacing.
     static Brush round_style(TamStyle style)
     {
         style.tool = Tool::pen;
@@ -251,7 +251,7 @@ private:
         return Brush(style);
     }
 
-    /// The layer that is furthest behind its share, of those that this tone draws.
+    /// The layer that is farthest behind its share of ink, among those that this tone draws.
     [[nodiscard]] size_t next_layer(const Level& level) const
     {
         constexpr std::array<double, most_layers> share{1.0, 0.75, 0.5};
@@ -278,7 +278,7 @@ private:
         stroke.length =
             std::min(length_px / static_cast<float>(size_px), longest * (1.0F - 0.4F * random_.unit()));
         stroke.direction = direction_of(style_.angle_deg + turn[layer] + style_.angle_spread_deg * spread);
-        const float x = random_.unit(); // a statement each: compilers order arguments as they like
+        const float x = random_.unit(); // separate statement: argument order is unspecified
         const glm::vec2 middle(x, random_.unit());
         stroke.start = middle - 0.5F * stroke.length * stroke.direction;
         stroke.bow = style_.bow * (0.9F + 0.9F * random_.sign());
@@ -318,7 +318,7 @@ private:
         return best;
     }
 
-    /// Marks of a stroke on a level, in marks_.
+    /// Computes the marks of a stroke on a level, in marks_.
     void mark(const Stroke& stroke, const Level& level)
     {
         const uint32_t size_px = level.canvas.size_px();
@@ -363,7 +363,7 @@ private:
                 place(stroke, layer, index);
                 continue;
             }
-            // The last two strokes share what is missing, so that none is a stub.
+            // The last two strokes share the missing ink, so that neither is a stub.
             if (gain <= missing) {
                 static_cast<void>(shorten(stroke, level, 0.5 * missing));
                 place(stroke, layer, index);
@@ -378,7 +378,8 @@ private:
         }
     }
 
-    /// Shortens a stroke until it adds what is missing. False when that would leave a dot.
+    /// Shortens a stroke until it adds no more than the missing ink. Returns false if only a dot would be
+    /// left.
     [[nodiscard]] bool shorten(Stroke& stroke, const Level& level, double missing)
     {
         constexpr float shortest_px = 6.0F;
@@ -404,8 +405,8 @@ private:
         return true;
     }
 
-    /// Brings the mean of a coarse level to `target` by dots too faint to count as ink, which finer levels do
-    /// not take over: a few texels cannot hold a tone otherwise. In fine levels what is missing is nothing.
+    /// Brings the mean of a coarse level to `target` with dots too faint to count as ink; finer levels do not
+    /// get them. A few texels cannot hold a tone otherwise. In fine levels the missing ink is negligible.
     void tint(size_t index, double target)
     {
         constexpr uint32_t finest_px = 128;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a tonal art map promises: its tones, its nesting, no seam, strokes of one width, the same bytes.
+// Properties of a tonal art map: tones, nesting, no seam, strokes of one width, identical bytes.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +21,7 @@ bool is_ink(uint8_t texel)
     return texel > 127;
 }
 
-/// A style and what it draws, with its strokes.
+/// A style's map and its strokes.
 struct Drawn {
     explicit Drawn(const TamStyle& style) : map(make_map(style, nullptr, &strokes)) {}
 
@@ -42,7 +42,7 @@ protected:
         return style;
     }
 
-    /// Drawn once for all tests.
+    /// Cache: each map is drawn once for all tests.
     static const Drawn& drawn()
     {
         static std::map<Tool, Drawn> drawn_by_tool;
@@ -83,8 +83,8 @@ TEST_P(EachTool, KeepsTheInkOfATonesInAllDarkerOnes)
     }
 }
 
-/// Samples of the middle of every stroke, two a texel of the finer level: how many are ink in the coarser
-/// level, and how many of these are ink in the finer one, at the very same place.
+/// Samples the centre of every stroke, two samples per texel of the finer level: of those that are ink in the
+/// coarser level, most must be ink in the finer one at the same place.
 TEST_P(EachTool, KeepsTheStrokesOfALevelInAllFinerOnes)
 {
     const Drawn& drawn = EachTool::drawn();
@@ -117,7 +117,7 @@ TEST_P(EachTool, KeepsTheStrokesOfALevelInAllFinerOnes)
     }
 }
 
-/// How much neighbouring columns (or rows) differ, for each pair of neighbours.
+/// Sum of the squared differences of neighbouring columns (or rows), for each pair.
 std::vector<double> differences(const Gray8& image, size_t side, bool rows)
 {
     std::vector<double> sums(side);
@@ -177,7 +177,7 @@ TEST(Stroke, MovedOnTheSquareIsTheSameDrawingRolled)
     }
 }
 
-/// Mean length of upright runs of ink in the middle of the lightest tone, whose strokes run level.
+/// Mean length of vertical runs of ink in the middle of the lightest tone, whose strokes are horizontal.
 double mean_run(const Gray8& image, size_t side)
 {
     double ink = 0.0;
@@ -206,7 +206,7 @@ TEST(Maker, DrawsStrokesAsWideInEveryLevel)
     }
 }
 
-/// Spread of the mean ink of windows of 32 px, beside that of strokes thrown at random.
+/// Compares the spread of the mean ink of windows of 32 px with that of random strokes.
 TEST(Maker, SpacesStrokesMoreEvenlyTheMoreItTries)
 {
     const auto unevenness = [](int candidates) {
@@ -242,7 +242,7 @@ uint32_t checksum(const TonalArtMap& map)
     return sum;
 }
 
-/// g++ 12 and clang 14, plain and optimised, agree on this sum; renew it when the drawing changes.
+/// g++ 12 and clang 14, optimised or not, agree on this checksum; update it when the drawing changes.
 TEST(Maker, DrawsTheSameBytesEverywhere)
 {
     TamStyle style = small_style(Tool::charcoal, 64);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A stroke, the brush that it is drawn with, and the random numbers of both.
+// A stroke, the brush that draws it, and the random numbers of both.
 
 #include <cstdint>
 #include <string>
@@ -16,19 +16,19 @@
 
 namespace estampe::tam {
 
-/// A stroke on the unit square, which wraps; the same at every level but for its width.
+/// A stroke on the unit square, which wraps; identical at every level, except for its width.
 struct Stroke {
     glm::vec2 start{0.0F};
     glm::vec2 direction{1.0F, 0.0F}; ///< of the chord, unit length
     float length = 0.1F;
     float bow = 0.0F;    ///< height of the arc over the chord, as a share of the length
-    float wobble = 0.0F; ///< how far it strays from the arc, as a share of the length
+    float wobble = 0.0F; ///< largest deviation from the arc, as a share of the length
     uint32_t seed = 0;
 
-    /// Distance to the left of the chord at `along` (0 to 1), in the units of the square.
+    /// Distance to the left of the chord at `along` (0 to 1), in units of the square.
     [[nodiscard]] float offset(float along) const;
 
-    /// The middle of the stroke at `along`, not wrapped.
+    /// The centre line at `along`, not wrapped.
     [[nodiscard]] glm::vec2 point(float along) const;
 };
 
@@ -45,41 +45,41 @@ struct Mark {
     uint16_t ink = 0;   ///< 0 to 65535
 };
 
-/// A texel as a stroke sees it.
+/// Position of a texel relative to a stroke.
 struct Touch {
     float along = 0.0F;     ///< 0 at the start of the stroke, 1 at its end
-    float across_px = 0.0F; ///< from the middle of the stroke, signed
+    float across_px = 0.0F; ///< from the centre line, signed
     float half_px = 1.0F;   ///< half the width here
     float tooth = 0.0F;     ///< height of the paper, 0 to 1
-    float hairs = 1.0F;     ///< how many times finer than usual those of a brush are
-    bool on_middle = false; ///< the line in the middle of the stroke runs through this texel
+    float hairs = 1.0F;     ///< fineness of a brush's hairs, relative to the usual
+    bool on_middle = false; ///< the centre line runs through this texel
 };
 
 /// Height of the paper at each texel of a level, 0 to 1; it wraps. `cell_px` is the size of its bumps.
 [[nodiscard]] std::vector<float> paper_tooth(uint32_t size_px, uint32_t cell_px, uint32_t seed);
 
-/// The ink of a picture of a stroke from left to right, 0 to 1, row by row from the top: its alpha, or where
-/// it is opaque throughout, its darkness. Throws Error with `where` as its place when the picture is empty or
-/// has no ink.
+/// The ink of a picture of a stroke from left to right, 0 to 1, row by row from the top: its alpha, or its
+/// darkness if it is fully opaque. Throws Error with `where` as its place if the picture is empty or has no
+/// ink.
 [[nodiscard]] std::vector<float> stroke_of(const Image& picture, size_t columns, size_t rows,
                                            const std::string& where = {});
 
-/// What leaves the ink: a pen, pencil, charcoal, burin or brush that is a formula, or the picture of one.
-/// The line in the middle of a stroke is always more than half ink, so that a stroke that is ink in one level
-/// is ink in the next; but not of a picture, which may have gaps.
+/// A drawing tool: a pen, pencil, charcoal, burin or brush from a formula, or a picture of a stroke. The
+/// centre line of a formula's stroke is always more than half ink, so that ink in one level is ink in the
+/// next; a picture may have gaps.
 class Brush {
 public:
-    /// Of a picture, its alpha (or, where it is opaque throughout, its darkness) is the ink of a stroke that
-    /// runs from its left to its right side. Throws Error when the picture is empty or has no ink.
+    /// `picture` shows a stroke from its left to its right side; its alpha is the ink, or its darkness if it
+    /// is fully opaque. Throws Error if the picture is empty or has no ink.
     explicit Brush(const TamStyle& style, const Image* picture = nullptr);
 
-    /// Ink at a texel, 0 to 1. `seed` tells strokes apart.
+    /// Ink at a texel, 0 to 1. Strokes differ by `seed`.
     [[nodiscard]] float ink(const Touch& touch, uint32_t seed) const;
 
-    /// Width at `along` as a share of the full width, from the pressure of the hand; tapers not counted.
+    /// Width at `along` as a share of the full width, from the pressure of the hand; without tapers.
     [[nodiscard]] float pressure(float along, uint32_t seed) const;
 
-    /// Side of the bumps of the paper, in pixels; 0 when the tool feels none.
+    /// Size of the paper's bumps in pixels; 0 if the tool does not show them.
     [[nodiscard]] uint32_t tooth_cell_px() const;
 
 private:
@@ -97,10 +97,10 @@ private:
     size_t picture_rows_ = 0;
 };
 
-/// Fills `marks` with what `stroke` leaves on a level of `size_px`, each texel once (twice where a stroke
+/// Fills `marks` with the ink of `stroke` on a level of `size_px`, one mark per texel (two where a stroke
 /// overlaps itself across the wrap). `tooth` is the paper of that level, or empty.
 ///
-/// Cost    about 30 ns a texel near the stroke
+/// Cost    about 30 ns per texel near the stroke
 void draw_stroke(const Stroke& stroke, const Nib& nib, const Brush& brush, const std::vector<float>& tooth,
                  uint32_t size_px, std::vector<Mark>& marks);
 
@@ -117,7 +117,7 @@ using estampe::hash;
     return static_cast<float>(bits >> 8U) * (1.0F / 16777216.0F);
 }
 
-/// Smooth noise in [-1, 1] over a line, knots at the whole numbers.
+/// Smooth noise in [-1, 1] along a line, with knots at whole numbers.
 [[nodiscard]] constexpr float line_noise(uint32_t seed, float x)
 {
     const auto knot = static_cast<int32_t>(x) - (x < 0.0F ? 1 : 0);
@@ -127,7 +127,7 @@ using estampe::hash;
     return 2.0F * (a + (b - a) * t * t * (3.0F - 2.0F * t)) - 1.0F;
 }
 
-/// A stream of numbers that is the same on every machine; the distributions of the standard library are not.
+/// A random stream that is identical on every machine, unlike the standard library's distributions.
 class Random {
 public:
     explicit Random(uint32_t seed) : state_(hash(seed)) {}

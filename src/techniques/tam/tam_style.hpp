@@ -7,10 +7,10 @@
 
 namespace estampe::tam {
 
-/// What draws the strokes, see stroke.hpp.
+/// Drawing tool of the strokes, see stroke.hpp.
 enum class Tool : uint8_t { pen, pencil, charcoal, burin, brush };
 
-/// Lengths in pixels are those of every level: a stroke is as wide in the coarsest as in the finest.
+/// Lengths are in pixels of any level: a stroke is as wide in the coarsest level as in the finest.
 struct TamStyle {
     int size_px = 512;
     int tones = 6;

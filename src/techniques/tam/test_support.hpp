@@ -25,14 +25,14 @@ inline TamStyle small_style(Tool tool = Tool::pen, int size_px = 128)
     return style;
 }
 
-/// One that is quickest.
+/// The map that is fastest to draw.
 inline const TonalArtMap& small_map()
 {
     static const TonalArtMap map = make_map(small_style(Tool::pen, 32));
     return map;
 }
 
-/// The message of the Error that `job` throws; empty when it throws none.
+/// The message of the Error that `job` throws; empty if it throws none.
 template <typename Job>
 std::string message_of(Job job)
 {

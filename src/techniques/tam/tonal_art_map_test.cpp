@@ -38,12 +38,12 @@ TEST(TonalArtMap, ThresholdsLieWhereTheLineBetweenTonesPassesOneHalf)
     const auto threshold = [](const std::vector<uint8_t>& coverage) {
         return threshold_levels(flat_map({0.2F, 0.6F}, coverage))[0][0];
     };
-    EXPECT_EQ(threshold({255, 255}), 26); // from paper at 0 to ink at 0.2: half of it
+    EXPECT_EQ(threshold({255, 255}), 26); // halfway from paper at 0 to ink at 0.2
     EXPECT_EQ(threshold({0, 255}), 102);  // halfway from 0.2 to 0.6
     EXPECT_EQ(threshold({51, 255}), 89);  // 0.2 + 0.4 * 0.3 / 0.8
     EXPECT_EQ(threshold({0, 0}), 204);    // halfway from 0.6 to ink at 1
     EXPECT_EQ(threshold({204, 0}), 32);   // not nested: the first crossing counts
-    EXPECT_EQ(threshold({0, 127}), 153);  // just not ink: soon after 0.6
+    EXPECT_EQ(threshold({0, 127}), 153);  // just below half ink: crosses soon after 0.6
 }
 
 TEST(TonalArtMap, ChecksSizesAndOrder)

@@ -4,7 +4,7 @@
 
 #include "shaders/camera.glsl"
 
-// From a place of a plane to where it is seen `aside_px` away.
+// The vector from a place on a plane to the place on it that is seen `aside_px` away.
 vec3 step_on_plane(FrameGlobals frame, vec2 position_px, float depth, vec3 place, vec3 normal, vec2 aside_px)
 {
     vec3 there = anchor_at(frame, position_px + aside_px, depth);

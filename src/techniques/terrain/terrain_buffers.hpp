@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A terrain on the device: what poses the vertices of its mesh about the eye.
+// A terrain on the device, which poses the vertices of its mesh around the eye.
 
 #include <future>
 #include <memory>
@@ -18,73 +18,74 @@
 
 namespace estampe::terrain {
 
-/// Who runs the graph on the GPU.
+/// How the GPU evaluates the height graph.
 enum class HeightSource : uint8_t {
-    compiled,          ///< a shader of its own; interpreted where there is no compiler
-    interpreted,       ///< the one that takes any graph: slower, but there at once
-    compiled_meanwhile ///< interpreted until the compiler, in a thread of its own, has done
+    compiled,          ///< by a shader compiled for this graph; interpreted without a compiler
+    interpreted,       ///< by a general shader: slower, but available at once
+    compiled_meanwhile ///< interpreted until a background thread has compiled the shader
 };
 
-/// Shaders with a graph in them; null where they could not be made.
+/// Shaders that contain a compiled graph; null if compilation failed.
 struct CompiledShaders {
     const gpu::Shader* vertices = nullptr;
     const gpu::Shader* heights = nullptr;
-    std::string problem; ///< why not
+    std::string problem; ///< reason of the failure
 };
 
-/// When and from where the ground is looked at.
+/// The time and the eye position of a frame.
 struct TerrainMoment {
     EyePlace eye;
-    glm::dvec3 anchor_m{0.0}; ///< x and z whole multiples of 64
+    glm::dvec3 anchor_m{0.0}; ///< x and z are whole multiples of 64
     double time_s = 0.0;
-    std::optional<double> before_s; ///< how long ago the frame before was, where places then are wanted
+    std::optional<double> before_s; ///< time since the previous frame, if previous positions are wanted
 };
 
-/// Where its vertices go: into those of all meshes, from `first_vertex` on.
+/// The place of the terrain's vertices in the buffer of all meshes: from `first_vertex` on.
 struct TerrainTarget {
     uint32_t first_vertex = 0;
     double stroke_unit_m = 1.0;
 };
 
-/// Lattices whose heights are asked for together.
+/// Lattices whose heights are computed in one dispatch.
 using HeightFields = InlineVector<shared::TerrainField, shared::terrain_fields_most>;
 
 class TerrainBuffers {
 public:
-    /// Uploads what does not change. Throws Error when it does not fit the device.
+    /// Uploads the constant data. Throws Error when it does not fit the device.
     TerrainBuffers(gpu::Device& device, const Terrain& terrain, const TerrainTarget& target,
                    const ObjectTriangles& object = {});
 
-    /// Takes another graph, or other numbers in it, for the same mesh: what differs in the mesh has to be
-    /// handed to set_mesh(). Throws Error when it does not fit, and is then as before.
+    /// Sets another graph, or other numbers in the graph. Changes of the mesh must also be passed to
+    /// set_mesh(). Throws Error when the graph does not fit, and changes nothing then.
     void set_graph(gpu::Device& device, const Terrain& terrain);
 
-    /// Takes the mesh that the terrain asks for; heights, sand and compiled shaders stay. Throws Error when
-    /// it does not fit.
+    /// Sets the mesh that the terrain describes; heights, sand and compiled shaders are kept. Throws Error
+    /// when it does not fit.
     void set_mesh(gpu::Device& device, const TerrainTarget& target, const ObjectTriangles& object = {});
 
-    /// Says who runs the graph from now on.
+    /// Sets how the GPU evaluates the graph from now on.
     void set_source(HeightSource source);
 
     [[nodiscard]] const Terrain& terrain() const { return terrain_; }
 
-    /// Brings levels and places to a moment; returns whether any vertex may have changed since the last.
+    /// Updates levels and places to a moment. Returns whether any vertex may have changed since the last
+    /// call.
     bool prepare(gpu::Device& device, const TerrainMoment& moment);
 
-    /// The texels of textures, masks and sand, the last brought to the moment. What add_vertices() and
-    /// add_heights() read; once a graph.
+    /// Updates the texels of sand to the moment, and returns those of textures, masks and sand, which
+    /// add_vertices() and add_heights() read. Call once per graph.
     [[nodiscard]] gpu::BufferId add_texels(gpu::Graph& graph);
 
-    /// Whether sand is more steps behind its moment than one graph takes: then graphs with add_catching_up()
-    /// alone are to be run first.
+    /// Returns whether sand is more steps behind its moment than one graph can simulate. If so, first run
+    /// graphs that only have add_catching_up().
     [[nodiscard]] bool is_behind() const;
     void add_catching_up(gpu::Graph& graph);
 
-    /// Poses the vertices, into what poses `posed_vertices`, `before` and `stroke_coordinates` hold of the
-    /// meshes besides.
+    /// Poses the terrain's vertices and writes them into the meshes' buffers `posed_vertices`, `before` and
+    /// `stroke_coordinates`.
     ///
-    /// Writes  posed vertices of this frame and of the one before, stroke coordinates
-    /// Cost    one dispatch, one thread a vertex; near the rim of a ring up to three times the graph
+    /// Writes  posed vertices of this frame and of the previous one, stroke coordinates
+    /// Cost    one dispatch, one thread per vertex; up to three evaluations of the graph near a ring's edge
     /// Source  Losasso and Hoppe, "Geometry Clipmaps", SIGGRAPH 2004, for the rings
     struct Posed {
         gpu::BufferId vertices;
@@ -94,20 +95,21 @@ public:
 
     [[nodiscard]] Posed add_vertices(gpu::Graph& graph, const Posed& meshes, gpu::BufferId texels);
 
-    /// Heights above the anchor on lattices, r32f, of `size` texels each, one under another; what a lattice
-    /// cannot show is left out of it. Where no texels are `wanted` the ground is as good as bottomless.
+    /// Computes heights above the anchor on lattices, r32f, of `size` texels each, stacked vertically. Forms
+    /// that are too fine for a lattice are left out. Texels outside `wanted` are set to a very low height.
     ///
-    /// Cost    one dispatch, one thread a texel
+    /// Cost    one dispatch, one thread per texel
     [[nodiscard]] gpu::ImageId add_heights(gpu::Graph& graph, const HeightFields& fields, glm::uvec2 size,
                                            gpu::BufferId texels, const shared::FieldSector& wanted = {});
 
-    /// Why the graph is interpreted where it should have been compiled; empty when it is not.
+    /// The reason why the graph is interpreted instead of compiled; empty if it is not.
     [[nodiscard]] const std::string& problem() const;
 
-    /// Whether the graph is interpreted until its shader is compiled. Once it is, vertices are posed anew.
+    /// Returns whether the graph is interpreted until its shader is compiled. After that, vertices are posed
+    /// again.
     [[nodiscard]] bool is_compiling();
 
-    /// Counts up whenever the ground takes another form, be it that time has gone on.
+    /// Incremented whenever the shape of the ground changes, including changes over time.
     [[nodiscard]] uint64_t form() const { return form_; }
 
 private:
@@ -124,11 +126,11 @@ private:
     HeightSource source_ = HeightSource::compiled;
     uint32_t vertex_count_ = 0;
     gpu::Buffer vertices_;
-    gpu::Buffer places_; ///< of vertices in no grid
+    gpu::Buffer places_; ///< positions of vertices that are in no grid
     bool has_places_ = false;
     std::future<CompiledShaders> compiling_;
-    std::optional<Terrain> compiling_of_;     ///< whose graph that is, which may be one of before
-    std::optional<CompiledShaders> compiled_; ///< of this graph
+    std::optional<Terrain> compiling_of_;     ///< the terrain being compiled; may be an older one
+    std::optional<CompiledShaders> compiled_; ///< shaders of the current graph
     gpu::Buffer texels_;
     gpu::Buffer words_;
     gpu::Buffer levels_;
@@ -138,9 +140,9 @@ private:
     uint64_t form_ = 0;
     std::optional<SandSource> sand_source_;
     SlabStyle sand_style_;
-    std::unique_ptr<SlabField> sand_; ///< where the graph has any
+    std::unique_ptr<SlabField> sand_; ///< null if the graph has no sand
     uint32_t first_sand_texel_ = 0;
-    double sand_moment_ = 0.0; ///< in steps
+    double sand_moment_ = 0.0; ///< the moment, counted in steps
     bool is_sand_stale_ = false;
     std::vector<shared::TerrainLevel> levels_now_;
 };

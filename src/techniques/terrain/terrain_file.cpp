@@ -26,57 +26,61 @@ const style::Table<TerrainLook>& look_table()
 const style::Table<TerrainWind>& wind_table()
 {
     static const auto table =
-        style::Table<TerrainWind>("wind", "Wind over the ground, which dunes and ripples move along")
+        style::Table<TerrainWind>("wind", "Wind over the ground, along which dunes and ripples move")
             .number("direction_deg", &TerrainWind::direction_deg, {-360.0F, 360.0F}, "deg",
                     "Direction towards which the wind over the ground blows: 0 is +x, 90 is +z")
             .number("speed_m_per_s", &TerrainWind::speed_m_per_s, {0.0F, 100.0F}, "m/s",
-                    "Speed of the wind over the ground, called `wind` in formulas of heights. From 6 m/s on, "
-                    "sand drifts off crests.");
+                    "Speed of the wind over the ground. The formulas of heights call this value `wind`. From "
+                    "6 m/s on, sand drifts off crests.");
     return table;
 }
 
 const style::Table<TerrainMeshing>& mesh_table()
 {
     static const auto table =
-        style::Table<TerrainMeshing>("mesh", "Triangles that the ground is cut into")
+        style::Table<TerrainMeshing>("mesh",
+                                     "Triangles of the ground: how fine, how wide and how they are built")
             .choice(
                 "method", &TerrainMeshing::method,
                 {{"rings", TerrainMesh::rings}, {"grid", TerrainMesh::grid}, {"object", TerrainMesh::object}},
-                "How the ground is cut into triangles. rings: nested grids around the eye, each twice as "
-                "coarse; grid: one even grid in front of the eye; object: an object of the scene, raised by "
-                "the heights.")
+                "How the ground is divided into triangles. rings: nested grids around the eye, each twice as "
+                "coarse as the one inside; grid: one even grid in front of the eye; object: an object of the "
+                "scene, raised by the heights.")
             .text("object", &TerrainMeshing::object,
-                  "Name of the object that is raised by the heights. Only used when mesh.method is object.")
+                  "Name of the object whose surface the heights raise. Only used when mesh.method is object.")
             .choice("update", &TerrainMeshing::update,
                     {{"moved", TerrainUpdate::moved},
                      {"always", TerrainUpdate::always},
                      {"still", TerrainUpdate::still}},
-                    "When heights are computed again. moved: if the eye or time has moved on; always: in "
-                    "every picture; still: as if time stood still.")
+                    "When the heights of the ground are computed again. moved: if the eye or the time has "
+                    "changed; always: in every picture; still: if the eye has moved, as if time stood still.")
             .number("cell_m", &TerrainMeshing::cell_m, {0.01F, 64.0F}, "m",
                     "Distance between vertices of the ground nearest to the eye, rounded to a power of two: "
-                    "less is finer and slower")
+                    "less gives a finer ground and is slower")
             .integer("cells", &TerrainMeshing::cells, {16, 2048}, "",
-                     "Number of cells along a side of a ring or grid, rounded up to a multiple of 4: more is "
-                     "finer and slower")
+                     "Number of cells along a side of a ring or grid of the ground, rounded up to a multiple "
+                     "of 4: more is finer and slower")
             .number("reach_m", &TerrainMeshing::reach_m, {10.0F, 100000.0F}, "m",
-                    "Least distance to which the ground extends. Only used when mesh.method is rings.")
+                    "Smallest distance from the eye to which the ground extends: more shows more ground. "
+                    "Only used when mesh.method is rings.")
             .number("planet_radius_m", &TerrainMeshing::planet_radius_m, {0.0F, 1e7F}, "m",
-                    "Radius of a planet that the ground curves around: less brings the horizon nearer. 0 is "
-                    "flat ground.");
+                    "Radius of the planet whose curve the ground follows: less brings the horizon nearer. 0 "
+                    "is flat ground.");
     return table;
 }
 
 const style::Table<TerrainRipples>& ripples_table()
 {
     static const auto table =
-        style::Table<TerrainRipples>("ripples", "Ripples that the wind draws on sand, seen from near")
-            .number("wavelength_m", &TerrainRipples::wavelength_m, {0.005F, 100.0F}, "m",
-                    "Distance from one ripple's crest to the next")
+        style::Table<TerrainRipples>("ripples", "Ripples that the wind forms on sand, visible from near")
+            .number(
+                "wavelength_m", &TerrainRipples::wavelength_m, {0.005F, 100.0F}, "m",
+                "Distance from the crest of one ripple to the crest of the next: less gives finer ripples")
             .number("height_m", &TerrainRipples::height_m, {0.0F, 10.0F}, "m",
                     "Height of a ripple from trough to crest. 0 draws no ripples.")
             .number("meander", &TerrainRipples::meander, {0.0F, 1.0F}, "",
-                    "How much ripples wind: 0 is straight and unbroken, 1 winds, forks and ends everywhere")
+                    "How much ripples bend to the sides: 0 is straight and unbroken, 1 bends, forks and ends "
+                    "everywhere")
             .number("drift_m_per_s", &TerrainRipples::drift_m_per_s, {-1.0F, 1.0F}, "m/s",
                     "Speed at which ripples move with the wind");
     return table;
@@ -85,16 +89,17 @@ const style::Table<TerrainRipples>& ripples_table()
 const style::Table<TerrainTrails>& trails_table()
 {
     static const auto table =
-        style::Table<TerrainTrails>("trails", "Trails in sand: footprints, and what is dragged")
-            .number(
-                "half_life_s", &TerrainTrails::half_life_s, {0.1F, 1e6F}, "s",
-                "Time after which the wind has filled half of a trail's depth: more keeps footprints longer")
+        style::Table<TerrainTrails>("trails",
+                                    "Trails in sand: footprints, and marks of things that are dragged")
+            .number("half_life_s", &TerrainTrails::half_life_s, {0.1F, 1e6F}, "s",
+                    "Time after which the wind has filled a trail to half of its depth: more keeps "
+                    "footprints longer")
             .number("repose_deg", &TerrainTrails::repose_deg, {5.0F, 80.0F}, "deg",
-                    "Steepest angle at which the rim of a trail stands before it slumps: dry sand is "
-                    "flatter, damp sand steeper")
+                    "Steepest angle at which the rim of a trail stands before the rim slides down: dry sand "
+                    "stands flatter, damp sand steeper")
             .number("extent_m", &TerrainTrails::extent_m, {4.0F, 400.0F}, "m",
-                    "Side of the square in front of the eye in which trails are seen: less shows finer "
-                    "prints, since the square has 1,024 texels");
+                    "Size of the square in front of the eye in which trails are visible: less shows finer "
+                    "prints, because the square always has 1,024 texels per side");
     return table;
 }
 
@@ -138,7 +143,7 @@ TerrainTrack track_of(const Entry& entry)
     return parse_track(text != nullptr ? *text : entry.raw.shown, entry.key, entry.value_where);
 }
 
-/// Sets what `entry` names in `target`, a struct of `table`.
+/// Sets the parameter named by `entry` in `target`, a struct of `table`.
 template <typename Struct>
 void set_by(const style::Table<Struct>& table, const Entry& entry, Struct& target)
 {

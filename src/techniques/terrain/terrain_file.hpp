@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a terrain's file may say besides its nodes, described once.
+// Parameters of a terrain file, except its nodes; each is described once.
 
 #include <estampe/terrain.hpp>
 

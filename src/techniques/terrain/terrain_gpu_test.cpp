@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the GPU makes of height graphs, by either of its ways, against the processor; and where vertices
-// stand.
+// Compares height graphs on the GPU, interpreted and compiled, with the processor; and tests vertex
+// positions.
 #include <unordered_map>
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ Terrain small_terrain(const std::string& toml, const TerrainMeshing& meshing)
     return Terrain(description);
 }
 
-/// Everything that one dispatch makes.
+/// All results of one dispatch.
 struct Made {
     std::vector<shared::PosedVertex> vertices;
     std::vector<shared::PosedVertex> before;
@@ -59,7 +59,7 @@ Made pose(const Terrain& terrain, const TerrainMoment& moment, HeightSource sour
             test::items_of<glm::vec3>(bytes[2])};
 }
 
-/// Vertices alone, of one mesh again and again.
+/// Vertices of one mesh, computed again and again.
 class Walk {
 public:
     explicit Walk(const Terrain& terrain)
@@ -96,12 +96,12 @@ private:
     gpu::Buffer strokes_;
 };
 
-/// Both ways on the GPU and the processor agree within 1e-5 of the height, for every node there is.
+/// Both methods on the GPU agree with the processor within 1e-5 of the height, for every node.
 TEST(HeightGraphGpu, AgreesWithTheProcessor)
 {
     const TerrainMeshing meshing{.method = TerrainMesh::grid, .cell_m = 0.25F, .cells = 32};
     for (const auto& [name, toml] : test::all_graphs()) {
-        // What goes round a point keeps its precision near it alone.
+        // A form around a point is only precise near that point.
         const glm::dvec3 anchor_m = name == "polar" ? glm::dvec3(0.0) : far_anchor_m;
         const TerrainMoment moment{.eye = {.eye_m = {anchor_m.x + 6.0, anchor_m.z + 12.0}},
                                    .anchor_m = anchor_m,
@@ -131,14 +131,14 @@ TEST(HeightGraphGpu, AgreesWithTheProcessor)
             }
             EXPECT_EQ(wrong, 0) << name
                                 << (source == HeightSource::compiled ? ", compiled" : ", interpreted");
-            // Where an edge runs through, the sides differ.
+            // On an edge, the slopes of the two sides differ.
             EXPECT_LE(crooked, 2) << name;
         }
     }
 }
 
-/// Vertices of neighbouring rings that stand in one place are one point, bit for bit, and a vertex that is in
-/// no zone of transition stands still while the eye goes by.
+/// Vertices of neighbouring rings at the same place are equal bit for bit, and a vertex outside of all blend
+/// zones does not move when the eye does.
 TEST(RingsGpu, LieOnOneGroundAndStandStill)
 {
     const TerrainMeshing meshing{.cell_m = 0.5F, .cells = 32, .reach_m = 50.0F};
@@ -146,15 +146,15 @@ TEST(RingsGpu, LieOnOneGroundAndStandStill)
     const auto method = mesh_method(meshing);
     const auto topology = method->topology();
     Walk walk(terrain);
-    std::unordered_map<uint64_t, float> known;                // by level and place
-    const auto key = [](uint32_t level, const glm::vec3& p) { // places are whole halves of a metre
+    std::unordered_map<uint64_t, float> known;                // key: level and place
+    const auto key = [](uint32_t level, const glm::vec3& p) { // places are whole multiples of half a metre
         return uint64_t{level} << 60U |
                uint64_t{static_cast<uint32_t>(static_cast<int32_t>(2.0F * p.x)) & 0x3FFFFFFFU} << 30U |
                (static_cast<uint32_t>(static_cast<int32_t>(2.0F * p.z)) & 0x3FFFFFFFU);
     };
     size_t met_again = 0;
     for (int step = 0; step < 1000; ++step) {
-        const double turn_rad = 0.00628 * step; // once round
+        const double turn_rad = 0.00628 * step; // one full turn
         const TerrainMoment moment{.eye = {.eye_m = {1000.0 + 40.0 * std::sin(turn_rad) + 0.002 * step,
                                                      -480.0 - 40.0 * std::cos(turn_rad)}},
                                    .anchor_m = far_anchor_m};
@@ -179,7 +179,7 @@ TEST(RingsGpu, LieOnOneGroundAndStandStill)
     EXPECT_GT(met_again, 500000U);
 }
 
-/// A planet's ground falls away as a circle does.
+/// A planet's ground falls away along a circle.
 TEST(TerrainGpu, ClosesRoundItself)
 {
     const TerrainMeshing meshing{

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a view over bare ground shows, looked at with the graph itself.
+// Tests the automatic view of bare ground, by evaluating the graph itself.
 #include <cmath>
 
 #include <estampe/scene.hpp>
@@ -27,8 +27,8 @@ glm::dvec3 sun_at(double azimuth_rad, double elevation_rad)
 }
 
 struct Shares {
-    double ground = 0.0; ///< of the picture
-    double shade = 0.0;  ///< of the ground
+    double ground = 0.0; ///< share of the picture
+    double shade = 0.0;  ///< share of the ground
 };
 
 Shares seen(const Terrain& terrain, const Camera& camera, const glm::dvec3& towards_sun)

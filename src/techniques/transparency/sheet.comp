@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel lays a see-through surface, painted as what is solid is, over what lies behind it.
+// One thread per pixel blends a transparent surface, painted like solid surfaces, over what lies behind it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -37,9 +37,9 @@ layout(binding = 9) uniform sampler2DArray texture_class_2;
 layout(binding = 10) uniform sampler2DArray texture_class_3;
 layout(binding = 11) uniform sampler2DArray texture_class_4;
 
-layout(binding = 12) uniform usamplerBuffer sheet; // visibility of the one surface
+layout(binding = 12) uniform usamplerBuffer sheet; // visibility buffer of this surface
 
-layout(binding = 13) uniform sampler2D painted_image; // the sheet's own paint
+layout(binding = 13) uniform sampler2D painted_image; // the transparent surface's own paint
 layout(binding = 14, rgba16f) uniform image2D wash;
 
 layout(constant_id = 0) const uint variant = 31u;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread looks through one pixel: the see-through surfaces in front of the solid ones, nearest first,
-// laid over each other as one: its colour and how much it covers.
+// One thread per pixel composites the transparent surfaces in front of the solid one, nearest first, into one
+// colour and coverage.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -41,13 +41,13 @@ layout(binding = 9) uniform sampler2DArray texture_class_2;
 layout(binding = 10) uniform sampler2DArray texture_class_3;
 layout(binding = 11) uniform sampler2DArray texture_class_4;
 
-// Layer after layer, each behind the one before; a binding without a layer holds one of the others.
+// Layers in depth order, each behind the one before; a binding without a layer repeats another.
 layout(binding = 12) uniform usamplerBuffer layer_0;
 layout(binding = 13) uniform usamplerBuffer layer_1;
 layout(binding = 14) uniform usamplerBuffer layer_2;
 layout(binding = 15) uniform usamplerBuffer layer_3;
-layout(binding = 16, r32ui) writeonly uniform uimage2D out_draw; // 0 for none
-layout(binding = 17, rgba8) writeonly uniform image2D out_color; // square root of linear colour; cover
+layout(binding = 16, r32ui) writeonly uniform uimage2D out_draw; // 0: no transparent surface
+layout(binding = 17, rgba8) writeonly uniform image2D out_color; // square root of linear colour; coverage
 
 #define TILE_LIST_BINDING 18
 #include "shaders/tile_list.glsl"
@@ -67,8 +67,8 @@ uvec2 seen_in(int layer, int index)
                         : texelFetch(layer_3, index).xy;
 }
 
-// Whether the order of two layers at the same depth, which their numbers decided, is to be decided by what
-// they look like: the picture must not depend on which comes first in the scene.
+// Whether two layers at equal depth, sorted by index, must be swapped. Sorting by colour makes the picture
+// independent of the order in the scene.
 bool is_out_of_order(Layer a, Layer b)
 {
     uint of_a = packUnorm4x8(a.color);
@@ -89,8 +89,8 @@ void sort_ties(inout Layer layers[LAYERS])
     }
 }
 
-// Names the draws in their order, each where it comes first, so that borders of all layers are borders here;
-// several surfaces of one draw are one. One draw alone is named by itself.
+// An identifier of the draw calls in depth order, each at its first occurrence, so that borders between
+// layers' objects appear in it. A single draw call is its own identifier.
 uint name_of(Layer layers[LAYERS])
 {
     uint name = 0u;
@@ -126,8 +126,7 @@ void main()
     for (int i = 0; i < LAYERS; ++i) {
         layers[i] = Layer(0u, 0u, vec4(0.0));
     }
-    // One body for all layers, with its condition behind it, left by all lanes together, as processors like
-    // it.
+    // A loop with one body for all layers, which all lanes leave together, is fastest on CPUs.
     int round_index = 0;
     do {
         uvec2 word = seen[0];
@@ -143,7 +142,7 @@ void main()
         ++round_index;
     } while (subgroupAny(round_index < there));
     sort_ties(layers);
-    vec3 color = vec3(0.0); // times cover
+    vec3 color = vec3(0.0); // premultiplied by coverage
     float through = 1.0;
     for (int i = 0; i < LAYERS; ++i) {
         color += through * layers[i].color.a * layers[i].color.rgb;

@@ -22,7 +22,7 @@ gpu::ImageDesc color_image(glm::uvec2 size_px)
     return {.width = size_px.x, .height = size_px.y, .format = gpu::Format::rgba8};
 }
 
-/// What a see-through surface is made out from.
+/// Binds the data that describes transparent surfaces.
 void bind_surfaces(gpu::Pass& pass, const TransparencyInputs& in)
 {
     pass.uniform(in.frame).sample(in.solid_visibility, gpu::Format::rg32ui);
@@ -84,13 +84,16 @@ Transparency add_no_transparency(gpu::Graph& graph)
 const style::Table<TransparencyStyle>& transparency_table()
 {
     static const auto table =
-        style::Table<TransparencyStyle>("transparency", "Transparent surfaces")
-            .choice("mode", &TransparencyStyle::mode, {{"ink", Mode::ink}, {"sorted", Mode::sorted}},
-                    "How transparent surfaces (glTF's BLEND) are drawn. ink: as one flat screen that tints "
-                    "what lies behind; sorted: each surface lit and painted, from back to front.")
+        style::Table<TransparencyStyle>("transparency",
+                                        "Transparent surfaces: how glass and other BLEND materials are drawn")
+            .choice(
+                "mode", &TransparencyStyle::mode, {{"ink", Mode::ink}, {"sorted", Mode::sorted}},
+                "How transparent surfaces (BLEND materials of glTF) are drawn. ink: as one flat screen that "
+                "tints the things behind it; sorted: each surface is lit and painted, from back to front.")
             .integer("layers", &TransparencyStyle::layers, {1, most_sorted_layers}, "",
-                     "Largest number of transparent surfaces that count per pixel, the nearest first, and at "
-                     "most 4 when transparency.mode is ink. Each one takes time if the scene has as many.");
+                     "Largest number of transparent surfaces that are drawn per pixel, the nearest first: "
+                     "more shows more surfaces behind each other and takes more time. At most 4 are drawn "
+                     "when transparency.mode is ink.");
     return table;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is looked through, pixel by pixel, and what becomes of the picture behind it.
+// Transparent surfaces, pixel by pixel, and the picture behind them.
 #include "techniques/transparency/transparency.hpp"
 
 #include <algorithm>
@@ -23,10 +23,10 @@ namespace {
 
 constexpr uint32_t side_px = 96;
 constexpr RenderSettings settings{.width = 120, .height = 90};
-const glm::vec3 green(0.04F, 0.36F, 0.01F); // its roots fit eight bits
+const glm::vec3 green(0.04F, 0.36F, 0.01F); // its square roots are exact in eight bits
 const glm::vec3 blue(0.09F, 0.04F, 0.64F);
 
-/// Sees a square of 2 m in z = 0 just fill the page.
+/// A camera whose page is exactly filled by a square of 2 m in z = 0.
 Camera parallel_camera()
 {
     Camera camera = test::front_camera(5.0, 0.6);
@@ -34,7 +34,7 @@ Camera parallel_camera()
     return camera;
 }
 
-/// A pane of 2 m about the z axis.
+/// A pane of 2 m around the z axis.
 Primitive pane()
 {
     Primitive primitive;
@@ -60,7 +60,7 @@ test::ScreenPixels look(const Scene& scene, RasterPath path = RasterPath::comput
     return drawing.screen();
 }
 
-/// Panes laid over each other, the nearest first: colour and cover of all.
+/// Colour and coverage of panes composited over each other, nearest first.
 glm::vec4 laid_over(const std::vector<glm::vec4>& panes)
 {
     glm::vec3 color(0.0F);
@@ -74,7 +74,7 @@ glm::vec4 laid_over(const std::vector<glm::vec4>& panes)
 
 void expect_color(const test::ScreenPixels& pixels, const glm::vec4& color)
 {
-    // Eight bits of the colour's root and of the cover, with a hair of float.
+    // Eight bits of the colour's square root and of the coverage, with some float rounding.
     for (const glm::vec4& c : pixels.color) {
         for (int k = 0; k < 3; ++k) {
             ASSERT_NEAR(std::sqrt(c[k]), std::sqrt(color[k]), 0.51 / 255.0) << k;
@@ -96,7 +96,7 @@ TEST(Transparency, HasTheColourAndCoverOfWhatIsInFront)
     add_pane(scene, green, 0.4F, 1.0);
     expect_everywhere(look(scene), 2, glm::vec4(green, 0.4F));
     scene.nodes.back().transform.translation.z = -1.0;
-    expect_everywhere(look(scene), 0, glm::vec4(0.0F)); // behind what is solid
+    expect_everywhere(look(scene), 0, glm::vec4(0.0F)); // behind a solid surface
     Scene alone;
     add_pane(alone, green, 1.0F, 0.0);
     expect_everywhere(look(alone), 1, glm::vec4(green, 1.0F));
@@ -109,7 +109,7 @@ TEST(Transparency, MultipliesByVertexColoursAndTexture)
     Scene scene;
     add_pane(scene, {1.0F, 0.36F, 0.64F}, 0.8F, 0.0, std::move(colored));
     expect_everywhere(look(scene), 1, {0.25F, 0.36F, 0.64F, 0.4F});
-    // Clear on the left, half covering black on the right.
+    // A texture that is clear on the left, and half covered with black on the right.
     scene.textures.push_back(
         {.image = {.width = 4,
                    .height = 1,
@@ -194,7 +194,7 @@ TEST(Transparency, WhatStandsBetweenPanesHidesThoseBehind)
 
 TEST(Transparency, BordersOfPanesBehindPanesAreBorders)
 {
-    // The pane behind fills the left half; a name for what is there changes at its border, and there alone.
+    // The rear pane fills the left half; the identifier changes exactly at its border.
     Scene scene;
     add_pane(scene, green, 0.4F, 1.0);
     add_pane(scene, blue, 0.4F, 0.0);
@@ -232,7 +232,7 @@ Image draw(const Scene& scene, const Style& style = {})
         {.eye = {1.0, 1.5, 7.0}, .target = {0.0, 0.8, 0.0}, .vertical_fov_rad = 0.5}, style, settings);
 }
 
-/// A sphere before a wall, in a room whose depth does not depend on what is looked through.
+/// A sphere in front of a wall, in a room whose depth does not depend on transparent objects.
 Scene still_life()
 {
     Scene scene = test::scene_of(shapes::plane(6.0F, 6.0F));
@@ -266,7 +266,7 @@ TEST(Transparency, AClearPaneLeavesThePictureAsItWas)
 
 TEST(Transparency, CoverPalesWhatIsBehindAndHidesItsPaintAtLast)
 {
-    Style paint; // without ink: what is behind shows in the wash alone
+    Style paint; // without ink, what lies behind shows in the wash alone
     for (const char* assignment :
          {"hatch.enabled=false", "contour.enabled=false", "wash.strength=1", "paper.grain=0",
           "paper.granulation=0", "paper.color=#ffffff", "sky.enabled=false"}) {
@@ -287,14 +287,14 @@ TEST(Transparency, CoverPalesWhatIsBehindAndHidesItsPaintAtLast)
         red = next_red;
         grass = next_grass;
     }
-    // sRGB of the pane's colour.
+    // The sRGB value of the pane's colour.
     EXPECT_NEAR(red, 56.0, 3.0);
     EXPECT_NEAR(grass, 162.0, 3.0);
 }
 
 TEST(Transparency, TheOrderInTheSceneChangesNoByte)
 {
-    // Bodies that cross each other: a bottle's two walls, a pane through it, a ball behind.
+    // Intersecting bodies: a bottle's two walls, a pane through it, a ball behind.
     const auto glass = [](const std::vector<size_t>& order) {
         Scene scene = still_life();
         for (const size_t i : order) {
@@ -356,7 +356,7 @@ TEST(Transparency, APaleScreenThinsTheStrokesBehindIt)
     EXPECT_LT(ink(1.0F), ink(0.5F) - 20.0);
 }
 
-/// In linear light: what the compositor of a picture sorted by depth would have in the middle of the page.
+/// The expected colour in the middle of the page, in linear light, from panes composited in depth order.
 glm::dvec3 sorted_over(const std::vector<std::pair<double, glm::vec4>>& panes, const glm::dvec3& ground)
 {
     std::vector<std::pair<double, glm::vec4>> far_first = panes;
@@ -384,7 +384,7 @@ TEST(Transparency, SortedPanesAreEachPaintedOverWhatLiesBehind)
         const LinearImage image = renderer.render_linear(parallel_camera(), style, settings);
         return glm::dvec3(image.pixels[size_t{45} * settings.width + 60]);
     };
-    // What paint a pane has by itself, covering all: paint is not the material's colour to the bit.
+    // The paint of a fully opaque pane, which may differ slightly from the material's colour.
     const auto paint_of = [&](const glm::vec3& color) {
         Scene scene;
         add_pane(scene, color, 1.0F, 0.0);

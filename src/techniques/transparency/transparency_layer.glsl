@@ -2,15 +2,15 @@
 #ifndef ESTAMPE_TRANSPARENCY_LAYER
 #define ESTAMPE_TRANSPARENCY_LAYER
 
-// A see-through surface at a pixel. Wanted before: `frame`, a FrameGlobals; texels of meshes, draws,
-// vertices at rest and materials; textures of all classes, and TEXTURE_CLASSES.
+// A transparent surface at a pixel. Define before: `frame`, a FrameGlobals; texels of meshes, draws, rest
+// vertices and materials; textures of all classes, and TEXTURE_CLASSES.
 
 #include "shaders/texture.glsl"
 
 struct Layer {
-    uint draw; // draw + 1
+    uint draw; // draw + 1; 0: almost no coverage
     uint depth_bits;
-    vec4 color; // linear; cover
+    vec4 color; // linear colour; coverage
 };
 
 Layer layer_at(uvec2 seen, ivec2 pixel)

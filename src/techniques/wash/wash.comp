@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread colours one pixel: a flat colour by material, turned cooler and deeper in shadow by one step,
-// paler with distance. Stored as what the paint lets through (1: bare paper).
+// One thread per pixel applies the wash: a flat colour per material, cooler and deeper in shadow by one
+// step, paler with distance. Writes the transmittance of the paint (1: bare paper).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -35,7 +35,7 @@ layout(binding = 4) uniform sampler2D light_image;
 layout(binding = 7) uniform sampler2D background_image;
 layout(binding = 8) uniform sampler2D screen_image;
 layout(binding = 9, rgba16f) writeonly uniform image2D out_wash;
-layout(binding = 10) uniform usamplerBuffer look_texels; // one a draw
+layout(binding = 10) uniform usamplerBuffer look_texels; // one per draw
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -57,7 +57,7 @@ float darkness_at(ivec2 pixel)
 
 struct Darkness {
     float here;
-    float steepness; // how fast it rises, a pixel; known where the edge of the second wash is near
+    float steepness; // increase per pixel; known only near the shadow's edge
 };
 
 bool is_near_edge(float dark)
@@ -65,8 +65,8 @@ bool is_near_edge(float dark)
     return abs(dark - constants.shadow_from) < constants.softness + 0.026;
 }
 
-// Of each axis the gentler side counts, as beyond the other there may be something else. One loop for the
-// pixel and its neighbours, which most subgroups leave after the first.
+// Takes the smaller difference of each axis, since the other side may be another surface. One loop covers
+// the pixel and its neighbours; most subgroups leave it after the first iteration.
 Darkness darkness_around(ivec2 pixel)
 {
     ivec2 last = ivec2(frame.size_px) - 1;
@@ -110,15 +110,15 @@ void main()
         color = mix(vec3(luminance(color)), color, constants.saturation);
         float largest = max(max(color.r, color.g), max(color.b, 1e-3));
         float saturation = 1.0 - min(color.r, min(color.g, color.b)) / largest;
-        // The darkest paint is a pale one: strokes tell how dark a thing is.
+        // Dark colours are painted pale: strokes show how dark an object is.
         float brightness = luminance(color);
         float lifted = length(vec2(brightness, constants.least));
         color = min((color + 1e-4) * (lifted / (brightness + 1e-4)), vec3(1.0));
         color = mix(vec3(1.0), color, mix(constants.neutral, 1.0, smoothstep(0.0, 0.3, saturation)));
         vec4 light = texelFetch(light_image, pixel, 0);
         Darkness dark = darkness_around(pixel);
-        // The edge of the second wash wanders a little, as a loaded brush does; never so far that it breaks
-        // up into spots where light falls off slowly.
+        // The shadow's edge wavers a little, like one of a loaded brush, but not so far that it breaks into
+        // spots where light falls off slowly.
         float waver = 0.0;
         if (is_near_edge(dark.here)) {
             float grain_px = 0.9 * frame.pixels_per_mm;

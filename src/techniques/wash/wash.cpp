@@ -9,7 +9,7 @@ namespace estampe::wash {
 
 namespace {
 
-/// Paints the surfaces of a look over what was painted before.
+/// Paints the surfaces of one style variant over the wash of the variants before.
 gpu::ImageId add_look(gpu::Graph& graph, const WashInputs& in, const LookWash& look, uint32_t number,
                       std::optional<gpu::ImageId> before)
 {
@@ -64,28 +64,29 @@ const style::Table<WashStyle>& wash_table()
                     "Strength of the colour: 0 leaves the paper bare, 1 is full colour")
             .number("neutral", &WashStyle::neutral, {0.0F, 1.0F}, "",
                     "How strongly greys are painted, as a share of wash.strength: 0 leaves grey things "
-                    "white, 1 paints them as strongly as colours")
+                    "white, 1 paints greys as strongly as colours")
             .number("saturation", &WashStyle::saturation, {0.0F, 1.0F}, "",
-                    "Saturation of the colours: 0 paints greys, 1 the colours of the materials")
+                    "Saturation of the colours: 0 paints greys, 1 paints the full colours of the materials")
             .number(
                 "detail", &WashStyle::detail, {0.0F, 1.0F}, "",
                 "How much texture the colour shows: 0 is one flat colour per material, 1 its whole texture")
             .number("least", &WashStyle::least, {0.0F, 1.0F}, "",
-                    "Brightness, as a share of white, to which dark colours are lifted: more paints dark "
-                    "things paler and leaves their darkness to the strokes")
+                    "Smallest brightness of painted colours, as a share of white: more paints dark things "
+                    "paler, so that strokes alone show how dark things are")
             .color("shadow_tint", &WashStyle::shadow_tint,
                    "Colour that multiplies the wash in shadow: a bluish grey cools shadows")
             .number("shadow_from", &WashStyle::shadow_from, {0.0F, 1.0F}, "",
-                    "Darkness from which the wash counts as in shadow: less gives larger shadows")
-            .number(
-                "softness", &WashStyle::softness, {0.001F, 0.5F}, "",
-                "Softness of the wash's edge between light and shadow: less is a crisp step, more is gradual")
+                    "Darkness above which colours take on wash.shadow_tint: less gives larger shadow areas, "
+                    "more gives smaller ones")
+            .number("softness", &WashStyle::softness, {0.001F, 0.5F}, "",
+                    "Softness of the edge between light and shadow in the colours: less is a crisp step, "
+                    "more is gradual")
             .number("light_tint", &WashStyle::light_tint, {0.0F, 1.0F}, "",
-                    "How much coloured light colours the wash: 0 treats all light as white, 1 takes on its "
-                    "full colour")
+                    "How much the colour of light changes the painted colours: 0 treats all light as white, "
+                    "1 takes on the full colour of the light")
             .number("air", &WashStyle::air, {0.0F, 1.0F}, "",
-                    "How much far objects take on the colour of the air: 0 not at all, 1 fully in the far "
-                    "distance")
+                    "How much far objects take on the colour of the air: 0 keeps their own colour, 1 gives "
+                    "them the colour of the air in the far distance")
             .color("air_color", &WashStyle::air_color,
                    "Colour of the air that tints far objects. Only used when wash.air is above 0.")
             .number("air_distance_m", &WashStyle::air_distance_m, {0.001F, 1e6F}, "m",

@@ -10,11 +10,11 @@ namespace estampe::shared {
 #endif
 
 // Variant bits of wash.comp.
-SHARED_CONSTANT uint wash_has_air = 1U << 0U;    // colours pale with distance
-SHARED_CONSTANT uint wash_has_screen = 1U << 1U; // there are see-through surfaces
+SHARED_CONSTANT uint wash_has_air = 1U << 0U;    // colours turn pale with distance
+SHARED_CONSTANT uint wash_has_screen = 1U << 1U; // there are transparent surfaces
 SHARED_CONSTANT uint wash_has_background = 1U << 2U;
-SHARED_CONSTANT uint wash_is_of_one_look = 1U << 3U; // others are painted already
-SHARED_CONSTANT uint wash_keeps_cover = 1U << 4U;    // alpha is how much things hide
+SHARED_CONSTANT uint wash_is_of_one_look = 1U << 3U; // paint only the variant `look`
+SHARED_CONSTANT uint wash_keeps_cover = 1U << 4U;    // alpha is the coverage of objects
 
 struct WashConstants {
     ToneConstants tone;
@@ -24,13 +24,13 @@ struct WashConstants {
     float detail;      // 0: the material's mean colour, 1: its texture
     float least;       // brightness that dark colours are lifted towards
     float strength;    // 0: bare paper, 1: full colour
-    float neutral;     // share of that for greys
+    float neutral;     // share of the strength for greys
     float saturation;  // 0: greys alone, 1: the materials' colours
-    float light_tint;  // how far coloured light colours what it falls on
-    float air;         // share of the horizon's colour at the far end
+    float light_tint;  // how far coloured light tints surfaces
+    float air;         // share of air_color at infinite distance
     vec3 air_color;
     float air_distance_m;
-    uint look; // that is painted
+    uint look; // style variant to paint
 };
 
 #ifdef __cplusplus

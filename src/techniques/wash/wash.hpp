@@ -35,16 +35,16 @@ struct WashInputs {
     gpu::ImageId light;
     gpu::BufferId draws;
     gpu::BufferId materials;
-    gpu::ImageId screen; ///< colour and cover of what is looked through; one texel for none
+    gpu::ImageId screen; ///< colour and coverage of transparent surfaces; one texel if there are none
     bool has_screen = false;
-    gpu::ImageId background;    ///< the wash where nothing is
-    bool has_background = true; ///< else it is bare paper
-    bool keeps_cover = false;   ///< alpha is how much of the pixel things hide: bare ground hides nothing
+    gpu::ImageId background;    ///< the wash where there is no surface
+    bool has_background = true; ///< false means bare paper
+    bool keeps_cover = false;   ///< alpha is the coverage of objects; bare ground covers nothing
     glm::uvec2 size_px{0};
-    std::optional<gpu::BufferId> look_of_draw; ///< where surfaces differ: r32ui texels
+    std::optional<gpu::BufferId> look_of_draw; ///< r32ui texels; given if there are several style variants
 };
 
-/// How the surfaces of one look are painted.
+/// How the surfaces of one style variant are painted.
 struct LookWash {
     WashStyle style;
     shared::ToneConstants tone;
@@ -52,9 +52,9 @@ struct LookWash {
 
 /// Paints flat colours.
 ///
-/// Writes  rgba16f: what the paint lets through (1: bare paper); alpha 1 where there is a surface, or where
-///         `keeps_cover` is set how much of the pixel things hide, see-through ones too
-/// Cost    one full-screen dispatch for each look
+/// Writes  rgba16f: transmittance of the paint (1: bare paper). Alpha is 1 where there is a surface; with
+///         `keeps_cover` it is the coverage of objects, transparent ones included
+/// Cost    one full-screen dispatch per style variant
 [[nodiscard]] gpu::ImageId add_wash(gpu::Graph& graph, const WashInputs& in,
                                     const std::vector<LookWash>& looks);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Flat colour against its equations, from surfaces and light that the tests paint themselves.
+// The wash compared with its equations, on surfaces and light that the tests paint.
 #include "techniques/wash/wash.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ constexpr uint32_t paper_bit = 1U << 31U; // DRAW_PAPER of shaders/surface_image
 constexpr glm::vec3 red(0.6F, 0.1F, 0.05F);
 const Camera camera{.eye = {0.0, 0.0, 4.0}, .vertical_fov_rad = 0.7};
 
-/// A page that one draw of a red material covers, in full light, with nothing to look through.
+/// A page covered by one draw of a red material, in full light, without transparent surfaces.
 struct Page {
     test::Painter<uint32_t> draw = [](glm::uvec2) { return 1U; };
     test::Painter<float> depth = [](glm::uvec2) { return 0.01F; };
@@ -37,7 +37,7 @@ struct Page {
     shared::MaterialRecord material{.mean_color = red, .shade_color = glm::vec3(1.0F)};
 };
 
-/// All that is painted is seen: full strength, also of greys.
+/// Paints at full strength, greys included.
 WashStyle strong()
 {
     WashStyle style;
@@ -48,7 +48,7 @@ WashStyle strong()
     return style;
 }
 
-/// Darkness is one minus light.
+/// Darkness is one minus the light.
 constexpr shared::ToneConstants plain_tone{
     .exposure = 1.0F, .gamma = 1.0F, .contrast = 1.0F, .floor = 0.0F, .ceiling = 1.0F, .local_value = 0.0F};
 
@@ -141,7 +141,7 @@ TEST(Wash, PaintsGreysAsBrightAsTheColoursWere)
 
 TEST(Wash, LiesInShadowWhereOcclusionKeepsLightOff)
 {
-    // Half of 0.9 is darker than the shadow's edge, 0.9 is not.
+    // Half of 0.9 is darker than the shadow's edge; 0.9 is not.
     Page page;
     page.light = [](glm::uvec2) { return glm::vec4(0.9F); };
     page.color = [](glm::uvec2) { return glm::vec4(red, 0.5F); };
@@ -170,7 +170,7 @@ TEST(Wash, StepsIntoShadowOnceAndWandersLittle)
         for (uint32_t x = 0; x < size_px.x; ++x) {
             const float dark = static_cast<float>(x) / static_cast<float>(size_px.x - 1);
             const float share = 2.0F * (1.0F - wash[y * size_px.x + x].x / red.x);
-            // The edge is at shadow_from, soft by `softness`, wandering by 0.025.
+            // The edge is at shadow_from, softened by `softness`, and wavers by 0.025.
             if (dark < style.shadow_from - style.softness - 0.026F) {
                 EXPECT_NEAR(share, 0.0F, 4e-3F);
             }
@@ -186,7 +186,7 @@ TEST(Wash, StepsIntoShadowOnceAndWandersLittle)
 
 TEST(Wash, ItsEdgeStaysWholeWhereLightFallsOffSlowly)
 {
-    // Darkness rises by 0.002 a pixel: 0.025 of it either way are half of the page.
+    // Darkness rises by 0.002 per pixel, so a waver of 0.025 would span half of the page.
     Page page;
     const WashStyle style = [] {
         WashStyle hard = strong();
@@ -222,7 +222,8 @@ TEST(Wash, IsTintedByTheLightsColourAlone)
     const glm::vec3 grey(0.3F);
     page.material.mean_color = grey;
     WashStyle style = strong();
-    // As ever by half of its hue, which is over its luminance; by the style over its brightest channel.
+    // Half of the light's hue (colour over luminance) always tints the wash; light_tint adds colour over the
+    // brightest channel.
     const glm::vec4 red_light(2.0F, 0.5F, 0.5F, 0.8189F);
     const glm::vec3 hue = glm::mix(glm::vec3(1.0F), glm::vec3(red_light) / red_light.w, 0.5F);
     for (const float share : {0.0F, 0.5F, 1.0F}) {
@@ -277,7 +278,7 @@ TEST(Wash, PalesWithDistance)
     for (uint32_t i = 0; i < wash.size(); ++i) {
         const glm::uvec2 pixel(i % size_px.x, i / size_px.x);
         const glm::vec2 ndc = 2.0F * (glm::vec2(pixel) + 0.5F) / glm::vec2(size_px) - 1.0F;
-        // Reversed depth near / distance along the view, of a pyramid of that field of view.
+        // Reversed depth is near / distance along the view direction of this camera.
         const float ahead = 0.01F / page.depth(pixel);
         const auto half = static_cast<float>(std::tan(0.5 * camera.vertical_fov_rad));
         const float away = ahead * glm::length(glm::vec3(ndc.x * half * 1.5F, ndc.y * half, 1.0F));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One workgroup a tile: a few rounds of Jacobi's iteration.
+// One workgroup per tile: a few rounds of Jacobi's iteration.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -26,7 +26,7 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/pressure/fluid_tile.glsl"
 
-shared float tile_pressures[2 * fluid_region_cells]; // before and after a round, by turns
+shared float tile_pressures[2 * fluid_region_cells]; // double buffer: before and after a round
 
 void iterate(int from, int to)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell of a volume: a round of Jacobi's iteration.
+// One thread per cell of a volume: one round of Jacobi's iteration.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -26,7 +26,7 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/fluid_fields.glsl"
 
-// Adds a neighbour's pressure, and 1 for the open face between.
+// Adds the neighbour's pressure to x, and 1 to y, if the face between the cells is open.
 void add_neighbour(ivec3 cell, int axis, int step, inout vec2 sum)
 {
     int size = fluid_size()[axis];

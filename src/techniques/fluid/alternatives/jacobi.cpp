@@ -10,7 +10,6 @@
 namespace estampe::fluid {
 namespace {
 
-/// So many rounds, in tiles.
 gpu::BufferId add_rounds(gpu::Graph& graph, const Grid& grid, const Equation& equation,
                          gpu::BufferId pressure, uint32_t count)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Jacobi's iteration on the device against the same in plain loops.
+// Compares Jacobi's iteration on the device with plain loops on the CPU.
 #include "techniques/fluid/alternatives/jacobi.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace estampe::fluid {
 namespace {
 
-/// Rounds from zero, between walls along y and ends that meet along x.
+/// Runs rounds from zero, with walls along y and periodic along x.
 std::vector<double> plain_jacobi(const Grid& grid, const std::vector<float>& divergence, uint32_t rounds)
 {
     const auto nx = static_cast<int>(grid.cells.x);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: takes what it claimed; where more was claimed than there is, as much less.
+// One thread per cell: takes the claimed mass. If more was claimed than exists, claims are scaled down.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

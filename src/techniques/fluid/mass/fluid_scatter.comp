@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: what nobody has taken of its mass goes along the flow, and is shared by the cells about
-// where it comes to.
+// One thread per cell: moves the unclaimed mass along the flow, and distributes it over the cells around its
+// destination.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_FLUID_SHARES
 #define ESTAMPE_FLUID_SHARES
 
-// The cells about a place, and how they share what is there, in whole numbers. Needs what fluid_fields.glsl
-// needs, and is included after it.
+// Distributes the content of a place over the cells around it, in whole numbers. Needs what fluid_fields.glsl
+// needs; include it after that file.
 
 const int fluid_most_sharers = 8;
 
@@ -12,7 +12,8 @@ int sharer_count()
     return is_volume() ? 8 : 4;
 }
 
-// Of a place as far from the middle of `cell` as `way` says. The last one gets what rounding leaves.
+// Cells and weights of the place at displacement `way` from the middle of `cell`. The last cell takes the
+// rounding error.
 void share_out(ivec3 cell, vec3 way, out uint index[fluid_most_sharers], out uint weight[fluid_most_sharers])
 {
     vec3 whole = floor(way);
@@ -38,7 +39,7 @@ void share_out(ivec3 cell, vec3 way, out uint index[fluid_most_sharers], out uin
     }
 }
 
-// A share of a mass, `part` of 65536, rounded down.
+// `part` / 65536 of `mass`, rounded down.
 uint part_of(uint mass, uint part)
 {
     uint high;
@@ -47,7 +48,7 @@ uint part_of(uint mass, uint part)
     return (high << 16u) | (low >> 16u);
 }
 
-// The way of what is in the middle of `cell`.
+// Displacement of the content at the middle of `cell`.
 vec3 way_from_middle(ivec3 cell, float cells_per_speed)
 {
     vec3 here = velocity_at(velocity, cell, vec3(0.5));

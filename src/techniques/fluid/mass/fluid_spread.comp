@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: velocity that runs from where there is more mass to where there is less.
+// One thread per cell: accelerates the velocity from more mass towards less.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// West, "Practical Fluid Dynamics", Game Developer, 2007, for carrying in both directions; Lentine,
+// Advection in both directions: West, "Practical Fluid Dynamics", Game Developer, 2007. Claims: Lentine,
 // Grétarsson and Fedkiw, "An unconditionally stable fully conservative semi-Lagrangian method", Journal of
-// Computational Physics 230, 2011, for claims.
+// Computational Physics 230, 2011.
 #include "techniques/fluid/mass/mass.hpp"
 
 #include <cmath>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Mass that a flow carries and never loses, whether the flow has divergence or not: counted in whole units.
+// Mass that is counted in whole units, so that advection conserves it exactly, even if the flow has
+// divergence.
 
 #include <span>
 
@@ -11,30 +12,30 @@
 namespace estampe::fluid {
 
 enum class MassAdvection : uint8_t {
-    forward,  ///< each cell gives what it has to the cells about where the flow takes it
-    both_ways ///< each cell takes what comes to it, no cell gives more than it has, and what nobody takes
-              ///< goes forward
+    forward,  ///< each cell distributes its mass over the cells around the point where the flow takes it
+    both_ways ///< each cell claims mass from where the flow comes from; claims are scaled down to the mass
+              ///< that is there, and unclaimed mass moves `forward`
 };
 
-/// Mass of each cell in units of 1 / 65536. The sum stays what it is, to the unit, and none is less than
-/// zero; a cell holds up to 65535. The order of threads does not matter.
+/// Mass of each cell in units of 1 / 65536. The sum is constant to the unit, and no cell is negative; a cell
+/// holds up to 65535. The result does not depend on the order of threads.
 class MassField {
 public:
-    /// `mass` is a number of 0 to 32768 for each cell; anything else is an std::logic_error.
+    /// `mass` has one number from 0 to 32768 per cell; otherwise std::logic_error is thrown.
     MassField(gpu::Device& device, const Grid& grid, std::span<const float> mass);
 
     [[nodiscard]] gpu::BufferId import(gpu::Graph& graph);
 
-    /// `mass`, of import() or of this, after `time_s` of a flow; the last of a graph is to be kept().
+    /// Returns the mass after `time_s` of a flow. `mass` comes from import() or add_step(). Pass the last
+    /// result in a graph to keep().
     [[nodiscard]] gpu::BufferId add_step(gpu::Graph& graph, gpu::BufferId mass, gpu::ImageId velocity,
                                          float time_s, MassAdvection advection) const;
 
-    /// Keeps it for the next graph.
     void keep(gpu::Graph& graph, gpu::BufferId mass);
 
-    /// A velocity in metres a second after `time_s` of running away from mass: `stiffness_m2_s2` is the
-    /// square of the speed of sound where the mass of cells is 1. With it mass needs no pressure, and is
-    /// compressible.
+    /// Returns the velocity after `time_s` of acceleration away from mass, as in a compressible gas.
+    /// `stiffness_m2_s2` is the square of the speed of sound where cells have mass 1. Replaces the pressure
+    /// solve.
     [[nodiscard]] gpu::ImageId add_spread(gpu::Graph& graph, gpu::BufferId mass, gpu::ImageId velocity,
                                           float stiffness_m2_s2, float time_s) const;
 

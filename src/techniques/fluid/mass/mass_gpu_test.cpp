@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Not a unit of mass is lost or made; and what plain advection does instead.
+// Checks that no unit of mass is lost or created, and that plain advection does lose mass.
 #include "techniques/fluid/mass/mass.hpp"
 
 #include <limits>
@@ -13,7 +13,7 @@
 namespace estampe::fluid {
 namespace {
 
-/// A flow with divergence and vortices, still at walls.
+/// A flow with divergence and vortices, at rest at walls.
 glm::dvec3 stirred_flow(glm::dvec3 p)
 {
     const double x = 2.0 * std::numbers::pi * p.x / 32.0;
@@ -35,7 +35,7 @@ struct Carrying {
     {
     }
 
-    /// Units of mass after so many steps more of a flow that does not change.
+    /// Units of mass after `steps` more steps of a constant flow.
     std::vector<uint32_t> after(MassAdvection advection, uint32_t steps, float step_s)
     {
         constexpr uint32_t at_once = 30;
@@ -79,7 +79,7 @@ TEST(FluidMass, IsKeptToTheUnitInTenThousandStepsAndNeverNegative)
             const std::vector<uint32_t> units =
                 carrying.after(advection, advection == MassAdvection::forward ? 200 : 5000, step_s);
             ASSERT_EQ(sum_of_units(units), before);
-            // One below zero would be a huge one.
+            // A negative count would wrap to a huge number.
             ASSERT_LE(*std::max_element(units.begin(), units.end()), before);
         }
     }
@@ -129,7 +129,7 @@ TEST(FluidMass, MovesAsFarAsTheFlow)
     }
 }
 
-/// Mean square of how far a small pulse has spread along x after so many steps of running away from mass.
+/// Mean square distance along x that a small pulse has spread after `steps` steps of add_spread().
 double pulse_spread(float stiffness, uint32_t steps, float step_s)
 {
     const Grid grid{.cells = {128, 4, 1}, .edges = {Edge::periodic, Edge::periodic, Edge::no_slip}};
@@ -158,7 +158,8 @@ double pulse_spread(float stiffness, uint32_t steps, float step_s)
 
 TEST(FluidMass, PulsesRunAsFastAsSound)
 {
-    // Two halves run apart, so the mean square grows by the square of the way.
+    // The pulse splits into two halves that move apart, so the mean square grows with the square of the
+    // distance.
     for (const float stiffness : {1.0F, 4.0F}) {
         const double step = 0.4;
         const auto step_s = static_cast<float>(step / std::sqrt(static_cast<double>(stiffness)));

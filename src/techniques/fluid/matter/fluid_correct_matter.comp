@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: what becomes of quantities in a step when it has been put right where they came from:
-// see fluid_correct.glsl and fluid_matter.glsl. One pass, as what it says is read and written once less.
+// One thread per cell: MacCormack's correction (fluid_correct.glsl), then the changes of quantities in a step
+// (fluid_matter.glsl). One pass saves a write and a read of all quantities.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

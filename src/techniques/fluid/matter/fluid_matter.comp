@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: what becomes of quantities in a step, see fluid_matter.glsl.
+// One thread per cell: changes of quantities in a step, see fluid_matter.glsl.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

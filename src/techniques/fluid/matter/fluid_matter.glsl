@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_FLUID_MATTER
 #define ESTAMPE_FLUID_MATTER
 
-// Quantities of a cell come from sources, fade, cool, burn, condense and evaporate. Needs what
-// fluid_shapes.glsl needs, is included after it, and needs `matter`, a FluidMatter.
+// Sources, fading, cooling, combustion, condensation and evaporation of a cell's quantities. Needs what
+// fluid_shapes.glsl needs, and `matter`, a FluidMatter; include it after that file.
 
 const int most_channels = (variant & fluid_bit_few) != 0u ? fluid_fuel : int(fluid_most_channels);
 
@@ -12,7 +12,7 @@ float gain_of_channel(FluidShape shape, int channel)
     return channel < 4 ? shape.gain[channel] : shape.more_gain[channel - 4];
 }
 
-// Fuel that is hot enough turns into heat and smoke.
+// Fuel above the ignition temperature turns into heat and smoke.
 void burn(inout float amounts[fluid_most_channels])
 {
     float burnt = amounts[fluid_temperature] >= matter.ignition ? matter.burnt * amounts[fluid_fuel] : 0.0;
@@ -27,7 +27,7 @@ float vapour_held(float temperature, float height_m)
            exp(matter.saturation_heat * temperature - matter.saturation_height * height_m);
 }
 
-// Fuel and cloud leave by open ends, where air of another humidity comes in.
+// Fuel and cloud leave through open ends, and vapour approaches that of the outside air.
 void exchange(inout float amounts[fluid_most_channels], float stays, float height_m)
 {
     amounts[fluid_fuel] *= stays;
@@ -36,7 +36,7 @@ void exchange(inout float amounts[fluid_most_channels], float stays, float heigh
     amounts[fluid_vapour] = mix(outside, amounts[fluid_vapour], stays);
 }
 
-// Vapour that is too much for the air becomes cloud, and cloud becomes vapour where there is too little.
+// Excess vapour condenses into cloud; cloud evaporates if the air holds more vapour.
 void condense(inout float amounts[fluid_most_channels], float height_m)
 {
     float most = vapour_held(amounts[fluid_temperature], height_m);
@@ -46,11 +46,11 @@ void condense(inout float amounts[fluid_most_channels], float height_m)
     amounts[fluid_temperature] += matter.latent_heat * moved;
 }
 
-// A step of all that. Channels from `most_channels` on are left alone.
+// Applies all changes of a step. Channels from `most_channels` on are left alone.
 void settle(inout float amounts[fluid_most_channels], ivec3 cell)
 {
     vec3 place_m = (vec3(cell) + 0.5) * shapes.cell_m;
-    float least = 0.0; // density
+    float least = 0.0; // lowest density
     float least_vapour = 0.0;
     for (uint k = shapes.obstacle_count; k < shapes.count; ++k) {
         float cover = cover_of(shape_list[k], place_m);

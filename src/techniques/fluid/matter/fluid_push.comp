@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: velocities at faces of obstacles are those of the obstacles, and what is in a source
-// takes up its speed.
+// One thread per cell: sets velocities on faces of obstacles to the obstacle's, and lets the fluid in a
+// source take up the source's speed.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

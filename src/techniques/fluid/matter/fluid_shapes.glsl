@@ -2,15 +2,15 @@
 #ifndef ESTAMPE_FLUID_SHAPES
 #define ESTAMPE_FLUID_SHAPES
 
-// Needs `shape_list`, a buffer of FluidShape, and `shapes`, a FluidShapes; is included after
-// fluid_fields.glsl. In two dimensions z does not count.
+// Needs `shape_list`, a buffer of FluidShape, and `shapes`, a FluidShapes; include it after
+// fluid_fields.glsl. In 2D z is ignored.
 
 vec3 centre_of(FluidShape shape)
 {
     return shape.centre_m + shapes.age_s * shape.speed;
 }
 
-// How far a place is from a shape, negative within.
+// Distance of a place from a shape; negative inside.
 float distance_to(FluidShape shape, vec3 place_m)
 {
     float angle = shape.angle_rad + shapes.age_s * shape.spin;
@@ -29,7 +29,7 @@ vec3 speed_of(FluidShape shape, vec3 place_m)
     return shape.speed + shape.spin * vec3(-off.y, off.x, 0.0);
 }
 
-// How much of a cell a source covers.
+// Share of a cell that a source covers.
 float cover_of(FluidShape shape, vec3 place_m)
 {
     return clamp(0.5 - distance_to(shape, place_m) / shapes.cell_m, 0.0, 1.0);

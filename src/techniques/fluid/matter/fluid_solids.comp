@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: which obstacle is in its middle, from 1 on; 0 for none. What stands still for good comes
-// after those that move.
+// One thread per cell: number of the obstacle that contains its centre, counted from 1, or 0. Permanently
+// solid cells get their mark only where no obstacle is.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -16,7 +16,7 @@ layout(scalar, binding = 0) readonly buffer Shapes
     FluidShape shape_list[];
 };
 
-layout(binding = 1) uniform usamplerBuffer standing; // cells, or a single word where nothing stands
+layout(binding = 1) uniform usamplerBuffer standing; // one word per cell; a single word if all are 0
 
 layout(scalar, binding = 2) writeonly buffer Solids
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Obstacles and sources: shapes that move through a fluid. And what becomes of the quantities that it
-// carries, besides being carried.
+// Obstacles and sources: shapes that move through a fluid. Also changes of the quantities besides advection:
+// fading, cooling, combustion, condensation.
 
 #include <array>
 #include <span>
@@ -15,11 +15,10 @@
 
 namespace estampe::fluid {
 
-/// A box turned about z, and all that is no farther than `radius_m` from it. Along z only volumes have a
-/// size.
+/// A rounded box turned about z: all points within `radius_m` of the box. Sizes along z only count in 3D.
 struct Shape {
     glm::vec3 centre_m{0.0F}; ///< from the grid's low corner
-    glm::vec3 half_m{0.0F};   ///< of the box, along its own axes
+    glm::vec3 half_m{0.0F};   ///< half size of the box along its own axes
     float radius_m = 0.0F;
     float angle_rad = 0.0F; ///< from x towards y
     glm::vec3 velocity_m_per_s{0.0F};
@@ -28,37 +27,37 @@ struct Shape {
 
 [[nodiscard]] Shape disc(glm::vec3 centre_m, float radius_m);
 [[nodiscard]] Shape box(glm::vec3 centre_m, glm::vec3 half_m, float angle_rad = 0.0F);
-/// So long from the middle of one end to that of the other.
+/// `length_m` is the distance between the centres of the two round ends.
 [[nodiscard]] Shape capsule(glm::vec3 centre_m, float length_m, float radius_m, float angle_rad = 0.0F);
 
-/// Where something comes into the fluid.
+/// A shape that brings quantities into the fluid.
 struct Source {
     Shape shape;
-    float push_per_s = 0.0F; ///< how quickly what is within takes up the shape's velocity
-    std::array<float, shared::fluid_most_channels> gain_per_s{}; ///< of quantities, channel by channel
-    float least_density = 0.0F; ///< of what is within after a step, however quickly it goes through
-    float least_vapour = 0.0F;  ///< likewise, before any of it condenses
+    float push_per_s = 0.0F; ///< rate at which the fluid inside takes up the shape's velocity
+    std::array<float, shared::fluid_most_channels> gain_per_s{}; ///< gain of quantities, channel by channel
+    float least_density = 0.0F; ///< lowest density inside after a step, however fast the fluid passes
+    float least_vapour = 0.0F;  ///< lowest vapour inside before condensation
 };
 
-/// Obstacles and sources of a fluid, on the device.
+/// Obstacles and sources of a fluid on the device.
 class Shapes {
 public:
     explicit Shapes(gpu::Device& device);
 
-    /// Throws std::logic_error for more than 64 in all. No graph that reads them may be running.
+    /// Throws std::logic_error for more than 64 in all. No graph that reads the shapes may be running.
     void set(std::span<const Shape> obstacles, std::span<const Source> sources);
 
-    /// Lets all that moves move on.
+    /// Moves all shapes on by `time_s`.
     void advance(float time_s);
 
-    /// Writes where they are, for the graph that runs next.
+    /// Uploads the present positions for the graph that runs next.
     [[nodiscard]] gpu::BufferId upload(gpu::Graph& graph);
 
-    /// For a moment so long after that of upload().
+    /// Constants for the moment `age_s` after upload().
     [[nodiscard]] shared::FluidShapes constants(const Grid& grid, float age_s, float step_s,
                                                 uint32_t channels) const;
 
-    /// Whether a source pushes what is in it.
+    /// Whether a source pushes the fluid inside it.
     [[nodiscard]] bool are_pushing() const;
 
     [[nodiscard]] bool are_solid() const { return obstacle_count_ > 0; }
@@ -69,48 +68,50 @@ private:
     uint32_t obstacle_count_ = 0;
 };
 
-/// Which cells are in obstacles, written over `cells`. `standing` has a word a cell, fluid_stands_still or 0,
-/// or is too small for that where nothing stands still for good.
+/// Writes for each cell which obstacle contains it into `cells`. `standing` has one word per cell,
+/// fluid_stands_still or 0; if no cell is solid permanently, it may be shorter.
 [[nodiscard]] Solids add_solids(gpu::Graph& graph, const Grid& grid, gpu::BufferId shapes,
                                 const shared::FluidShapes& constants, gpu::BufferId standing,
                                 gpu::BufferId cells);
 
-/// `velocity` with that of obstacles on their faces, and pushed by sources.
+/// Returns `velocity` with obstacles' velocities on their faces and with the push of sources.
 [[nodiscard]] gpu::ImageId add_push(gpu::Graph& graph, const Grid& grid, gpu::BufferId shapes,
                                     const shared::FluidShapes& constants, const Solids& solids,
                                     gpu::ImageId velocity);
 
-/// Channels 0 to 4 are density, temperature above that of the surroundings, fuel, vapour and cloud; what a
-/// fluid has too few channels for does not happen. Those from 5 on are for colours and the like.
+/// Channels 0 to 4 are density, temperature relative to the surroundings, fuel, vapour and cloud; effects on
+/// channels that the fluid lacks are skipped. Channels from 5 on are free, for example for colours.
 struct MatterStyle {
-    float fading_per_s = 0.0F;  ///< of density
-    float cooling_per_s = 0.0F; ///< of temperature
+    float fading_per_s = 0.0F;  ///< decay rate of density
+    float cooling_per_s = 0.0F; ///< decay rate of temperature
 
-    float burning_per_s = 0.0F; ///< share of the fuel, at first, where it is as hot as `ignition`
+    float burning_per_s = 0.0F; ///< initial share of the fuel that burns at `ignition` or hotter
     float ignition = 1.0F;
-    float heat_of_fuel = 1.0F;  ///< temperature by a unit of fuel
-    float smoke_of_fuel = 1.0F; ///< density by a unit of fuel
+    float heat_of_fuel = 1.0F;  ///< temperature per unit of burnt fuel
+    float smoke_of_fuel = 1.0F; ///< density per unit of burnt fuel
 
-    float condensing_per_s =
-        0.0F; ///< share of the vapour that is too much, or lacks where there is cloud, at first
-    float saturation = 1.0F;        ///< vapour that air holds at y = 0, no warmer than its surroundings
-    float saturation_growth = 0.0F; ///< of the logarithm of it, by a unit of temperature
-    float saturation_fall_per_m =
-        0.0F;                 ///< of the logarithm of it, by height: the surroundings are colder above
-    float latent_heat = 0.0F; ///< temperature by a unit of vapour that condenses
+    float condensing_per_s = 0.0F;  ///< initial share of excess vapour that condenses, or of missing vapour
+                                    ///< that evaporates from cloud
+    float saturation = 1.0F;        ///< vapour that air holds at y = 0 at the temperature of the surroundings
+    float saturation_growth = 0.0F; ///< growth of the logarithm of saturation per unit of temperature
+    float saturation_fall_per_m = 0.0F; ///< fall of the logarithm of saturation per metre of height, because
+                                        ///< the surroundings are colder above
+    float latent_heat = 0.0F;           ///< temperature per unit of condensed vapour
 
-    Rim rim; ///< where density, heat, fuel and cloud leave, and vapour becomes that of the air outside
-    float outside_vapour = 0.0F; ///< where air as warm as the surroundings holds as much; else what it holds
+    Rim rim; ///< layer where density, heat, fuel and cloud leave, and vapour becomes `outside_vapour`
+    float outside_vapour = 0.0F; ///< vapour of the outside air, limited by its saturation
 
     bool operator==(const MatterStyle&) const = default;
 };
 
-/// `quantities` after a step of it, and of what sources bring; themselves when there is nothing to do.
+/// Returns `quantities` after one step of MatterStyle and of the sources; returns `quantities` itself if
+/// nothing changes them.
 [[nodiscard]] gpu::ImageId add_matter(gpu::Graph& graph, const Grid& grid, const MatterStyle& style,
                                       gpu::BufferId shapes, const shared::FluidShapes& constants,
                                       gpu::ImageId quantities);
 
-/// The same of what MacCormack's scheme has carried, corrected first, into `target`: one pass for both.
+/// Like add_matter(), but applies MacCormack's correction to `carried` first, and writes into `target`. One
+/// pass does both.
 [[nodiscard]] gpu::ImageId add_corrected_matter(gpu::Graph& graph, const Grid& grid, const MatterStyle& style,
                                                 gpu::BufferId shapes, const shared::FluidShapes& constants,
                                                 const ThereAndBack& carried, gpu::ImageId target);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Obstacles, sources, and what quantities turn into.
+// Obstacles, sources, and changes of quantities.
 #include <cstdlib>
 #include <numeric>
 
@@ -27,7 +27,7 @@ Seen after(Fluid& fluid, const FluidStyle& style, uint32_t steps)
     return {velocity, run_and_read_layers(graph, *fluid.add_steps(graph, style, 0).quantities)};
 }
 
-/// The same number in every cell of each channel.
+/// The same amount in every cell of each channel.
 std::vector<float> even(const Grid& grid, const std::vector<float>& amounts)
 {
     return over_nodes(grid, static_cast<uint32_t>(amounts.size()),
@@ -45,7 +45,7 @@ double sum_of_channel(const std::vector<float>& numbers, const Grid& grid, uint3
     return std::accumulate(first, first + static_cast<ptrdiff_t>(grid.cell_count()), 0.0);
 }
 
-/// Divergence that the last projection of some steps left, over what it was given.
+/// Divergence after the last projection of `steps` steps, relative to that before it.
 double divergence_left(Fluid& fluid, const FluidStyle& style, uint32_t steps)
 {
     static_cast<void>(velocity_after(fluid, style, steps));
@@ -96,10 +96,10 @@ TEST(FluidMatter, FacesOfObstaclesMoveAsTheyDo)
     oar.velocity_m_per_s = {0.0F, 0.25F, 0.0F};
     fluid.set_shapes(std::vector{oar}, {});
     const std::vector<float> velocity = after(fluid, {.step_s = 0.001F}, 1).velocity;
-    // In its middle, a step later.
+    // Inside the obstacle, one step later.
     EXPECT_NEAR(at(velocity, meadow, 0, 32, 30), -1.5 * (3.05 - 3.2), 2e-3);
     EXPECT_NEAR(at(velocity, meadow, 1, 38, 32), 0.25 + 1.5 * (3.85 - 3.2), 2e-3);
-    // What is before it is pushed away, what is behind follows.
+    // Fluid in front of the obstacle is pushed away, fluid behind it follows.
     EXPECT_GT(at(velocity, meadow, 1, 41, 38), 0.05);
     EXPECT_GT(norm(velocity), 1.0);
 }
@@ -174,7 +174,7 @@ TEST(FluidMatter, HeatRisesAndWeightFalls)
     Fluid rising(test::shared_device(), meadow, 2, {}, blob);
     const Seen risen = after(rising, warm, 40);
     EXPECT_GT(height_of(risen.quantities), 31.5 + 1.5);
-    // Upside down, density does the same.
+    // With gravity reversed, density acts in the same way.
     std::vector<float> heavy(blob.begin() + static_cast<ptrdiff_t>(meadow.cell_count()), blob.end());
     heavy.resize(2 * meadow.cell_count());
     Fluid falling(test::shared_device(), meadow, 2, {}, heavy);
@@ -280,14 +280,14 @@ TEST(FluidMatter, ConfinementFeedsVortices)
                         .velocity) /
                norm(start);
     };
-    // Little of it, and cubes that lose nothing else: what is left is the work of the force.
+    // A weak force, and cubic advection without other losses: the difference is the work of the force.
     const double gained = energy(0.01F, Advection::cubic) - energy(0.0F, Advection::cubic);
     EXPECT_GT(gained, 0.03);
     EXPECT_LT(gained, 0.5);
     EXPECT_NEAR(energy(0.0F, Advection::cubic) - energy(-0.01F, Advection::cubic), gained, 0.5 * gained);
 }
 
-/// All that there is to stir: fire, clouds, friction, vortices that are fed.
+/// All effects at once: fire, clouds, friction, vorticity confinement.
 FluidStyle all_that_stirs()
 {
     return {.step_s = 0.5F,
@@ -305,8 +305,8 @@ FluidStyle all_that_stirs()
                        .latent_heat = 0.3F}};
 }
 
-/// Stirs 3.2 m each way at random with spoons and stones that come and go every 4 seconds. What comes of it
-/// has to be finite all the while, and no faster than the spoons can make it.
+/// Stirs a box of 3.2 m per side at random, with sources and obstacles that change every 4 seconds. The
+/// result must stay finite and no faster than the sources can make it.
 void stir(const Grid& grid, uint32_t seconds)
 {
     Fluid fluid(test::shared_device(), grid, 5, {}, even(grid, {0.1F, 0.0F, 0.2F, 1.0F, 0.0F}));
@@ -328,7 +328,7 @@ void stir(const Grid& grid, uint32_t seconds)
         spoon.gain_per_s = {any(0.0, 1.0), any(-1.0, 2.0), any(0.0, 1.0), any(0.0, 1.0), 0.0F};
         Shape stone = disc(anywhere(0.0, 3.2), any(0.1, 0.5));
         stone.velocity_m_per_s = anywhere(-1.0, 1.0);
-        // Now and then without an obstacle, so that solvers change.
+        // Leaves the obstacle out at times, so that the solver changes.
         fluid.set_shapes(i % 3 == 0 ? std::vector{stone} : std::vector<Shape>{}, std::vector{spoon});
         const std::vector<float> speeds = velocity_after(fluid, all_that_stirs(), 2 * stir_s);
         ASSERT_TRUE(std::ranges::all_of(speeds, finite)) << "after " << (i + 1) * stir_s << " s";
@@ -352,7 +352,7 @@ TEST(FluidMatter, TenMinutesOfStirringDoNotBlowUp)
 
 TEST(FluidMatter, StirredVolumesDoNotBlowUp)
 {
-    // Some seconds, or ten minutes of finer cells.
+    // A few seconds, or ten minutes with finer cells.
     if (std::getenv("ESTAMPE_LONG") != nullptr) {
         stir({.cells = {32, 32, 32}, .cell_m = 0.1F}, 600);
     } else {

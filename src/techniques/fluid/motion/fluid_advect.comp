@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: what comes to its nodes along the flow, looked up where it was before (semi-Lagrangian).
+// One thread per cell: semi-Lagrangian advection. Looks up each node's value where the flow brings it from.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -12,7 +12,7 @@ layout(constant_id = 0) const uint variant = 0u;
 
 layout(binding = 0) uniform sampler2DArray velocity;
 layout(binding = 1) uniform sampler2DArray field;
-layout(binding = 2) uniform sampler2DArray ways; // of the variant that has them
+layout(binding = 2) uniform sampler2DArray ways; // only with fluid_bit_ways
 layout(binding = 3, r32f) writeonly uniform image2DArray out_field;
 
 layout(push_constant, scalar) uniform Constants
@@ -23,11 +23,11 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/fluid_fields.glsl"
 
-// Fields by Catmull-Rom splines.
+// Interpolation by Catmull-Rom splines.
 
 struct CubicSample {
     float value;
-    vec2 range; // least and greatest of the four or eight nodes about
+    vec2 range; // minimum and maximum of the four or eight nearest nodes
 };
 
 vec4 cubic_weights(float share)
@@ -49,14 +49,14 @@ vec4 beyond_wall(vec4 inner, int component, int axis, bool is_high)
                 beyond_wall(inner.zw, component, axis, is_high));
 }
 
-// Four nodes along an axis, of four places each, the first with index `low`, where some lie on or beyond a
-// wall. Of two beyond it the second is taken for the first.
+// Corrects four nodes along an axis, for four rows at once, if some lie on or beyond a wall; `low` is the
+// first one's index. A second node beyond the wall gets the first one's value.
 void mend_four(inout mat4 nodes, int low, int component, int axis)
 {
     if (are_four_far_from_wall(low, axis)) {
         return;
     }
-    int high = fluid_size()[axis] - low; // index of the first beyond the high wall, counted from `low`
+    int high = fluid_size()[axis] - low; // index of the first node beyond the high wall, relative to `low`
     if (component == axis) {
         for (int k = 0; k < 4; ++k) {
             nodes[k] = low + k <= 0 || k >= high ? vec4(0.0) : nodes[k];
@@ -69,14 +69,14 @@ void mend_four(inout mat4 nodes, int low, int component, int axis)
     nodes[3] = high <= 2 ? nodes[2] : high == 3 ? beyond_wall(nodes[2], component, axis, true) : nodes[3];
 }
 
-// 00, 10, 01, 11 from `low` on.
+// Four nodes from `low` on: 00, 10, 01, 11.
 vec4 four_nodes(sampler2DArray field, ivec2 low, float layer)
 {
     vec2 corner = (vec2(low) + 1.0) * vec2(grid.texel_x, grid.texel_y);
     return textureGather(field, vec3(corner, layer)).wzxy;
 }
 
-// Sixteen nodes from `low` on in a layer, row by row.
+// Sixteen nodes of a layer from `low` on, row by row.
 mat4 sixteen_nodes(sampler2DArray field, int component, ivec2 low, int layer)
 {
     vec4 near = four_nodes(field, low, float(layer));
@@ -108,7 +108,7 @@ CubicSample sample_cubic(sampler2DArray field, int component, ivec3 node, int fi
         mat4 rows = sixteen_nodes(field, component, low.xy, first_layer);
         return CubicSample(dot(up, across * rows), with_middle(no_range, rows));
     }
-    // What is beyond a wall is so of sums over a slice as of nodes.
+    // Wall corrections are linear, so they may be applied to sums over a slice instead of to nodes.
     mat4 slices = mat4(0.0);
     vec2 range = no_range;
     for (int k = 0; k < 4; ++k) {
@@ -124,7 +124,6 @@ CubicSample sample_cubic(sampler2DArray field, int component, ivec3 node, int fi
 
 #include "techniques/fluid/motion/fluid_ways.glsl"
 
-// Back along the flow.
 vec3 way_back(int component, ivec3 cell, vec3 own)
 {
     if ((variant & fluid_bit_ways) != 0u) {

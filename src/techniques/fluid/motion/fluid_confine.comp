@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell of a volume: the force in its middle that feeds vortices, from vorticity and how much of
-// it there is. Source: Steinhoff and Underhill, "Modification of the Euler equations for vorticity
+// One thread per cell of a volume: vorticity confinement force at the cell centre, from the vorticity and its
+// magnitude. Source: Steinhoff and Underhill, "Modification of the Euler equations for vorticity
 // confinement", Physics of Fluids 6, 1994.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -37,7 +37,7 @@ void main()
     for (int axis = 0; axis < 3; ++axis) {
         gradient[axis] = curl_at(neighbour(cell, axis, 1)).w - curl_at(neighbour(cell, axis, -1)).w;
     }
-    // Towards where there is more of it, no longer than 1.
+    // Points towards stronger vorticity; at most 1 long.
     vec3 force = cross(gradient * inversesqrt(dot(gradient, gradient) + 1e-12), curl_at(cell).xyz);
     imageStore(out_force, cell, vec4(force, 0.0));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: MacCormack's correction of the velocity at its nodes, see fluid_correct.glsl; for
-// quantities see fluid_correct_matter.comp.
+// One thread per cell: MacCormack's correction of the velocity, see fluid_correct.glsl.
+// fluid_correct_matter.comp corrects quantities.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -2,11 +2,12 @@
 #ifndef ESTAMPE_FLUID_CORRECT
 #define ESTAMPE_FLUID_CORRECT
 
-// MacCormack's correction of what semi-Lagrangian advection blurred. Carried back, its result should be what
-// was there; half of the difference is added, within the range of the nodes that it came from. Needs what
-// fluid_fields.glsl needs, is included after it, and needs `field` and `advected`, two sampler2DArray.
+// MacCormack's correction of the blur of semi-Lagrangian advection. The result, carried back, should equal
+// the original; half of the difference is added, clamped to the range of the source nodes. Needs what
+// fluid_fields.glsl needs, and `field` and `advected`, two sampler2DArray; include it after that file.
 
-// Of a cell's node of `component`, whose layers begin at `first_layer`, and which goes these ways.
+// Corrected value of a cell's node of `component`. Its layers start at `first_layer`; `back` and `forth` are
+// its displacements.
 float corrected(int component, ivec3 cell, int first_layer, vec3 back, vec3 forth)
 {
     ivec3 texel = ivec3(cell.xy, first_layer + cell.z);

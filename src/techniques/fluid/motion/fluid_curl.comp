@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell of a volume: vorticity in its middle, of unit cells, and how much it is. What lies
-// between two faces along an axis is their mean.
+// One thread per cell of a volume: vorticity at the cell centre, for cells of size 1, and its magnitude.
+// Values between two faces along an axis are their mean.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -21,7 +21,7 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/fluid_fields.glsl"
 
-// Four faces of `component` in a slice, from `low` on: 00, 10, 01, 11.
+// Four faces of `component` in a slice from `low` on: 00, 10, 01, 11.
 vec4 faces(int component, ivec2 low, int slice)
 {
     int inside = layer_of_slice(slice);

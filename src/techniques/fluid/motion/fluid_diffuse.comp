@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: a stage of diffusion of the velocity, under a force that is the same everywhere.
+// One thread per cell: one stage of diffusion of the velocity under a uniform force.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -23,14 +23,14 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/fluid_fields.glsl"
 
-// The sum of the neighbours less as many times the node itself.
+// The sum of the neighbours minus the node itself times their number.
 float laplacian(sampler2DArray velocity, int component, ivec3 cell)
 {
     int first_layer = component * int(grid.depth);
     vec4 near;
     vec4 far;
     box_nodes(velocity, component, cell - 1, first_layer, near, far);
-    vec4 lower = is_volume() ? far : near; // the slice of the node itself
+    vec4 lower = is_volume() ? far : near; // the node's own slice
     float below = near.w;
     box_nodes(velocity, component, cell, first_layer, near, far);
     float sum = lower.y + lower.z + near.y + near.z - 4.0 * near.x;

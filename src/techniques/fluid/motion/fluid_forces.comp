@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: what gains or loses speed, by a force everywhere, by heat and weight of what is carried,
-// by friction, and by vorticity confinement.
+// One thread per cell: changes of velocity by a uniform force, lift of heat, weight of density, friction and
+// vorticity confinement.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -13,7 +13,7 @@ layout(constant_id = 0) const uint variant = 0u;
 
 layout(binding = 0) uniform sampler2DArray velocity;
 layout(binding = 1) uniform sampler2DArray quantities;
-layout(binding = 2) uniform sampler2DArray confining; // of volumes: the force in the middle of cells
+layout(binding = 2) uniform sampler2DArray confining; // only in volumes: the force at cell centres
 layout(binding = 3, r32f) writeonly uniform image2DArray out_velocity;
 
 layout(push_constant, scalar) uniform Constants
@@ -24,10 +24,10 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/fluid_fields.glsl"
 
-// Vorticity confinement in the plane; for volumes see fluid_confine.comp. Source: Steinhoff and Underhill,
+// Vorticity confinement in 2D; for volumes see fluid_confine.comp. Source: Steinhoff and Underhill,
 // "Modification of the Euler equations for vorticity confinement", Physics of Fluids 6, 1994.
 
-// Vorticity of unit cells at the low corner of a cell.
+// Vorticity at the low corner of a cell, for cells of size 1.
 float vorticity_at(ivec2 corner)
 {
     ivec2 size = fluid_size().xy;
@@ -38,13 +38,13 @@ float vorticity_at(ivec2 corner)
     return (up.y - up.x) - (across.z - across.x);
 }
 
-// Towards where there is more of it, no longer than 1.
+// Points towards stronger vorticity; at most 1 long.
 vec2 towards_vortex(vec2 gradient)
 {
     return gradient * inversesqrt(dot(gradient, gradient) + 1e-12);
 }
 
-// At the faces of a cell towards lower x and lower y, each component on its own.
+// Force on the cell's faces towards lower x and lower y, one component per face.
 vec2 confining_force(ivec3 cell)
 {
     float at[9];
@@ -60,7 +60,7 @@ vec2 confining_force(ivec3 cell)
                 -towards_vortex(on_y).x * 0.5 * (at[4] + at[5]));
 }
 
-// Of y's speed, at the face between a cell and that below it.
+// Gain of y speed at the face between a cell and the cell below it.
 float buoyancy(ivec3 cell)
 {
     int depth = int(grid.depth);
@@ -73,7 +73,7 @@ float buoyancy(ivec3 cell)
     return dot(0.5 * (here + there), vec2(-forces.weight, forces.lift));
 }
 
-// At the faces of a cell of a volume towards its lower neighbours.
+// Force on the faces of a volume's cell towards its lower neighbours.
 vec3 confining_force_of_volume(ivec3 cell)
 {
     vec3 here = texelFetch(confining, cell, 0).xyz;

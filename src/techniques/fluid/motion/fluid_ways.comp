@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: the ways that what is in its middle goes back and forth along the flow, in cells, by the
-// midpoint rule. Nodes on faces go by the mean of the cells on both sides.
+// One thread per cell: displacements of its centre backward and forward along the flow, in cells, by the
+// midpoint rule. Nodes on faces use the mean of the cells on both sides.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -22,8 +22,8 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/fluid_fields.glsl"
 
-// Half a step ahead the velocity is as much more as it is less half a step back, to the order of the midpoint
-// rule, which saves looking it up; but where ways differ by more than this, in cells, it is looked up.
+// The velocity half a step ahead is extrapolated from that half a step back, which saves a look-up and keeps
+// the midpoint rule's order. If the displacements differ by more than this, in cells, it is looked up.
 const float most_bend = 0.25;
 
 void main()

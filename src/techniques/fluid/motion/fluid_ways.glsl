@@ -2,15 +2,16 @@
 #ifndef ESTAMPE_FLUID_WAYS
 #define ESTAMPE_FLUID_WAYS
 
-// Ways that fluid_ways.comp found: those back in the first layers, a slice each, those forth in the layers
-// after. Needs what fluid_fields.glsl needs, is included after it, and needs `ways`, a sampler2DArray.
+// Displacements from fluid_ways.comp: the first layers hold the backward ones, one layer per slice, the later
+// layers the forward ones. Needs what fluid_fields.glsl needs, and `ways`, a sampler2DArray; include it after
+// that file.
 
 vec3 way_of_cell(ivec3 cell, int first_layer)
 {
     return texelFetch(ways, ivec3(cell.xy, first_layer + cell.z), 0).xyz;
 }
 
-// Of a node of `component`, when its cell goes `own`: a face lies between two cells.
+// Displacement of a node of `component`; `own` is that of its cell. A face lies between two cells.
 vec3 way_of_node(int component, ivec3 cell, int first_layer, vec3 own)
 {
     return component == fluid_scalar ? own

@@ -30,7 +30,6 @@ uint32_t bits_of(const Grid& grid, const Carried& carried)
     return grid_bits(grid) | (carried.channels > 0 ? shared::fluid_bit_scalars : 0U);
 }
 
-/// Semi-Lagrangian, into `target`.
 gpu::ImageId add_advect(gpu::Graph& graph, const Grid& grid, const Carried& carried, gpu::ImageId target,
                         uint32_t bits, float time_s)
 {
@@ -104,9 +103,9 @@ gpu::ImageId add_advection(gpu::Graph& graph, const Grid& grid, Advection advect
     return corrected;
 }
 
-// The Runge-Kutta-Legendre scheme of second order, explicit, whose stability grows with the square of its
-// stages: Meyer, Balsara and Aslam, "A stabilized Runge-Kutta-Legendre method for explicit
-// super-time-stepping of parabolic and mixed equations", Journal of Computational Physics 257, 2014.
+// Second-order Runge-Kutta-Legendre scheme: explicit, with a stability limit that grows with the square of
+// the number of stages. Source: Meyer, Balsara and Aslam, "A stabilized Runge-Kutta-Legendre method for
+// explicit super-time-stepping of parabolic and mixed equations", Journal of Computational Physics 257, 2014.
 
 namespace {
 
@@ -118,7 +117,7 @@ float b_of(uint32_t j)
     return (n * n + n - 2.0F) / (2.0F * n * (n + 1.0F));
 }
 
-/// Weights of a stage for rates of change over the whole time.
+/// Weights of stage `j`. Weights of rates are for the whole time step.
 shared::FluidDiffuse stage_of(uint32_t j, uint32_t stages)
 {
     const auto s = static_cast<float>(stages);
@@ -176,7 +175,7 @@ gpu::ImageId add_diffusion(gpu::Graph& graph, const Grid& grid, gpu::ImageId vel
 
 namespace {
 
-/// What feeds the vortices of a volume, in the middle of cells.
+/// Vorticity confinement force of a volume, at cell centres.
 gpu::ImageId confining_force(gpu::Graph& graph, const Grid& grid, gpu::ImageId velocity)
 {
     auto curl_pass = graph.compute("fluid/curl", shaders::fluid_curl_comp);

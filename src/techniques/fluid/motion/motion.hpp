@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What moves a velocity before it is projected: advection, viscosity and forces.
+// Changes of a velocity before it is projected: advection, viscosity and forces.
 
 #include <cstdint>
 #include <optional>
@@ -10,78 +10,78 @@
 
 namespace estampe::fluid {
 
-/// How what the flow carries is looked up where it came from.
+/// Interpolation at the point from which the flow carries a value.
 enum class Advection : uint8_t {
-    automatic, ///< cubic in planes, MacCormack in volumes, where splines go through 64 nodes
-    linear,    ///< between the nearest nodes: blurs
-    cubic,     ///< by Catmull-Rom splines through four nodes along each axis
-    maccormack ///< linear, corrected by half of what it loses on the way back
+    automatic, ///< cubic in 2D, MacCormack in 3D, where splines would need 64 nodes
+    linear,    ///< between the nearest nodes; blurs
+    cubic,     ///< Catmull-Rom splines through four nodes along each axis
+    maccormack ///< linear, corrected by half of the error that carrying the result back shows
 };
 
-/// What is carried, and in what.
+/// Input and output of an advection.
 struct Carried {
-    gpu::ImageId velocity; ///< carries
-    gpu::ImageId field;    ///< is carried; for components of velocity the velocity itself, or another one
-    gpu::ImageId target;   ///< is overwritten with what is carried
-    uint32_t channels = 0; ///< of quantities; 0 for a velocity
-    std::optional<gpu::ImageId> ways = {}; ///< from add_ways(), where another field goes them too
+    gpu::ImageId velocity;                 ///< the velocity that carries
+    gpu::ImageId field;                    ///< the field that is carried; a velocity may carry itself
+    gpu::ImageId target;                   ///< overwritten with the result
+    uint32_t channels = 0;                 ///< number of quantities; 0 for a velocity
+    std::optional<gpu::ImageId> ways = {}; ///< displacements from add_ways(), if another field uses them too
 };
 
-/// What MacCormack's scheme has found before it corrects.
+/// Result of the first part of MacCormack's scheme, before the correction.
 struct ThereAndBack {
     gpu::ImageId ways;
     gpu::ImageId field;
     gpu::ImageId advected; ///< `field`, carried once
 };
 
-/// What `automatic` stands for.
+/// Resolves `automatic`.
 [[nodiscard]] Advection advection_for(const Grid& grid, Advection advection);
 
-/// Passes of add_advection(), without those of ways that are there already.
+/// Number of passes that add_advection() adds, without add_ways().
 [[nodiscard]] uint32_t passes_of_advection(const Grid& grid, Advection advection);
 
-/// The ways of what is in the middle of cells, back and forth, in `time_s`: what MacCormack's scheme goes by.
+/// Displacements of cell centres in `time_s`, backward and forward, for MacCormack's scheme.
 [[nodiscard]] gpu::ImageId add_ways(gpu::Graph& graph, const Grid& grid, gpu::ImageId velocity, float time_s);
 
-/// The first part of MacCormack's scheme; of `carried` the target is not written.
+/// First part of MacCormack's scheme. Does not write `carried.target`.
 [[nodiscard]] ThereAndBack add_there(gpu::Graph& graph, const Grid& grid, const Carried& carried,
                                      float time_s);
 
-/// `carried.field` after `time_s`, in `carried.target`. Velocities in metres a second. Throws
-/// std::logic_error for quantities by MacCormack's scheme: add_corrected_matter() does that.
+/// Returns `carried.field` after `time_s`, in `carried.target`. Velocities are in metres per second. Throws
+/// std::logic_error for quantities with MacCormack's scheme: use add_corrected_matter().
 [[nodiscard]] gpu::ImageId add_advection(gpu::Graph& graph, const Grid& grid, Advection advection,
                                          const Carried& carried, float time_s);
 
-/// Stages that diffusion takes to be stable: 2 for little viscosity, more with the root of it. `share` is
-/// viscosity times time over the square of a cell's side. Throws std::logic_error above 63.
+/// Number of stages that keep diffusion stable: 2 for a low viscosity, growing with its square root. `share`
+/// is viscosity times time over the square of the cell size. Throws std::logic_error above 63.
 [[nodiscard]] uint32_t diffusion_stages(const Grid& grid, float share);
 
 struct Diffusion {
     float viscosity_m2_s = 0.0F;
     glm::vec3 acceleration_m_s2{
-        0.0F}; ///< everywhere: what walls hold back at once must not be added afterwards
+        0.0F}; ///< uniform force; part of diffusion, so that walls slow down the flow that it drives
     float time_s = 0.0F;
 };
 
-/// `velocity` after it.
+/// Returns `velocity` after viscous diffusion.
 [[nodiscard]] gpu::ImageId add_diffusion(gpu::Graph& graph, const Grid& grid, gpu::ImageId velocity,
                                          const Diffusion& diffusion);
 
 struct ForceStyle {
-    glm::vec3 acceleration_m_s2{0.0F}; ///< everywhere
-    float friction_per_s = 0.0F;       ///< share of the speed that is lost, at first
-    float lift_m_s2 = 0.0F;            ///< up y, by a unit of temperature
-    float weight_m_s2 = 0.0F;          ///< down y, by a unit of density
-    /// Feeds the vortices with so much of the speed that they have within a cell, each second.
+    glm::vec3 acceleration_m_s2{0.0F}; ///< uniform force
+    float friction_per_s = 0.0F;       ///< initial share of the speed that is lost
+    float lift_m_s2 = 0.0F;            ///< along +y, per unit of temperature
+    float weight_m_s2 = 0.0F;          ///< along -y, per unit of density
+    /// Strength of vorticity confinement: share of a vortex's speed across one cell that it gains per second.
     float confinement_per_s = 0.0F;
-    Rim rim; ///< where what moves takes up `outside_m_per_s`
+    Rim rim; ///< layer in which the fluid takes up `outside_m_per_s`
     glm::vec3 outside_m_per_s{0.0F};
 
     bool operator==(const ForceStyle&) const = default;
 };
 
-/// `velocity` after `time_s` of forces; itself when there are none. Without `quantities` nothing is light or
-/// heavy.
+/// Returns `velocity` after `time_s` of forces; returns `velocity` itself if there are none. Without
+/// `quantities` there is no lift or weight.
 [[nodiscard]] gpu::ImageId add_forces(gpu::Graph& graph, const Grid& grid, const ForceStyle& style,
                                       gpu::ImageId velocity, std::optional<gpu::ImageId> quantities,
                                       float time_s);

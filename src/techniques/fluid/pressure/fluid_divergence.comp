@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: what flows out of it. Nothing flows out of obstacles.
+// One thread per cell: its outflow. Nothing flows out of obstacles.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -25,7 +25,7 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/fluid_fields.glsl"
 
-// Divergence of a cell, times its side.
+// Divergence of a cell times the cell size.
 float outflow_of(sampler2DArray velocity, ivec3 cell)
 {
     int depth = int(grid.depth);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One workgroup a tile of a level: two sweeps from zero, and what then is left of the equation, summed over
-// cells of the next level.
+// One workgroup per tile of a level: two sweeps from zero, then the residual, summed over the cells of the
+// next coarser level.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -31,7 +31,7 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/pressure/fluid_tile.glsl"
 
-// What is left of the equation of a slot.
+// Residual of the equation in slot `i`.
 float residual(int i)
 {
     vec4 open = openings(i);

@@ -2,13 +2,13 @@
 #ifndef ESTAMPE_FLUID_EXTENT
 #define ESTAMPE_FLUID_EXTENT
 
-// How wide cell `i` of `size` is, in cells of its level: the last one has what is left of the grid's `cells`.
+// Width of cell `i` of `size`, in cells of its level. The last cell covers only the rest of the grid.
 float extent(int i, int size, int level, int cells)
 {
     return i < size - 1 ? 1.0 : float(cells) / float(1 << level) - float(size - 1);
 }
 
-// How much closer than a cell's width the middles of cell `i` and the one before it are, as a factor.
+// Ratio of a cell's width to the distance between the centres of cell `i` and the previous one.
 float nearness(int i, int size, int level, int cells)
 {
     int before = i == 0 ? size - 1 : i - 1;

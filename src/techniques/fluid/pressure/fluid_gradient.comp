@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: takes the pressure's gradient from the velocity.
+// One thread per cell: subtracts the pressure gradient from the velocity.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

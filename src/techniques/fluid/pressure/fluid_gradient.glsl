@@ -2,15 +2,15 @@
 #ifndef ESTAMPE_FLUID_GRADIENT
 #define ESTAMPE_FLUID_GRADIENT
 
-// Needs what fluid_fields.glsl needs, is included after it, and needs two texel buffers, `pressure` and
-// `solids`.
+// Needs what fluid_fields.glsl needs, and two texel buffers, `pressure` and `solids`; include it after that
+// file.
 
 bool is_solid(uint index)
 {
     return (variant & fluid_bit_solids) != 0u && texelFetch(solids, int(index)).x != 0u;
 }
 
-// A component of the velocity without the pressure's gradient.
+// One velocity component minus the pressure gradient.
 float projected(sampler2DArray velocity, ivec3 cell, int axis)
 {
     uint here = fluid_cell_index(cell);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: takes the pressure's gradient from the velocity, and tells besides the velocity
-// reflected: as far on the other side of the projected one as that before all projections was on this side.
+// One thread per cell: subtracts the pressure gradient from the velocity, and also writes the reflected
+// velocity: 2 * projected - velocity before all projections.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

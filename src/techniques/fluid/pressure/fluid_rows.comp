@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One workgroup a few pairs of rows along an axis: their transform, or back; or there, each wave divided by
-// what the sum of differences to the neighbours makes of it, and back.
+// One workgroup per few pairs of rows along an axis: transforms them forward or backward, or solves: forward,
+// division of each wave by its eigenvalue of the Laplacian, backward.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -24,17 +24,17 @@ layout(push_constant, scalar) uniform Constants
     FluidTransform transform;
 };
 
-// Fast transforms of rows along an axis in shared memory, two rows of real numbers as one of complex ones.
-// `angles` holds cosines and sines of a full turn's parts.
+// Fast transforms of rows along an axis in shared memory. Two rows of real numbers form one complex row.
+// `angles` holds cosines and sines of fractions of a full turn.
 //
-// Forward goes by decimation in frequency, backward by decimation in time, both in place, so that frequencies
-// stand in bit-reversed order and nothing needs to be sorted.
+// Forward transforms decimate in frequency, backward ones in time, both in place. Frequencies are in
+// bit-reversed order, so nothing needs to be sorted.
 //
-// An axis with walls has cosines (DCT-II, Neumann), one without a real Fourier transform. Both come of the
-// complex transform of the row, for walls reordered after Makhoul ("A fast cosine transform in one and two
-// dimensions", IEEE Transactions on Acoustics, Speech, and Signal Processing 28, 1980): with A(k) of one row
-// turned by -k/4n of a full turn for walls, and not at all else, its real part is coefficient k and its
-// imaginary part less than zero coefficient n - k.
+// An axis with walls uses cosines (DCT-II, Neumann), a periodic axis a real Fourier transform. Both come from
+// the complex transform A(k) of the row. With walls the row is first reordered after Makhoul ("A fast cosine
+// transform in one and two dimensions", IEEE Transactions on Acoustics, Speech, and Signal Processing 28,
+// 1980), and A(k) is turned by -k/4n of a full turn. In both cases the real part of A(k) is coefficient k,
+// and its negated imaginary part is coefficient n - k.
 
 const int transform_threads = 256;
 const int transform_numbers =
@@ -89,27 +89,27 @@ vec2 times_i(vec2 a)
     return vec2(-a.y, a.x);
 }
 
-// Cosine and sine of `part` of 2^log_parts parts of a full turn.
+// Cosine and sine of `part` / 2^log_parts of a full turn.
 vec2 angle(int part, int log_parts)
 {
     return uintBitsToFloat(texelFetch(angles, part << (int(transform.log_turn) - log_parts)).xy);
 }
 
-// Where frequency `k` of row `row` stands.
+// Index of frequency `k` of row `row`.
 int place_of_frequency(int row, int k)
 {
     int log_length = int(transform.log_length);
     return (row << log_length) + int(bitfieldReverse(uint(k)) >> (32 - log_length));
 }
 
-// The number of a row that is transformed as its j-th.
+// Position in the row of the number that enters the transform as its j-th.
 int reordered(int j)
 {
     int n = row_length();
     return !has_walls() ? j : 2 * j < n ? 2 * j : 2 * (n - 1 - j) + 1;
 }
 
-// Coefficient k turned, from the row's own A(k).
+// Rotation that turns A(k) into coefficients k and n - k.
 vec2 turn_of(int k)
 {
     return has_walls() ? conjugate(angle(k, int(transform.log_length) + 2)) : vec2(1.0, 0.0);
@@ -181,19 +181,19 @@ void transform_forward()
     }
 }
 
-// What comes out is as many times too large as the row has numbers.
+// Unnormalized: the result is multiplied by the length of the row.
 void transform_backward()
 {
     int log_quarter = int(transform.log_length) & 1;
     if (log_quarter == 1) {
-        forward_pair(); // its own inverse, but for the factor
+        forward_pair(); // its own inverse, up to the factor
     }
     for (; log_quarter < int(transform.log_length); log_quarter += 2) {
         backward_four(log_quarter);
     }
 }
 
-// The two rows' A(k) from the frequencies of both as one complex row.
+// Separates A(k) of the two rows from the frequencies of the complex row.
 void untangle(int row, int k, out vec2 first, out vec2 second)
 {
     vec2 here = number_at(place_of_frequency(row, k));
@@ -202,8 +202,8 @@ void untangle(int row, int k, out vec2 first, out vec2 second)
     second = -0.5 * times_i(here - there);
 }
 
-// The cell that the first row of a pair begins with. Two rows of a pair are neighbours along x, or along y if
-// rows themselves run along x.
+// First cell of a pair's first row. The two rows of a pair are neighbours along x, or along y if rows run
+// along x.
 ivec3 start_of(int pair)
 {
     // Sides are powers of two.
@@ -221,7 +221,7 @@ int index_of(ivec3 cell)
     return (cell.z * int(transform.height) + cell.y) * int(transform.width) + cell.x;
 }
 
-// Where the number of a pair's first row is, and how much farther that of the second.
+// Index of number `number` in a pair's first row, and the distance to that of the second row.
 int place_of_number(int pair, int number)
 {
     ivec3 cell = start_of(pair);
@@ -234,7 +234,7 @@ int to_second_row()
     return axis_of_rows() == 0 ? int(transform.width) : 1;
 }
 
-// Which pair, and which number of its rows: neighbouring threads take neighbours along x.
+// Pair, and number within its rows. Neighbouring threads take neighbours along x, so that accesses coalesce.
 ivec2 work_of(int i)
 {
     return axis_of_rows() == 0 ? ivec2(i >> transform.log_length, i & (row_length() - 1))
@@ -263,8 +263,7 @@ void write_rows()
     }
 }
 
-// Coefficients k and n - k, of which the first alone stands for itself where k is 0 or half of n, come of one
-// frequency.
+// Coefficients k and n - k come from one frequency; k = 0 and k = n / 2 have no partner.
 bool is_first_of_two(int k)
 {
     return 2 * k <= row_length();
@@ -298,7 +297,7 @@ void write_coefficients()
     }
 }
 
-// A(k) from coefficients k and n - k, which stand at two places.
+// A(k) from coefficients k and n - k, which are at `at` and `at_other`.
 vec2 from_coefficients(int k, int at, int at_other)
 {
     bool is_real = k == 0 || 2 * k == row_length() && !has_walls();
@@ -326,7 +325,7 @@ void read_coefficients()
     barrier();
 }
 
-// What the sum of differences to both neighbours along an axis takes of wave k, of so many cells.
+// Eigenvalue of wave k of the second difference along an axis of `cells` cells, negated.
 float stiffness(int k, uint cells, int axis)
 {
     bool is_periodic = (variant & (fluid_bit_periodic << axis)) != 0u;
@@ -340,14 +339,14 @@ float stiffness_across(ivec3 start)
     return axis_of_rows() == 2 ? sum + stiffness(start.y, transform.height, 1) : sum;
 }
 
-// What a wave of pressure is, of a wave of divergence.
+// Factor from a wave of divergence to that of pressure.
 float pressure_of_wave(float across, int k)
 {
     float all_stiffness = across + stiffness(k, uint(row_length()), axis_of_rows());
     return all_stiffness > 0.0 ? -1.0 / all_stiffness : 0.0;
 }
 
-// A(k) of a row, its coefficients k and n - k each divided.
+// A(k) of a row after division of its coefficients k and n - k.
 vec2 divided(vec2 wave, float across, int k)
 {
     int n = row_length();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One workgroup: the levels that are left, all in shared memory, down to a handful of cells and up again.
+// One workgroup: all remaining coarse levels in shared memory, down to a handful of cells and up again.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -23,20 +23,20 @@ layout(push_constant, scalar) uniform Constants
     FluidSmall small;
 };
 
-const int all_cells = 2 * int(fluid_small_cells); // of all levels, however thin the grid is
+const int all_cells = 2 * int(fluid_small_cells); // sum over all levels, for any shape of grid
 const int thread_count = 256;
 
 shared float cell_pressure[all_cells];
 shared float cell_divergence[all_cells];
 shared uint cell_weights[all_cells];
-shared vec2 sums[thread_count]; // of divergence, and of cells that are not closed in
+shared vec2 sums[thread_count]; // sums of divergence, and of the number of cells with an open face
 
 #include "techniques/fluid/pressure/fluid_extent.glsl"
 
 struct Level {
     ivec2 size;
     int first;
-    int number; // from the grid itself on
+    int number; // 0 is the grid itself
 };
 
 Level level_of(int number)
@@ -53,7 +53,7 @@ bool wraps(int axis)
     return (variant & (fluid_bit_periodic << axis)) != 0u;
 }
 
-// The place of a neighbour; of one that is not there, the last place of all, whose face is closed.
+// Index of a neighbour. A missing neighbour has the last index of all, whose face is closed.
 int neighbour(Level level, ivec2 cell)
 {
     bool is_outside_x = cell.x < 0 || cell.x >= level.size.x;
@@ -70,7 +70,7 @@ int neighbour(Level level, ivec2 cell)
     return level.first + cell.y * level.size.x + cell.x;
 }
 
-// How open the faces are and what the neighbours' pressures are: lower x, lower y, higher x, higher y.
+// Openings of the faces, and pressures of the neighbours: lower x, lower y, higher x, higher y.
 void look_around(Level level, ivec2 cell, out vec4 open, out vec4 pressures)
 {
     int right = neighbour(level, cell + ivec2(1, 0));
@@ -82,13 +82,13 @@ void look_around(Level level, ivec2 cell, out vec4 open, out vec4 pressures)
              cell_pressure[neighbour(level, cell - ivec2(0, 1))], cell_pressure[right], cell_pressure[above]);
 }
 
-// Whether a cell is the last before an edge across which colours do not alternate.
+// Whether a cell is the last before a periodic edge across which colours do not alternate.
 int is_at_seam(Level level, ivec2 cell, int axis)
 {
     return wraps(axis) && (level.size[axis] & 1) == 1 && cell[axis] == level.size[axis] - 1 ? 1 : 0;
 }
 
-// No two neighbours have one colour: red and black alternate, and the two again, apart, on each seam.
+// No two neighbours have the same colour: red and black alternate, and cells at seams have extra colours.
 int color_of(Level level, ivec2 cell)
 {
     return ((cell.x + cell.y) & 1) + 2 * (is_at_seam(level, cell, 0) + is_at_seam(level, cell, 1));
@@ -130,7 +130,7 @@ vec2 nearness_at(Level level, ivec2 cell)
                 nearness(cell.y, level.size.y, level.number, int(small.height)));
 }
 
-// The next level's weights, and what is left of the equation.
+// Computes the next level's weights and the sums of residuals.
 void restrict_to(Level coarse, Level level)
 {
     for (int k = int(gl_LocalInvocationIndex); k < coarse.size.x * coarse.size.y; k += thread_count) {
@@ -172,7 +172,7 @@ bool is_closed_in(Level level, int k)
     return dot(open, vec4(1.0)) == 0.0;
 }
 
-// What flows out of all cells together is taken away, from each alike: no pressure could undo it.
+// Subtracts the mean divergence of all cells, because no pressure could remove it.
 void level_out(Level level)
 {
     int cell_count = level.size.x * level.size.y;

@@ -3,8 +3,8 @@
 #define ESTAMPE_FLUID_TILE
 
 // A tile of a level in shared memory, with a halo that shrinks by a cell with each sweep. Needs `variant`,
-// and `tile`, a FluidTile; texel buffers `divergence` and `weights`. The equation of a cell: its neighbours'
-// pressures less its own, each times how open the face between is, make up its divergence.
+// `tile`, a FluidTile, and texel buffers `divergence` and `weights`. The equation of a cell: the sum over its
+// neighbours of their pressure minus its own, each times the opening of the face between, is its divergence.
 
 const int fluid_region = int(fluid_tile + 2u * fluid_halo);
 const int fluid_region_cells = fluid_region * fluid_region;
@@ -28,7 +28,7 @@ ivec2 tile_origin()
     return ivec2(gl_WorkGroupID.xy) * int(fluid_tile);
 }
 
-// The cell of the level that slot `i` of the region stands for; x is negative where there is none.
+// Cell of the level for slot `i` of the region; x is negative if there is none.
 ivec2 cell_of_slot(int i)
 {
     ivec2 size = level_size();
@@ -51,14 +51,14 @@ void load_equation(int i, ivec2 cell)
     tile_weights[i] = is_there ? texelFetch(weights, int(tile.level.first) + index_in_level(cell)).x : 0u;
 }
 
-// Of slot `i`, how open its faces are: towards lower x, lower y, higher x, higher y.
+// Openings of the faces of slot `i`: towards lower x, lower y, higher x, higher y.
 vec4 openings(int i)
 {
     return vec4(unpackHalf2x16(tile_weights[i]), unpackHalf2x16(tile_weights[i + 1]).x,
                 unpackHalf2x16(tile_weights[i + fluid_region]).y);
 }
 
-// Whether a slot has its four neighbours in the region.
+// Whether all four neighbours of a slot are in the region.
 bool is_within(int x, int y)
 {
     return x > 0 && y > 0 && x < fluid_region - 1 && y < fluid_region - 1;
@@ -70,7 +70,7 @@ float relaxed(vec4 open, vec4 neighbours, float own_divergence)
     return all_open > 0.0 ? (dot(open, neighbours) - own_divergence) / all_open : 0.0;
 }
 
-// Gauss-Seidel in a tile: cells of one colour after those of the other, as on a chess board.
+// Red-black Gauss-Seidel in a tile: cells of one colour after those of the other, as on a chess board.
 
 shared float tile_pressure[fluid_region_cells];
 

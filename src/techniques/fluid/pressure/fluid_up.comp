@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One workgroup a tile of a level: adds the next level's pressure to its own, and two sweeps.
+// One workgroup per tile of a level: adds the next coarser level's pressure, and does two sweeps.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell of any level: how open its faces towards lower x and lower y are, as two halves. On the
-// grid itself a face is open, 1, or closed, 0, by a wall or an obstacle; a coarser face is half the sum of
-// the open ones that it is made of, which makes Galerkin's operator of aggregated cells that of the coarser
-// grid.
+// One thread per cell of any level: openings of its faces towards lower x and lower y, as two halves. On the
+// grid a face is open, 1, or closed by a wall or an obstacle, 0. A coarser face is half the sum of the open
+// faces that it covers, so that the Galerkin operator of aggregated cells equals that of the coarser grid.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -36,7 +35,7 @@ bool is_open(ivec2 cell)
            texelFetch(solids, cell.y * int(grid.width) + cell.x).x == 0u;
 }
 
-// Of the faces of the grid that make up that of a coarser cell, from `cell` on, those that are open.
+// Number of open faces of the grid among those that make up a coarser cell's face from `cell` on.
 float open_faces(ivec2 cell, int axis, int span)
 {
     ivec2 size = fluid_size().xy;

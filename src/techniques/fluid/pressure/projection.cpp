@@ -53,7 +53,7 @@ Projected add_reflection(gpu::Graph& graph, const Grid& grid, const ProjectionIn
 
 ProjectionStyle chosen_style(const Grid& grid, const ProjectionStyle& style, bool has_solids)
 {
-    const uint32_t usual_cycles = grid.is_volume() ? 2 : 3; // a graph has 256 passes
+    const uint32_t usual_cycles = grid.is_volume() ? 2 : 3; // 3D cycles have more passes, and a graph has 256
     ProjectionStyle chosen = style;
     chosen.solver = solver_for(grid, style.solver, has_solids);
     if (style.projections == 0) {
@@ -183,7 +183,7 @@ Projected add_projection(gpu::Graph& graph, const Grid& grid, const ProjectionSt
 
 namespace {
 
-/// Numbers of -1 to 1 whose sum is zero, to rounding.
+/// Numbers from -1 to 1 whose sum is zero, up to rounding.
 std::vector<float> random_divergence(uint64_t count)
 {
     std::vector<float> numbers;
@@ -199,7 +199,7 @@ std::vector<float> random_divergence(uint64_t count)
     return numbers;
 }
 
-/// Sum over the neighbours of a cell of their pressure less its own.
+/// Sum over a cell's neighbours of their pressure minus its own.
 double differences(const Grid& grid, std::span<const float> pressure, glm::ivec3 cell)
 {
     const glm::ivec3 size(grid.cells);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Makes a velocity one without divergence: of a pressure, found by one of several solvers, the gradient is
-// taken away.
+// Makes a velocity divergence-free: solves for a pressure, and subtracts its gradient.
 
 #include <cstdint>
 #include <string_view>
@@ -13,10 +12,10 @@
 namespace estampe::fluid {
 
 enum class Solver : uint8_t {
-    automatic, ///< spectral where it can be, else multigrid
-    jacobi,    ///< rounds of Jacobi's iteration: cheap, and blind to what is large
+    automatic, ///< spectral where possible, else multigrid
+    jacobi,    ///< rounds of Jacobi's iteration: cheap, but leaves large-scale divergence
     multigrid, ///< V(2,2) cycles
-    spectral   ///< direct, by fast transforms: sizes that are powers of two, no obstacles
+    spectral   ///< direct, by fast transforms; requires sizes that are powers of two and no obstacles
 };
 
 /// "jacobi", "multigrid", "spectral" or "automatic".
@@ -25,13 +24,13 @@ enum class Solver : uint8_t {
 struct ProjectionStyle {
     Solver solver = Solver::automatic;
     uint32_t jacobi_rounds = 80;
-    /// How often: each time what divergence is left is measured anew, and solved for from zero. That gets
-    /// past the rounding of floats, where more cycles of one solve would not. 0 leaves it to the solver: 3 V
-    /// cycles, or one solve of another.
+    /// Number of projections. Each measures the remaining divergence and solves for it from zero, which
+    /// reduces the rounding error of floats; more cycles of one solve would not. 0 selects the solver's
+    /// default: 3 V-cycles in 2D, 2 in 3D, or one solve with another solver.
     uint32_t projections = 0;
 };
 
-/// Cells that hold no fluid: a word each, 0 for fluid.
+/// One word per cell; 0 means fluid, other values a solid.
 struct Solids {
     gpu::BufferId cells;
     bool are_any = false;
@@ -39,49 +38,47 @@ struct Solids {
 
 struct Projected {
     gpu::ImageId velocity;
-    gpu::ImageId reflected; ///< the velocity before, reflected in the projected one; itself, if not asked for
+    gpu::ImageId reflected; ///< `velocity` reflected at the projected one; `velocity` itself if not requested
 };
 
-/// What `automatic` is for such a grid; throws std::logic_error when `solver` cannot do it.
+/// Resolves `automatic` for a grid. Throws std::logic_error if `solver` cannot solve it.
 [[nodiscard]] Solver solver_for(const Grid& grid, Solver solver, bool has_solids);
 
-/// What solvers know of a grid whatever flows on it.
+/// Data of the solvers that does not depend on the flow.
 struct SolverTables {
     Solids solids;
-    gpu::BufferId weights; ///< of add_weights
-    gpu::BufferId angles;  ///< of upload_angles
+    gpu::BufferId weights; ///< from add_weights
+    gpu::BufferId angles;  ///< from upload_angles
 };
 
-/// Openings of faces on all levels, which the iterating solvers want; they depend on walls and obstacles
-/// alone.
+/// Openings of faces on all levels, for the iterative solvers. They depend on walls and obstacles only.
 [[nodiscard]] gpu::BufferId add_weights(gpu::Graph& graph, const Grid& grid, const Solids& solids);
 
 struct ProjectionInput {
     gpu::ImageId velocity;
     SolverTables tables;
-    gpu::ImageId target; ///< is overwritten with the projected velocity
+    gpu::ImageId target; ///< overwritten with the projected velocity
 };
 
-/// Whether passes of projections have that name, and nobody else's, but for add_weights().
+/// Whether a pass with this name belongs to a projection; does not include passes of add_weights().
 [[nodiscard]] bool is_of_projection(std::string_view pass);
 
 [[nodiscard]] Projected add_projection(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,
                                        const ProjectionInput& input, bool reflects);
 
-/// Passes that a projection takes.
+/// Number of passes that a projection takes.
 [[nodiscard]] uint32_t passes_of_projection(const Grid& grid, const ProjectionStyle& style, bool has_solids);
 
-/// From what flows out of each cell the pressure of each.
+/// Solves for the pressure of each cell from the cells' outflow.
 [[nodiscard]] gpu::BufferId add_pressure(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,
                                          gpu::BufferId divergence, const SolverTables& tables);
 
-/// Of each cell, what flows out of it, in metres a second: divergence times the side of a cell.
+/// Outflow of each cell in metres per second: divergence times the cell size.
 [[nodiscard]] gpu::BufferId add_divergence(gpu::Graph& graph, const Grid& grid, gpu::ImageId velocity,
                                            const Solids& solids, const char* name = "fluid/divergence");
 
-/// What one solve of a solver leaves of the equations of a random divergence without obstacles, over that
-/// divergence, root mean squares in double precision. Cost: a solve, and a wait; meant for the start of a
-/// program.
+/// Relative residual after one solve of a random divergence without obstacles: root mean squares in double
+/// precision. Costs a solve and a wait; meant for the start of a program.
 [[nodiscard]] double measured_residual(gpu::Device& device, gpu::Executor& executor, const Grid& grid,
                                        const ProjectionStyle& style);
 

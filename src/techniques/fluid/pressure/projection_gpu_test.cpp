@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Projections of random and of known fields, by every solver.
+// Projects random and known fields with every solver.
 #include "techniques/fluid/pressure/projection.hpp"
 
 #include <random>
@@ -33,7 +33,7 @@ std::vector<float> random_velocity(const Grid& grid)
     });
 }
 
-/// What flows out of each cell, in double precision.
+/// Outflow of each cell in double precision.
 std::vector<double> outflow_of(const Grid& grid, const std::vector<float>& velocity)
 {
     std::vector<double> outflow(grid.cell_count());
@@ -162,7 +162,7 @@ TEST(FluidProjection, GradientsVanish)
     }
 }
 
-/// A gust an eighth of the grid wide: what is large is what the solvers differ in.
+/// A gust an eighth of the grid wide, because solvers differ in large-scale flow.
 std::vector<float> gust(const Grid& grid)
 {
     return velocity_of(grid, [&](glm::dvec3 p) {
@@ -231,7 +231,8 @@ TEST(FluidProjection, VolumesAreSolvedDirectly)
         EXPECT_EQ(solver_for(grid, Solver::automatic, false), Solver::spectral);
         EXPECT_LE(measured_residual(test::shared_device(), executor, grid, {}), 2e-6);
     }
-    // Seven cells round, as Jacobi's iteration never ends where cells alternate like a chess board's.
+    // Seven cells in the periodic direction: with an even number Jacobi's iteration does not converge on a
+    // chess-board pattern.
     const Grid odd{.cells = {10, 7, 5}, .edges = {wall, periodic, wall}};
     const auto left = [&](uint32_t rounds) {
         return measured_residual(test::shared_device(), executor, odd,

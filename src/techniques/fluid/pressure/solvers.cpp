@@ -28,7 +28,7 @@ shared::FluidLevel coarser(const shared::FluidLevel& level)
             .first = level.first + cell_count(level)};
 }
 
-/// Levels from this one on down to four cells or fewer.
+/// Number of levels from this one down to four cells or fewer.
 uint32_t small_levels_from(const shared::FluidLevel& level)
 {
     constexpr uint32_t few_cells = 4;
@@ -50,11 +50,11 @@ std::vector<shared::FluidLevel> levels_of(const Grid& grid)
     return levels;
 }
 
-// Geometric multigrid with aggregated cells: pressures of a coarse cell are added to its four cells as they
-// are, what is left of their equations is summed. Smoothing is by red and black sweeps, two before and two
-// after. Way down and way up of a level are one pass each, in tiles; all small levels together are one.
-// Source: Trottenberg, Oosterlee and Schüller, "Multigrid", 2001; on over-correction of aggregates, Braess,
-// "Towards algebraic multigrid for elliptic problems of second order", Computing 55, 1995.
+// Geometric multigrid with aggregated cells: the pressure of a coarse cell is added to its four cells
+// unchanged, and their residuals are summed. Red-black smoothing, two sweeps before and two after. In tiles,
+// the way down and the way up of a level are one pass each; all small levels together are one pass. Source:
+// Trottenberg, Oosterlee and Schüller, "Multigrid", 2001; on over-correction of aggregates, Braess, "Towards
+// algebraic multigrid for elliptic problems of second order", Computing 55, 1995.
 
 namespace {
 
@@ -145,7 +145,7 @@ gpu::BufferId add_v_cycle(gpu::Graph& graph, const Grid& grid, const Equation& e
     return VCycle(graph, grid, equation.weights).solve(0, equation.divergence);
 }
 
-// Multigrid as above, for volumes: half a sweep a pass.
+// The same multigrid method in 3D, where each half sweep is one pass.
 
 namespace {
 
@@ -159,7 +159,7 @@ uint32_t cells_of(const shared::FluidVolumeLevel& level)
     return level.width * level.height * level.depth;
 }
 
-/// From the grid itself to 4 x 4 x 4 cells or fewer.
+/// Levels from the grid down to 4 x 4 x 4 cells or fewer.
 std::vector<shared::FluidVolumeLevel> volume_levels(const Grid& grid)
 {
     constexpr uint32_t few = 4;
@@ -194,7 +194,7 @@ public:
     }
 
 private:
-    /// Two sweeps, the first half with `first_bits`.
+    /// Adds two sweeps; the first half sweep uses `first_bits`.
     [[nodiscard]] gpu::BufferId swept(size_t level, gpu::BufferId divergence, gpu::BufferId pressure,
                                       gpu::BufferId coarse_pressure, uint32_t first_bits)
     {
@@ -312,7 +312,7 @@ public:
     {
         const uint32_t length = grid_.cells[static_cast<int>(axis)];
         const auto pairs = static_cast<uint32_t>(grid_.cell_count() / length / 2);
-        // Numbers of eight pairs side by side are 64 bytes in a row; more would leave fewer workgroups.
+        // Eight pairs side by side read 64 contiguous bytes; more would leave too few workgroups.
         constexpr uint32_t most_at_once = 8;
         const uint32_t at_once =
             std::min(std::clamp(shared::fluid_transform_pairs / length, 1U, pairs), most_at_once);

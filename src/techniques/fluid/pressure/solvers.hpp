@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The usual solvers of the pressure's equation, and the ever coarser levels of a grid that multigrid goes
-// through.
+// Multigrid and spectral solvers of the pressure equation, and the levels of the multigrid.
 
 #include <vector>
 
@@ -12,8 +11,8 @@
 
 namespace estampe::fluid {
 
-/// The levels of a grid from the finest on, each of half the cells along each axis, to the first that one
-/// workgroup can take with all after it.
+/// The levels of a grid, finest first; each has half the cells of the previous one along each axis. The list
+/// ends with the first level that one workgroup can process together with all coarser ones.
 [[nodiscard]] std::vector<shared::FluidLevel> levels_of(const Grid& grid);
 
 [[nodiscard]] inline uint32_t cell_count(const shared::FluidLevel& level)
@@ -21,29 +20,29 @@ namespace estampe::fluid {
     return level.width * level.height;
 }
 
-/// The pressure's equation: from what flows out of each cell the pressure of each cell, such that the sum
-/// over a cell's open faces of pressure there less pressure here is what flows out.
+/// The pressure equation: for each cell, the sum over its open faces of the neighbour's pressure minus its
+/// own is the cell's outflow.
 struct Equation {
     gpu::BufferId divergence;
     Solids solids;
-    gpu::BufferId weights; ///< of add_weights
+    gpu::BufferId weights; ///< from add_weights
 };
 
-/// One V(2,2) cycle from zero, in two dimensions.
+/// Adds one V(2,2) cycle from zero in 2D.
 [[nodiscard]] gpu::BufferId add_v_cycle(gpu::Graph& graph, const Grid& grid, const Equation& equation);
 
-/// The same for volumes, with weights of add_volume_weights.
+/// Adds one V(2,2) cycle from zero in 3D; the weights come from add_volume_weights.
 [[nodiscard]] gpu::BufferId add_volume_cycle(gpu::Graph& graph, const Grid& grid, const Equation& equation);
 [[nodiscard]] gpu::BufferId add_volume_weights(gpu::Graph& graph, const Grid& grid, const Solids& solids);
 [[nodiscard]] uint32_t passes_of_volume_cycle(const Grid& grid);
 
-/// Sizes that are powers of two.
+/// Requires that all sizes are powers of two.
 [[nodiscard]] bool is_spectral_possible(const Grid& grid);
 
-/// Cosines and sines for the transforms of a grid; nothing of use when they are not possible.
+/// Cosines and sines for the transforms of a grid; a placeholder if the spectral solver is not possible.
 [[nodiscard]] gpu::Buffer upload_angles(gpu::Device& device, const Grid& grid);
 
-/// Directly, by transforms of rows and columns; there are no obstacles.
+/// Solves directly, by transforms along each axis. Requires that there are no obstacles.
 [[nodiscard]] gpu::BufferId add_spectral(gpu::Graph& graph, const Grid& grid, const Equation& equation,
                                          gpu::BufferId angles);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel finds where the lines of strokes pass between it and the pixels to the right and below:
-// marching squares, one level for each line, and the line as wide there as it is drawn. Where the surface
-// breaks between two pixels each goes on as it is for half the way. Crossings are listed in no order.
+// One thread per pixel: finds where the lines of strokes pass between it and the pixels to the right and
+// below, by marching squares with one level per line. Each crossing stores the line's drawn width. Where the
+// surface ends between two pixels, each side is extended by half a pixel. Crossings are listed in any order.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -20,11 +20,11 @@ layout(binding = 2) uniform usampler2D normal_image;
 layout(binding = 3) uniform sampler2D coordinate_image;
 layout(binding = 4) uniform usampler2D footprint_image;
 layout(binding = 5) uniform usampler2D source_image;    // see overrun.comp
-layout(binding = 6) uniform usampler2D strongest_image; // directions towards local lights, 0 for none
+layout(binding = 6) uniform usampler2D strongest_image; // directions towards local lights; 0 for none
 
 layout(scalar, binding = 7) buffer Crossings
 {
-    uint crossing_count; // of all, also those without room
+    uint crossing_count; // includes crossings that did not fit
     Crossing crossings[];
 };
 
@@ -42,7 +42,7 @@ const float least_width_px = 0.04;
 const int most_lines = 64; // between two pixels
 const uint most_families = 6u;
 
-// What strokes go by at one pixel.
+// Inputs of the strokes at one pixel.
 struct Spot {
     uint word;
     vec3 p;
@@ -81,13 +81,13 @@ void darkness_of_families(Spot spot, out float dark[most_families])
     }
 }
 
-// How coordinates of one pixel become those of another: where they are known up to whole numbers and sign.
+// Maps coordinates of one pixel to those of another if they are only defined up to whole numbers and sign.
 struct Turn {
     float sign;
     vec3 shift;
 };
 
-// Whether the surface goes on from pixel to pixel: whether the coordinate changes as both foretell.
+// Whether the surface continues from pixel to pixel: the coordinate changes as predicted at both.
 bool goes_on(Spot a, Spot b, bool is_down, out Turn turn)
 {
     bool wraps = has_form && strokes_of(a.word) == strokes_form;
@@ -103,7 +103,7 @@ bool goes_on(Spot a, Spot b, bool is_down, out Turn turn)
            dot(surprise, surprise) < allowed * allowed;
 }
 
-// Width in pixels of the line number * half of 2^level; 0 where the pixel has no such line.
+// Width in pixels of the line at number * half of 2^level; 0 if the pixel has no such line.
 float width_at(LineField field, LineLook look, DrawnLines drawn, float dark, int number, int level,
                uint identity)
 {
@@ -126,7 +126,7 @@ void list(uint edge, uint word, uint family, int number, int exponent, float alo
         Crossing(edge, draw_of(word) + 1u, line, number >> zeros, place | packHalf2x16(vec2(0.0, width_px)));
 }
 
-// `part` is the part of the way from a to b that counts.
+// Finds a family's crossings between a and b; `part` limits the part of the way that counts.
 void trace_family(Spot a, Spot b, float dark_a, float dark_b, Turn turn, uint family, uint edge, vec2 part)
 {
     LineLook look = line_look();
@@ -188,7 +188,7 @@ void trace_edge(Spot a, Spot b, Turn turn, uint edge, vec2 part)
     }
 }
 
-// The same surface a pixel farther on.
+// The same surface, extrapolated by `pixels`.
 Spot moved(Spot spot, bool is_down, float pixels)
 {
     spot.p += pixels * (is_down ? spot.f.dy : spot.f.dx);

@@ -15,7 +15,7 @@
 namespace estampe::hatch {
 namespace {
 
-constexpr float crossings_per_width = 4.0F; // most on a pixel of black, where strokes are a pixel wide
+constexpr float crossings_per_width = 4.0F; // maximum on a black pixel with strokes one pixel wide
 constexpr float least_step_px = 0.6F;
 constexpr size_t none = ~size_t{0};
 
@@ -29,9 +29,9 @@ bool is_same_line(const shared::Crossing& a, const shared::Crossing& b)
     return a.draw == b.draw && a.line == b.line && a.number == b.number;
 }
 
-/// A crossing as one of those around a square of four pixels.
+/// A crossing as a member of one square of four pixels.
 struct Corner {
-    uint32_t square = 0; ///< the pixel at its upper left
+    uint32_t square = 0; ///< the square's upper left pixel
     size_t crossing = 0;
 };
 
@@ -96,7 +96,7 @@ private:
         (links_[b][0] == none ? links_[b][0] : links_[b][1]) = a;
     }
 
-    /// The two nearest to each other belong together, then the two nearest of the rest.
+    /// Links the two crossings that are nearest to each other, then the nearest two of the rest.
     void link_square(std::span<const Corner> around)
     {
         std::vector<size_t> open;
@@ -148,7 +148,8 @@ private:
         }
     }
 
-    /// Crossings close by a corner of the grid say nothing of the direction there.
+    /// Drops crossings too close to each other, at corners of the grid, because their direction is
+    /// unreliable.
     static void space_out(std::vector<TracedPoint>& points)
     {
         const TracedPoint last = points.back();
@@ -172,7 +173,7 @@ private:
     std::vector<Corner> corners_;
 };
 
-/// Adds those of one look.
+/// Adds the crossings of one style variant.
 gpu::BufferId add_crossings(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style,
                             gpu::BufferId before)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The strokes of lines as paths.
+// Converts hatching lines into paths.
 
 #include <cstdint>
 #include <span>
@@ -14,12 +14,11 @@
 
 namespace estampe::hatch {
 
-/// Finds where the lines that add_hatch() draws pass between neighbouring pixels.
+/// Finds the points where the lines that add_hatch() draws pass between neighbouring pixels.
 ///
-/// Writes  how many crossings there are, then shared::Crossing as far as they have room, in no order
-/// Cost    two full-screen dispatches for each look; some 60 bytes a pixel, more where strokes are finer than
-/// a pixel, and at
-///         most `most_bytes`
+/// Writes  the number of crossings, then shared::Crossing as far as there is room, in any order
+/// Cost    two full-screen dispatches per style variant; some 60 bytes per pixel, more if strokes are finer
+///         than a pixel, at most `most_bytes`
 /// Source  marching squares: Lorensen and Cline, "Marching Cubes", SIGGRAPH 1987
 [[nodiscard]] gpu::BufferId add_trace(gpu::Graph& graph, const HatchInputs& in,
                                       const std::vector<LookHatch>& looks, uint64_t most_bytes);
@@ -31,13 +30,13 @@ struct TracedPoint {
 
 struct TracedStroke {
     uint32_t draw = 0;
-    uint32_t family = 0; ///< two a layer
+    uint32_t family = 0; ///< two per layer
     bool is_closed = false;
     std::vector<TracedPoint> points; ///< two or more, about a pixel apart
 };
 
-/// Strings crossings together, square by square of four pixels. The same crossings in any order give the same
-/// strokes, in the same order. Cost: n log n in crossings, about 1 us each.
+/// Links crossings into strokes, per square of four pixels. The result does not depend on the order of the
+/// crossings. Cost: n log n in crossings, about 1 us each.
 [[nodiscard]] std::vector<TracedStroke> string_crossings(std::span<const shared::Crossing> crossings,
                                                          const glm::uvec2& size_px);
 

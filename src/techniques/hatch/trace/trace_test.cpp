@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Crossings of known curves with the grid of pixels, strung together again.
+// Crossings of known curves with the pixel grid, linked into strokes again.
 #include "techniques/hatch/trace/trace.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ constexpr glm::uvec2 size_px(64, 48);
 using Height = std::function<float(glm::vec2)>;
 using Width = std::function<float(glm::vec2)>;
 
-/// Where `height` passes zero between pixels, and `width` says that there is a line.
+/// Adds crossings where `height` passes zero between pixels and `width` says that there is a line.
 void cross(const Height& height, const Width& width, uint32_t draw, int number,
            std::vector<shared::Crossing>& crossings)
 {

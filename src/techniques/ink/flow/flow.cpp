@@ -12,7 +12,7 @@
 namespace estampe::ink {
 namespace {
 
-/// 0 to 1, another for each number.
+/// A random number, 0 to 1, for each combination of the arguments.
 double random(int seed, size_t wave, int number)
 {
     Hash hash;
@@ -22,7 +22,7 @@ double random(int seed, size_t wave, int number)
     return static_cast<double>(hash.value() >> 11U) * 0x1p-53;
 }
 
-/// A wave in the plane, whose amplitude is yet to be scaled.
+/// A plane wave whose amplitude is not scaled yet.
 struct PlaneWave {
     double angle_rad = 0.0;
     double turns_per_mm = 1.0;
@@ -31,7 +31,7 @@ struct PlaneWave {
     double turns_per_s = 0.0;
 };
 
-/// Three sizes of two waves each that cross: the smaller, the slower the flow and the sooner it changes.
+/// Waves come in three sizes, two crossing waves of each: smaller waves flow slower and change sooner.
 PlaneWave plane_wave(const InkStyle& style, size_t i)
 {
     constexpr double golden_turn = 0.618034;
@@ -54,7 +54,7 @@ PlaneWave plane_wave(const InkStyle& style, size_t i)
 std::array<PlaneWave, shared::ink_wave_count> plane_waves(const InkStyle& style)
 {
     std::array<PlaneWave, shared::ink_wave_count> waves;
-    double square = 0.0; // of the velocity, on average
+    double square = 0.0; // mean square of the velocity
     for (size_t i = 0; i < waves.size(); ++i) {
         waves.at(i) = plane_wave(style, i);
         const double speed = 2.0 * std::numbers::pi * waves.at(i).amplitude * waves.at(i).turns_per_mm;
@@ -128,7 +128,7 @@ glm::vec2 wind_mm_per_s(const InkStyle& style)
     return style.wind_mm_per_s * glm::vec2(std::cos(angle), -std::sin(angle));
 }
 
-// A picture of flow, made into a stream function.
+// Flow maps: pictures of velocities, and the stream functions fitted to them.
 
 std::vector<glm::vec2> read_flow(const std::string& path)
 {
@@ -149,8 +149,8 @@ std::vector<glm::vec2> read_flow(const std::string& path)
 
 namespace {
 
-/// Least squares by conjugate gradients: differences of psi along the edges of a grid of nodes against what
-/// the velocities ask for there.
+/// Least squares by conjugate gradients: fits the differences of psi along the grid's edges to the wanted
+/// velocities.
 class StreamSolver {
 public:
     StreamSolver(const std::vector<glm::vec2>& velocities, glm::dvec2 step_mm) : step_mm_(step_mm)

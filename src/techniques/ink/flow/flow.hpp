@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Where ink flows, as the shaders take it: waves of a stream function, and what a picture adds to it.
+// The flow of ink: waves of a stream function, and flow maps from pictures.
 
 #include <array>
 #include <string>
@@ -12,37 +12,38 @@
 
 namespace estampe::ink {
 
-/// One wave of the stream function, and how it moves.
+/// One wave of the stream function, and its motion.
 struct Wave {
     shared::InkWave wave;
-    double phase = 0.0; ///< at the moment 0, in turns
+    double phase = 0.0; ///< in turns, at time 0
     double turns_per_s = 0.0;
 };
 
 using Waves = std::array<Wave, shared::ink_wave_count>;
 
-/// Waves on the page, whose velocity is `swirl_mm_per_s` on the root mean square.
+/// Waves on the page; their root mean square velocity is `swirl_mm_per_s`.
 [[nodiscard]] Waves page_waves(const InkStyle& style);
 
-/// The same for the unit sphere around an eye that sees `mm_per_rad` of the page in a radian.
+/// Waves on the unit sphere around the eye, where one radian spans `mm_per_rad` of the page.
 [[nodiscard]] Waves sphere_waves(const InkStyle& style, float mm_per_rad);
 
-/// Of each wave at a moment, in turns, 0 to 1.
+/// Phase of each wave at `time_s`, in turns, 0 to 1.
 [[nodiscard]] std::array<float, shared::ink_wave_count> phases_at(const Waves& waves, double time_s);
 
-/// The stream function of waves and wind at a place of the page, square millimetres a second.
+/// The stream function of waves and wind at a place of the page, in square millimetres per second.
 [[nodiscard]] float stream_at(const Waves& waves, const std::array<float, shared::ink_wave_count>& phases,
                               glm::vec2 wind_mm_per_s, glm::vec2 place_mm);
 
-/// In millimetres a second to the right and down.
+/// The wind of the style, in mm/s to the right and down.
 [[nodiscard]] glm::vec2 wind_mm_per_s(const InkStyle& style);
 
-/// Velocities of a picture of flow, `shared::ink_map_side` each way, row by row: red is to the right, green
-/// is down, half of each is none. Throws Error naming the file when it is no picture.
+/// Reads the velocities of a flow map, `shared::ink_map_side` each way, row by row: red is the speed to the
+/// right, green the speed down, and half of each channel is no flow. Throws Error naming the file if it is no
+/// picture.
 [[nodiscard]] std::vector<glm::vec2> read_flow(const std::string& path);
 
-/// The stream function whose flow on a page of that size is nearest to those velocities: what flows together
-/// or apart in them is left out. At the same nodes. Cost: some milliseconds.
+/// Fits a stream function, at the nodes of the velocities, whose flow on a page of that size is nearest to
+/// `velocities`. The divergent part of the velocities is lost. Cost: some milliseconds.
 [[nodiscard]] std::vector<float> stream_of_flow(const std::vector<glm::vec2>& velocities, glm::vec2 page_mm);
 
 } // namespace estampe::ink

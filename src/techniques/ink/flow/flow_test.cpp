@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where ink flows, by the shader's own functions.
+// The flow of ink, by the shader's own functions.
 #include "techniques/ink/flow/flow.hpp"
 
 #include <algorithm>
@@ -50,7 +50,7 @@ namespace {
 
 constexpr auto node_cells = static_cast<float>(shared::ink_node_cells);
 
-/// All that drives ink on the page.
+/// Everything that drives ink on the page.
 struct Flow {
     InkStyle style;
     bool has_map = false;
@@ -74,7 +74,7 @@ struct Flow {
         return psi;
     }
 
-    /// Fills the nodes as the shader does.
+    /// Computes the nodes of the stream function as the shader does.
     void keep(double time_s) const
     {
         const glm::uvec2 size = ink_flow::globals.grid_size;
@@ -89,7 +89,7 @@ struct Flow {
     }
 };
 
-/// What was kept, in millimetres a second.
+/// Velocity from the stored nodes, in millimetres per second.
 glm::dvec2 velocity(glm::dvec2 place_mm)
 {
     constexpr float seconds = 0.125F;
@@ -103,7 +103,7 @@ constexpr std::array<double, 4> gauss_place{-0.861136311594053, -0.3399810435848
 constexpr std::array<double, 4> gauss_weight{0.347854845137454, 0.652145154862546, 0.652145154862546,
                                              0.347854845137454};
 
-/// Out of a square, over its edge length times the fastest of the flow at it.
+/// Net flow out of a square, relative to its edge length times the fastest flow on it.
 double divergence(glm::dvec2 middle_mm, double half_mm)
 {
     double out = 0.0;
@@ -125,7 +125,7 @@ double most_divergence(const Flow& flow)
     double most = 0.0;
     for (const double time_s : {0.0, 1.7, 60.0}) {
         flow.keep(time_s);
-        // About nodes, where the stream function is one polynomial.
+        // Squares around nodes, where the stream function is a single polynomial.
         for (float x = node_cells; x < 196.0F; x += node_cells) {
             for (float y = node_cells; y < 146.0F; y += node_cells) {
                 most = std::max(most, divergence({x, y}, 0.45 * static_cast<double>(node_cells)));
@@ -137,7 +137,7 @@ double most_divergence(const Flow& flow)
 
 TEST(InkFlow, HasNoDivergence)
 {
-    constexpr double rounding = 2e-5; // stream functions of thousands, whose last bit is 2e-4
+    constexpr double rounding = 2e-5; // the last bit of a stream function of some thousands is 2e-4
     Flow flow;
     const double of_waves = most_divergence(flow);
     EXPECT_LT(of_waves, rounding);
@@ -172,7 +172,7 @@ TEST(InkFlow, IsAsFastAsTheStyleSays)
         }
     }
     const auto wanted = static_cast<double>(flow.style.swirl_mm_per_s);
-    // Nodes 4 mm apart smooth the smallest swirls, of 10 mm, a little.
+    // Nodes 4 mm apart slightly smooth the smallest swirls, which measure 10 mm.
     EXPECT_NEAR(std::sqrt(square / count), wanted, 0.1 * wanted);
     flow.style.wind_mm_per_s = 20.0F;
     flow.style.wind_deg = 90.0F;
@@ -216,7 +216,7 @@ TEST(InkFlow, OfAPictureKeepsWhatTurnsAndDropsWhatSpreads)
     constexpr uint32_t side = shared::ink_map_side;
     const glm::vec2 page_mm(200.0F, 150.0F);
     const glm::dvec2 waves = std::numbers::pi / glm::dvec2(page_mm);
-    // Round the middle of the page; and away from it, where nothing passes along the page's edge.
+    // `turning` flows around the middle of the page, `spreading` away from it, and never along the edges.
     const auto turning = [&](glm::dvec2 at) {
         return glm::dvec2(0.5 * page_mm.y - at.y, at.x - 0.5 * page_mm.x) / 100.0;
     };

@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_INK_SPLINE
 #define ESTAMPE_INK_SPLINE
 
-// Quadratic B-splines: weights of three nodes at a place `f` beyond the middle one, -0.5 to 0.5, and of their
-// derivatives. A function whose curl is taken has no divergence, however it bends.
+// Quadratic B-splines: weights of three nodes at a place `f` beyond the middle node, -0.5 to 0.5, and their
+// derivatives. The curl of a stream function interpolated with them is free of divergence.
 
 vec3 spline_values(float f)
 {

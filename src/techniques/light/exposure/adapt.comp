@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread reads the histogram, moves the exposure towards what it asks for, and empties it for the next
-// frame.
+// A single thread reads the histogram, moves the exposure towards its target, and clears the histogram for
+// the next frame.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -19,7 +19,7 @@ layout(push_constant, scalar) uniform Constants
     AdaptConstants constants;
 };
 
-// The well-lit parts: from the seventieth percentile of the page to the ninetieth.
+// The metered pixels: from the 70th percentile of the page's brightness to the 90th.
 const float key_from = 0.7;
 const float key_to = 0.9;
 

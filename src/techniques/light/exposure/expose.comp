@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread brightens one pixel by the exposure found.
+// One thread per pixel multiplies the light by the exposure.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

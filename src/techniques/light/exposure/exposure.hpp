@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Exposure by what is on the page: a histogram of its light, to which the eye adapts in time.
+// Automatic exposure: a histogram of the page's light, to which the exposure adapts over time.
 
 #include <optional>
 
@@ -12,42 +12,42 @@
 
 namespace estampe::light {
 
-/// What the eye is used to, from picture to picture.
+/// The automatic exposure, kept from picture to picture.
 class ExposureMemory {
 public:
-    /// Makes ready for a picture at a moment of the scene, and returns how many stops the exposure may
-    /// change; negative: any. Going back in time, or another way of metering in between, makes the eye look
-    /// afresh.
+    /// Prepares for a picture at scene time `time_s`, and returns how many stops the exposure may change;
+    /// negative: no limit. The exposure starts again after a jump back in time or after another metering
+    /// mode.
     [[nodiscard]] float prepare(gpu::Device& device, const LightStyle& style, double time_s);
 
-    /// The next picture is of something else.
+    /// Call this before the next picture shows another scene.
     void forget() { time_s_.reset(); }
 
-    /// Of the last picture; nothing if its exposure was not metered.
+    /// Scene time of the last picture; none if its exposure was not metered by the page.
     [[nodiscard]] const std::optional<double>& time_s() const { return time_s_; }
 
-    /// The next picture follows on one at that moment.
+    /// Continues from a picture at scene time `time_s`.
     void recall(gpu::Buffer state, double time_s)
     {
         state_ = std::move(state);
         time_s_ = time_s;
     }
 
-    /// ExposureState.
+    /// Holds shared::ExposureState.
     [[nodiscard]] gpu::Buffer& buffer() { return state_; }
 
 private:
     gpu::Buffer state_;
-    std::optional<double> time_s_; ///< of the last picture
+    std::optional<double> time_s_; ///< scene time of the last picture
 };
 
 struct ExposureInputs {
     gpu::ImageId light;
     gpu::ImageId draw;
     gpu::BufferId state; ///< ExposureState, all zero before the first frame
-    bool adapts = true;  ///< false: the exposure of the frame before, for further samples of a picture
-    float compensation_stops = 0.0F; ///< brighter than metered
-    float most_change_stops = -1.0F; ///< from the frame before; negative: any
+    bool adapts = true;  ///< false: reuses the last frame's exposure, for further samples of a picture
+    float compensation_stops = 0.0F; ///< brightens the picture beyond the metered exposure
+    float most_change_stops = -1.0F; ///< largest change since the last frame; negative: no limit
     glm::uvec2 size_px{0};
 };
 
@@ -56,10 +56,10 @@ struct Exposed {
     gpu::BufferId state;
 };
 
-/// Brightens the light so that the mean logarithm of the well-lit parts, from the seventieth to the ninetieth
-/// percentile of the pixels that show something lit, comes to one. Where nothing is lit, the exposure stays.
+/// Scales the light so that its mean logarithm over the metered pixels becomes that of 1. Metered are lit
+/// pixels from the 70th to the 90th percentile of brightness. Without lit pixels the exposure stays.
 ///
-/// Writes  light, as it was made; the state
+/// Writes  the scaled light; the state
 /// Cost    two full-screen dispatches and one of a single thread
 [[nodiscard]] Exposed add_exposure(gpu::Graph& graph, const ExposureInputs& in);
 

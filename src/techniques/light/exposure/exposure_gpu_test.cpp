@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exposure by the page against percentiles that the test sorts out for itself.
+// Exposure by the page against percentiles that the test computes by sorting.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr glm::uvec2 exposed_px(64, 40);
 
-/// A page whose light grows from left to right over `stops`, about `middle`; the upper half shows nothing.
+/// A page whose light grows from left to right over `stops` around `middle`; the upper half is background.
 struct Page {
     float middle = 1.0F;
     float stops = 4.0F;
@@ -26,17 +26,17 @@ float light_at(const Page& page, glm::uvec2 pixel)
     return page.middle * std::exp2(along * page.stops);
 }
 
-/// As in ExposureInputs.
+/// Settings as in ExposureInputs.
 struct Metering {
     bool adapts = true;
     float compensation_stops = 0.0F;
     float most_change_stops = -1.0F;
 };
 
-/// Draws pages one after another with one memory.
+/// Exposes pages one after another with one ExposureMemory.
 class Eye {
 public:
-    /// How many stops brighter the page came out.
+    /// How many stops the page was brightened.
     float look_at(const Page& page, const Metering& how = {})
     {
         auto light = test::Layer::color(exposed_px,
@@ -65,7 +65,7 @@ private:
 
 TEST(Exposure, BringsTheWellLitPartsToOne)
 {
-    // From the seventieth to the ninetieth percentile of an even ramp the mean is at eight tenths.
+    // The mean from the 70th to the 90th percentile of a linear ramp is the 80th.
     for (const Page page : {Page{1.0F, 4.0F}, Page{30.0F, 2.0F}, Page{0.002F, 6.0F}}) {
         const float key_stops = std::log2(page.middle) + 0.3F * page.stops;
         EXPECT_NEAR(Eye().look_at(page), -key_stops, 0.13F);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel counts how bright the page is: a histogram of the logarithm of light.
+// One thread per pixel adds its brightness to a histogram of the logarithm of light.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread blurs a pixel along its way, each step of which goes on as what is seen there goes.
+// One thread blurs a pixel along its path: each step continues with the motion of the surface found there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -28,7 +28,7 @@ const bool has_sky = (variant & blur_has_sky) != 0u;
 #include "shaders/layers.glsl"
 #include "shaders/layer_sample.glsl"
 
-const int steps = 8; // to each side
+const int steps = 8; // in each direction
 
 void main()
 {

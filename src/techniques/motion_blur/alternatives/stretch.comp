@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a vertex moves it along its way: forwards where the surface faces that way, else backwards.
+// One thread displaces a vertex along its motion: forwards where the surface faces that way, otherwise
+// backwards.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -16,7 +17,7 @@ layout(binding = 1) uniform usamplerBuffer posed_vertices_before;
 
 layout(scalar, binding = 2) readonly buffer Together
 {
-    uvec2 together[]; // where a vertex's list begins, and how long it is
+    uvec2 together[]; // first index and length of each vertex's list
 };
 
 layout(scalar, binding = 3) readonly buffer Members
@@ -53,7 +54,7 @@ void main()
     uvec4 words = texelFetch(posed_vertices, int(item));
     vec3 now = place_of(words);
     vec3 before = place_of(texelFetch(posed_vertices_before, int(item)));
-    // Where it stood, as the camera of now would have to see it to find it where that of then did.
+    // Previous position, transformed so that the current camera sees it where the previous camera saw it.
     vec4 seen = constants.now_from_before * vec4(before, 1.0);
     vec3 way = seen.w > 1e-6 ? now - seen.xyz / seen.w : vec3(0.0);
     uvec2 list = together[item];

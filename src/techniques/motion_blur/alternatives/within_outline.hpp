@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Motion blur within the outline of what moves: each pixel along its own way; or meshes stretched along their
-// way, so that what they pass has a velocity too.
+// Motion blur within the outline of moving objects: each pixel is blurred along its own motion. In mode
+// `stretched`, meshes are also stretched along their motion, so that the pixels they pass over get a
+// velocity.
 
 #include <span>
 
@@ -12,22 +13,22 @@
 
 namespace estampe::motion_blur {
 
-/// Blurs each pixel along its own way, from velocity to velocity: nothing is spread over what it passes.
+/// Blurs each pixel along its own path, from velocity to velocity. Objects do not blur over their background.
 ///
-/// Reads   `page`: the layers and half their way, packed
+/// Reads   `page`: packed layers with the displacement in half the exposure
 /// Writes  new layers
-/// Cost    one full-screen dispatch, 17 texels a pixel
+/// Cost    one full-screen dispatch, 17 texels per pixel
 [[nodiscard]] MotionBlurLayers add_own_blur(gpu::Graph& graph, const MotionBlurInputs& in, gpu::ImageId page,
                                             const shared::MotionBlurConstants& constants);
 
-/// Vertices at one place of one draw, which go together whatever their normals are: for each vertex where its
-/// list begins and how long it is, then the lists.
+/// Vertices at the same position in one draw, which move together even if their normals differ. Holds the
+/// start and length of each vertex's list, then the lists.
 struct CoincidentList {
     std::vector<glm::uvec2> of_vertex;
     std::vector<uint32_t> members;
 };
 
-/// `places` are of posed vertices at rest. Cost: n log n.
+/// Finds coincident vertices; `places` are the posed vertices at rest. Cost: n log n.
 [[nodiscard]] CoincidentList list_coincident(std::span<const glm::vec3> places,
                                              std::span<const uint32_t> draw_of_vertex);
 
@@ -42,10 +43,10 @@ struct CoincidentVertices {
 
 [[nodiscard]] CoincidentVertices upload_coincident(gpu::Device& device, const CoincidentList& list);
 
-/// Moves each vertex along its way, by half of it and its share: forwards where the surface about it faces
-/// that way, else backwards.
+/// Displaces each vertex by half of its motion times `share`: forwards where the surface around it faces that
+/// way, otherwise backwards.
 ///
-/// Cost    one dispatch, one thread a vertex
+/// Cost    one dispatch, one thread per vertex
 /// Source  Wloka and Zeleznik, "Interactive Real-Time Motion Blur", The Visual Computer 12, 1996; Zanuttini,
 ///         "Recherches en rendu non réaliste temps réel", Université Paris 8, 2008, section 8.3
 [[nodiscard]] VelocityShape add_stretch(gpu::Graph& graph, CoincidentVertices& together,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a vertex sums what discs hide from it, and what light they bounce onto it.
+// One thread per vertex sums the occlusion of the discs, and the light that they bounce onto the vertex.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_vote : require
@@ -15,7 +15,7 @@ layout(binding = 0) uniform usamplerBuffer posed_vertices;
 
 layout(scalar, binding = 1) readonly buffer Vertices
 {
-    uvec2 vertices[]; // number, and area as bits
+    uvec2 vertices[]; // vertex index, and the bits of the area in square metres
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -32,12 +32,12 @@ const bool bounces = (variant & discs_bounce) != 0u;
 
 layout(scalar, binding = 4) writeonly buffer Open
 {
-    float open[]; // a vertex
+    float open[]; // per vertex: 1 minus the occlusion
 };
 
 layout(scalar, binding = 5) writeonly buffer Bounced
 {
-    vec4 bounced[]; // a vertex
+    vec4 bounced[]; // per vertex
 };
 
 void main()

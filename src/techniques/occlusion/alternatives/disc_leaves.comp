@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a disc places it on its posed vertex.
+// One thread per disc places the disc at its posed vertex.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -15,7 +15,7 @@ layout(binding = 0) uniform usamplerBuffer posed_vertices;
 
 layout(scalar, binding = 1) readonly buffer Vertices
 {
-    uvec2 vertices[]; // number, and area as bits
+    uvec2 vertices[]; // vertex index, and the bits of the area in square metres
 };
 
 layout(scalar, binding = 2) writeonly buffer Discs

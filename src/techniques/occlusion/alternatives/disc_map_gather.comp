@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a texel of the map sums what discs hide from it, and what light they bounce onto it.
+// One thread per texel of the map sums the occlusion of the discs, and the light that they bounce onto the
+// texel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_vote : require
@@ -31,7 +32,8 @@ const bool bounces = (variant & discs_bounce) != 0u;
 
 layout(scalar, binding = 5) writeonly buffer Found
 {
-    vec4 found[]; // a texel: what is bounced on it, and what is open of it; -1 where there is no surface
+    vec4 found[]; // per texel: bounced light, and visibility in alpha; alpha is -1 where the map has no
+                  // surface
 };
 
 void main()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Occlusion by discs at the texels of a map: the formula summed in double precision, kept, and seen on pages.
+// Occlusion by discs at the texels of a map: against the formula summed in double precision, when it is kept,
+// and on the page.
 #include "techniques/occlusion/alternatives/discs.hpp"
 
 #include <algorithm>
@@ -79,7 +80,7 @@ public:
         glm::dvec3 normal;
     };
 
-    /// What lies at a texel that lies on a surface.
+    /// The surface point of a texel that lies on a surface.
     [[nodiscard]] Point point_at(size_t texel) const
     {
         const glm::uvec4& words = data.texels[texel];
@@ -97,7 +98,7 @@ public:
         return point;
     }
 
-    /// The sum, in w, and the same with each disc in its colour.
+    /// The sum of occlusion in w, and the sum weighted by the discs' colours in xyz.
     [[nodiscard]] glm::dvec4 hidden_from(const Point& point, double radius_m) const
     {
         glm::dvec4 hidden(0.0);
@@ -118,8 +119,8 @@ public:
         return hidden;
     }
 
-    /// Whether every disc that faces it lies farther off than one and a half of its radius, for which the
-    /// formula is meant.
+    /// Whether every disc that faces the point is farther away than 1.5 of its radius, the range of the
+    /// formula.
     [[nodiscard]] bool touches_none(const Point& point) const
     {
         for (size_t i = 0; i < list.vertices.size(); ++i) {
@@ -235,7 +236,7 @@ TEST(MappedDiscs, ComeNearWhatRaysTell)
     EXPECT_LT(all, 0.25) << "where bodies touch";
 }
 
-/// The mask of a still life drawn one way.
+/// The occlusion mask of a still life, by one method.
 std::vector<float> mask_by(const char* method, uint32_t texels = 512)
 {
     const Style style = test::effect_style(
@@ -290,7 +291,7 @@ TEST(MappedDiscs, SayWhoseCoordinatesDoNotServe)
 
 TEST(MappedDiscs, FollowWhatMovedWhileNobodyLooked)
 {
-    // A ball that leaves the floor while another way of occlusion is drawn.
+    // A ball leaves the floor while another method is in use.
     Renderer& renderer = test::shared_renderer();
     const auto place_ball = [&](double height_m) {
         const NodePlace place{.node = 1, .transform = {.translation = {0.3, height_m, 0.0}}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel takes what the texels about its place in the map have found.
+// One thread per pixel interpolates the occlusion map that disc_map_gather.comp wrote.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -24,7 +24,7 @@ layout(scalar, binding = 0) uniform Frame
 #define MAP_CORNERS_BINDING 4
 #include "shaders/map_corners.glsl"
 
-layout(binding = 5) uniform samplerBuffer found_texels; // by disc_map_gather.comp
+layout(binding = 5) uniform samplerBuffer found_texels; // written by disc_map_gather.comp
 layout(binding = 6, r16f) writeonly uniform image2D out_open;
 layout(binding = 7, rgba16f) writeonly uniform image2D out_bounced;
 
@@ -32,7 +32,7 @@ layout(push_constant) uniform Constants
 {
     float strength;
     float bleeding;
-    int size; // of the map, texels a side
+    int size; // texels per side of the map
 }
 
 constants;
@@ -40,7 +40,7 @@ constants;
 layout(constant_id = 0) const uint variant = 0u;
 const bool bounces = (variant & discs_bounce) != 0u;
 
-// What is bounced, and what is open; of nothing that lies in no map anything is hidden.
+// Bounced light, and visibility in alpha. Places without texels are unoccluded.
 vec4 found_at(vec2 place)
 {
     vec2 from = place - 0.5;

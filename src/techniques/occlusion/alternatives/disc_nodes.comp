@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a node takes together what lies below it.
+// One thread per node of the disc tree combines the node's children.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel takes what the corners of its triangle have found.
+// One thread per pixel interpolates the occlusion between the vertices of its triangle.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -34,7 +34,7 @@ layout(push_constant) uniform Constants
 {
     float strength;
     float bleeding;
-    uint vertex_count; // of those that have discs; the ground's come after
+    uint vertex_count; // vertices that have discs; the ground's vertices follow
 }
 
 constants;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel sums what discs hide from it, and what light they bounce onto it.
+// One thread per pixel sums the occlusion of the discs, and the light that they bounce onto the pixel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_vote : require

@@ -2,8 +2,9 @@
 #ifndef ESTAMPE_DISC_SUM
 #define ESTAMPE_DISC_SUM
 
-// What discs hide from a place and bounce onto it. Wanted before: DISCS_BINDING, of the tree as texels, their
-// colours come next; DISCS_BOUNCE, whether those count; `constants` that hold DiscConstants.
+// Occlusion of a place by discs, and the light that they bounce onto it. Define before: DISCS_BINDING, the
+// binding of the tree's texels (the discs' colours are at the next binding); DISCS_BOUNCE, whether to sum
+// bounced light; `constants`, which holds DiscConstants.
 
 #include "techniques/occlusion/alternatives/discs.glsl.h"
 
@@ -17,7 +18,7 @@ Disc disc_at(uint disc)
     return Disc(a.xyz, a.w, b.xyz, b.w);
 }
 
-// Of the first node of a level.
+// Index of a level's first node.
 uint first_of(uint level)
 {
     uint first = 0u;
@@ -27,8 +28,8 @@ uint first_of(uint level)
     return first;
 }
 
-// How much of the area below a node is turned towards `way`, a unit vector, times its cosine: exact for one
-// disc and for many that lie flat; what is turned to all sides shows each of them a quarter of its area.
+// Projected area of a node towards the unit vector `way`: exact for one disc and for coplanar discs. For
+// normals in all directions it is a quarter of the area.
 float facing_area(Disc disc, vec3 way)
 {
     float along = dot(disc.facing_m2, way);
@@ -37,8 +38,8 @@ float facing_area(Disc disc, vec3 way)
     return max(0.5f * (both_sides + along), 0.0f);
 }
 
-// A cos cos / (pi r^2 + A), of an emitter at `way` from a receiver of that normal; what lies at the radius
-// counts for nothing.
+// Form factor A cos cos / (pi r^2 + A) of a disc at `way` from a receiver with this normal, faded to 0 at
+// `radius_m`.
 float hidden_by_disc(Disc disc, vec3 way, vec3 normal, float radius_m)
 {
     float r_2 = dot(way, way);
@@ -56,8 +57,8 @@ struct DiscSum {
     vec3 bounced;
 };
 
-// Those far off many at once: down the tree where a node is too near, past it where that has been looked at.
-// All lanes of a subgroup come here together.
+// Traverses the tree: distant nodes count as one disc, near nodes are opened. All lanes of a subgroup must
+// call this together.
 DiscSum sum_of_discs(vec3 place, vec3 normal, bool is_there)
 {
     uint top = constants.level_count - 1u;
@@ -66,7 +67,7 @@ DiscSum sum_of_discs(vec3 place, vec3 normal, bool is_there)
     uint first = first_of(top);
     DiscSum sum = DiscSum(0.0, vec3(0.0));
     bool goes_on = is_there;
-    // All lanes leave together: one that has left would go on computing.
+    // All lanes leave together, because a finished lane would be computed along anyway.
     do {
         Disc disc = disc_at(first + node);
         vec3 way = disc.place - place;
@@ -78,7 +79,7 @@ DiscSum sum_of_discs(vec3 place, vec3 normal, bool is_there)
         if (DISCS_BOUNCE) {
             sum.bounced += hidden * texelFetch(disc_colors, int(first + node)).rgb;
         }
-        // Down to the first below, or on to the next and up where a node's last has been looked at.
+        // Goes down to the first child, or on to the next node, and up after a parent's last child.
         bool goes_down = goes_on && !is_whole;
         bool goes_past = goes_on && is_whole;
         level -= goes_down ? 1u : 0u;
@@ -93,7 +94,7 @@ DiscSum sum_of_discs(vec3 place, vec3 normal, bool is_there)
         }
         goes_on = goes_on && !(level == top && node >= constants.counts[top]);
     } while (subgroupAny(goes_on));
-    // More than all cannot be hidden, nor bounced back.
+    // Occlusion above 1 is impossible, so the bounced light is scaled down with it.
     sum.bounced /= max(sum.hidden, 1.0);
     return sum;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Discs are put in order, taken together into a tree, and summed up at vertices, pixels or texels.
+// Sorts discs, combines them into a tree, and sums their occlusion at vertices, pixels or texels.
 #include "techniques/occlusion/alternatives/discs.hpp"
 
 #include <algorithm>
@@ -18,7 +18,8 @@
 namespace estampe::occlusion {
 namespace {
 
-/// Puts what lies together one after another: halves along the longest side, at whole nodes of the tree.
+/// Sorts vertices so that neighbours in space are neighbours in the list: splits along the longest side, at
+/// whole nodes of the tree.
 void sort_by_place(std::span<uint32_t> vertices, std::span<const glm::vec3> places)
 {
     if (vertices.size() <= shared::disc_children) {
@@ -45,7 +46,7 @@ void sort_by_place(std::span<uint32_t> vertices, std::span<const glm::vec3> plac
     sort_by_place(vertices.subspan(half), places);
 }
 
-/// The tree's levels, and what the style asks of them.
+/// The tree's levels, and the settings of the style.
 shared::DiscConstants constants_of(uint32_t disc_count, const DiscSettings& settings)
 {
     shared::DiscConstants constants{.counts = {disc_count}, .level_count = 1};
@@ -59,7 +60,7 @@ shared::DiscConstants constants_of(uint32_t disc_count, const DiscSettings& sett
     return constants;
 }
 
-/// Places the discs on posed vertices, and takes them together level by level. Returns the tree.
+/// Places the discs at posed vertices, and builds the tree level by level. Returns the tree.
 gpu::BufferId add_disc_tree(gpu::Graph& graph, DiscBuffers& buffers, gpu::BufferId posed_vertices,
                             shared::DiscConstants constants)
 {
@@ -78,7 +79,7 @@ gpu::BufferId add_disc_tree(gpu::Graph& graph, DiscBuffers& buffers, gpu::Buffer
     return discs;
 }
 
-/// Binds what a pass over pixels writes, and says so in its variant.
+/// Creates the outputs of a pass over pixels, and sets its variant.
 AmbientOcclusion write_page(gpu::Graph& graph, gpu::Pass& pass, glm::uvec2 size_px, bool bounces)
 {
     const glm::uvec2 bounced_px = bounces ? size_px : glm::uvec2(1);
@@ -239,7 +240,7 @@ gpu::BufferId add_disc_map(gpu::Graph& graph, DiscBuffers& discs, DiscMapBuffers
 
 namespace {
 
-/// What the corners of each pixel's triangle have, as add_discs() found it, between them.
+/// Interpolates the results of add_discs() between the vertices of each pixel's triangle.
 AmbientOcclusion add_vertex_page(gpu::Graph& graph, const OcclusionInputs& in, const PosedSurfaces& surfaces,
                                  const VertexOcclusion& found, uint32_t vertex_count,
                                  const OcclusionStyle& style)
@@ -260,7 +261,7 @@ AmbientOcclusion add_vertex_page(gpu::Graph& graph, const OcclusionInputs& in, c
     return page;
 }
 
-/// What add_disc_map() found, between texels.
+/// Interpolates the results of add_disc_map() between texels.
 AmbientOcclusion add_map_page(gpu::Graph& graph, const OcclusionInputs& in, const PosedSurfaces& surfaces,
                               gpu::BufferId found, bool bounces, const OcclusionStyle& style)
 {

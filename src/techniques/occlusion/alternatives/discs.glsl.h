@@ -8,29 +8,29 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-SHARED_CONSTANT uint disc_children = 8U;    // of a node
-SHARED_CONSTANT uint most_disc_levels = 9U; // of a tree, its discs among them
+SHARED_CONSTANT uint disc_children = 8U;    // children per node
+SHARED_CONSTANT uint most_disc_levels = 9U; // levels of a tree, including the level of discs
 
-// A disc, or all discs below a node: two texels of 16 bytes.
+// A disc, or the sum of all discs below a node: two texels of 16 bytes.
 struct Disc {
     vec3 place;
-    float radius_m; // of a ball that holds the middles of all; 0 of a single disc
+    float radius_m; // radius of a ball that holds the centres of all discs; 0 for a single disc
     vec3 facing_m2; // sum of the normals times the areas
     float area_m2;  // sum of the areas
 };
 
-// The tree's levels lie one after another, discs first; level i has `counts[i]` nodes.
+// The tree's levels are stored one after another, discs first; level i has `counts[i]` nodes.
 struct DiscConstants {
     uint counts[most_disc_levels];
     uint level_count;
-    uint level;     // in hand
-    float radius_m; // occluders farther off count for nothing
-    float apart;    // a node is looked at whole from where its ball seems this wide: radius over distance
-    float strength; // of pixels: what is open is raised to this
-    float bleeding; // of pixels: what is bounced is multiplied by this
+    uint level;     // the current level
+    float radius_m; // farther occluders are ignored
+    float apart;    // a node counts as one disc if its radius is less than this share of its distance
+    float strength; // pixel passes: exponent of the visibility
+    float bleeding; // pixel passes: factor on bounced light
 };
 
-// Of the variants: light is bounced back by what hides.
+// Variant bit: discs also bounce light.
 SHARED_CONSTANT uint discs_bounce = 1U;
 
 #ifdef __cplusplus

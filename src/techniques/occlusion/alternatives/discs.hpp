@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Occlusion between discs, one a vertex: what is not seen occludes too. At vertices, at pixels, or at the
-// texels of a map that lies on all surfaces.
+// Occlusion between discs, one per vertex, so that invisible surfaces occlude too. Computed per vertex, per
+// pixel, or per texel of a map of all surfaces.
 
 #include <optional>
 #include <span>
@@ -15,90 +15,91 @@
 
 namespace estampe::occlusion {
 
-/// Whether there is a disc at each vertex.
+/// Whether the method needs a disc at each vertex.
 [[nodiscard]] constexpr bool has_discs(Method method)
 {
     return method == Method::discs || method == Method::splats || method == Method::uv;
 }
 
-/// The discs of a scene in an order in which eight after another, and eight times so many, lie together.
+/// The discs of a scene, sorted so that each run of 8, 64, ... neighbours is close together in space.
 struct DiscList {
-    std::vector<uint32_t> vertices; ///< posed ones, those of triangles alone
-    std::vector<float> areas_m2;    ///< a third of each triangle about it, at rest, and kept when it moves
-    std::vector<glm::vec4> colors;  ///< of all nodes of the tree, linear; empty where none are known
+    std::vector<uint32_t> vertices; ///< indices of posed vertices that belong to triangles
+    std::vector<float> areas_m2;    ///< a third of the area of the vertex's triangles, in the rest pose
+    std::vector<glm::vec4> colors;  ///< linear, for all nodes of the tree; empty without colours
 };
 
-/// Discs of `triangles`, whose first three numbers are vertices; `places` are theirs, times `unit_m`.
-/// Cost: n log n.
+/// Lists the discs of `triangles`, whose first three numbers are vertex indices. `places` are the vertices in
+/// units of `unit_m`. Cost: n log n.
 [[nodiscard]] DiscList list_discs(std::span<const glm::vec3> places, float unit_m,
                                   std::span<const glm::uvec4> triangles);
 
-/// Colours the discs by their vertices' colours, and each node by the mean of what lies below it, by area.
+/// Colours the discs by vertex colours, and each node by the area-weighted mean of its children.
 void color_discs(DiscList& list, std::span<const glm::vec3> color_of_vertex);
 
-/// What outlives a frame: the list, and what was found last.
+/// The disc list and its last result, kept from frame to frame.
 struct DiscBuffers {
     gpu::Buffer vertices;
-    gpu::Buffer colors;     ///< of all nodes
-    gpu::Buffer visibility; ///< a float a posed vertex
-    gpu::Buffer bounced;    ///< four floats a posed vertex
+    gpu::Buffer colors;     ///< per node of the tree
+    gpu::Buffer visibility; ///< one float per posed vertex
+    gpu::Buffer bounced;    ///< four floats per posed vertex
     uint32_t disc_count = 0;
     uint32_t vertex_count = 0;
-    bool is_found = false;    ///< for the pose and the style in hand
-    float radius_m = 0.0F;    ///< of that
-    bool has_bounced = false; ///< what is bounced was found with it
+    bool is_found = false;    ///< the result fits the current pose and style
+    float radius_m = 0.0F;    ///< radius of the result
+    bool has_bounced = false; ///< the result includes bounced light
 
     [[nodiscard]] bool empty() const { return disc_count == 0; }
 };
 
 [[nodiscard]] DiscBuffers upload_discs(gpu::Device& device, const DiscList& list, uint32_t vertex_count);
 
-/// A node of the tree counts as a whole where its radius is less than this of its distance.
+/// A node of the tree counts as one disc if its radius is less than this share of its distance.
 inline constexpr float usual_apart = 0.35F;
 
-/// How the sum over discs is made.
+/// Settings of the sum over discs.
 struct DiscSettings {
-    float radius_m = 1.0F; ///< discs farther off count for nothing
+    float radius_m = 1.0F; ///< farther discs are ignored
     float apart = usual_apart;
-    bool bounces = false; ///< light that they bounce back is wanted too
+    bool bounces = false; ///< also sums bounced light
 };
 
-/// What was found for posed vertices.
+/// Occlusion per posed vertex.
 struct VertexOcclusion {
-    gpu::BufferId visibility;             ///< a float each
-    std::optional<gpu::BufferId> bounced; ///< four floats each
+    gpu::BufferId visibility;             ///< one float per vertex
+    std::optional<gpu::BufferId> bounced; ///< four floats per vertex
 };
 
-/// Finds how much of the light from everywhere each vertex gets: 1 less the sum of A cos cos / (pi r^2 + A)
-/// over all discs that face it, less with distance up to the radius; and what they bounce of it, which is the
-/// same sum, each disc in its colour. Of a list without colours nothing may be bounced.
+/// Computes each vertex's ambient visibility: 1 minus the sum of A cos cos / (pi r^2 + A) over all discs that
+/// face it, faded with distance up to the radius. Bounced light is the same sum with each disc in its colour;
+/// a list without colours must not bounce.
 ///
-/// Returns a float a posed vertex; 1 for those without a disc
-/// Cost    about n log n, and a small dispatch for each level of the tree; n^2 where `apart` is 0, which
-///         looks at each disc by itself
+/// Returns one float per posed vertex; 1 for vertices without a disc
+/// Cost    about n log n, and a small dispatch for each level of the tree; n^2 if `apart` is 0, which
+///         evaluates each disc by itself
 /// Source  Zanuttini, "Recherches en rendu non réaliste temps réel", Université Paris 8, 2008, section 8.4;
 ///         Bunnell, "Dynamic Ambient Occlusion and Indirect Lighting", GPU Gems 2, 2005
 [[nodiscard]] VertexOcclusion add_discs(gpu::Graph& graph, DiscBuffers& buffers, gpu::BufferId posed_vertices,
                                         const DiscSettings& settings);
 
-/// The sum at each pixel itself: what splatting every disc over all that it reaches would add up there.
+/// Sums the discs per pixel: the result of splatting every disc over all pixels in its reach.
 ///
-/// Cost    one full-screen dispatch that goes with the logarithm of the discs: 40 ms and more on a processor
+/// Cost    one full-screen dispatch, proportional to the logarithm of the discs: 40 ms and more on a CPU
 /// Source  as add_discs()
 [[nodiscard]] AmbientOcclusion add_disc_splats(gpu::Graph& graph, DiscBuffers& buffers,
                                                gpu::BufferId posed_vertices, const OcclusionInputs& in,
                                                const OcclusionStyle& style, float apart = usual_apart);
 
-/// What was found last for a map's texels: it outlives a frame.
+/// The last result for a map's texels, kept from frame to frame.
 struct DiscMapBuffers {
-    gpu::Buffer found; ///< four floats a texel: what is bounced onto it, and what is open; -1 off the surface
-    uint32_t size = 0; ///< texels a side
-    bool is_found = false; ///< for the pose and the style in hand
-    float radius_m = 0.0F; ///< of that
+    /// Four floats per texel: bounced light, and visibility; -1 where the map has no surface.
+    gpu::Buffer found;
+    uint32_t size = 0;     ///< texels per side
+    bool is_found = false; ///< the result fits the current pose and style
+    float radius_m = 0.0F; ///< radius of the result
     bool has_bounced = false;
 };
 
-/// Of a map of so many texels a side.
+/// Allocates a map of `size` texels per side.
 [[nodiscard]] DiscMapBuffers make_disc_map(gpu::Device& device, uint32_t size);
 
 struct DiscMapInputs {
@@ -107,17 +108,18 @@ struct DiscMapInputs {
     gpu::BufferId posed_vertices;
 };
 
-/// The sum of add_discs() at the middle of each texel. Kept until something moves.
+/// Sums the discs as add_discs() does, at the middle of each texel. The result is kept until something moves.
 ///
-/// Returns four floats a texel, row by row, as DiscMapBuffers has them
+/// Returns four floats per texel, row by row, in the layout of DiscMapBuffers::found
 /// Cost    texels times the logarithm of the discs, and the tree
-/// Source  as add_discs(); to a texture as the thesis has it
+/// Source  as add_discs(); into a texture as in the thesis
 [[nodiscard]] gpu::BufferId add_disc_map(gpu::Graph& graph, DiscBuffers& discs, DiscMapBuffers& map,
                                          const DiscMapInputs& in, const DiscSettings& settings);
 
-/// By one of the three above, as the style says, brought to the page; none where there are no discs.
+/// Computes occlusion by one of the three disc methods, as the style says, for the page's pixels; none
+/// without discs.
 ///
-/// Cost    that of the sum, and one full-screen dispatch that takes it between vertices or texels
+/// Cost    the sum's, and one full-screen dispatch that interpolates between vertices or texels
 [[nodiscard]] std::optional<AmbientOcclusion> add_disc_occlusion(gpu::Graph& graph, DiscBuffers& discs,
                                                                  DiscMapBuffers& map,
                                                                  const OcclusionInputs& in,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Occlusion between discs: the formula summed in double precision, the tree against it, and rays.
+// Occlusion between discs: the tree against the formula summed in double precision, and against rays.
 #include "techniques/occlusion/alternatives/discs.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 
 constexpr float far_m = 1e6F;
 
-/// A ball, a ring and a floor in cells.
+/// A ball, a ring and a floor, divided into cells.
 Scene finely_cut(uint32_t cells)
 {
     Scene scene = test::scene_of(shapes::plane(4.0F, 4.0F, cells));
@@ -35,7 +35,7 @@ Scene finely_cut(uint32_t cells)
 
 class Discs {
 public:
-    /// Discs have the colours of `by_place`, where there are any.
+    /// Discs get the colours of `by_place`, if given.
     explicit Discs(const Scene& scene, const std::function<glm::vec3(const glm::vec3&)>& by_place = nullptr)
         : drawing(scene, {.eye = {0.0, 2.0, 6.0}, .target = {0.0, 0.0, 0.0}}, {32, 32}),
           list(list_discs(drawing.layout.stroke_coordinates, static_cast<float>(drawing.layout.stroke_unit_m),
@@ -75,7 +75,7 @@ public:
         return test::run_and_read_as<glm::vec4>(graph, found.bounced.value());
     }
 
-    /// By pixels: what is open of them.
+    /// Visibility per pixel.
     std::vector<float> splats(const test::SurfacePixels& seen, float radius_m)
     {
         const auto at = [&](glm::uvec2 p) { return size_t{p.y} * 32 + p.x; };
@@ -97,7 +97,7 @@ public:
         return test::run_and_read_coverage(graph, page.visibility);
     }
 
-    /// Each disc by itself.
+    /// Sum of occlusion over single discs, without the tree.
     [[nodiscard]] double summed(uint32_t vertex, double radius_m) const
     {
         const double hidden = hidden_from(glm::dvec3(posed[vertex].position),
@@ -106,7 +106,7 @@ public:
         return std::max(1.0 - hidden, 0.0);
     }
 
-    /// The sum, in w, and the same with each disc in its colour.
+    /// The sum of occlusion in w, and the sum weighted by the discs' colours in xyz.
     [[nodiscard]] glm::dvec4 hidden_from(const glm::dvec3& place, const glm::dvec3& normal,
                                          double radius_m) const
     {
@@ -128,8 +128,8 @@ public:
         return hidden;
     }
 
-    /// Whether every disc that faces this one lies farther off than one and a half of its radius, for which
-    /// the formula is meant.
+    /// Whether every disc that faces this vertex is farther away than 1.5 of its radius, the range of the
+    /// formula.
     [[nodiscard]] bool touches_none(uint32_t vertex) const
     {
         const glm::vec3 normal = pose::unpack_normal(posed[vertex].normal);
@@ -152,7 +152,7 @@ public:
     DiscBuffers buffers;
 };
 
-/// Of the discs that count, or of all.
+/// Root mean square error over the discs in the formula's range, or over all.
 double rms_off(const std::vector<float>& open, const DiscList& list, const std::vector<double>& wanted,
                const std::vector<bool>& counts = {})
 {
@@ -303,7 +303,7 @@ TEST(Discs, AreSummedAtPixelsToo)
         const glm::dvec3 place = discs.drawing.point_seen(i, seen.depth[i]);
         const double wanted =
             std::max(1.0 - discs.hidden_from(place, glm::dvec3(seen.smooth_normal[i]), 1.0).w, 0.0);
-        EXPECT_NEAR(open[i], wanted, 2e-3) << i; // half floats, and normals in sixteen bits
+        EXPECT_NEAR(open[i], wanted, 2e-3) << i; // rounding of half floats and 16-bit normals
         least = std::min(least, wanted);
     }
     EXPECT_LT(least, 0.6) << "or there would be nothing to see";

@@ -8,12 +8,12 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-SHARED_CONSTANT uint unsharp_taps = 8U; // of the Gaussian, to either side
+SHARED_CONSTANT uint unsharp_taps = 8U; // taps of the Gaussian to either side
 
-// The half page as HorizonConstants has it.
+// `from_half` and `half_px` are as in HorizonConstants.
 struct UnsharpConstants {
-    float reach_px; // of the Gaussian, on the page: two standard deviations
-    float radius_m; // that far behind what is about it a place is black
+    float reach_px; // two standard deviations of the Gaussian on the page
+    float radius_m; // parallel projection: depth behind the mean at which a place turns black
     float strength;
     uint unused;
     uvec2 from_half;

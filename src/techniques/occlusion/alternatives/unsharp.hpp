@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Occlusion as a mask of depth.
+// Depth darkening: unsharp masking of the depth buffer.
 
 #include "techniques/occlusion/occlusion.hpp"
 
 namespace estampe::occlusion {
 
-/// Darkens what lies behind the mean of the depths about it, as a drawing does that lifts things off their
-/// ground: no light is computed.
+/// Darkens points that lie behind the mean depth around them, as drawings set objects off from their
+/// background. It computes no light.
 ///
-/// Cost    three dispatches, two over every second pixel each way: 16 depths each, then 4 at every pixel
+/// Cost    three dispatches, two over every second pixel each way with 16 depths each, then 4 at every pixel
 /// Source  Luft, Colditz and Deussen, "Image Enhancement by Unsharp Masking the Depth Buffer", SIGGRAPH 2006
 [[nodiscard]] AmbientOcclusion add_unsharp(gpu::Graph& graph, const OcclusionInputs& in,
                                            const OcclusionStyle& style);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel of the half page takes a Gaussian mean of depths along a row or a column. Reversed depth
-// is linear over the page on a plane, so a plane is its own mean; taps count in pairs, so that it is also at
-// the edge of the page.
+// One thread per half-page pixel takes a Gaussian mean of depths along a row or a column. Reversed depth is
+// linear over the page on a plane, so a plane equals its own mean; taps count in pairs to keep this at the
+// page's edge.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -18,7 +18,7 @@ layout(scalar, binding = 0) uniform Frame
 };
 
 layout(binding = 1) uniform sampler2D depth_image;
-layout(binding = 2) uniform sampler2D mean_image; // of rows, where columns are in hand
+layout(binding = 2) uniform sampler2D mean_image; // result of the row pass, for the column pass
 layout(binding = 3, r32f) writeonly uniform image2D out_mean;
 
 layout(push_constant, scalar) uniform Constants
@@ -50,7 +50,8 @@ void main()
     if (any(greaterThanEqual(uvec2(half_pixel), constants.half_px))) {
         return;
     }
-    // Mesa takes a vector that a specialization constant chooses for the one it has by default.
+    // Mesa replaces a vector chosen by a specialization constant with its default value, so it is computed
+    // here.
     vec2 along = vec2(1.0 - float(is_upright), float(is_upright));
     float step_px = max(0.5 * constants.reach_px / float(unsharp_taps), 1.0);
     vec2 sum = vec2(depth_at(half_pixel), 1.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel of the page darkens what lies behind the mean about it.
+// One thread per pixel darkens points behind the mean depth around them.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -44,7 +44,7 @@ void main()
         vec2 bilinear = mix(1.0 - between, between, vec2(corner));
         sum += (is_there ? bilinear.x * bilinear.y : 0.0) * vec2(mean, 1.0);
     }
-    // Depth is one over distance: how much farther off, as a share of that; in parallel projection of the
+    // Depth is 1 / distance: the relative distance behind the mean. Parallel projection: relative to the
     // radius.
     float behind = sum.y > 0.0 ? max(sum.x / sum.y - depth, 0.0) : 0.0;
     behind /= frame.is_orthographic != 0u ? constants.radius_m / size_of(frame.anchor_from_clip[2].xyz)

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel of the half page finds how much of the light from everywhere arrives there, as far as
-// depths around it tell: along slices through the eye's ray, each step hides the sectors of the hemisphere
-// that lie between what is seen there and its back. Four masks a slice, for occluders within four radii,
-// make those that lie farther off count less.
+// One thread per half-page pixel estimates ambient visibility from the depths around it. Along slices through
+// the view ray, each step blocks the sectors of the hemisphere between the front and the assumed back of the
+// occluder. Each slice has four masks, for occluders within four radii, so that farther occluders count less.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -23,7 +22,7 @@ layout(scalar, binding = 0) uniform Frame
 
 layout(binding = 1) uniform sampler2D depth_image;
 layout(binding = 2) uniform usampler2D normal_image;
-layout(binding = 3, rg32ui) writeonly uniform uimage2D out_open; // share of the light, depth, as bits
+layout(binding = 3, rg32ui) writeonly uniform uimage2D out_open; // visibility and depth, as bits
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -32,12 +31,12 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/occlusion/half_page.glsl"
 
-// Places of a 4 x 4 pattern in an order in which neighbours lie far from each other.
+// A 4 x 4 pattern in an order in which neighbours differ most.
 const uint pattern_order[16] = uint[](0u, 8u, 2u, 10u, 12u, 4u, 14u, 6u, 3u, 11u, 1u, 9u, 15u, 7u, 13u, 5u);
 
-// What a thing hides of the slice that it lies in, front and back, as places of the hemisphere: 0 is its
-// horizon on the other side. Its own slice, not that of the step, which the middles of pixels lie beside: so
-// what lies on the plane of the surface lies on its horizon.
+// Part of a slice that an occluder blocks, front and back, as positions over the hemisphere: 0 is the horizon
+// on the other side. Uses the occluder's own slice instead of the step's, because pixel centres lie beside
+// the step's line; occluders in the surface's plane then lie exactly at its horizon.
 vec2 hidden_by(vec3 way, vec3 normal, vec3 eye, float up, float thickness_m)
 {
     float z = dot(way, eye);
@@ -61,7 +60,7 @@ vec2 hidden_by(vec3 way, vec3 normal, vec3 eye, float up, float thickness_m)
     return (other + light) / (other + here);
 }
 
-const float hides_from = 0.98; // what hides less of its side may be the surface itself
+const float hides_from = 0.98; // an occluder beyond this position may be the surface itself
 
 void main()
 {
@@ -71,7 +70,7 @@ void main()
     }
     ivec2 pixel = whole_pixel(half_pixel);
     float depth = texelFetch(depth_image, pixel, 0).x;
-    // Noise that stands on the page, tiles or not: 16 pixels together look along all directions.
+    // The noise is fixed to the page, independent of tiles: 16 pixels together cover all directions.
     uvec2 place = (uvec2(half_pixel) + constants.from_half) % horizon_pattern;
     uint rank = pattern_order[place.y * horizon_pattern + place.x];
     float turn = (float(rank) + 0.5) / 16.0;
@@ -110,7 +109,7 @@ void main()
         float weight = share * (slice_light_whole(n, up / share, aside / share) +
                                 slice_light_whole(-n, up / share, -aside / share));
         uvec4 hidden = uvec4(0u);
-        vec2 fronts = vec2(1.0); // of the step before, on both sides; 1 is the surface's own horizon
+        vec2 fronts = vec2(1.0); // front of the step before, on both sides; 1 is the surface's own horizon
         for (int i = 0; i < loop_rounds(2 * int(horizon_steps), pixel.x); ++i) {
             float side = (i & 1) == 0 ? 1.0 : -1.0;
             float way = (float(i >> 1) + ahead) / float(horizon_steps);
@@ -125,7 +124,7 @@ void main()
             vec3 way_there = counts ? at.xyz / at.w - point : normal;
             float distance_2 = dot(way_there, way_there);
             vec2 places = hidden_by(way_there, normal, eye, up, constants.thickness * radius_m);
-            // What goes on from step to step ends half a step farther on than it was last seen, in the mean.
+            // A continuous surface ends, on average, half a step beyond its last sample.
             float before = side > 0.0 ? fronts.x : fronts.y;
             float front = places.x;
             places.x -= before < hides_from ? 0.5 * max(before - front, 0.0) : 0.0;

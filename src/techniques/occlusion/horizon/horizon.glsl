@@ -2,27 +2,27 @@
 #ifndef ESTAMPE_HORIZON
 #define ESTAMPE_HORIZON
 
-// Angles of a slice, a plane through the eye's ray: 0 is towards the eye, positive towards the side in hand.
-// The hemisphere above the surface is cut into sectors that get the same light each.
+// Angles in a slice, a plane through the view ray: 0 is towards the eye, positive is the current side. The
+// hemisphere above the surface is divided into sectors of equal light.
 
 const uint horizon_sectors = 32u;
 
-// Light that arrives in the slice from angle 0 to `angle`, whose cosine and sine these are, on a surface
-// whose normal leans by an angle n of that cosine and sine: the integral of cos(a - n) sin(a).
+// Light in the slice from angle 0 to `angle`, with its cosine and sine, on a surface whose normal leans by an
+// angle n with cosine `cos_n` and sine `sin_n`: the integral of cos(a - n) sin(a).
 float slice_light(float angle, float cosine, float sine, float cos_n, float sin_n)
 {
     float cos_double = (2.0f * cosine * cosine - 1.0f) * cos_n + 2.0f * sine * cosine * sin_n;
     return 0.25f * (cos_n - cos_double + 2.0f * angle * sin_n);
 }
 
-// The same to the surface's own horizon, pi / 2 from its normal.
+// Light in the slice from angle 0 to the surface's horizon, pi / 2 from its normal.
 float slice_light_whole(float n, float cos_n, float sin_n)
 {
     return 0.25f * (2.0f * cos_n + (3.14159265f + 2.0f * n) * sin_n);
 }
 
-// The sectors whose middles lie between two places of the hemisphere, 0 to 1, as bits. `shift` moves the
-// middles, by less than half a sector.
+// Bit mask of the sectors whose middles lie between two positions of the hemisphere, 0 to 1. `shift` moves
+// the middles by less than half a sector.
 uint sectors_between(float low, float high, float shift)
 {
     int first = int(clamp(low, 0.0f, 1.0f) * float(horizon_sectors) + 0.5f + shift);

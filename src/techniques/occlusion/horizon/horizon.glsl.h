@@ -8,18 +8,18 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-SHARED_CONSTANT uint horizon_slices = 2U;      // planes through the eye's ray that a pixel looks along
-SHARED_CONSTANT uint horizon_steps = 5U;       // of each slice to either side
-SHARED_CONSTANT uint horizon_pattern = 4U;     // pixels a side after which directions repeat
-SHARED_CONSTANT float horizon_least_px = 2.0F; // a smaller neighbourhood hides nothing
+SHARED_CONSTANT uint horizon_slices = 2U;      // planes through the view ray, per pixel
+SHARED_CONSTANT uint horizon_steps = 5U;       // steps per slice to either side
+SHARED_CONSTANT uint horizon_pattern = 4U;     // pixels per side of the pattern of directions
+SHARED_CONSTANT float horizon_least_px = 2.0F; // no occlusion if the radius on the page is smaller
 
-// Occlusion is found at every second pixel of the page each way: pixel `i` of the half page is pixel
-// 2 * (from_half + i) of the page.
+// Occlusion is computed at every second pixel each way: pixel `i` of the half page is pixel 2 * (from_half +
+// i) of the page.
 struct HorizonConstants {
-    float radius_m;  // nothing farther off counts
-    float reach_px;  // nor what is farther off on the page
-    float thickness; // of what is seen from one side, as a share of the radius
-    float strength;  // exponent of what is open
+    float radius_m;  // farther occluders are ignored
+    float reach_px;  // largest radius on the page
+    float thickness; // assumed thickness of occluders, as a share of the radius
+    float strength;  // exponent of the visibility
     uvec2 from_half;
     uvec2 half_px;
 };

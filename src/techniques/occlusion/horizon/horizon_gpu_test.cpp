@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Occlusion from depths: what is exactly so, what a formula gives, and what rays tell.
+// Occlusion from depth: exact cases, a formula, and ray tracing.
 #include <algorithm>
 #include <numeric>
 
@@ -16,8 +16,8 @@ namespace {
 constexpr glm::uvec2 size_px(160, 120);
 const OcclusionStyle far_reaching{.enabled = true, .reach_mm = 60.0F, .thickness = 1.0F};
 
-/// Openness on a floor at a distance of an endless wall, as a share of the radius: of the rays of the cosine
-/// through a unit disc those beyond the chord meet the wall, at a distance that the fall-off weighs.
+/// Visibility on a floor at distance `a`, as a share of the radius, from an endless wall. Cosine-distributed
+/// rays through the unit disc beyond a chord meet the wall; the falloff weights them by their distance.
 double by_wall(double a)
 {
     const double s = std::sqrt(1.0 - a * a);
@@ -144,7 +144,7 @@ TEST(Occlusion, IsInTilesWhatItIsOnTheWholePage)
     }
 }
 
-/// How much what is open varies along an edge that runs across the page, or up it, and from frame to frame.
+/// Variation of visibility along an edge that runs across or up the page, and from frame to frame.
 struct Grain {
     double deviation = 0.0;
     double most = 0.0;
@@ -212,7 +212,7 @@ TEST(Occlusion, PutsDarknessUnderThings)
     };
     EXPECT_LT(at({-0.6, 0.0, -0.35}), 0.65F) << "before the ball, where it stands";
     EXPECT_GT(at({2.0, 0.0, 1.5}), 0.97F) << "open floor";
-    // Behind a table's edge the far floor is no darker for it.
+    // A table's edge does not darken the far floor behind it.
     OcclusionStyle weak = far_reaching;
     weak.strength = 2.0F;
     const std::vector<float> darker = page.open(weak, 1.0F);

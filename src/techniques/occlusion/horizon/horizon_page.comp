@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel of the page takes what the half page found about it on its own surface.
+// One thread per pixel interpolates the half page's visibility between samples on the pixel's own surface.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -27,7 +27,7 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/occlusion/half_page.glsl"
 
-const float least_weight = 1e-3; // where the half page has seen nothing of a surface, that about it counts
+const float least_weight = 1e-3; // used if no half-page sample lies on the pixel's surface
 
 void main()
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The very functions of the shader: light of a slice, and sectors as bits.
+// The shader's own functions: light of a slice, and sectors as bits.
 #include <bit>
 #include <cmath>
 #include <numbers>
@@ -16,7 +16,7 @@ using namespace test::glsl; // NOLINT(google-build-using-namespace)
 namespace estampe::occlusion {
 namespace {
 
-/// The integral of cos(a - n) sin(a), in steps.
+/// The integral of cos(a - n) sin(a), computed in steps.
 double integrated(double to, double n)
 {
     constexpr int steps = 20000;
@@ -57,7 +57,7 @@ TEST(Horizon, CutsTheHemisphereIntoSectors)
     EXPECT_EQ(sectors_between(0.3F, 0.3F, 0.0F), 0U);
     EXPECT_EQ(sectors_between(0.9999F, 1.0F, -0.45F), 0U) << "the surface's own plane";
     EXPECT_EQ(sectors_between(0.0F, 0.0001F, 0.45F), 0U);
-    // Over all shifts a part hides its own length.
+    // Averaged over all shifts, an interval covers its own length.
     double bits = 0.0;
     constexpr int count = 90;
     for (int i = 0; i < count; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One workgroup finds the box about one cluster, a thread per triangle; or each thread finds that of a whole
+// Computes clusters' bounding boxes: one workgroup per cluster with a thread per triangle, or one thread per
 // cluster.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -47,7 +47,7 @@ void bound_by_thread()
     }
     vec3 least = vec3(1e30);
     vec3 most = vec3(-1e30);
-    // Of the last cluster, which may be short, the last triangle counts several times.
+    // The last cluster may be short; its last triangle is added repeatedly.
     for (uint i = 0u; i < cluster_triangles; ++i) {
         add_triangle(min(first + i, triangle_count - 1u), least, most);
     }

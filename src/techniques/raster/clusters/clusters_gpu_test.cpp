@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is left out by the box about it would not have been seen.
+// Checks that triangles culled by their cluster's box would not have been visible.
 #include <numeric>
 
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 namespace estampe::raster {
 namespace {
 
-/// Runs of 64 triangles, each run about a place of its own: on the page, beside it, before the eye and
-/// behind.
+/// Runs of 64 triangles, each around its own place: on the page, outside it, in front of the eye or behind
+/// it.
 std::vector<ClipTriangle> scattered_runs(uint32_t seed, size_t runs)
 {
     Soup random(seed);
@@ -38,7 +38,7 @@ TEST(RasterClusters, LeaveOutNothingThatIsSeen)
 {
     for (uint32_t seed = 0; seed < 6; ++seed) {
         const auto soup = scattered_runs(seed, 500);
-        // Batches need not begin where runs do, nor end there.
+        // Batches need not start or end at cluster boundaries.
         const Batch batch{.first_triangle = 37, .triangle_count = static_cast<uint32_t>(soup.size()) - 50};
         const auto all = draw(soup, {160, 90}, {}, batch);
         EXPECT_TRUE(all == draw(soup, {160, 90}, {.tuning = {.clusters_from = 1}}, batch)) << seed;
@@ -62,7 +62,7 @@ TEST(RasterClusters, OfWhichTheBoxIsBesideThePageAreNotListed)
         {.clip_from_anchor = plain_perspective, .size_px = {160, 90}, .triangle_count = count});
     ASSERT_TRUE(list);
     const auto words = test::run_and_read_as<uint32_t>(graph, *list);
-    // No corner of such a run is within one side of the page.
+    // All corners of such a run are outside one side of the page.
     uint32_t sure = 0;
     for (uint32_t run = 0; run < 200; ++run) {
         const auto is_outside = [&](auto beyond) {
@@ -85,7 +85,7 @@ TEST(RasterClusters, OfWhichTheBoxIsBesideThePageAreNotListed)
     const uint32_t listed = words[shared::tile_list_count];
     EXPECT_GT(sure, 120U);
     EXPECT_GT(listed, 5U);
-    // A box may reach round a corner of the page that its run does not.
+    // A box may touch a corner of the page that its triangles miss.
     EXPECT_LE(listed, 200U - sure + 20U);
     EXPECT_EQ(words[0], shared::tile_list_groups);
     EXPECT_EQ(words[1], (listed + shared::tile_list_groups - 1) / shared::tile_list_groups);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a cluster of a batch lists it if the page may show any of it.
+// One thread per cluster of a batch: lists the cluster if the page may show any of it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -22,8 +22,8 @@ layout(push_constant, scalar) uniform Constants
     RasterConstants constants;
 };
 
-shared uint listed; // by this group
-shared uint first;  // of their numbers
+shared uint listed; // number of clusters that this group lists
+shared uint first;  // index of the first of them in the list
 
 void main()
 {

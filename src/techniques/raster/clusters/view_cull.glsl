@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_VIEW_CULL
 #define ESTAMPE_VIEW_CULL
 
-// Whether a view may show anything of a cluster of triangles.
+// Tests whether a view may show any part of a cluster of triangles.
 
 #include "techniques/raster/raster.glsl.h"
 
@@ -12,11 +12,11 @@ bool reaches_side(vec3 centre, vec3 half_size, vec4 plane)
     return dot(plane.xyz, centre) + plane.w + dot(abs(plane.xyz), half_size) >= 0.0;
 }
 
-// False only when the box is wholly beside or before what a camera sees.
+// False only if the box is entirely outside a side plane or the near plane of the view.
 bool may_show(ClusterBounds bounds, mat4 clip_from_anchor)
 {
     vec3 centre = 0.5 * (bounds.low + bounds.high);
-    // A little more than half, for what rounding takes.
+    // Slightly more than half, to allow for rounding.
     vec3 half_size = 0.50001 * (bounds.high - bounds.low) + 1e-6 * abs(centre);
     mat4 rows = transpose(clip_from_anchor);
     return reaches_side(centre, half_size, rows[3] + rows[0]) &&
@@ -26,7 +26,7 @@ bool may_show(ClusterBounds bounds, mat4 clip_from_anchor)
            reaches_side(centre, half_size, rows[3] - rows[2]);
 }
 
-// The same of a view, which may not want the batch, or what is beyond its reach.
+// As above, for one of many views: also false if the view skips the batch or the box is beyond its reach.
 bool may_show(ClusterBounds bounds, uint groups, RasterView view)
 {
     if ((view.groups & groups) == 0u) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One workgroup takes large triangles in turn, and its threads list the tiles that each one touches. When the
-// list is full a thread draws the tile itself: slow, but whole.
+// Workgroups take large triangles in turn; their threads list the tiles that each triangle touches. If the
+// list is full, a thread draws the tile itself, which is slow but complete.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

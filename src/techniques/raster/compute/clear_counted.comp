@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Clears a picture, four quads a thread, and the counters of the first batch that is drawn into it: a pass of
-// their own would be waited for.
+// Clears a picture, four quads per thread, and the counters of its first batch, which saves a separate pass
+// and its barrier.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

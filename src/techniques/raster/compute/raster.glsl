@@ -5,11 +5,11 @@
 #include "techniques/raster/raster.glsl.h"
 
 // Rasterisation in compute: exact integer edge functions on positions snapped to 1/256 pixel with the
-// top-left rule, so that triangles that share an edge never overlap and never leave a gap. The winner of a
-// pixel is the largest 64-bit value (reversed depth above, triangle below), which does not depend on the
-// order of execution.
+// top-left rule, so that triangles with a shared edge never overlap and never leave a gap. The winner of a
+// pixel is the largest 64-bit value (reversed depth in the high half, triangle in the low half), which does
+// not depend on the order of execution.
 
-const int tile_px = int(raster_tile_px); // for places, which are signed
+const int tile_px = int(raster_tile_px); // signed, for arithmetic with positions
 
 #define MESH_TEXELS_BINDING 0
 #include "shaders/mesh_texels.glsl"
@@ -51,7 +51,7 @@ layout(push_constant, scalar) uniform Constants
     ViewsConstants constants;
 };
 
-RasterView view; // the one that this thread draws now
+RasterView view; // the view that this thread is drawing
 #define CLIP_FROM_ANCHOR view.clip_from_anchor
 #define PICTURE_PX uvec2(view.size_px)
 #else
@@ -64,7 +64,7 @@ layout(push_constant, scalar) uniform Constants
 #define PICTURE_PX constants.size_px
 #endif
 
-// How the lists name views and tiles, see LargeTriangle and TriangleTile.
+// Encoding of views and tiles in the lists, see LargeTriangle and TriangleTile.
 #ifdef RASTER_VIEWS
 void select_view(uint index)
 {
@@ -105,9 +105,9 @@ ivec2 place_of_tile(uint part_and_tile)
 #endif
 
 const float subpixels = 256.0;
-const float guard_px = 2097152.0; // 2^21: differences of such positions still fit 32 bits, edge functions 64
+const float guard_px = 2097152.0; // 2^21: differences of such positions fit 32 bits, edge functions 64 bits
 
-// A triangle on the page: positions in 1/256 pixel, y down, in an order that makes its area positive.
+// A triangle on the page: positions in 1/256 pixel, y down, ordered so that its area is positive.
 struct PageTriangle {
     ivec2 p[3];
     vec3 depth; // reversed, at the corners
@@ -119,7 +119,7 @@ struct ClippedTriangle {
 };
 
 // Clips against the near plane (w - z >= 0). New corners are always computed from the inside outwards, so
-// that both triangles of a shared edge get the same bits.
+// that both triangles of a shared edge get identical bits.
 ClippedTriangle clip_near(vec4 a, vec4 b, vec4 c)
 {
     vec4 corner[3] = vec4[3](a, b, c);
@@ -174,7 +174,7 @@ ivec2 snap(vec4 clip)
     return ivec2(round(clamp(px, vec2(-guard_px), vec2(guard_px)) * subpixels));
 }
 
-// False when the triangle is degenerate, turned away, or beside the picture.
+// False if the triangle is degenerate, culled as a back face, or outside the picture.
 bool to_page(vec4 a, vec4 b, vec4 c, uint flags, out PageTriangle t)
 {
     t.p[0] = snap(a);
@@ -213,7 +213,7 @@ bool page_part(ClippedTriangle clipped, uint part, uint flags, out PageTriangle 
     return to_page(clipped.clip[0], clipped.clip[1 + part], clipped.clip[2 + part], flags, t);
 }
 
-// First and last pixel, inclusive, whose centres may be covered; empty when high < low.
+// First and last pixel, inclusive, whose centres may be covered; empty if high < low.
 void pixel_bounds(PageTriangle t, out ivec2 low, out ivec2 high)
 {
     ivec2 smallest = min(min(t.p[0], t.p[1]), t.p[2]);
@@ -222,7 +222,7 @@ void pixel_bounds(PageTriangle t, out ivec2 low, out ivec2 high)
     high = min((largest - 128) >> 8, ivec2(PICTURE_PX) - 1);
 }
 
-// One for edges that own the pixels exactly on them: top edges and left edges.
+// 0 for edges that own the pixel centres exactly on them (top and left edges), else -1.
 int owns_its_pixels(ivec2 from, ivec2 to)
 {
     ivec2 d = to - from;
@@ -242,7 +242,7 @@ int owns_its_pixels(ivec2 from, ivec2 to)
 #include "techniques/raster/behind.glsl"
 #endif
 
-// Peels may draw but every second pixel each way.
+// Depth peeling may draw only every second pixel in x and y.
 #ifdef RASTER_BEHIND
 #define DRAWN_SECOND constants.second
 #else
@@ -254,7 +254,7 @@ int drawn_step()
     return DRAWN_SECOND == 0u ? 1 : 2;
 }
 
-// The first pixel from `low` on, each way, that is drawn.
+// The first pixel in x and y that is drawn, from `low` on.
 ivec2 first_drawn(ivec2 low)
 {
     ivec2 first = ivec2(DRAWN_SECOND >> 1, DRAWN_SECOND >> 2);
@@ -294,8 +294,8 @@ void write_pixel(ivec2 pixel, float depth, uint triangle)
 #endif
 }
 
-// Depth where the edge functions are `edges`. The same bits whichever way a triangle is drawn, since where a
-// picture begins decides on the way.
+// Depth at edge functions `edges`. All code paths give identical bits, because the path depends on where the
+// picture begins.
 float depth_of(vec3 edges, float inverse_area, vec3 depth)
 {
     precise vec3 weights = edges * inverse_area;
@@ -303,7 +303,7 @@ float depth_of(vec3 edges, float inverse_area, vec3 depth)
     return sum;
 }
 
-// Fills the part of a triangle within [low, high], for triangles of at most 64 pixels a side: 32-bit
+// Fills the part of a triangle inside [low, high]; triangles of at most 64 pixels per side, in 32-bit
 // arithmetic.
 void fill_small(PageTriangle t, ivec2 low, ivec2 high, uint triangle)
 {
@@ -333,8 +333,7 @@ void fill_small(PageTriangle t, ivec2 low, ivec2 high, uint triangle)
     }
 }
 
-// One edge of a large triangle: value at a pixel's centre, and what it gains to the right and down, in 64
-// bits.
+// One edge of a large triangle: value at a pixel's centre, and increments to the right and down, in 64 bits.
 struct LargeEdge {
     int64_t value;
     int64_t right;
@@ -354,7 +353,7 @@ LargeEdge large_edge(ivec2 from, ivec2 to, ivec2 pixel)
     return edge;
 }
 
-// Visits the pixels of one column of a tile, `apart` one below the other, down to row `last`.
+// Fills pixels of one column of a tile, `apart` rows apart, down to row `last`.
 void fill_column(PageTriangle t, ivec2 top, int last, int apart, uint triangle)
 {
     LargeEdge e0 = large_edge(t.p[1], t.p[2], top);
@@ -375,7 +374,7 @@ void fill_column(PageTriangle t, ivec2 top, int last, int apart, uint triangle)
     }
 }
 
-// Whether some pixel centre of the tile may lie on the inner side of all three edges.
+// Whether some pixel centre of the tile may be inside all three edges.
 bool touches(PageTriangle t, ivec2 low, ivec2 high)
 {
     for (int i = 0; i < 3; ++i) {
@@ -391,8 +390,8 @@ bool touches(PageTriangle t, ivec2 low, ivec2 high)
     return true;
 }
 
-// Puts a tile on the list if the triangle, which covers `low` to `high`, touches it. When the list is full
-// the thread draws the tile itself: slow, but whole.
+// Lists a tile if the triangle, whose bounds are `low` to `high`, touches it. If the list is full, the thread
+// draws the tile itself, which is slow but complete.
 void list_tile(PageTriangle t, ivec2 low, ivec2 high, ivec2 tile, uint part, uint view_index, uint triangle)
 {
     ivec2 tile_low = max(low, tile * tile_px);
@@ -411,8 +410,7 @@ void list_tile(PageTriangle t, ivec2 low, ivec2 high, ivec2 tile, uint part, uin
     }
 }
 
-// One thread draws one small triangle, lists the tiles of one that touches few, or puts a large one on the
-// list.
+// One thread draws one small triangle, lists the tiles of one that touches few, or lists a large one.
 
 #ifndef RASTER_MASKED
 layout(constant_id = 0) const uint variant = 0u;
@@ -453,8 +451,8 @@ void draw_part(ClippedTriangle clipped, uint part, uint view_index, uint triangl
         return;
     }
 #ifdef RASTER_VIEWS
-    // A list for all triangles in all views would be too long; what it cannot hold is drawn here: slow, but
-    // whole.
+    // A list for all triangles in all views would be too long. Triangles that do not fit are drawn here,
+    // which is slow but complete.
     for (int x = low.x; x <= high.x; ++x) {
         fill_column(t, ivec2(x, low.y), high.y, 1, triangle);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread draws one small triangle whole, and puts a large one on the list.
+// One thread per triangle: draws a small triangle whole, and lists a large one.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -16,10 +16,10 @@ layout(local_size_x = cluster_triangles) in;
 
 layout(scalar, binding = 6) readonly buffer Clusters
 {
-    uint clusters[]; // a list as tiles.glsl.h has it: a workgroup takes one
+    uint clusters[]; // list in the format of tiles.glsl.h: one workgroup per cluster
 };
 
-// Within the batch; beyond its end where there is none for this thread.
+// Number within the batch; beyond its end if there is no triangle for this thread.
 uint triangle_of_thread()
 {
     uint number = gl_WorkGroupID.y * tile_list_groups + gl_WorkGroupID.x;

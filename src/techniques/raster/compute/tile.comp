@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One workgroup draws one triangle in one tile of the picture after another; each thread takes a column,
-// or a share of it where the triangle is narrow.
+// Each workgroup draws one triangle in one tile of the picture at a time. Each thread takes a column, or a
+// part of one if the triangle is narrow.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -27,7 +27,7 @@ void main()
         pixel_bounds(t, low, high);
         low = max(low, corner);
         high = min(high, corner + tile_px - 1);
-        // The narrower the part, the more threads share a column.
+        // The narrower the covered part, the more threads share a column.
         int drawn = drawn_step();
         ivec2 first = first_drawn(low);
         int width_bits = findMSB(max((high.x - first.x) / drawn, 0)) + 1;

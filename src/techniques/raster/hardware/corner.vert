@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One corner of one triangle: of all of a batch or, where LISTED_BINDING is the binding of a list, of those
-// in the list.
+// One corner of a triangle of a batch. If LISTED_BINDING is defined, it is the binding of a list of triangles
+// to draw.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -12,7 +12,7 @@ layout(location = 1) flat out uint triangle_flags;
 
 layout(constant_id = 0) const uint variant = 0u;
 
-invariant gl_Position; // layers are peeled by exact depth, by pipelines that are not the same
+invariant gl_Position; // different pipelines must agree on exact depth, for depth peeling
 
 void draw_corner(uint triangle, uint corner)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One workgroup lists the triangles whose bits are set, in their order, and says how many corners are to be
-// drawn: each thread counts a stretch of words, and lists it where those before it end.
+// One workgroup lists the triangles whose bits are set, in order, and writes the number of corners to draw.
+// Each thread counts a range of words, and lists its triangles after those of the threads before it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread asks 32 triangles in turn whether they may be seen, and sets a bit for each: rasterisers on
-// processors take long to find that one is not.
+// One thread tests 32 triangles and sets a bit for each that may be visible. Rasterisers on CPU devices are
+// slow to reject the others.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -17,15 +17,15 @@ layout(scalar, binding = 2) writeonly buffer Kept
 
 layout(constant_id = 0) const uint variant = 0u;
 
-const float snapped_px = 1.0 / 64.0; // rasterisers move corners by less
+const float snapped_px = 1.0 / 64.0; // rasterisers move corners by less than this
 
 vec2 place_px(vec4 clip)
 {
     return (0.5 * clip.xy / clip.w + 0.5) * vec2(constants.size_px);
 }
 
-// Twice the area of a triangle on the page, above zero where its corners run clockwise: the least that it can
-// be, and the most, wherever the corners are moved to.
+// Bounds of twice the area of a triangle on the page, positive if its corners run clockwise: minimum and
+// maximum over all positions to which the corners may be snapped.
 vec2 double_area(vec2 p, vec2 q, vec2 r)
 {
     vec2 u = q - p;
@@ -34,8 +34,8 @@ vec2 double_area(vec2 p, vec2 q, vec2 r)
     return u.x * v.y - u.y * v.x + vec2(-moved, moved);
 }
 
-// Not where all corners lie beyond one side of the page or before the near plane, nor where no middle of a
-// pixel is within the box about them, nor where they are turned away and that counts.
+// False if all corners are outside one side of the page or the near plane, if no pixel centre is in the
+// triangle's bounding box, or if it is a culled back face.
 bool may_be_seen(vec4 a, vec4 b, vec4 c, uint flags)
 {
     vec3 x = vec3(a.x, b.x, c.x);
@@ -47,7 +47,7 @@ bool may_be_seen(vec4 a, vec4 b, vec4 c, uint flags)
         return false;
     }
     if (any(greaterThan(z, w)) || any(lessThanEqual(w, vec3(0.0)))) {
-        return true; // it passes the near plane
+        return true; // crosses the near plane
     }
     vec2 p = place_px(a);
     vec2 q = place_px(b);

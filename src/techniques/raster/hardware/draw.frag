@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writes which triangle was drawn and how far it is, in the form of a visibility buffer, unless the triangle
-// is turned away or a mask leaves a hole.
+// Writes triangle and depth in the format of a visibility buffer. Discards culled back faces and holes of
+// masks.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

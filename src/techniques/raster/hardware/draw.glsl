@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the stages of the hardware path share.
+// Declarations shared by the stages of the hardware path.
 
 #include "techniques/raster/raster.glsl.h"
 

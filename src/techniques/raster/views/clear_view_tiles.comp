@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One workgroup clears one tile of a view.
+// One workgroup per tile: clears one tile of a view.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One corner of one triangle of a cluster, in its view's square of the image. An instance is one cluster in
+// One corner of a triangle of a cluster, in its view's square of the image. Each instance is one cluster in
 // one view.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -20,7 +20,7 @@ void main()
     view_drawn = item.view;
     if (triangle < constants.first_triangle ||
         triangle >= constants.first_triangle + constants.triangle_count) {
-        gl_Position = vec4(0.0, 0.0, 2.0, 1.0); // before the near plane: not drawn
+        gl_Position = vec4(0.0, 0.0, 2.0, 1.0); // outside the near plane: not drawn
         for (int i = 0; i < 4; ++i) {
             gl_ClipDistance[i] = -1.0;
         }

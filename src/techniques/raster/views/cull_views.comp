@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread looks for the views that may show one cluster, and lists them for the hardware path to draw.
+// One thread per cluster: finds the views that may show it, and lists each pair for the hardware path.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -24,7 +24,7 @@ layout(scalar, binding = 2) writeonly buffer List
     ClusterInView list[];
 };
 
-// What an indirect draw takes.
+// Arguments of the indirect draw call.
 layout(scalar, binding = 3) buffer Arguments
 {
     uint vertex_count;

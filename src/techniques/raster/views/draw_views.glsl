@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the stages of the hardware path share when many views are drawn at once.
+// Declarations shared by the stages of the hardware path when it draws many views at once.
 
 #include "techniques/raster/raster.glsl.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lets a mask leave holes in what is drawn into one of many views.
+// Discards pixels in the holes of alpha masks when many views are drawn.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

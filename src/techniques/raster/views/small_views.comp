@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One workgroup takes one cluster, a thread to a triangle: its corners are loaded once and drawn into each
+// One workgroup per cluster, one thread per triangle: loads a triangle's corners once, and draws it into each
 // view that may show the cluster.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -17,7 +17,7 @@ layout(scalar, binding = 7) readonly buffer Bounds
     ClusterBounds bounds[];
 };
 
-shared uint showing[cluster_triangles / 32u]; // a bit for each view of this round
+shared uint showing[cluster_triangles / 32u]; // one bit for each view of this round
 
 void draw_into(uint view_index, uint triangle, uint flags, vec3 a, vec3 b, vec3 c)
 {

@@ -25,10 +25,11 @@ namespace estampe::raster {
 namespace {
 
 constexpr uint64_t most_large = 1ULL << 19U;
-/// All levels of a sun's map together want more than a page. What has no room is drawn by single threads.
+/// All levels of a sun's clipmap together need more than a page. Tiles that do not fit are drawn by single
+/// threads.
 constexpr uint64_t most_tiles_of_views = 1ULL << 20U;
 constexpr uint32_t most_pixels_a_thread = 32768;
-// Pairs of cluster and view that one draw lists at most.
+// Most pairs of cluster and view that are listed for one batch.
 constexpr uint64_t most_pairs = 1ULL << 22U;
 
 uint32_t largest_side(const DepthViews& views)
@@ -106,7 +107,7 @@ gpu::BufferId compute_batch(gpu::Graph& graph, const gpu::Name& name, const Rast
     return target;
 }
 
-/// Lists which clusters the views of `constants` may show, and draws them.
+/// Lists the clusters that the views of `constants` may show, and draws them.
 gpu::ImageId hardware_batch(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
                             const Batch& batch, const DepthViews& views,
                             const shared::ViewsConstants& constants, gpu::ImageId depth)
@@ -135,7 +136,7 @@ gpu::ImageId hardware_batch(gpu::Graph& graph, const gpu::Name& name, const Rast
     return depth;
 }
 
-/// Each view from its square of the image to its texels.
+/// Copies each view from its square of the image to its texels.
 auto copy_views(gpu::ImageId from, gpu::BufferId to, const std::vector<shared::RasterView>& views)
 {
     std::vector<VkBufferImageCopy> regions;
@@ -195,7 +196,7 @@ void place_views(std::vector<shared::RasterView>& views)
         area_px += static_cast<double>(view.size_px) * view.size_px;
     }
     const auto width = std::bit_ceil(static_cast<uint32_t>(std::sqrt(area_px)));
-    // Rows of squares, the largest first, so that each row is as high as its first.
+    // Rows of squares, largest first, so that each row is as high as its first square.
     glm::uvec2 at(0);
     uint32_t row_height = 0;
     for (const size_t index : order) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Many views at once against the same views drawn one by one.
+// Compares many views drawn at once with the same views drawn one by one.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr uint32_t untouched = 0x5a5a5a5aU;
 
-/// A room about the origin with bodies of large and tiny triangles, and a fence with holes.
+/// A room around the origin with bodies of large and tiny triangles, and a fence with holes.
 Scene room()
 {
     Scene scene = test::scene_of(shapes::plane(10.0F, 10.0F));
@@ -48,7 +48,7 @@ glm::dmat4 looking(const glm::dvec3& eye, const glm::dvec3& along, const glm::dv
     return clip_from_view * glm::lookAt(eye, eye + along, up);
 }
 
-/// Views from a place to all six sides, of sizes that differ, and gaps between their texels.
+/// Views from a place in all six directions, of different sizes, with gaps between their texels.
 std::vector<shared::RasterView> six_views(const glm::dvec3& eye, float reach_m, uint32_t first_texel)
 {
     std::vector<shared::RasterView> views;
@@ -79,7 +79,7 @@ protected:
         return drawing;
     }
 
-    /// How many texels of a view are not as the view alone is drawn.
+    /// Number of texels of a view that differ from drawing the view alone.
     [[nodiscard]] static size_t differing(test::Drawing& drawing, const shared::RasterView& view,
                                           const std::vector<uint32_t>& maps)
     {
@@ -107,7 +107,7 @@ TEST_P(RasterViews, ShowWhatEachShowsAlone)
         drawing.tuning = tuning;
         const auto maps = drawing.depth_views(views, 120000, untouched);
         for (const shared::RasterView& view : views) {
-            // Hardware clips at the square of a view, which moves an edge by a rounding.
+            // Hardware clips at the square of a view, which may move an edge by a rounding error.
             const size_t excused = GetParam() == RasterPath::hardware ? view.size_px / 8 : 0;
             EXPECT_LE(differing(drawing, view, maps), excused) << "view of " << view.size_px;
         }
@@ -151,7 +151,7 @@ TEST_P(RasterViews, DrawNothingBeyondTheirReach)
 INSTANTIATE_TEST_SUITE_P(Both, RasterViews, testing::Values(RasterPath::compute, RasterPath::hardware),
                          path_name);
 
-/// By compute. Words that nothing can be nearer than tell where nothing was cleared.
+/// Compute only. Words that no depth can exceed mark texels that were not cleared.
 TEST(RasterViewTiles, AreClearedAlone)
 {
     test::Drawing drawing(room(), test::front_camera(5.0, 0.6), {64, 64});

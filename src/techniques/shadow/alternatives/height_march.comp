@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a texel: walks a ray towards the sun's centre, a texel at a time, until the ground stands above
+// One thread per texel: walks a ray towards the sun's centre, one texel per step, until the ground is above
 // it.
 #version 460
 #extension GL_GOOGLE_include_directive : require

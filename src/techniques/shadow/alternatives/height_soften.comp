@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a texel: a blur along one side of the field.
+// One thread per texel: a blur along one axis of the field.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -16,7 +16,7 @@ layout(push_constant, scalar) uniform Constants
     MarchConstants march;
 };
 
-// 1: down; 0: across.
+// 1: blurs vertically; 0: horizontally.
 layout(constant_id = 0) const uint variant = 0u;
 
 void main()

@@ -12,7 +12,7 @@ namespace {
 /// Points p with dot(normal, p) + offset >= 0 are inside.
 using Plane = glm::dvec4;
 
-/// The eye's view: sides and near plane.
+/// The eye's frustum: sides and near plane.
 std::vector<Plane> planes_of(const shared::FrameGlobals& eye)
 {
     const glm::dmat4 rows = glm::transpose(glm::dmat4(eye.clip_from_anchor));
@@ -25,7 +25,7 @@ std::vector<Plane> planes_of(const shared::FrameGlobals& eye)
     return planes;
 }
 
-/// Corners of the convex body within all planes.
+/// Corners of the convex body inside all planes.
 std::vector<glm::dvec3> corners_of(std::vector<Plane> planes)
 {
     for (Plane& plane : planes) {
@@ -53,7 +53,7 @@ std::vector<glm::dvec3> corners_of(std::vector<Plane> planes)
     return corners;
 }
 
-/// What lies in the way of shadows, or below them: the casters' box along the sun, over the floor.
+/// The volume in which shadows can fall: the casters' box, extended along the sun, above the floor.
 std::vector<Plane> planes_of(const SunMapScene& scene, const SunView& view)
 {
     const glm::dmat4 rows = glm::transpose(glm::dmat4(view.clip_from_anchor));
@@ -104,7 +104,7 @@ SunView warped_view(const SunMapScene& scene)
         along.extend(glm::dot(point, down));
         away.extend(glm::dot(point - glm::dvec3(eye.eye_anchor), forward));
     }
-    // The least error in the eye's direction, near and far alike.
+    // This near distance equalizes the error along the eye's direction at both ends (Wimmer et al.).
     const double depth_m = std::max(along.high - along.low, 1e-6);
     const double seen_m = std::clamp(scene.nearest_m, std::max(away.low, 0.0), std::max(away.high, 0.0));
     const double near_m = (seen_m + std::sqrt(seen_m * std::max(away.high, 0.0))) / sine;
@@ -115,7 +115,7 @@ SunView warped_view(const SunMapScene& scene)
         const double w = 1.0 + (glm::dot(point, down) - along.low) / n;
         half_m = std::max(half_m, std::abs(glm::dot(point, right) - middle) / w);
     }
-    // A rim for the texels about a lookup.
+    // Leaves a margin for the texels around a lookup.
     const double kept = 1.0 - 8.0 / static_cast<double>(size);
     const double p = kept * (2.0 * n + depth_m) / depth_m;
     const double q = kept * 2.0 * (n + depth_m) / depth_m;

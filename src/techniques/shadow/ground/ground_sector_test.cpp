@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which texels of the ground a picture looks up.
+// Tests which texels of the ground a picture looks up.
 #include <algorithm>
 #include <random>
 

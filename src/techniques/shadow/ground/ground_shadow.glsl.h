@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_GROUND_SHADOW_GLSL_H
 #define ESTAMPE_GROUND_SHADOW_GLSL_H
-// Fields of heights and horizons about the eye, each four times as coarse as the one before.
+// Fields of heights and horizons around the eye; each is four times as coarse as the one before.
 #ifdef __cplusplus
 #include "shaders/field_sector.glsl.h"
 namespace estampe::shared {
@@ -11,16 +11,16 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint ground_levels = 5U;
 
-// Anchor space; origin is the middle of the first texel.
+// One field, in anchor space; origin_m is the centre of its first texel.
 struct GroundLevel {
     vec2 origin_m;
     float texel_m;
 };
 
-// Fields that are kept, the third coordinate of a dispatch counts them.
+// The third coordinate of the dispatch selects the field.
 struct GroundKeepConstants {
     uint size;
-    uint level[5]; // of each field
+    uint level[5]; // level number of each field
     FieldSector wanted;
 };
 
@@ -28,7 +28,7 @@ struct GroundShareConstants {
     GroundLevel levels[5];
     vec3 towards_sun;
     float radius_rad;
-    uint size; // texels a side
+    uint size; // texels per side
 };
 
 #ifdef __cplusplus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread finds how much of the sun the ground leaves to what is seen at a pixel.
+// One thread per pixel: the share of the sun that the ground leaves visible.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -30,8 +30,8 @@ vec2 kept_at(uint level, ivec2 texel)
     return unpackHalf2x16(texelFetch(kept, int(first) + texel.y * int(constants.size) + texel.x).x);
 }
 
-// Height and horizon, between texels, of the finest level that holds the place. Beyond all of them: no
-// horizon.
+// Interpolated height and horizon from the finest level that contains the place. Outside all levels there is
+// no horizon.
 vec2 ground_at(vec2 place)
 {
     int chosen = -1;
@@ -62,7 +62,7 @@ void main()
     vec3 point = anchor_at(frame, vec2(pixel) + 0.5, max(depth, 1e-9));
     vec3 sun = constants.towards_sun;
     vec2 ground = ground_at(point.xz);
-    // What stands above the ground is in its shadow where the ground is that the same ray meets below.
+    // A point above the ground is lit like the ground point that its sun ray, extended downwards, meets.
     vec2 back_per_m = sun.xz / max(sun.y, 0.01);
     float above = max(point.y - ground.x - 0.1, 0.0);
     int tries = above > 0.0 && depth > 0.0 ? 2 : 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a texel: looks towards the sun from cell to cell of the pyramid, over those that cannot raise
-// the horizon in one step, as far as it matters for the sun.
+// One thread per texel: walks towards the sun from cell to cell of the pyramid. Skips cells that cannot raise
+// the horizon, and stops where the horizon no longer affects the sun.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -18,13 +18,13 @@ layout(push_constant, scalar) uniform Constants
     PyramidConstants pyramid;
 };
 
-// 1: the horizon's height above the sun is written in place of what is seen of the sun.
+// 1: writes the horizon's height above the sun; 0: writes the sun's visibility.
 layout(constant_id = 0) const uint variant = 0u;
 
 #include "shaders/sun_disc.glsl"
 #include "techniques/shadow/heightfield/height_pyramid.glsl"
 
-// Between four texels, in texels.
+// Height interpolated between four texels; `place` is in texels.
 float height_at(vec2 place)
 {
     ivec2 cell = clamp(ivec2(floor(place)), ivec2(0), ivec2(pyramid.cells) - 1);
@@ -39,13 +39,13 @@ float height_at(vec2 place)
 
 float horizon_slope(ivec2 texel)
 {
-    const float past_the_edge = 1e-3; // texels: into the next cell
+    const float past_the_edge = 1e-3; // in texels: steps into the next cell
     float texel_m = pyramid.texel_m[gl_GlobalInvocationID.z];
     float from_m = texelFetch(height_image, place_of_texel(texel), 0).x;
     float best = pyramid.slopes.x;
     float along = 0.0;
     uint level = 0u;
-    // More rounds than the longest way over the largest field takes.
+    // The bound exceeds the longest walk over the largest field.
     for (uint i = 0u; i < 60000u && best < pyramid.slopes.y; ++i) {
         vec2 place = vec2(texel) + (along + past_the_edge) * pyramid.sunwards;
         ivec2 cell = ivec2(floor(place / float(1u << level)));

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What all methods of height shadows have in common.
+// Shared by all methods of height-field shadows.
 
 #include "techniques/shadow/heightfield/height_shadow.hpp"
 
 namespace estampe::shadow {
 
-/// A horizon as good as upright.
+/// Slope of a horizon that counts as vertical.
 inline constexpr float steepest_slope = 1e6F;
 
 struct HeightFields {
     glm::uvec2 size;
-    uint32_t count;      ///< of the fields
-    glm::dvec2 sunwards; ///< unit, over the field
+    uint32_t count;
+    glm::dvec2 sunwards; ///< unit vector towards the sun in field coordinates
     double elevation_rad;
     shared::SunConstants sun;
 };
 
-/// Throws std::logic_error as add_height_shadow().
+/// Checks `in`; throws std::logic_error in the cases that add_height_shadow() documents.
 [[nodiscard]] HeightFields height_fields_of(const gpu::Graph& graph, const HeightShadowInputs& in);
 
-/// r16f, as large as all fields.
+/// An r16f image as large as all fields together.
 [[nodiscard]] gpu::ImageId height_result(gpu::Graph& graph, const char* name, const HeightFields& fields);
 
 } // namespace estampe::shadow

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell of a level: the greatest of up to four cells of the level below.
+// One thread per cell of a level: the maximum of up to four cells of the level below.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -2,28 +2,29 @@
 #ifndef ESTAMPE_SWEEP_LINES
 #define ESTAMPE_SWEEP_LINES
 
-// Where the lines of a sweep meet the field; see height_shadow.glsl.h. In whole numbers, so that every shader
-// finds the same places, in this thread's field. Needs `sweep`, a SweepConstants, and height_image.
+// Positions where the lines of a sweep cross the field; see height_shadow.glsl.h. Integer arithmetic ensures
+// that all shaders compute the same positions, in this thread's field. Needs `sweep`, a SweepConstants, and
+// height_image.
 
-// Steps that the field has.
+// Number of steps in the field.
 uint step_total()
 {
     return sweep.steps_along_y != 0u ? sweep.size.y : sweep.size.x;
 }
 
-// Texels of a step.
+// Number of texels per step.
 int texels_across()
 {
     return int(sweep.steps_along_y != 0u ? sweep.size.x : sweep.size.y);
 }
 
-// The whole part of how far lines have moved across at a step.
+// Whole part of the lateral offset of lines at a step.
 int moved_across(uint step)
 {
     return (sweep.slope * int(step)) >> 16;
 }
 
-// The rest: line c of the step lies at c - 1 + fraction texels.
+// Fractional part of the lateral offset: line c of the step is at c - 1 + fraction texels.
 float fraction_across(uint step)
 {
     return float((sweep.slope * int(step)) & 0xffff) / 65536.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell between four texels: the greatest of their heights.
+// One thread per cell between four texels: the maximum of their heights.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_HEIGHT_PYRAMID
 #define ESTAMPE_HEIGHT_PYRAMID
 
-// Where a cell of a level, and a texel, of this thread's field stand; see height_shadow.glsl.h.
+// Positions of a level's cells and of texels in this thread's field; see height_shadow.glsl.h.
 
 ivec2 cells_of_level(uint level)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a texel: the horizon of the two lines that pass by it, and how much of the sun stands above.
+// One thread per texel: the horizon from the two lines next to it, and the share of the sun above the
+// horizon.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -21,16 +22,16 @@ layout(push_constant, scalar) uniform Constants
 {
     SweepConstants sweep;
     SunConstants sun;
-    float texel_m[5]; // of each field
+    float texel_m[5]; // texel size of each field
 };
 
-// 1: the horizon's height above the sun is written in place of what is seen of the sun.
+// 1: writes the horizon's height above the sun; 0: writes the sun's visibility.
 layout(constant_id = 0) const uint variant = 0u;
 
 #include "shaders/sun_disc.glsl"
 #include "techniques/shadow/heightfield/height_lines.glsl"
 
-// Slope from line `c` of a step to its horizon, which is level at least.
+// Slope from line `c` of a step to its horizon; never negative.
 float horizon_slope(uint step, int c)
 {
     uint seen = seen_step[cell_of(step, c)];

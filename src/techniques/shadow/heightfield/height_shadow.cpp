@@ -44,11 +44,11 @@ gpu::ImageId height_result(gpu::Graph& graph, const char* name, const HeightFiel
 
 namespace {
 
-/// What is left out of a texel that is written.
+/// What is written per texel.
 enum class Written : uint32_t { visibility, horizon };
 
-/// A line's loop of so many rounds, with what it takes off its hull, stays far from the 65535 after which
-/// lavapipe stops a thread.
+/// Limits the rounds of a line's loop, including those that pop its hull, because lavapipe stops a thread
+/// after 65535 rounds.
 constexpr uint32_t steps_a_dispatch = 2048;
 
 shared::SweepConstants sweep_constants(const HeightFields& fields)
@@ -92,15 +92,15 @@ gpu::ImageId add_sweep(gpu::Graph& graph, const HeightShadowInputs& in, const He
     return result;
 }
 
-/// Slopes of a horizon between which it makes a difference.
+/// Range of horizon slopes that affect the result.
 glm::vec2 slopes_that_matter(const HeightFields& fields, double radius_rad, Written written)
 {
     const auto slope = [](double rad) {
         return rad < 1.57 ? std::clamp(static_cast<float>(std::tan(rad)), 0.0F, steepest_slope)
                           : steepest_slope;
     };
-    // An edge lies between a texel whose horizon is below the sun and one whose horizon is above: far from
-    // it a horizon moves the edge by a small part of a texel.
+    // A shadow edge lies between a texel whose horizon is below the sun and one whose horizon is above.
+    // Horizons far from the sun hardly move the edge.
     const double reach_rad = written == Written::horizon ? std::max(0.15, 16.0 * radius_rad) : radius_rad;
     return {slope(std::max(fields.elevation_rad - reach_rad, 0.0)),
             slope(std::max(fields.elevation_rad + reach_rad, 0.0))};

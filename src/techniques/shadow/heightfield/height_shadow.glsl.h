@@ -10,20 +10,20 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint height_no_step = 0xffffffffU;
 
-// Fields of one size that are worked out together stand one under another in every image and buffer; the
-// third coordinate of a dispatch counts them.
+// Fields of equal size that are computed together are stacked vertically in every image and buffer. The third
+// coordinate of a dispatch selects the field.
 SHARED_CONSTANT uint height_fields_most = 5U;
 
-// Lines that run away from the sun, a texel at a time along one side of the field: step t is a row or column
-// of it, counted from the sun's side. At step t every line has moved across by slope * t, so that all of them
-// cross it at the same fraction of a texel, and one line more than the field has texels covers it.
+// Lines that run away from the sun, one texel per step along one side of the field. Step t is a row or
+// column, counted from the sun's side. At step t every line has moved across by slope * t, so all lines cross
+// it at the same fraction of a texel, and one line more than the field has texels covers the step.
 struct SweepConstants {
-    uvec2 size;         // of a field, texels
-    uint steps_along_y; // 1: steps are rows; 0: columns
-    uint from_far_end;  // 1: the sun's side is that of the largest coordinate
-    int slope;          // texels across for a step, times 65536
-    float step_texels;  // along a line
-    uint first_step;    // of this dispatch
+    uvec2 size;         // size of a field in texels
+    uint steps_along_y; // 1: steps are rows; 0: steps are columns
+    uint from_far_end;  // 1: the sun is on the side of the largest coordinate
+    int slope;          // texels across per step, times 65536
+    float step_texels;  // length of a step along a line
+    uint first_step;
     uint end_step;
 };
 
@@ -36,28 +36,28 @@ struct SunConstants {
 struct ResolveConstants {
     SweepConstants sweep;
     SunConstants sun;
-    float texel_m[5]; // of each field
+    float texel_m[5]; // texel size of each field
 };
 
-// The pyramid of greatest heights in one image. A cell of level 0 lies between four texels; level k stands
-// right of level 0, under level k - 1. The next field stands `rows` further down.
+// Pyramid of maximum heights in one image. A cell of level 0 lies between four texels. Level 1 is to the
+// right of level 0, and each further level k is below level k - 1. The next field starts `rows` further down.
 struct PyramidConstants {
-    uvec2 cells;      // of level 0
-    uint level;       // that is made, or the topmost
+    uvec2 cells;      // number of cells of level 0
+    uint level;       // level to compute, or the topmost level
     uint rows;        // a power of two
-    float texel_m[5]; // of each field
-    vec2 sunwards;    // unit, in texels
-    vec2 slopes;      // least and greatest that make a difference
+    float texel_m[5]; // texel size of each field
+    vec2 sunwards;    // unit vector, in texels
+    vec2 slopes;      // range of horizon slopes that affect the result
     SunConstants sun;
-    FieldSector wanted; // of what is written in the end
+    FieldSector wanted; // texels whose result is needed
 };
 
 struct MarchConstants {
-    uvec2 size;    // texels
-    vec2 sunwards; // a step, in texels
-    float rise_m;  // of the ray over a step
+    uvec2 size;    // in texels
+    vec2 sunwards; // one step, in texels
+    float rise_m;  // rise of the ray per step
     uint step_count;
-    uint blur_radius; // texels
+    uint blur_radius; // in texels
     float blur_falloff;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The sun's shadow on a field of heights, cast by the field itself, with the penumbra of a sun that is a
-// disc. Exact where a shadow map has no texels left: ground out to the horizon.
+// The sun's shadow of a height field on itself, with the penumbra of a sun disc. Exact at any distance, where
+// a shadow map would run out of texels.
 
 #include <glm/glm.hpp>
 
@@ -13,9 +13,9 @@
 namespace estampe::shadow {
 
 enum class HeightMethod : uint8_t {
-    sweep,   ///< lines that walk away from the sun; the whole field at a constant cost a texel
-    pyramid, ///< a search towards the sun over a pyramid of greatest heights, texel by texel
-    march    ///< a ray to the sun's centre for each texel, then a blur
+    sweep,   ///< lines that walk away from the sun; constant cost per texel over the whole field
+    pyramid, ///< a search per texel towards the sun over a pyramid of maximum heights
+    march    ///< a ray per texel to the sun's centre, then a blur
 };
 
 struct HeightShadowStyle {
@@ -24,38 +24,38 @@ struct HeightShadowStyle {
     float march_blur_texels = 2.0F;
 };
 
-/// Between two texels, for each of the fields that are worked out together.
+/// Distance between two texels, for each of the fields that are computed together.
 using FieldTexels = InlineVector<float, shared::height_fields_most>;
 
 struct HeightShadowInputs {
-    gpu::ImageId height;             ///< r32f or r16f, metres; fields of one size, one under another
-    FieldTexels texel_m;             ///< of each field
-    glm::dvec3 towards_sun;          ///< unit; x along the field's rows, y up, z down its columns
-    double sun_radius_rad = 0.00465; ///< half the angle that the disc takes; above 0
-    shared::FieldSector wanted{};    ///< pyramid: other texels of what is written are not set
+    gpu::ImageId height;             ///< r32f or r16f, metres; fields of equal size, stacked vertically
+    FieldTexels texel_m;             ///< texel size of each field
+    glm::dvec3 towards_sun;          ///< unit vector; x along the field's rows, y up, z down its columns
+    double sun_radius_rad = 0.00465; ///< half the angular diameter of the sun; above 0
+    shared::FieldSector wanted{};    ///< only for pyramid: texels outside are not written
 };
 
-/// How much of the sun's disc each texel sees: 1 all of it, 0 none. Between texels the ground is linear;
-/// beyond its field it is level and low, so that a sun under the horizon lights nothing.
+/// Share of the sun's disc that each texel sees: 1 all of it, 0 none. The ground is linear between texels.
+/// Beyond the field it is flat and low, so a sun below the horizon lights nothing.
 ///
 /// Writes  r16f of the size of `height`
-/// Throws  std::logic_error for fields of less than 2 x 2 or more than 16384 x 16384 texels, for none, and
-///         for more than one by march
-/// Cost    sweep: two steps a texel, whatever the light; one thread a line, so large fields fill a device
-///         best, as do several fields at once. Pyramid: a third more memory and about as many texels to look
-///         at as the way to what throws the shadow has digits; low suns cost more. March: `march_steps` a
-///         texel in the light
+/// Throws  std::logic_error for fields of less than 2 x 2 or more than 16384 x 16384 texels, for no
+///         field, and for more than one field with march
+/// Cost    sweep: two steps per texel at any sun direction; one thread per line, so large fields or several
+///         fields at once use the device best. Pyramid: a third more memory; texel reads grow with the
+///         logarithm of the distance to the occluder, so low suns cost more. March: up to `march_steps` per
+///         lit texel
 /// Source  Timonen and Westerholm, "Scalable Height Field Self-Shadowing", Eurographics 2010 (sweep); Snyder
 ///         and Nowrouzezahrai, "Fast Soft Self-Shadowing on Dynamic Height Fields", EGSR 2008 (pyramid);
 ///         Zanuttini, "Recherches en rendu non réaliste temps réel", 2008 (march)
 [[nodiscard]] gpu::ImageId add_height_shadow(gpu::Graph& graph, const HeightShadowInputs& in,
                                              const HeightShadowStyle& style = {});
 
-/// How far the horizon stands above the sun's centre, in radians, negative below: r16f, finest near 0. Read
-/// between texels by linear filtering and given to `share_of_disc` of shaders/sun_disc.glsl, divided by the
-/// sun's radius, it draws edges finer than texels. By sweep, or by pyramid; march, which knows no horizon, is
-/// an std::logic_error. By pyramid no farther from the sun's centre than 0.15 rad, or 16 of its radii. Costs
-/// as add_height_shadow.
+/// Height of the horizon above the sun's centre in radians, negative below: r16f, most precise near 0. To
+/// draw shadow edges finer than texels, sample it with linear filtering, divide by the sun's radius, and pass
+/// it to `share_of_disc` of shaders/sun_disc.glsl. Supports sweep and pyramid; march has no horizon and
+/// throws std::logic_error. With pyramid the values are limited to 0.15 rad or 16 sun radii from the sun's
+/// centre. Costs as much as add_height_shadow().
 [[nodiscard]] gpu::ImageId add_height_horizon(gpu::Graph& graph, const HeightShadowInputs& in,
                                               const HeightShadowStyle& style = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shadows of fields of heights against formulas, and against a long march in double precision.
+// Compares shadows of height fields with formulas, and with a long march in double precision.
 #include "techniques/shadow/heightfield/height_shadow.hpp"
 
 #include <algorithm>
@@ -22,11 +22,11 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double sun_radius = 0.004651;
 
-/// Height in metres at a place in metres.
+/// Height in metres as a function of the place in metres.
 using Ground = std::function<double(glm::dvec2)>;
 
 struct Sky {
-    double azimuth_rad = 0.0; ///< of the sun, from the field's x towards its y
+    double azimuth_rad = 0.0; ///< azimuth of the sun, from the field's x towards its y
     double elevation_rad = 0.5;
     double radius_rad = sun_radius;
 
@@ -39,7 +39,7 @@ struct Sky {
     }
 };
 
-/// A field of so many texels; its middle is the origin.
+/// A field of `size` texels centred at the origin.
 struct Field {
     glm::uvec2 size{64};
     double texel_m = 1.0;
@@ -77,8 +77,8 @@ double share_of_disc(double x)
     return (std::acos(x) - x * std::sqrt(1.0 - x * x)) / pi;
 }
 
-/// What a place sees of the sun, by so many looks at the ground up to `reach_m`. No ground is higher than
-/// `highest_m`: looks that cannot change anything are spared.
+/// Visible share of the sun at a place, from `looks` samples of the ground up to `reach_m`. No ground is
+/// higher than `highest_m`, so samples that cannot change the result are skipped.
 double marched(const Ground& ground, glm::dvec2 place, const Sky& sky, double reach_m, int looks,
                double highest_m)
 {
@@ -117,7 +117,7 @@ double hills(glm::dvec2 p)
 
 TEST(HeightShadow, ShareOfTheDiscByItsFormula)
 {
-    // On level ground the horizon stands at 0: the sun's centre is that many radii under it.
+    // On level ground the horizon is at 0, and the sun's centre is `x` radii below it.
     for (const auto& style : {by_sweep, by_pyramid}) {
         for (const auto& [x, share] : {std::pair(-1.1, 1.0), std::pair(-0.5, 0.8045), std::pair(0.0, 0.5),
                                        std::pair(0.5, 0.1955), std::pair(1.1, 0.0)}) {
@@ -138,7 +138,7 @@ TEST(HeightShadow, WallThrowsUmbraAndPenumbraByTheirFormulas)
     const double penumbra = height / std::tan(sky.elevation_rad - sky.radius_rad);
     EXPECT_NEAR(umbra, 1.7136, 1e-4);
     EXPECT_NEAR(penumbra, 1.7508, 1e-4);
-    // A field long and thin, the wall across it, its edge at a texel's centre.
+    // A long, thin field with a wall across it whose edge is at a texel's centre.
     Field field{.size = {640, 5}, .texel_m = texel_m};
     const double edge = field.place({64, 0}).x;
     field.ground = [&](glm::dvec2 p) { return p.x <= edge + 1e-9 ? height : 0.0; };
@@ -167,7 +167,7 @@ TEST(HeightShadow, WallThrowsTheSameShadowUnderEveryAzimuthWithoutStreaks)
     for (const double azimuth : {0.1, 0.5, pi / 4.0, 1.2, 2.0, 2.9, 3.7, 4.4, 5.3, 6.0}) {
         const Sky sky{.azimuth_rad = azimuth, .elevation_rad = 0.35, .radius_rad = 0.05};
         const auto towards = [&](glm::dvec2 p) { return glm::dot(p, sky.sunwards()); };
-        // A ramp that is steep and straight, so that the field holds it truly.
+        // A steep, straight ramp, which the field represents exactly.
         Field field{.size = {side, side}, .texel_m = 0.5};
         field.ground = [&](glm::dvec2 p) { return std::clamp(towards(p) - 10.0, 0.0, height); };
         for (const auto& style : {by_sweep, by_pyramid}) {
@@ -176,7 +176,7 @@ TEST(HeightShadow, WallThrowsTheSameShadowUnderEveryAzimuthWithoutStreaks)
             for (uint32_t i = 0; i < side * side; ++i) {
                 const glm::dvec2 p = field.place({i % side, i / side});
                 const double to_crest = 20.0 - towards(p);
-                // Where the crest that shades a place is within the field, and not the place's own.
+                // Only where the crest that shades a place is inside the field and is not the place's own.
                 const glm::dvec2 crest = p + to_crest * sky.sunwards();
                 if (to_crest > 11.0 && std::max(std::abs(crest.x), std::abs(crest.y)) < 0.25 * side - 2.0) {
                     const double expected =
@@ -205,7 +205,7 @@ TEST(HeightShadow, CosineHillsAreShadedAsMuchAsAMarchOf100000StepsSays)
         double by_lines = 0.0;
         double by_cells = 0.0;
         uint32_t count = 0;
-        // The farther half: what shades it stands within the field, two waves away at most.
+        // The farther half: its occluders are inside the field, at most two waves away.
         for (uint32_t x = 0; x < 490; ++x) {
             by_lines += 1.0 - static_cast<double>(swept[x]);
             by_cells += 1.0 - static_cast<double>(climbed[x]);
@@ -223,8 +223,8 @@ TEST(HeightShadow, CosineHillsAreShadedAsMuchAsAMarchOf100000StepsSays)
     }
 }
 
-/// Mean difference from the march away from the field's edge, and the greatest from the nearest of what it
-/// says within a texel ahead, behind and aside.
+/// Mean difference from the march away from the field's edge, and the largest difference from the nearest of
+/// the march's values within one texel ahead, behind and aside.
 std::pair<double, double> difference(const Field& field, const Sky& sky, const HeightShadowStyle& style)
 {
     const std::vector<float> seen = shadow_of(field, sky, style);
@@ -282,7 +282,7 @@ TEST(HeightShadow, TurningTheFieldWithTheSunTurnsTheShadow)
                     sum += std::abs(static_cast<double>(after[x * 96 + 95 - y] - seen[y * 96 + x]));
                 }
             }
-            // Whole quarter turns move texels onto texels: only rounding is left.
+            // Whole quarter turns map texels onto texels: only rounding differs.
             EXPECT_LT(sum / (96.0 * 96.0), 1e-4) << azimuth;
         }
     }
@@ -333,7 +333,7 @@ TEST(HeightShadow, MarchAgreesButForTheSunsSize)
         differing += std::abs(hard[i] - swept[i]) > 0.5F ? 1 : 0;
     }
     EXPECT_LT(differing, hard.size() / 100);
-    // The blur keeps the mean, and leaves no step as high as the hard edge's.
+    // The blur preserves the mean, and leaves no step as high as that of the hard edge.
     const std::vector<float> soft =
         shadow_of(field, sky, {.method = HeightMethod::march, .march_blur_texels = 3.0F});
     double sum = 0.0;
@@ -346,7 +346,7 @@ TEST(HeightShadow, MarchAgreesButForTheSunsSize)
     EXPECT_LT(steepest, 0.2F);
 }
 
-/// Fields of one size, one under another.
+/// Fields of equal size, stacked vertically.
 test::Layer stacked(std::span<const Field> fields)
 {
     const glm::uvec2 size = fields.front().size;
@@ -402,7 +402,7 @@ TEST(HeightShadow, HorizonsOfASectorAreThoseOfTheWholeFieldAndTakeNoHeightsBesid
 {
     for (const double azimuth : {0.4, 1.9, 3.3, 5.6}) {
         const Sky sky{.azimuth_rad = azimuth, .elevation_rad = 0.25};
-        // To the right of one line and the left of another through a place in the field.
+        // To the right of one line and to the left of another line through a place in the field.
         shared::FieldSector wanted{.sides = {{0.6F, 0.8F}, {0.8F, -0.6F}}, .offsets = {{-50.0F, -3.0F}}};
         const auto is_within = [&](const shared::FieldSector& sector, glm::uvec2 texel) {
             return glm::dot(sector.sides[0], glm::vec2(texel)) + sector.offsets[0].x >= 0.0F &&

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread walks one line away from the sun. For each step it finds the step that stands highest seen from
-// there. What was seen so far is a convex hull; each step of it knows the next one towards the sun, so the
-// results are the stack. Every step is taken off at most once.
+// One thread walks one line away from the sun. For each step it finds the earlier step that appears highest
+// from there. The steps so far form a convex hull, and each step stores the next one towards the sun, so that
+// the results serve as the stack. Every step is popped at most once.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -14,7 +14,7 @@ layout(binding = 0) uniform sampler2D height_image;
 
 layout(scalar, binding = 1) buffer Seen
 {
-    uint seen_step[]; // the highest step, seen from a line's step
+    uint seen_step[]; // for each step of a line, the step that appears highest from it
 };
 
 layout(push_constant, scalar) uniform Constants

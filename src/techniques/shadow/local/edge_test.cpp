@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The teeth of shadows' edges, by the shader's own functions.
+// The teeth of shadow edges, tested with the shader's own functions.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ TEST(Teeth, AddAsMuchAsTheyTakeAway)
                 highest = std::max(highest, height);
                 lowest = std::min(lowest, height);
             }
-            // Whole teeth but for those cut at both ends of a thousand.
+            // All teeth are whole, except for those cut at both ends of the thousand.
             EXPECT_NEAR(sum, 0.0, 0.001);
             EXPECT_LE(highest, 1.0F);
             EXPECT_GE(lowest, -1.0F);

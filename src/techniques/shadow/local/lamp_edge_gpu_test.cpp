@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Teeth and penumbrae of the shadows of lamps and spots, against what they promise and against rays.
+// Teeth and penumbrae of the shadows of lamps and spots: their properties, and a comparison with ray tracing.
 #include <algorithm>
 #include <cmath>
 
@@ -19,12 +19,12 @@ namespace {
 constexpr glm::uvec2 edge_px(200, 150);
 constexpr float lamp_reach_px = 4.0F;
 
-/// In world space.
+/// A spherical lamp in world space.
 struct GlowingLamp {
     glm::dvec3 position{0.0};
     double radius_m = 0.0;
-    uint32_t map_texels = 512;        ///< a side
-    std::optional<glm::dvec3> target; ///< of a spot, 40 degrees to either side
+    uint32_t map_texels = 512;        ///< per side
+    std::optional<glm::dvec3> target; ///< of a spot with a half angle of 40 degrees
 };
 
 shared::LightRecord record_of_glow(const GlowingLamp& lamp, const glm::dvec3& anchor)
@@ -47,7 +47,7 @@ shared::LightRecord record_of_glow(const GlowingLamp& lamp, const glm::dvec3& an
 }
 
 struct LampLit {
-    std::vector<double> share; ///< of the lamp; 1 where it does not shine anyway
+    std::vector<double> share; ///< share of the lamp that arrives; 1 where it does not shine anyway
     std::vector<bool> lightable;
     std::vector<glm::dvec3> point;
     std::vector<glm::dvec3> normal;
@@ -74,7 +74,7 @@ LampLit lit_by_lamp(const Scene& scene, const Camera& camera, const GlowingLamp&
     return result;
 }
 
-/// The share of a glowing ball that 256 rays find.
+/// Visible share of a luminous sphere, traced with 256 rays.
 double traced_lamp(const test::EmbreeScene& rays, const glm::dvec3& from, const GlowingLamp& lamp)
 {
     const glm::dvec3 way = glm::normalize(lamp.position - from);
@@ -91,7 +91,7 @@ double traced_lamp(const test::EmbreeScene& rays, const glm::dvec3& from, const 
     return open / 256.0;
 }
 
-/// A box open to the front, with bodies in it.
+/// A box with an open front, and bodies in it.
 Scene furnished_room()
 {
     Scene scene = test::scene_of(shapes::plane(4.0F, 4.0F));
@@ -105,15 +105,15 @@ Scene furnished_room()
     return scene;
 }
 
-/// From above, where shadows lie.
+/// From above, where shadows fall.
 const Camera room_from_above{.eye = {0.6, 6.5, 5.0}, .target = {0.0, 0.4, -0.2}, .vertical_fov_rad = 0.6};
 
 TEST(LampPenumbra, AgreesWithRaysOverTheBall)
 {
     const Scene scene = furnished_room();
     const test::EmbreeScene rays(scene);
-    // Where penumbrae are a texel wide, as those of so small a lamp are in smaller maps, nothing can tell how
-    // much of it shines there.
+    // A lamp this small has penumbrae about one texel wide in smaller maps, which then cannot resolve its
+    // visible share.
     const GlowingLamp lamps[] = {
         {.position = {0.3, 3.3, 0.6}, .radius_m = 0.03, .map_texels = 2048},
         {.position = {0.3, 3.3, 0.6}, .radius_m = 0.12},
@@ -147,7 +147,6 @@ TEST(LampPenumbra, AgreesWithRaysOverTheBall)
     }
 }
 
-/// A board that hangs over a floor.
 Scene board()
 {
     Scene scene = test::scene_of(shapes::plane(16.0F, 16.0F));
@@ -155,7 +154,7 @@ Scene board()
     return scene;
 }
 
-/// Sees the board's shadow from so far, but not the board.
+/// Sees the board's shadow from `distance`, but not the board.
 Camera under_board(double distance, double aside_m = 0.0)
 {
     const glm::dvec3 target(-1.2 + aside_m, 0.0, 0.6);
@@ -187,7 +186,7 @@ std::vector<LampTeeth> all_lamp_teeth()
             {"strokes of a spot", spot_on_board, strokes, lines}};
 }
 
-/// How far in pixels a place is from the nearest edge of a plain shadow; at most 8.
+/// Distance in pixels from a pixel to the nearest edge of a plain shadow; at most 8.
 double to_edge_px(const LampLit& plain, size_t pixel)
 {
     constexpr int most = 8;
@@ -206,8 +205,8 @@ double to_edge_px(const LampLit& plain, size_t pixel)
 }
 
 struct Raggedness {
-    double area_change = 0.0; ///< of the shadow, as a share
-    double farthest_px = 0.0; ///< from the plain edge, of what the teeth moved
+    double area_change = 0.0; ///< relative change of the shadow's area
+    double farthest_px = 0.0; ///< largest distance from the plain edge to a changed pixel
     double mean_px = 0.0;
     size_t moved = 0;
 };
@@ -260,7 +259,7 @@ TEST(LampEdge, TeethStayInPlaceWhileTheEyeMoves)
     for (const LampTeeth& teeth : all_lamp_teeth()) {
         double worst = 0.0;
         LampLit before = lit_by_lamp(scene, under_board(6.0), teeth.lamp, teeth.style, teeth.lines);
-        // Teeth are but a small part of the page: it is of theirs that few pixels may change.
+        // Teeth cover only a small part of the page; the share of their pixels that change must be small.
         const size_t moved = raggedness(lit_by_lamp(scene, under_board(6.0), teeth.lamp), before).moved;
         const double of_teeth = static_cast<double>(moved) / static_cast<double>(before.share.size());
         for (int step = 1; step <= 3; ++step) {
@@ -285,7 +284,7 @@ TEST(LampEdge, TeethOfWidePenumbraeReachFarther)
         GlowingLamp lamp = over_board;
         lamp.radius_m = radius_m;
         const LampLit toothed = lit_by_lamp(scene, camera, lamp, strokes, HatchedLines{.width_mm = 1.5F});
-        // Half of the penumbra stays one: what differs is the teeth.
+        // Half of the penumbra remains, so that only the teeth differ.
         lamp.radius_m = 0.5 * radius_m;
         const LampLit plain = lit_by_lamp(scene, camera, lamp);
         double moved = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shadows of spots and lamps against rays.
+// Compares shadows of spots and lamps with ray tracing.
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -19,11 +19,10 @@ namespace {
 constexpr glm::uvec2 page_px(160, 120);
 constexpr uint32_t lamp_map_size = 256;
 
-/// A light in world space.
 struct Lamp {
     glm::dvec3 position{0.0};
     glm::dvec3 target{0.0};
-    double half_angle_rad = 0.0; ///< 0: shines to all sides
+    double half_angle_rad = 0.0; ///< 0: omnidirectional
     double range_m = 40.0;
 };
 
@@ -49,7 +48,7 @@ struct LampVerdict {
     size_t compared = 0;
     size_t shadowed = 0;
     size_t wrongly_dark = 0; ///< acne, or a shadow that is too wide
-    size_t wrongly_lit = 0;  ///< leaks, or a shadow that stands off
+    size_t wrongly_lit = 0;  ///< leaks, or a shadow detached from its caster
 
     [[nodiscard]] double wrong_share() const
     {
@@ -57,7 +56,7 @@ struct LampVerdict {
     }
 };
 
-/// Whether rays to places within `radius_m` about the point, on its plane, agree about the lamp.
+/// Whether rays from places within `radius_m` around the point, on its plane, agree about the lamp.
 bool is_inside(const test::EmbreeScene& rays, const glm::dvec3& point, const glm::dvec3& normal,
                const Lamp& lamp, double radius_m)
 {
@@ -73,12 +72,11 @@ bool is_inside(const test::EmbreeScene& rays, const glm::dvec3& point, const glm
             return false;
         }
     }
-    // What touches the shadow's caster is near an edge too.
+    // Points that touch the caster are near an edge too.
     return rays.is_between(point + radius_m * normal, lamp.position) == blocked;
 }
 
-/// Asks rays about every pixel that the lamp lights or would light, but for a band of two texels about the
-/// shadow's edge.
+/// Traces rays for every pixel that faces the lamp, except for a band of two texels around the shadow's edge.
 LampVerdict compare_lamp(const Scene& scene, const Camera& camera, const Lamp& lamp,
                          RasterPath path = RasterPath::hardware)
 {
@@ -89,7 +87,7 @@ LampVerdict compare_lamp(const Scene& scene, const Camera& camera, const Lamp& l
     const auto lit = drawing.light({.records = {record}});
     const auto surface = drawing.surface();
     const test::EmbreeScene rays(scene);
-    // A spot that is too wide for one map has six, as a lamp has.
+    // A spot that is too wide for one map has six, like an omnidirectional lamp.
     const bool has_one_map = lamp.half_angle_rad > 0.0 && lamp.half_angle_rad < 1.1;
     const double half_side = has_one_map ? std::tan(lamp.half_angle_rad) : 1.0;
     LampVerdict verdict;
@@ -108,7 +106,7 @@ LampVerdict compare_lamp(const Scene& scene, const Camera& camera, const Lamp& l
         if (facing < 0.03) {
             continue;
         }
-        // A texel on a slanted surface is as long as it is seen from the lamp.
+        // On a slanted surface a texel is as long as seen from the lamp.
         const double texel_m = 2.0 * half_side * glm::length(way) / lamp_map_size;
         point += normal * (0.05 * texel_m);
         if (!is_inside(rays, point, normal, lamp, 2.0 * texel_m / std::max(facing, 0.2))) {
@@ -134,7 +132,7 @@ void expect_agreement(const LampVerdict& verdict, const std::string& what, size_
     std::printf("%s: %.4f wrong\n", what.c_str(), verdict.wrong_share());
 }
 
-/// A box open to the front, with two bodies in it.
+/// A box with an open front, and two bodies in it.
 Scene room()
 {
     Scene scene = test::scene_of(shapes::plane(4.0F, 4.0F));
@@ -148,7 +146,6 @@ Scene room()
     return scene;
 }
 
-/// A floor with columns.
 Scene columns()
 {
     Scene scene = test::scene_of(shapes::plane(14.0F, 14.0F));
@@ -195,7 +192,7 @@ TEST(LocalShadow, ASpotAgreesWithRays)
 
 TEST(LocalShadow, FacesOfACubeMeetWithoutASeam)
 {
-    // The inside of a ball about a lamp, where all faces meet, is lit all over.
+    // The inside of a sphere around a lamp, where all six maps meet, is fully lit.
     Scene scene = test::scene_of(shapes::sphere(2.0F, 128, 64));
     test::Drawing drawing(scene, {.eye = {0.3, 0.2, 0.1}, .target = {1.5, 0.9, 1.4}, .vertical_fov_rad = 2.2},
                           page_px);
@@ -211,7 +208,7 @@ TEST(LocalShadow, FacesOfACubeMeetWithoutASeam)
 
 TEST(LocalShadow, NoLightLeaksBetweenFacesOfACube)
 {
-    // The lamp hangs in a ball that is shut, within a larger one, which is dark all over.
+    // The lamp is in a closed sphere inside a larger one, which is completely dark.
     Scene scene = test::scene_of(shapes::sphere(2.0F, 128, 64));
     test::add_object(scene, shapes::sphere(0.25F, 64, 32), glm::vec3(1.0F), {0.05, -0.1, 0.02});
     test::Drawing drawing(scene, {.eye = {0.3, 0.2, 0.1}, .target = {1.5, 0.9, 1.4}, .vertical_fov_rad = 2.2},
@@ -247,7 +244,7 @@ TEST(LocalShadow, AgreesWithRaysOnTheSquare)
     const Scene scene = load_scene(test::square_scene());
     const ScenePose pose = pose_scene(scene, 0.0);
     const Camera camera = scene_camera(scene, pose, "square");
-    // What the camera looks at, between its eye and its target.
+    // The point that the camera looks at, between its eye and its target.
     const glm::dvec3 ahead = glm::normalize(camera.target - camera.eye);
     const glm::dvec3 middle(camera.eye.x + 14.0 * ahead.x, 0.0, camera.eye.z + 14.0 * ahead.z);
     expect_agreement(

@@ -2,22 +2,22 @@
 #ifndef ESTAMPE_LOCAL_SHADOW
 #define ESTAMPE_LOCAL_SHADOW
 
-// Looks a local light up in its maps. Who includes this declares `LocalShadow local_shadows[]` and the texels
-// of all maps, `samplerBuffer local_maps`.
+// Looks up a local light's shadow maps. The including shader declares `LocalShadow local_shadows[]` and the
+// texels of all maps, `samplerBuffer local_maps`.
 
 #include "shaders/sun_disc.glsl"
 #include "techniques/shadow/shadow.glsl.h"
 
-// A point as a map sees it.
+// A point in a map's coordinates.
 struct MapPlace {
     vec3 right; // axes of the map
     vec3 down;
-    vec2 texel;    // centres of texels lie on whole numbers
+    vec2 texel;    // texel centres are at whole numbers
     float along_m; // distance from the light along the map's axis
     uint first_texel;
 };
 
-// The map that looks `from_light`, and where it sees that point.
+// The map that covers direction `from_light`, and the point's position in it.
 MapPlace map_place(LocalShadow shadow, vec3 from_light)
 {
     MapPlace place;
@@ -42,7 +42,7 @@ MapPlace map_place(LocalShadow shadow, vec3 from_light)
     return place;
 }
 
-// Size of a texel at a distance of 1 from the light.
+// Size of a texel at distance 1 from the light.
 float texel_width(LocalShadow shadow)
 {
     return 2.0 / (shadow.scale * float(shadow.size));
@@ -54,18 +54,16 @@ float local_depth_at(LocalShadow shadow, uint first_texel, ivec2 texel)
     return texelFetch(local_maps, int(first_texel + uint(inside.y) * shadow.size + uint(inside.x))).x;
 }
 
-// How far a receiver is lifted along its normal. All texels that a lookup compares with lie within one texel
-// of it, in either direction; over them the distance of its own plane from the light, along the axis of the
-// map, varies by just as much as a lift of texel * (|n.right| + |n.down|) makes up for. The rest is for
-// rounding and for normals that are smoother than the surface.
+// Distance by which a receiver is lifted along its normal. All texels of a lookup are within one texel of it
+// in either direction. Over them the depth of the receiver's own plane varies by as much as a lift of texel *
+// (|n.right| + |n.down|) makes up for. The rest allows for rounding and smoothed normals.
 float lift_m(MapPlace place, LocalShadow shadow, vec3 normal)
 {
     float texel_m = texel_width(shadow) * max(place.along_m, 0.0);
     return texel_m * (0.3 + 1.25 * (abs(dot(normal, place.right)) + abs(dot(normal, place.down))));
 }
 
-// Four comparisons about a place in a map, blended as a bilinear lookup would (Reeves et al. 1987). 1 where
-// the map does not look.
+// Four comparisons around a place in a map, blended bilinearly (Reeves et al. 1987). 1 outside the map.
 float compare_at(LocalShadow shadow, MapPlace place)
 {
     float last = float(shadow.size - 1u);
@@ -85,8 +83,8 @@ float compare_at(LocalShadow shadow, MapPlace place)
     return mix(mix(lit.x, lit.y, f.x), mix(lit.z, lit.w, f.x), f.y);
 }
 
-// The map's place of a point that is lifted off its plane: on the way to the light, which leaves it its texel
-// and its shadow their place; but by no more than a fifth of that way, and the rest along the normal.
+// Position in the map of a point that is lifted off its plane. The lift goes towards the light, so that texel
+// and shadow stay in place, but by at most a fifth of the way; the rest goes along the normal.
 MapPlace lifted_place(LocalShadow shadow, vec3 from_light, vec3 normal)
 {
     float lift = lift_m(map_place(shadow, from_light), shadow, normal);
@@ -97,14 +95,14 @@ MapPlace lifted_place(LocalShadow shadow, vec3 from_light, vec3 normal)
     return place;
 }
 
-// Share of a local light at `light_position` that arrives at a point of anchor space.
+// Share of a point light at `light_position` that arrives at a point of anchor space.
 float local_visibility(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal)
 {
     return compare_at(shadow, lifted_place(shadow, point - light_position, normal));
 }
 
-// A disc about a receiver, square to the way from the light. What a tap of it compares with is the receiver's
-// plane, but nothing farther away than the disc: what lies behind cannot stand before the light.
+// A disc around a receiver, perpendicular to the light's direction. A tap compares with the receiver's plane,
+// but never farther from the light than the disc: what lies behind the disc cannot block the light.
 struct LampDisc {
     vec3 from_light;
     vec3 right;
@@ -119,21 +117,21 @@ LampDisc lamp_disc(vec3 from_light, vec3 normal)
     return LampDisc(from_light, right, cross(along, right), normal);
 }
 
-// How much nearer to the light, as a factor, the receiver's plane is there than the disc.
+// Factor by which the receiver's plane is nearer to the light than the disc at `on_disc`.
 float nearer_by(LampDisc disc, vec3 on_disc)
 {
     float height = min(dot(disc.normal, disc.from_light), -1e-9);
     return height / min(dot(disc.normal, on_disc), height);
 }
 
-// What a point of the disc sees of the map: how far along the way to it something stands, as a share of that
-// way, and whether that stands before the receiver's plane.
+// Result of one tap: distance of the blocker as a share of the distance from light to disc, and whether it is
+// in front of the receiver's plane.
 struct Blocker {
     float share;
     bool blocks;
 };
 
-// `aside` is a place on the disc; the texel is the one next to `shift` texels beside it.
+// `aside` is a place on the disc; the texel is the nearest to a place `shift` texels beside it.
 Blocker blocker_at(LocalShadow shadow, LampDisc disc, vec2 aside, vec2 shift)
 {
     vec3 on_disc = disc.from_light + disc.right * aside.x + disc.down * aside.y;
@@ -145,22 +143,22 @@ Blocker blocker_at(LocalShadow shadow, LampDisc disc, vec2 aside, vec2 shift)
                   all(lessThan(texel, vec2(shadow.size)));
     float depth = local_depth_at(shadow, place.first_texel, ivec2(texel));
     float blocker_m = shadow.near_m / max(depth, 1e-9);
-    // Lifted on the way to the light, as in lifted_place().
+    // Lifts towards the light, as in lifted_place().
     float height_m = max(-dot(disc.normal, receiver), max(-dot(disc.normal, disc.from_light), 1e-9));
     float lifted_m = place.along_m * (1.0 - lift_m(place, shadow, disc.normal) / height_m);
     return Blocker(clamp(blocker_m / max(place.along_m, 1e-9) * factor, 1e-6, 0.99999),
                    inside && depth > 0.0 && blocker_m < lifted_m * (1.0 - 0.5 * texel_width(shadow)));
 }
 
-// Half the breadth in metres, on the disc, of the penumbrae that a point lies in or next to; 0 where there
-// are none.
+// Half widths in metres, on the disc, of penumbrae that contain the point or are next to it; 0 if there are
+// none.
 struct Penumbra {
     float mean_m;
     float widest_m;
 };
 
-// Looks about for what stands before some part of the light (Fernando, "Percentage-Closer Soft Shadows",
-// 2005). What is nearer to its middle than twice its radius is overlooked.
+// Searches for blockers of some part of the light (Fernando, "Percentage-Closer Soft Shadows", 2005). Misses
+// blockers nearer to the light's centre than twice its radius.
 Penumbra local_penumbra(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal)
 {
     const uint most_taps = 40u;
@@ -173,21 +171,21 @@ Penumbra local_penumbra(LocalShadow shadow, vec3 light_position, vec3 point, vec
     float found = 0.0;
     float widest_m = 0.0;
     for (uint i = 0u; i < count; ++i) {
-        // Dense about the middle, where far blockers show.
+        // Taps are dense around the centre, where far blockers appear.
         vec2 aside = reach_m * spiral(i, most_taps, 4.0);
         Blocker blocker = blocker_at(shadow, disc, aside, vec2(0.0));
         float half_breadth_m = shadow.radius_m * (1.0 / blocker.share - 1.0);
         bool counts = blocker.blocks && length(aside) <= half_breadth_m + texel_m;
         sum += counts ? half_breadth_m : 0.0;
         found += counts ? 1.0 : 0.0;
-        // Between taps there may be some of what stands farther aside.
+        // Also counts blockers a bit farther out, because the search may have missed parts between taps.
         bool is_near = blocker.blocks && length(aside) <= 2.0 * half_breadth_m + texel_m;
         widest_m = is_near ? max(widest_m, half_breadth_m) : widest_m;
     }
     return Penumbra(sum / max(found, 1.0), widest_m);
 }
 
-// The bits of the rings of the light, all of one area, that lie within a radius; 1 is that of the light.
+// Mask of the light's rings, all of equal area, within a radius; 1 is the light's own radius.
 uint rings_within(float radius)
 {
     uint count = uint(32.0 * min(radius * radius, 1.0) + 0.5);
@@ -196,18 +194,18 @@ uint rings_within(float radius)
 
 const uint lamp_directions = 24u;
 
-// The rings of the light that are hidden along one direction from its middle. Seen from the receiver through
-// a place on the disc, a blocker at a share s of the way hides the light at s / (1 - s) of that place's
-// distance from the middle, on the other side; what hangs together between two places hides all between the
-// two. After Guennebaud, Barthe and Paulin, "Real-Time Soft Shadow Mapping by Backprojection", 2006, and for
-// the bits Schwarz and Stamminger, "Bitmask Soft Shadows", 2007.
+// Rings of the light that are hidden along one direction from its centre. A blocker at share s of the
+// distance, seen through a place on the disc, hides the light on the opposite side at s / (1 - s) of that
+// place's distance from the centre. A continuous blocker between two places hides everything between the two.
+// After Guennebaud, Barthe and Paulin, "Real-Time Soft Shadow Mapping by Backprojection", 2006; bit masks
+// after Schwarz and Stamminger, "Bitmask Soft Shadows", 2007.
 uint hidden_rings(LocalShadow shadow, LampDisc disc, float radius_m, float widest_m, uint direction)
 {
     const uint count = 6u;
     float k = float(direction);
     float angle = 6.2831853 / float(lamp_directions) * (k + 0.5);
     vec2 way = vec2(cos(angle), sin(angle));
-    // Other places and other texels in each direction.
+    // Each direction gets its own offsets of taps and texels.
     float first = fract(0.61803399 * k);
     vec2 shift = fract(k * vec2(0.7548777, 0.5698403)) - 0.5;
     float inner_m = 0.0;
@@ -218,7 +216,7 @@ uint hidden_rings(LocalShadow shadow, LampDisc disc, float radius_m, float wides
         vec2 part = (vec2(float(i), float(i) + 0.5) + first) / float(count);
         vec2 away_m = widest_m * part * sqrt(part);
         Blocker blocker = blocker_at(shadow, disc, way * away_m.x, shift);
-        // What begins to hide may stand lower by a texel.
+        // The edge where hiding starts may be lower by a texel.
         float height = 1.0 - blocker.share;
         float least_height = max(height - texel_width(shadow), 1e-6);
         float inner = blocker.share * inner_m / (least_height * radius_m);
@@ -233,12 +231,12 @@ uint hidden_rings(LocalShadow shadow, LampDisc disc, float radius_m, float wides
     return rings;
 }
 
-// Share that arrives of a light, of `radius_m`, where penumbrae are `widest_m` to either side on the disc.
+// Share that arrives of a light of `radius_m`; `widest_m` is the half width of penumbrae on the disc.
 float local_soft_visibility(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal, float radius_m,
                             float widest_m)
 {
     LampDisc disc = lamp_disc(point - light_position, normal);
-    // Somewhat more than was found, as taps may have missed the widest; and a texel at least.
+    // A margin, because taps may have missed the widest penumbra; at least one texel.
     float reach_m = max(1.1 * widest_m, texel_width(shadow) * length(disc.from_light));
     uint directions = widest_m > 0.0 ? lamp_directions : 0u;
     uint hidden = 0u;

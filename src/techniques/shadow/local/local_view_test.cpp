@@ -56,7 +56,7 @@ TEST(LocalView, SixMapsSeeEveryDirectionOnce)
         int seen = 0;
         for (const LocalView& view : views) {
             const glm::vec4 clip = view.clip_from_anchor * glm::vec4(light.position + way, 1.0F);
-            // Two texels of rim on each side are seen by two.
+            // Two maps see the margin of two texels on each side.
             const float inner = clip.w * 60.0F / 64.0F;
             seen += clip.w > 0.0F && std::abs(clip.x) <= inner && std::abs(clip.y) <= inner ? 1 : 0;
         }

@@ -2,19 +2,19 @@
 #ifndef ESTAMPE_TEETH
 #define ESTAMPE_TEETH
 
-// The curve that the edge of a shadow follows, over a coordinate v: a tooth on each line of the hatching.
+// The curve of a toothed shadow edge over a coordinate v: one tooth per hatching line.
 
 #include "shaders/lines.glsl"
 
-// How long the tooth of a line is, up to 1.
+// Length of a line's tooth, up to 1.
 float tooth_length(LineField field, Lines lines, int number, uint seed, float variety)
 {
     return 1.0f - variety * trait(line_identity(field, lines, number, seed), 8u);
 }
 
-// Teeth on lines that are `stride` halves of the spacing apart: a cosine that is highest on the lines, as
-// long as each line's own tooth; between two lines it falls as deep as their mean, so that what is added is
-// what is taken away.
+// Teeth on lines that are `stride` half spacings apart: a cosine with its maxima on the lines, each as high
+// as the line's own tooth. Between two lines it is as deep as their mean height, so that the area added to
+// the shadow equals the area removed.
 float comb(LineField field, Lines lines, int stride, uint seed, float variety)
 {
     float x = 2.0f * field.v / (lines.spacing * float(stride));
@@ -27,8 +27,8 @@ float comb(LineField field, Lines lines, int stride, uint seed, float variety)
     return height * (height > 0.0f ? own : 0.5f * (own + other));
 }
 
-// How far the edge is moved, -1 to 1, mean 0; above 0 on the lines of that width and darkness. As one comes
-// nearer, new teeth grow between the old ones, as the strokes do.
+// Displacement of the edge, -1 to 1, with mean 0; positive on lines of that width and darkness. As the eye
+// comes nearer, new teeth grow between the old ones, as hatching strokes do.
 float tooth(LineField field, uint seed, float width_px, float darkness, float variety)
 {
     Lines lines = lines_of(field, width_px, darkness);

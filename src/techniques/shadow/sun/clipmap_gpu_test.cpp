@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sun's clipmap: the same texels wherever the eye is, fine enough for the page, and right against rays.
+// The sun's clipmap: its texels do not depend on the eye, are fine enough for the page, and agree with ray
+// tracing.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -93,7 +94,7 @@ std::vector<uint32_t> random_words(size_t count, uint32_t seed)
 TEST(SunClipmap, MixesTilesAndNothingBeside)
 {
     const Clipmap clipmap{.finest_m = 1.0, .size = 256, .level_count = 3};
-    // The first is a whole level, and the second goes over two ends of its own.
+    // The first is a whole level; the second wraps around in both directions.
     const std::vector<Piece> squares{{.level = 0, .low = {-96, 40}, .size = glm::uvec2(256)},
                                      {.level = 1, .low = {-52, 200}, .size = glm::uvec2(128)},
                                      {.level = 2, .low = {4, -300}, .size = glm::uvec2(64)}};
@@ -133,9 +134,9 @@ TEST(SunClipmap, MixesTilesAndNothingBeside)
 struct ClipmapLit {
     std::vector<double> share;
     std::vector<glm::dvec3> point;
-    std::vector<double> away_m; ///< along the view
-    double pixel_m = 0.0;       ///< at a distance of one
-    size_t flat = 0;            ///< pixels of the floor
+    std::vector<double> away_m; ///< along the view direction
+    double pixel_m = 0.0;       ///< at distance 1
+    size_t flat = 0;            ///< number of pixels of the floor
 };
 
 ClipmapLit lit_by_clipmap(const Scene& scene, const Camera& camera, const std::optional<Clipmap>& clipmap)
@@ -211,8 +212,8 @@ TEST(SunClipmap, HasATexelForEachPixel)
         if (seen.share[i] < 0.0) {
             continue;
         }
-        // The level that the shader takes, stated anew: the finest not finer than the page that holds the
-        // point.
+        // Repeats the shader's choice of level: the finest that contains the point and is not finer than the
+        // page.
         const double pixel_m = seen.away_m[i] * seen.pixel_m;
         const glm::dvec3 point = seen.point[i] - drawing.layout.anchor;
         const auto holds = [&](uint32_t level) {

@@ -75,10 +75,10 @@ TEST(Clipmap, MovesByWholeStepsAndKeepsTheEyeInTheMiddle)
     }
 }
 
-/// Texels of a level that are held, as the map holds them: modulo its size.
+/// Texels of each level that are stored, at their wrapped positions in the map.
 using Held = std::vector<std::vector<glm::ivec2>>;
 
-/// Puts the texels of a piece where the map has them.
+/// Stores the texels of a piece at their positions in the map.
 void put_home(const Clipmap& clipmap, const Piece& piece, Held& held)
 {
     size_t count = 0;
@@ -130,7 +130,7 @@ TEST(Clipmap, WhatIsUncoveredIsDrawnAndNothingElseIsNeeded)
     EXPECT_LT(drawn, 24U * clipmap.level_count * clipmap.size * clipmap.size);
 }
 
-/// Texels that a box covers as the sun sees it, of a level.
+/// Range of a level's texels that a box covers in the sun's view.
 std::pair<glm::ivec2, glm::ivec2> covered(const Clipmap& clipmap, uint32_t level, const Bounds& place)
 {
     glm::dvec2 low(1e9);
@@ -150,7 +150,7 @@ Bounds cube_at(const glm::dvec3& middle, double half_m)
     return {.min = middle - half_m, .max = middle + half_m};
 }
 
-/// The tiles of a level, of which the map has texels modulo its size; each is to be listed once, within its
+/// The listed tiles of a level. Texels wrap around the level; each tile must be listed once, inside its
 /// square.
 class ListedTiles {
 public:
@@ -167,7 +167,7 @@ public:
         }
     }
 
-    /// Texels of these that some square has, but no tile.
+    /// Number of these texels that are in a square but in no listed tile.
     [[nodiscard]] size_t missed(uint32_t level, const glm::ivec2& low, const glm::ivec2& last) const
     {
         size_t count = 0;
@@ -199,7 +199,7 @@ private:
 
 TEST(Clipmap, ListsTheTilesOfAllThatMoves)
 {
-    const Clipmap clipmap = clipmap_over(300.0, 512); // whose windows go by half a tile
+    const Clipmap clipmap = clipmap_over(300.0, 512); // its windows move by half a tile
     const std::vector<std::vector<Bounds>> cases{
         {cube_at({1.0, 1.0, 0.5}, 0.3)},
         {cube_at({-2.0, 1.0, 0.5}, 0.3), cube_at({2.5, 2.0, -2.0}, 0.2), cube_at({150.0, 3.0, -80.0}, 4.0)},
@@ -209,7 +209,7 @@ TEST(Clipmap, ListsTheTilesOfAllThatMoves)
     Windows before = windows_about(clipmap, {});
     for (size_t i = 0; i < 4 * cases.size(); ++i) {
         const std::vector<Bounds>& places = cases[i / 4];
-        // The eye stands, and goes on.
+        // The eye stands still, then moves on.
         const size_t step = i / 2;
         const Windows now = windows_about(clipmap, {0.9 * static_cast<double>(step), 1.0, 0.0});
         const auto pieces = uncovered(clipmap, before, now);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One workgroup mixes one tile of a square of a level: what moves, drawn in a picture of its own, over what
-// stands still. Of two depths the one nearer to the sun stays.
+// One workgroup merges one tile of a level's square: moving objects, drawn into a picture of their own, with
+// static ones. Of two depths the one nearer to the sun stays.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -39,7 +39,7 @@ void main()
     for (uint i = 0u; i < square_tile_rounds; ++i) {
         uvec2 place = texel_of_round(i);
         uint drawn = square.first_texel + (place.y << side_log2 | place.x);
-        // A level holds its texels modulo its size.
+        // A level wraps its texels modulo its size.
         uvec2 at = (square.low + place) & ((1u << level_log2) - 1u);
         uint texel = (((square.sizes >> 16) << level_log2 | at.y) << level_log2) | at.x;
         map[texel / 4u] = max(picture[drawn / 4u], still[texel / 4u]);

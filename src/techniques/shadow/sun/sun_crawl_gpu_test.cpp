@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sun stands still and the eye walks through a long square: what the clipmap keeps, and whether shadows
-// crawl.
+// The sun stands still and the eye walks through a long square: tests what the clipmap keeps, and that
+// shadows do not crawl.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -28,17 +28,17 @@ Camera square_walker(double along_m)
     return {.eye = {along_m, 1.7, 5.0}, .target = {along_m + 18.0, 0.0, -3.0}, .vertical_fov_rad = 0.8};
 }
 
-/// What the page shows: of the sun, and of the world.
+/// The sun's share and the geometry at each pixel of the page.
 struct Seen {
     std::vector<double> share;
     std::vector<glm::dvec3> point;  ///< world space
-    std::vector<double> away_m;     ///< along the view; 0 where nothing is seen
-    std::vector<glm::dvec3> normal; ///< of the triangle, towards the eye
+    std::vector<double> away_m;     ///< along the view direction; 0 for the background
+    std::vector<glm::dvec3> normal; ///< of the triangle, on the eye's side
     glm::dmat4 clip_from_anchor{1.0};
     glm::dvec3 anchor{0.0};
 };
 
-/// A walk that keeps its map.
+/// A walk that keeps its map from step to step.
 class Walk {
 public:
     Walk(const Scene& scene, const test::EmbreeScene& rays, const ShadowStyle& style,
@@ -84,7 +84,7 @@ public:
 
     [[nodiscard]] const Clipmap& clipmap() const { return clipmap_; }
 
-    /// The map as it stands, level by level.
+    /// The current map, level by level.
     [[nodiscard]] std::vector<uint32_t> texels()
     {
         gpu::Graph graph;
@@ -103,7 +103,7 @@ private:
     std::shared_ptr<frame::Features> features_ = std::make_shared<frame::Features>();
 };
 
-/// The pixel of `now` that shows a pixel of `before`; none where it is not to be seen.
+/// The pixel of `now` that shows the same point as a pixel of `before`; empty if it is not visible.
 std::optional<size_t> found_again(const Seen& before, size_t pixel, const Seen& now)
 {
     if (before.away_m[pixel] <= 0.0) {
@@ -119,8 +119,8 @@ std::optional<size_t> found_again(const Seen& before, size_t pixel, const Seen& 
     return now.away_m[there] > 0.0 && apart_m < 0.1 * now.away_m[there] ? std::optional(there) : std::nullopt;
 }
 
-/// Of how many pixels the shadow is another than a step before: no pixel next to where the point is now is
-/// lit as it was. Edges may pass between two pixels.
+/// Number of pixels whose shadow differs from the previous step: no pixel next to the point's new position
+/// has the old light. Edges may pass between two pixels.
 struct Change {
     size_t seen = 0;
     size_t changed = 0;
@@ -147,8 +147,8 @@ Change tone_change(const Seen& before, const Seen& now)
     return change;
 }
 
-/// Whether a pixel's surface faces the sun and goes on about it, and rays from there and from places two
-/// texels aside all meet the same end.
+/// Whether a pixel's surface faces the sun and continues around it, and rays from the point and from places
+/// two texels aside agree.
 bool is_apart_from_edges(const test::EmbreeScene& rays, const Seen& seen, size_t pixel,
                          const Clipmap& clipmap)
 {
@@ -179,7 +179,7 @@ bool is_apart_from_edges(const test::EmbreeScene& rays, const Seen& seen, size_t
     return true;
 }
 
-/// Pixels apart from edges whose point has gone from light to shadow or back.
+/// Pixels away from edges whose point has changed between light and shadow.
 Change flips(const test::EmbreeScene& rays, const Seen& before, const Seen& now, const Clipmap& clipmap)
 {
     Change change;
@@ -195,7 +195,7 @@ Change flips(const test::EmbreeScene& rays, const Seen& before, const Seen& now,
     return change;
 }
 
-/// Where steps are taken: a few here and there, or with ESTAMPE_LONG all hundred of ten metres.
+/// Where steps are taken: a few places, or with ESTAMPE_LONG all hundred stretches of ten metres.
 std::vector<std::pair<double, int>> stretches()
 {
     if (std::getenv("ESTAMPE_LONG") != nullptr) {
@@ -212,7 +212,7 @@ TEST(SunCrawl, AMapThatCameAlongIsTheMapDrawnAfresh)
         Walk walk(scene, rays, {}, std::nullopt);
         Walk other(scene, rays, {}, std::nullopt);
         walk.path = other.path = path;
-        // Strips, several at once, a leap that leaves nothing, and back.
+        // Single strips, several at once, a leap that keeps nothing, and back.
         for (const double along_m : {0.0, 0.7, 3.1, 60.0, 58.0, 57.3}) {
             (void)walk.look(along_m);
         }
@@ -235,7 +235,8 @@ TEST(SunCrawl, AMapThatCameAlongIsTheMapDrawnAfresh)
                    name_of(path), covered, bits, depths);
         EXPECT_GT(covered, 50000U);
         EXPECT_EQ(outlines, 0U) << name_of(path);
-        // The device's own rasteriser works depths out from its picture's corner, those of slivers badly.
+        // The device's own rasteriser computes depths from its picture's corner, and is inaccurate for
+        // slivers.
         EXPECT_LE(bits, path == RasterPath::compute ? 0U : covered) << name_of(path);
         EXPECT_LE(depths, covered / 100000) << name_of(path);
     }

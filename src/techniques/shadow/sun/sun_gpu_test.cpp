@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Teeth and penumbrae of the sun's shadow, against what they promise and against rays.
+// Teeth and penumbrae of the sun's shadow: their properties, and a comparison with ray tracing.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -22,7 +22,6 @@ constexpr glm::uvec2 sun_px(240, 180);
 constexpr uint32_t sun_map_size = 1024;
 constexpr float sun_reach_px = 4.0F;
 
-/// A canopy over a floor.
 Scene canopy()
 {
     Scene scene = test::scene_of(shapes::plane(12.0F, 12.0F));
@@ -39,7 +38,7 @@ Camera under_canopy(double aside_m = 0.0)
 const glm::dvec3 towards_high_sun = glm::normalize(glm::dvec3(0.5, 1.0, 0.2));
 
 struct SunLit {
-    std::vector<double> share; ///< of the sun; 1 where nothing is seen
+    std::vector<double> share; ///< share of the sun that arrives; 1 for the background
     std::vector<glm::dvec3> point;
 };
 
@@ -79,7 +78,7 @@ double shadow_px(const SunLit& lit_by_sun)
     return sum;
 }
 
-/// Whether all within `radius` pixels of a pixel is lit alike.
+/// Whether all pixels within `radius` pixels of a pixel have the same light.
 bool is_even(const SunLit& lit_by_sun, size_t pixel, int radius)
 {
     const auto x = static_cast<int>(pixel % sun_px.x);
@@ -136,7 +135,7 @@ TEST(ShadowEdge, TeethKeepTheShadowsAreaAndStayWithinTheirReach)
 
 TEST(ShadowEdge, WhatIsRoundOrFoldedThrowsNoTeethOnItself)
 {
-    // Fourteen smooth sides: the plane that teeth move along runs into the body everywhere.
+    // Fourteen smooth-shaded sides: the plane in which teeth move cuts into the body everywhere.
     Scene scene = test::scene_of(shapes::sphere(1.0F, 14, 9));
     const Camera camera{.eye = {0.6, 0.8, 3.2}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.8};
     const SunLit plain = lit_by_sun(scene, camera, towards_high_sun, {});
@@ -171,7 +170,7 @@ TEST(ShadowEdge, TeethStayInPlaceWhileTheEyeMoves)
     }
 }
 
-/// Share of a disc that lies beyond a line `x` radii from its middle.
+/// Share of a disc beyond a line that is `x` radii from its centre.
 double disc_beyond(double x)
 {
     const double held = std::clamp(x, -1.0, 1.0);
@@ -208,14 +207,14 @@ TEST(SunPenumbra, OfAWallIsThatOfADisc)
         "umbra to {:.4f} m, {:.4f} found; open from {:.4f} m, {:.4f} found; a texel is {:.4f} m; worst "
         "share off by {:.3f}\n",
         umbra, umbra_found, open, open_found, texel_m, worst);
-    // The share looked for is reached this far before the end.
+    // The light reaches the searched share this far before the end.
     const double least = 0.09 * 0.5 * (umbra - open);
     EXPECT_NEAR(umbra_found, umbra - least, texel_m);
     EXPECT_NEAR(open_found, open + least, texel_m);
     EXPECT_LT(worst, 0.08);
 }
 
-/// The share of a disc sun that 256 rays find.
+/// Visible share of the sun's disc, traced with 256 rays.
 double traced_sun(const test::EmbreeScene& rays, const glm::dvec3& from, const glm::dvec3& sun, double radius)
 {
     const glm::dvec3 right = glm::normalize(glm::cross(sun, glm::dvec3(0.1, 0.2, 0.9)));

@@ -32,7 +32,7 @@ SunView sun_view(const Bounds& casters, const glm::dvec3& anchor, const glm::dve
         seen.extend(glm::dvec3(-0.5));
         seen.extend(glm::dvec3(0.5));
     }
-    // A rim of two texels keeps the casters' own outline inside, and no side may be empty.
+    // A margin of two texels keeps the casters' own outline inside; no side may be empty.
     const glm::dvec3 extent = glm::max(seen.max - seen.min, glm::dvec3(1e-3 * std::max(seen.radius(), 1e-6)));
     const double rim = 1.0 + 4.0 / static_cast<double>(size);
     const glm::dvec3 half = 0.5 * rim * extent;
@@ -70,14 +70,14 @@ shared::SunShadow sun_shadow(const SunView& view, uint32_t size, const ShadowSty
 
 namespace {
 
-constexpr uint32_t steps_a_window = 16; // over its own size
+constexpr uint32_t steps_a_window = 16; // size of a window over the step by which it moves
 
 double texel_m(const Clipmap& clipmap, uint32_t level)
 {
     return std::ldexp(clipmap.finest_m, static_cast<int>(level));
 }
 
-/// A strip of the window at `low` as broad as a power of two, where the window has moved by `by`.
+/// The strip that is uncovered when the window at `low` has moved by `by`; its breadth is a power of two.
 Piece strip(uint32_t level, glm::ivec2 low, uint32_t size, int axis, int by)
 {
     const uint32_t breadth = std::min(std::bit_ceil(static_cast<uint32_t>(std::abs(by))), size);
@@ -87,7 +87,7 @@ Piece strip(uint32_t level, glm::ivec2 low, uint32_t size, int axis, int by)
     return piece;
 }
 
-/// Texels of a level between which a place is seen, and two beside it, as floats that may lie anywhere.
+/// Range of a level's texels in which a place is seen, with two texels of margin; may be infinite.
 std::pair<glm::dvec2, glm::dvec2> span_of(const Clipmap& clipmap, uint32_t level, const Bounds& place)
 {
     constexpr double beside_texels = 2.0;
@@ -97,7 +97,7 @@ std::pair<glm::dvec2, glm::dvec2> span_of(const Clipmap& clipmap, uint32_t level
     for (int axis = 0; axis < 2; ++axis) {
         for (int k = 0; k < 3; ++k) {
             const double along = axes.at(static_cast<size_t>(axis))[k] / texel_m(clipmap, level);
-            if (along != 0.0) { // which infinity times zero is not
+            if (along != 0.0) { // avoids infinity times zero
                 low[axis] += std::min(along * place.min[k], along * place.max[k]);
                 high[axis] += std::max(along * place.min[k], along * place.max[k]);
             }
@@ -106,7 +106,7 @@ std::pair<glm::dvec2, glm::dvec2> span_of(const Clipmap& clipmap, uint32_t level
     return {low - beside_texels, high + beside_texels};
 }
 
-/// The square of a window that holds the texels from `low` to `high`, which are in it.
+/// The square of a window that contains the texels from `low` to `high`.
 Piece square_in(const Clipmap& clipmap, uint32_t level, const glm::ivec2& window, glm::ivec2 low,
                 const glm::ivec2& high)
 {
@@ -117,13 +117,13 @@ Piece square_in(const Clipmap& clipmap, uint32_t level, const glm::ivec2& window
     return {.level = level, .low = glm::min(low, last), .size = glm::uvec2(side)};
 }
 
-/// Texel of a level from which on a picture of a square has its own, modulo its size.
+/// Texel of a level at which the picture of a square starts; the picture wraps around its size.
 glm::ivec2 picture_low(const Clipmap& clipmap, const Piece& square)
 {
     return square.size.x == clipmap.size ? glm::ivec2(0) : square.low;
 }
 
-/// Tiles of a picture of a square, a bit each.
+/// One bit per tile of a square's picture.
 class TileMarks {
 public:
     TileMarks(const Clipmap& clipmap, const Piece& square)
@@ -132,7 +132,7 @@ public:
     {
     }
 
-    /// Those that hold texels from `first` to before `end`, of a level.
+    /// Marks the tiles that contain texels of the level from `first` to before `end`.
     void mark(const glm::ivec2& first, const glm::ivec2& end)
     {
         const glm::ivec2 low = glm::max(first, low_);
@@ -163,7 +163,7 @@ public:
 private:
     static constexpr auto side = static_cast<int>(shared::square_tile_texels);
 
-    /// Before they are taken modulo the picture's size.
+    /// Tile of a texel before wrapping.
     [[nodiscard]] glm::ivec2 tile_of(const glm::ivec2& texel) const
     {
         return glm::ivec2(glm::floor(glm::dvec2(texel - picture_low_) / static_cast<double>(side)));
@@ -172,8 +172,8 @@ private:
     glm::ivec2 low_;
     glm::ivec2 end_;
     glm::ivec2 picture_low_;
-    int last_;                        ///< tile of a row
-    std::array<uint64_t, 64> rows_{}; ///< of the largest level
+    int last_;                        ///< last tile of a row
+    std::array<uint64_t, 64> rows_{}; ///< one bit per tile, large enough for the largest level
 };
 
 } // namespace
@@ -181,7 +181,7 @@ private:
 Clipmap fit_clipmap(const SunView& view, uint32_t size, double finest_m, double radius_m)
 {
     Clipmap clipmap{.view = view, .size = size};
-    // What a window covers on each side of the eye, wherever it has stopped.
+    // Texels that a window covers on each side of the eye at least.
     const double covered_texels = static_cast<double>(size) * (0.5 - 1.0 / steps_a_window) - 2.0;
     const double coarsest_m = std::max(2.0 * radius_m / covered_texels, 1e-9);
     int finest = static_cast<int>(std::floor(std::log2(std::max(finest_m, 1e-9))));
@@ -195,7 +195,7 @@ Clipmap fit_clipmap(const SunView& view, uint32_t size, double finest_m, double 
 Windows windows_about(const Clipmap& clipmap, const glm::dvec3& eye_anchor)
 {
     const double step = static_cast<double>(clipmap.size) / steps_a_window;
-    // An eye far from all casters has the levels about what of them is next to it.
+    // If the eye is far from all casters, the windows surround the nearest point of their box.
     const glm::dvec2 half_m = 0.5 * glm::dvec2(clipmap.view.extent_m);
     const glm::dvec2 middle_m = -half_m * glm::dvec2(clipmap.view.clip_from_anchor[3]);
     const glm::dvec2 eye = glm::clamp(glm::dvec2(glm::dot(eye_anchor, glm::dvec3(clipmap.view.right)),
@@ -282,7 +282,7 @@ void list_tiles(const Clipmap& clipmap, std::span<const Piece> squares, std::spa
 
 std::vector<PieceHome> homes(const Clipmap& clipmap, const Piece& piece)
 {
-    // A level is a torus: the power of two takes care of what lies below zero, too.
+    // A level wraps around like a torus; the mask of a power of two also handles negative coordinates.
     const glm::uvec2 first = glm::uvec2(piece.low) & (clipmap.size - 1U);
     const glm::uvec2 until_rim = glm::min(piece.size, clipmap.size - first);
     std::vector<PieceHome> parts;
@@ -302,7 +302,7 @@ std::vector<PieceHome> homes(const Clipmap& clipmap, const Piece& piece)
 
 glm::mat4 clip_from_sun(const Piece& piece)
 {
-    // Powers of two, and whole texels in units of them: floats lose nothing.
+    // Powers of two and whole texels keep floats exact.
     const double scale = std::ldexp(1.0, -static_cast<int>(piece.level));
     glm::dmat4 clip(1.0);
     for (int axis = 0; axis < 2; ++axis) {
@@ -329,10 +329,10 @@ shared::SunShadow sun_shadow(const Clipmap& clipmap, const Windows& windows, flo
 
 namespace {
 
-/// From how many pixels a texel on, near the eye, a single map gives way to a clipmap.
+/// A single map gives way to a clipmap if its texels are larger than this many pixels near the eye.
 constexpr double coarse_texel_px = 48.0;
 
-/// Size of a level: a power of two, of which the device can hold `levels`.
+/// Side of a level: a power of two such that `levels` of them fit into `most_bytes`.
 uint32_t level_size(uint32_t wanted, uint32_t levels, uint64_t most_bytes)
 {
     uint32_t size = std::clamp(std::bit_ceil(wanted), 64U, 4096U);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The sun's shadow map: one view of all that throws a shadow, or a clipmap of such maps about the eye, as
-// fit_sun_map() chooses by the style.
+// The sun's shadow map: one view of all casters, or a clipmap around the eye. fit_sun_map() chooses by the
+// style.
 
 #include <optional>
 #include <span>
@@ -19,36 +19,36 @@
 
 namespace estampe::shadow {
 
-/// The sun's parallel view of everything that throws a shadow.
+/// The sun's parallel view of all casters.
 struct SunView {
     glm::mat4 clip_from_anchor{1.0F}; ///< reversed z: 1 nearest to the sun, 0 farthest
     glm::vec3 right{1.0F, 0.0F, 0.0F};
     glm::vec3 down{0.0F, 0.0F, 1.0F};
-    glm::vec2 extent_m{1.0F}; ///< what the map covers along both
-    float texel_m = 0.0F;     ///< the longer side of a texel
-    glm::vec2 warp{0.0F};     ///< of a map in perspective: rows are at y = warp.x - warp.y / w; extent_m and
-                              ///< texel_m are those where w is 1
-    float depth_m = 1.0F;     ///< what clip z of 0 to 1 spans
+    glm::vec2 extent_m{1.0F}; ///< size of the map along both axes
+    float texel_m = 0.0F;     ///< longer side of a texel
+    glm::vec2 warp{0.0F};     ///< perspective map: rows are at y = warp.x - warp.y / w; extent_m and texel_m
+                              ///< apply at w = 1
+    float depth_m = 1.0F;     ///< depth that clip z from 0 to 1 covers
 };
 
-/// Fits the view to `casters` (world space), whatever receives: outside of it nothing can be in shadow.
-/// `towards_sun` is a unit vector, `size` the map's side in texels. Empty casters give a view of one metre.
+/// Fits the view to `casters` (world space); points outside cannot be in shadow. `towards_sun` is a unit
+/// vector, `size` the map's side in texels. Empty casters give a view of one metre.
 [[nodiscard]] SunView sun_view(const Bounds& casters, const glm::dvec3& anchor, const glm::dvec3& towards_sun,
                                uint32_t size);
 
-/// What the light pass needs to look up a map of that view, `size` texels a side; 0 for no shadow.
+/// Lookup data of a map of that view, `size` texels per side; 0 means no shadow.
 [[nodiscard]] shared::SunShadow sun_shadow(const SunView& view, uint32_t size, const ShadowStyle& style = {});
 
 inline constexpr uint32_t most_levels = shared::sun_levels;
 
-/// Maps of the sun's view about the eye, each twice as wide as the one before and of as many texels: the
-/// clipmap of Tanner et al., "The Clipmap: A Virtual Mipmap", 1998, for depth. Texels lie on lattices that
-/// are fixed to the world, so that a level that moves with the eye keeps what it still covers. A level holds
-/// its texels modulo its size: texel (x, y) is at (x mod size, y mod size).
+/// Depth maps of the sun's view around the eye. Each is twice as wide as the one before and has as many
+/// texels: the clipmap of Tanner et al., "The Clipmap: A Virtual Mipmap", 1998, for depth. Texels lie on
+/// lattices that are fixed to the world, so a level that moves with the eye keeps the part it still covers. A
+/// level stores texel (x, y) at (x mod size, y mod size).
 struct Clipmap {
-    SunView view; ///< direction and depth
+    SunView view; ///< defines direction and depth range
     double finest_m = 0.0;
-    uint32_t size = 0; ///< texels a side; a power of two, 64 to 4096
+    uint32_t size = 0; ///< texels per side; a power of two, 64 to 4096
     uint32_t level_count = 0;
 
     bool operator==(const Clipmap& other) const
@@ -61,66 +61,66 @@ struct Clipmap {
 /// Lowest texel of every level's window.
 using Windows = std::vector<glm::ivec2>;
 
-/// Texels of a level that are to be drawn.
+/// A rectangle of texels of a level that must be drawn.
 struct Piece {
     uint32_t level = 0;
     glm::ivec2 low{0};
     glm::uvec2 size{0}; ///< powers of two
 };
 
-/// As many levels as it takes to get from texels of `finest_m`, rounded down to a power of two, to a level
-/// that covers `radius_m` about any place among the casters; where `most_levels` do not suffice, coarser
-/// ones.
+/// Levels from texels of `finest_m`, rounded down to a power of two, up to a level that covers `radius_m`
+/// around any place among the casters. If `most_levels` do not suffice, all levels are coarser.
 [[nodiscard]] Clipmap fit_clipmap(const SunView& view, uint32_t size, double finest_m, double radius_m);
 
-/// Windows about an eye, or about what is next to it of the casters' box, in steps of a sixteenth of their
-/// size.
+/// Windows around the eye, or around the point of the casters' box that is nearest to it, in steps of a
+/// sixteenth of their size.
 [[nodiscard]] Windows windows_about(const Clipmap& clipmap, const glm::dvec3& eye_anchor);
 
-/// What has to be drawn where `before` was drawn, all of it when that is empty: strips that the windows have
-/// uncovered, widened to powers of two.
+/// Pieces to draw after the windows moved: the strips that were uncovered, widened to powers of two. All of
+/// every level if `before` is empty.
 [[nodiscard]] std::vector<Piece> uncovered(const Clipmap& clipmap, const Windows& before, const Windows& now);
 
-/// Squares, at most one a level, that hold what is seen of `places` (anchor space) in the windows: their
-/// sides are powers of two, 64 or more, their first columns multiples of 4. Levels of which there are
-/// `pieces` are whole.
+/// Squares, at most one per level, that contain the visible parts of `places` (anchor space) in the windows.
+/// Their sides are powers of two from 64 on, their first columns multiples of 4. A level with `pieces` gets a
+/// square of the whole level.
 [[nodiscard]] std::vector<Piece> squares_about(const Clipmap& clipmap, const Windows& windows,
                                                std::span<const Bounds> places, std::span<const Piece> pieces);
 
-/// Puts into `tiles` those of a picture of each of `squares` in which the map may change, see
-/// shaders/tiles.glsl.h: where `places` are seen, and where `pieces` lie. A picture has its texels as
-/// add_mixed_levels() wants them. Cost: a few steps for each place and level.
+/// Appends to `tiles` the tiles of each square's picture in which the map may change (see
+/// shaders/tiles.glsl.h): where `places` are seen and where `pieces` lie. Pictures store their texels as
+/// add_mixed_levels() expects. Cost: a few steps per place and level.
 void list_tiles(const Clipmap& clipmap, std::span<const Piece> squares, std::span<const Bounds> places,
                 std::span<const Piece> pieces, std::vector<uint32_t>& tiles);
 
-/// A rectangle of a piece that lies in one run of rows of the map.
+/// A part of a piece that is contiguous in the map, which wraps around.
 struct PieceHome {
-    glm::uvec2 from{0}; ///< texel of the piece
+    glm::uvec2 from{0}; ///< first texel in the piece
     glm::uvec2 size{0};
-    uint32_t texel = 0; ///< of the map, where the rectangle begins; rows are a level's size apart
+    uint32_t texel = 0; ///< index of the first texel in the map; rows are one level size apart
 };
 
-/// Where a piece goes in the map: four rectangles at most, since a level wraps around in both directions.
+/// Where a piece is stored in the map: at most four rectangles, because a level wraps around in both
+/// directions.
 [[nodiscard]] std::vector<PieceHome> homes(const Clipmap& clipmap, const Piece& piece);
 
-/// Projection of a piece, for the vertices of add_sun_vertices.
+/// Projection of a piece, for the vertices of add_sun_vertices().
 [[nodiscard]] glm::mat4 clip_from_sun(const Piece& piece);
 
-/// What the lookup needs to know, from the eye's page where a pixel spans `pixel_m` at a distance of one, or
-/// at any in parallel projection.
+/// Lookup data of a clipmap. `pixel_m` is the size of a pixel at distance 1, or at any distance in parallel
+/// projection.
 [[nodiscard]] shared::SunShadow sun_shadow(const Clipmap& clipmap, const Windows& windows, float pixel_m,
                                            const ShadowStyle& style);
 
-/// What a map of the sun is fitted to.
+/// The scene to which a sun map is fitted.
 struct SunMapScene {
     Bounds casters;   ///< world space; not empty
-    Bounds still_box; ///< a box about them that stays as it is while some of them move
+    Bounds still_box; ///< a box around the casters that stays constant while some of them move
     glm::dvec3 anchor{0.0};
     glm::dvec3 towards_sun{0.0, 1.0, 0.0}; ///< unit vector
-    double floor_m = 0.0;                  ///< nothing that is lit lies lower, world space
-    double nearest_m = 0.0;                ///< about how far from the eye what is seen begins
-    double pixel_m = 0.0;                  ///< what a pixel spans there
-    uint64_t most_bytes = ~0ULL;           ///< that a map may take
+    double floor_m = 0.0;                  ///< height in world space below which no surface is lit
+    double nearest_m = 0.0;                ///< approximate distance from the eye to the nearest visible point
+    double pixel_m = 0.0;                  ///< size of a pixel at nearest_m
+    uint64_t most_bytes = ~0ULL;           ///< memory limit of a map
     uint32_t size = 0;                     ///< side in texels of a single map of all casters
     shared::FrameGlobals eye{};
 };
@@ -132,27 +132,27 @@ struct SunMapFit {
     uint32_t variant = 0; ///< see shaders/light_variant.glsl.h
 };
 
-/// The map that the style's `sun_map` asks for: a single one where its texels are fine enough, else a
-/// clipmap, or one of alternatives/.
+/// Fits the map that the style's `sun_map` selects. `automatic` is a single map if its texels are fine
+/// enough, else a clipmap; `faded` and `warped` are in alternatives/.
 [[nodiscard]] SunMapFit fit_sun_map(const SunMapScene& scene, const ShadowStyle& style);
 
-/// What moves, and what stands still.
+/// Depths of moving objects and of static ones.
 struct MixInputs {
     std::span<const Piece> squares;
-    gpu::BufferId pictures; ///< of the squares, one after another, row by row; of a whole level as that has
-                            ///< its texels
+    gpu::BufferId pictures; ///< depths of the squares, one after another; a square of a whole level has the
+                            ///< level's wrapped layout
     gpu::BufferId still;    ///< all levels
-    gpu::BufferId tiles;    ///< of the pictures, from list_tiles()
+    gpu::BufferId tiles;    ///< tiles of the pictures, from list_tiles()
     uint32_t tile_count = 0;
 };
 
-/// Puts into `map`, in each tile, the nearer to the sun of what both hold there. Cost: one dispatch, three
-/// accesses a texel of the tiles.
+/// Writes to `map`, in each listed tile, the depth nearer to the sun of `pictures` and `still`. Cost: one
+/// dispatch, three accesses per texel of the tiles.
 [[nodiscard]] gpu::BufferId add_mixed_levels(gpu::Graph& graph, const Clipmap& clipmap, const MixInputs& in,
                                              gpu::BufferId map);
 
-/// Posed vertices as the sun sees them: x and y in the finest texels, rounded to 1/32, z its clip z. So what
-/// is drawn of them does not depend on where a piece begins.
+/// Posed vertices in the sun's view: x and y in finest texels, rounded to 1/32, and z as clip z. The rounding
+/// makes the drawn texels independent of where a piece begins.
 [[nodiscard]] gpu::BufferId add_sun_vertices(gpu::Graph& graph, gpu::BufferId posed_vertices,
                                              uint32_t vertex_count, const Clipmap& clipmap);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kinds of the sun's map beside each other: right against rays, and how fine they are near and far.
+// Compares the kinds of sun maps: agreement with ray tracing, and texel sizes near and far.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -41,12 +41,12 @@ Shot example()
     return {"example", std::move(scene), camera, glm::normalize(glm::dvec3(0.8, 0.35, 0.3))};
 }
 
-/// A map of one kind, drawn for a shot, and how large its texels are.
+/// A map of one kind, drawn for a shot, and the size of its texels.
 struct Map {
     const char* name;
     test::LightSetup setup;
     std::function<double(const glm::dvec3& point_anchor, double away_m)> texel_m;
-    double reach_m = 1e9; ///< beside the eye, square to the sun
+    double reach_m = 1e9; ///< lateral distance from the eye, perpendicular to the sun
 };
 
 std::vector<Map> maps_of(const test::Drawing& drawing, const glm::dvec3& sun, double pixel_m, uint32_t size)
@@ -100,14 +100,14 @@ std::vector<Map> maps_of(const test::Drawing& drawing, const glm::dvec3& sun, do
     return maps;
 }
 
-/// What is found of pixels at some distance.
+/// Results for the pixels in a range of distances.
 struct MapVerdict {
     size_t compared = 0;
     size_t shadowed = 0;
-    size_t wrong = 0;           ///< outside of two texels about the edge
-    size_t looked_at = 0;       ///< anywhere
-    double error = 0.0;         ///< sum over these, of the share of light
-    std::vector<double> per_px; ///< pixels that a texel spans
+    size_t wrong = 0;           ///< wrong pixels more than two texels from the edge
+    size_t looked_at = 0;       ///< all pixels
+    double error = 0.0;         ///< sum of the errors of light over all pixels
+    std::vector<double> per_px; ///< size of a texel in pixels
 
     [[nodiscard]] double mean_error() const { return error / static_cast<double>(looked_at); }
 
@@ -138,7 +138,7 @@ bool is_near_an_edge(const test::EmbreeScene& rays, const Place& place, const gl
     return false;
 }
 
-/// Asks rays about every pixel between two distances that faces the sun.
+/// Traces rays for every pixel between two distances that faces the sun.
 MapVerdict compare_maps(const Shot& shot, const test::EmbreeScene& rays, test::Drawing& drawing,
                         const Map& map, double nearest_m, double farthest_m)
 {
@@ -236,11 +236,11 @@ TEST(SunMaps, AreFineWhereTheyPromiseToBe)
             error.push_back(verdict.looked_at > 0 ? verdict.mean_error() : -1.0);
         }
     }
-    // Near the eye, the whole map is the coarsest.
+    // Near the eye, the single map is the coarsest.
     EXPECT_LT(error[2], 0.5 * error[0]);
     EXPECT_LT(error[4], 0.5 * error[0]);
     EXPECT_LT(error[6], 0.8 * error[0]);
-    // Far away, a clipmap is no worse.
+    // Far away, a clipmap is at least as good.
     EXPECT_LE(error[5], error[1]);
 }
 

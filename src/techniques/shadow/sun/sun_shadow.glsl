@@ -2,27 +2,27 @@
 #ifndef ESTAMPE_SUN_SHADOW
 #define ESTAMPE_SUN_SHADOW
 
-// Looks the sun up in its map. Who includes this declares `SunShadow sun_shadow`, a uniform, and the map,
-// `samplerBuffer sun_map`, reversed depth row by row; `FrameGlobals frame`; and constants that tell
-// whether the map is a clipmap, `has_sun_levels`, or in perspective, `has_sun_warp`, and whether the sun has
-// breadth, `has_soft_sun`.
+// Looks up the sun's shadow map. The including shader declares the uniform `SunShadow sun_shadow`; the map,
+// `samplerBuffer sun_map`, with reversed depth row by row; `FrameGlobals frame`; and the constants
+// `has_sun_levels` (the map is a clipmap), `has_sun_warp` (it is in perspective) and `has_soft_sun` (the sun
+// is a disc).
 
 #include "shaders/sun_disc.glsl"
 #include "techniques/shadow/shadow.glsl.h"
 
-// A place in the map, and the plane of the surface there.
+// A position in the map, and the plane of the surface there.
 struct SunPlace {
-    vec2 texel;  // centres have whole numbers
-    float depth; // clip z; below 0 beyond the farthest caster
+    vec2 texel;  // texel centres are at whole numbers
+    float depth; // clip z; negative beyond the farthest caster
     float bias;
-    vec2 gradient; // change of depth in the surface's plane over a texel
+    vec2 gradient; // change of depth per texel in the surface's plane
     float texel_m;
     vec2 texels_per_m;
     uint level;
     bool inside;
 };
 
-// Beyond the map's rim, which is empty, there is no caster.
+// Depth at a texel. Outside the map, whose border is empty, there is no caster.
 float sun_depth_at(ivec2 texel, uint level)
 {
     if (has_sun_levels) {
@@ -33,21 +33,21 @@ float sun_depth_at(ivec2 texel, uint level)
     ivec2 inside = clamp(texel, ivec2(0), ivec2(sun_shadow.size) - 1);
     float depth = texelFetch(sun_map, inside.y * int(sun_shadow.size) + inside.x).x;
     if (has_sun_warp) {
-        // All of a row has been divided by the same w.
+        // Depths of a row were all divided by the same w.
         float y = (2.0 * float(inside.y) + 1.0) / float(sun_shadow.size) - 1.0;
         depth *= sun_shadow.warp.y / (sun_shadow.warp.x - y);
     }
     return depth;
 }
 
-// The finest level of a clipmap that is not finer than the page there and has `margin_m` about the point
-// within its window; the count of levels where there is none.
+// The finest level of a clipmap that is not finer than the page at `point` and whose window contains the
+// point with a margin of `margin_m`; the number of levels if there is none.
 uint sun_level(vec3 point, float margin_m)
 {
     float away = frame.is_orthographic != 0u ? 1.0 : dot(point - frame.eye_anchor, frame.view_forward);
     float pixel_m = sun_shadow.pixel_m * max(away, frame.near_m);
     int last = int(sun_shadow.level_count) - 1;
-    // A penumbra that is a pixel wide wants more than a texel.
+    // A penumbra one pixel wide needs more than one texel.
     float wanted_m = has_soft_sun ? 0.5 * pixel_m : pixel_m;
     int wanted = clamp(int(floor(log2(wanted_m / sun_shadow.texel_m))), 0, last);
     vec2 at = vec2(dot(sun_shadow.right, point), dot(sun_shadow.down, point));
@@ -63,7 +63,7 @@ uint sun_level(vec3 point, float margin_m)
     return uint(level);
 }
 
-// How much of its shadow a point keeps that lies towards the edge of the last level.
+// Share of the shadow that remains at a point near the edge of the last level.
 float sun_fade(vec3 point)
 {
     vec3 way = point - frame.eye_anchor;
@@ -72,7 +72,7 @@ float sun_fade(vec3 point)
     return 1.0 - sun_shadow.fade * smoothstep(0.3, 0.42, max(away.x, away.y) / reach);
 }
 
-// `lift` raises the point along the normal, in texels, by how slanted the surface is.
+// `lift` raises the point along the normal, in texels, in proportion to the slant of the surface.
 SunPlace sun_place(vec3 point, vec3 normal, vec3 towards_sun, float lift, float margin_m)
 {
     SunPlace place;
@@ -108,8 +108,8 @@ SunPlace sun_place(vec3 point, vec3 normal, vec3 towards_sun, float lift, float 
     return place;
 }
 
-// Share of light about `texel`, for a receiver as deep as `depth`: four comparisons, blended as a bilinear
-// lookup would (Reeves et al. 1987). Texels that no caster covers hold zero.
+// Share of light around `texel` for a receiver at `depth`: four comparisons, blended bilinearly (Reeves et
+// al. 1987). Texels without a caster hold zero.
 float sun_compare(SunPlace place, vec2 texel, float depth, vec2 gradient)
 {
     ivec2 corner = ivec2(floor(texel));
@@ -122,7 +122,7 @@ float sun_compare(SunPlace place, vec2 texel, float depth, vec2 gradient)
     return mix(mix(lit.x, lit.y, f.x), mix(lit.z, lit.w, f.x), f.y);
 }
 
-// Share of a point sun that arrives.
+// Share of a point-like sun that arrives.
 float sun_visibility(vec3 point, vec3 normal, vec3 towards_sun)
 {
     SunPlace place = sun_place(point, normal, towards_sun, 1.8, 0.0);
@@ -130,22 +130,21 @@ float sun_visibility(vec3 point, vec3 normal, vec3 towards_sun)
     return has_sun_levels ? mix(1.0, share, sun_fade(point)) : share;
 }
 
-// Beyond a map of all casters there is nothing to throw a shadow; beyond what else there is nothing is known.
+// Outside a map of all casters there is no shadow; outside other maps nothing is known.
 bool place_counts(SunPlace place)
 {
     return (!has_sun_levels && !has_sun_warp) || place.inside;
 }
 
-// How far aside, square to the sun, a caster can be that stands before part of the sun.
+// Largest lateral distance of a caster that can block part of the sun.
 float sun_reach_m(vec3 point)
 {
     float depth = (sun_shadow.clip_from_anchor * vec4(point, 1.0)).z;
     return max(1.0 - depth, 0.0) * sun_shadow.depth_m * sun_shadow.sun_slope;
 }
 
-// Half the breadth in metres, square to the sun, of the penumbra that `point` may lie in: that of the
-// blockers which stand before some part of the sun, on average (Fernando, "Percentage-Closer Soft
-// Shadows", 2005). 0 where there are none.
+// Half width in metres, perpendicular to the sun, of the penumbra at `point`, from the mean distance of
+// blockers of some part of the sun (Fernando, "Percentage-Closer Soft Shadows", 2005). 0 if there are none.
 float sun_penumbra_m(vec3 point, vec3 normal, vec3 towards_sun)
 {
     const uint count = 48u;
@@ -167,7 +166,7 @@ float sun_penumbra_m(vec3 point, vec3 normal, vec3 towards_sun)
     return place_counts(place) && found > 0.0 ? sum / found * sun_shadow.sun_slope : 0.0;
 }
 
-// Share of light that a disc of `radius_m`, square to the sun, lets through to a point.
+// Share of the sun that arrives at a point, averaged over a disc of `radius_m` perpendicular to the sun.
 float sun_soft_visibility(vec3 point, vec3 normal, vec3 towards_sun, float radius_m)
 {
     const uint count = 48u;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread turns one posed vertex to the sun.
+// One thread per vertex: transforms a posed vertex into the sun's view.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread paints the clouds of one pixel over its sky, the highest first.
+// One thread paints the clouds of one pixel over its sky, highest layer first.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -28,9 +28,9 @@ layout(binding = 3) uniform samplerBuffer puff_texels;
 layout(binding = 4) uniform samplerBuffer streak_texels;
 layout(binding = 5, rgba16f) uniform image2D wash_image;
 layout(binding = 6, r16f) uniform image2D ink_image;
-layout(binding = 7, r16f) writeonly uniform image2D out_cover; // of the variant that keeps it
+layout(binding = 7, r16f) writeonly uniform image2D out_cover; // for clouds_keep_cover
 
-layout(binding = 9) uniform sampler2D depth_image; // of the variant that has one
+layout(binding = 9) uniform sampler2D depth_image; // for clouds_have_depth
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -38,7 +38,7 @@ layout(push_constant, scalar) uniform Constants
 };
 
 #define TILE_LIST_BINDING 8
-#include "shaders/tile_list.glsl" // of the variant that has one
+#include "shaders/tile_list.glsl" // for clouds_have_tiles
 
 layout(constant_id = 0) const uint variant = 0u;
 const bool have_hatching = (variant & clouds_have_hatching) != 0u;
@@ -48,20 +48,20 @@ const bool have_tiles = (variant & clouds_have_tiles) != 0u;
 const bool have_depth = (variant & clouds_have_depth) != 0u;
 const bool by_groups = (variant & clouds_by_groups) != 0u;
 
-const float lowest_way = 0.012; // of a direction: below, clouds are too far
+const float lowest_way = 0.012; // lower directions see no clouds: they are too far away
 
 #include "techniques/sky/clouds/puffs.glsl"
 #include "techniques/sky/clouds/puffs_of_group.glsl"
 
-// White strokes on a plane high above, along the wind.
+// Streaks (cirrus): white strokes on a high plane, along the wind.
 
 #include "shaders/lines.glsl"
 
-// Where a ray meets the plane, in cells: along the strokes, which bend to and fro, and across them.
+// Where a ray meets the plane, in cells: along the strokes, which bend slightly, and across them.
 vec2 streak_place(StreakLayer layer, vec3 d)
 {
     vec2 at = layer.eye + d.xz * (layer.base_m / (max(d.y, 1e-3) * layer.cell_m));
-    float turns = 2.0 / float(layer.cells); // whole ones on the tile
+    float turns = 2.0 / float(layer.cells); // whole periods, so that the tile repeats
     at.y += 0.35 * wave(at.x * turns) + 0.05 * wave(4.0 * turns * at.x + turns * at.y);
     return at;
 }
@@ -81,7 +81,7 @@ float density_at(StreakLayer layer, vec2 at)
     return mix(near, far, f.y);
 }
 
-// How much of a pixel streaks cover; `right` and `down` are the directions of its neighbours.
+// Coverage of a pixel by streaks; `right` and `down` are the directions of its neighbours.
 float streaks_along(StreakLayer layer, vec3 d, vec3 right, vec3 down)
 {
     vec2 here = streak_place(layer, d);
@@ -105,7 +105,7 @@ float streaks_along(StreakLayer layer, vec3 d, vec3 right, vec3 down)
 
 #include "techniques/sky/vault.glsl"
 
-// Along the wind, up and across.
+// Rotates a vector to the wind's axes: along the wind, up, across.
 vec3 in_wind(vec3 d)
 {
     vec2 along = clouds.along_wind;
@@ -118,14 +118,14 @@ vec3 tone_of(float shade)
                        : mix(clouds.middle_color, clouds.shade_color, 2.0 * shade - 1.0);
 }
 
-// Whether clouds may show at the pixel, which looks along `d`.
+// Whether clouds may be visible at the pixel, which looks along `d`.
 bool may_show(ivec2 pixel, vec3 d)
 {
     return frame.is_orthographic == 0u && d.y >= lowest_way &&
            !(have_depth && is_covered(depth_image, pixel, d, over.far_m));
 }
 
-// The directions of the group's corners and a pixel more.
+// Directions at the corners of the workgroup's pixels, widened by one pixel.
 void share_corners(ivec2 pixel)
 {
     if (gl_LocalInvocationIndex < 4u) {
@@ -157,7 +157,7 @@ void main()
     }
     vec3 right = direction_at(position + vec2(1.0, 0.0));
     vec3 down = direction_at(position + vec2(0.0, 1.0));
-    ivec2 under = min(pixel, ivec2(frame.size_px) - 1); // threads off the page help to find puffs
+    ivec2 under = min(pixel, ivec2(frame.size_px) - 1); // threads off the page still help to find puffs
     vec3 wash = imageLoad(wash_image, under).rgb;
     float ink = imageLoad(ink_image, under).x;
     float open = 1.0;

@@ -15,25 +15,29 @@ const style::Table<CloudStyle>& cloud_table()
 {
     static const auto table =
         style::Table<CloudStyle>("clouds", "Clouds over a drawn sky")
-            .number(
-                "coverage", &CloudStyle::coverage, {0.0F, 0.95F}, "",
-                "Share of the sky overhead that cumulus clouds cover, heaped on a flat base. 0 draws none.")
+            .number("coverage", &CloudStyle::coverage, {0.0F, 0.95F}, "",
+                    "Share of the sky overhead that cumulus clouds (heaps with a flat base) cover: more is "
+                    "cloudier. 0 draws no cumulus clouds.")
             .number("base_m", &CloudStyle::base_m, {50.0F, 20000.0F}, "m",
-                    "Height of the flat base of cumulus clouds. Seen from above their base, none are drawn.")
+                    "Height in the scene (above y = 0) of the flat base of cumulus clouds. No cumulus clouds "
+                    "are drawn when the eye is above their base.")
             .number("size_m", &CloudStyle::size_m, {50.0F, 20000.0F}, "m",
                     "Width of an average cumulus cloud")
             .number("heaped", &CloudStyle::heaped, {0.1F, 3.0F}, "",
-                    "Height of cumulus clouds: less is flat, more towers up")
+                    "Height of cumulus clouds compared to their width: less gives flat clouds, more gives "
+                    "towering clouds")
             .number("flocks", &CloudStyle::flocks, {0.0F, 0.95F}, "",
-                    "Share of the sky that flocks of small flat clouds cover (altocumulus). 0 draws none.")
+                    "Share of the sky that groups of small flat clouds (altocumulus) cover: more is "
+                    "cloudier. 0 draws none of these clouds.")
             .number("flocks_base_m", &CloudStyle::flocks_base_m, {50.0F, 20000.0F}, "m",
-                    "Height of the flocks of small flat clouds")
+                    "Height in the scene (above y = 0) of the groups of small flat clouds (altocumulus)")
             .number("flocks_size_m", &CloudStyle::flocks_size_m, {50.0F, 20000.0F}, "m",
-                    "Width of one flock of small flat clouds")
+                    "Width of one group of small flat clouds (altocumulus)")
             .number("streaks", &CloudStyle::streaks, {0.0F, 0.95F}, "",
-                    "Share of the sky that white streaks along the wind cover (cirrus). 0 draws none.")
+                    "Share of the sky that white streaks along the wind (cirrus) cover: more is cloudier. 0 "
+                    "draws no streaks.")
             .number("streaks_base_m", &CloudStyle::streaks_base_m, {50.0F, 20000.0F}, "m",
-                    "Height of the white streaks in the sky (cirrus)")
+                    "Height in the scene (above y = 0) of the white streaks in the sky (cirrus)")
             .number("streaks_size_m", &CloudStyle::streaks_size_m, {50.0F, 50000.0F}, "m",
                     "Width of a bundle of white streaks in the sky (cirrus)")
             .number("streaks_mm", &CloudStyle::streaks_mm, {0.05F, 10.0F}, "mm",
@@ -41,31 +45,36 @@ const style::Table<CloudStyle>& cloud_table()
             .number("wind_m_per_s", &CloudStyle::wind_m_per_s, {0.0F, 1000.0F}, "m/s",
                     "Speed at which all clouds drift")
             .number("wind_deg", &CloudStyle::wind_deg, {-360.0F, 360.0F}, "deg",
-                    "Bearing towards which clouds drift: 0 is +z, 90 is +x")
-            .number("change_s", &CloudStyle::change_s, {1.0F, 1000000.0F}, "s",
-                    "Time in which clouds change into others and back again: less changes faster")
+                    "Direction towards which clouds drift: 0 is +z, 90 is +x")
+            .number(
+                "change_s", &CloudStyle::change_s, {1.0F, 1000000.0F}, "s",
+                "Time in which clouds change their shape into another and back again: less changes faster")
             .color("color", &CloudStyle::color, "Colour of clouds on the side of the sun")
             .color("shade_color", &CloudStyle::shade_color, "Colour of clouds on the side away from the sun")
             .integer("tones", &CloudStyle::tones, {1, 3}, "",
-                     "Number of flat tones in clouds: 1 is the light colour alone, 2 adds shade, 3 adds a "
-                     "tone between")
+                     "Number of flat tones in clouds: 1 is the light colour alone, 2 adds a shade colour, 3 "
+                     "adds a tone between light and shade")
             .number("shade", &CloudStyle::shade, {0.0F, 1.0F}, "",
-                    "How far shade reaches up in clouds: 0 is least, 1 shades all but the parts that face "
-                    "the sun")
+                    "How far shade reaches up in clouds: 0 gives the least shade, 1 shades all parts except "
+                    "those that face the sun")
             .number("outline_mm", &CloudStyle::outline_mm, {0.0F, 10.0F}, "mm",
-                    "Width of the outlines of clouds on the page, at their thickest. 0 draws none.")
+                    "Width on the page of the outlines of clouds where they are thickest: more is bolder. 0 "
+                    "draws no outlines.")
             .number("broken", &CloudStyle::broken, {0.0F, 1.0F}, "",
-                    "How far outlines of clouds thin and break on the side of the sun: 0 keeps them whole")
+                    "How much outlines of clouds thin and break on the side of the sun: 0 keeps outlines "
+                    "unbroken, 1 breaks them most")
             .number("hatch", &CloudStyle::hatch, {0.0F, 1.0F}, "",
-                    "Darkness of the strokes in the shade of clouds. 0 draws no strokes and leaves shade to "
-                    "the wash.")
+                    "Darkness of the hatching strokes in the shade of clouds. 0 draws no strokes, so that "
+                    "only colour shows the shade.")
             .number("hatch_mm", &CloudStyle::hatch_mm, {0.02F, 10.0F}, "mm",
-                    "Width of the strokes in the shade of clouds. Only used when clouds.hatch is above 0.")
+                    "Width of the hatching strokes in the shade of clouds. Only used when clouds.hatch is "
+                    "above 0.")
             .number("shadow", &CloudStyle::shadow, {0.0F, 1.0F}, "",
-                    "Darkness of the shadows that clouds throw on the ground: 0 throws none, 1 takes all of "
-                    "the sun")
+                    "Darkness of the shadows that clouds throw on the ground: 0 throws none, 1 blocks all "
+                    "sunlight")
             .number("reach_m", &CloudStyle::reach_m, {1000.0F, 200000.0F}, "m",
-                    "Distance at which clouds have dissolved into the sky");
+                    "Distance from the eye at which clouds have faded into the sky: less gives fewer clouds "
+                    "near the horizon");
     return table;
 }
 
@@ -75,15 +84,15 @@ constexpr uint32_t tile_cells = 64;
 constexpr uint32_t streak_cells = 32;
 constexpr uint32_t streak_mass_cells = 4;
 
-/// One kind of clouds made of puffs.
+/// One kind of cloud made of puffs.
 struct Kind {
     float coverage;
     float base_m;
-    glm::vec3 cell_m; ///< along the wind, up, across
+    glm::vec3 cell_m; ///< size of a cell along the wind, up, and across
     uint32_t mass_cells;
     PuffShape shape;
-    float pen;   ///< share of the outlines' width
-    float under; ///< how much less light their base has
+    float pen;   ///< factor on the outlines' width
+    float under; ///< how much less light the base receives
     uint32_t seed;
 };
 
@@ -120,7 +129,7 @@ struct Wind {
     glm::dvec2 along{0.0, 1.0};
     double drifted_m = 0.0;
 
-    /// A place in the world as the clouds see it that drift, along the wind and across.
+    /// Converts a world position to the drifting clouds' frame: along the wind, and across it.
     [[nodiscard]] glm::dvec2 from_world(const glm::dvec3& place) const
     {
         return {place.x * along.x + place.z * along.y - drifted_m, place.z * along.x - place.x * along.y};
@@ -134,7 +143,7 @@ Wind wind_of(const CloudStyle& style, double time_s)
             .drifted_m = static_cast<double>(style.wind_m_per_s) * time_s};
 }
 
-/// Where their cells begin.
+/// Appends lists of puffs; returns the index of their first cell.
 uint32_t add_lists(CloudShapes& shapes, const PuffLists& lists)
 {
     const auto first_cell = static_cast<uint32_t>(shapes.starts.size());
@@ -146,13 +155,13 @@ uint32_t add_lists(CloudShapes& shapes, const PuffLists& lists)
     return first_cell;
 }
 
-/// Within the tile.
+/// Wraps a place into the repeating tile.
 glm::vec2 on_tile(const glm::dvec2& place, double tile)
 {
     return glm::vec2(place - tile * glm::floor(place / tile));
 }
 
-/// In steps so small that nobody sees them, and so large that most pictures of a film share one.
+/// Rounds to steps too small to be visible, yet so large that many frames of a film share one.
 float turn_of(const CloudStyle& style, double time_s)
 {
     constexpr double steps = 32768.0;
@@ -223,8 +232,8 @@ void add_streaks(CloudPlan& plan, const CloudStyle& style, const CloudView& view
         .width_px = style.streaks_mm * view.pixels_per_mm};
 }
 
-/// The style's colours by the light of the hour: a low sun's horizon colours what it reaches, and night takes
-/// both into the sky's.
+/// Adjusts the style's colours to the time of day: a low sun tints the lit side with the horizon's colour,
+/// and night blends both colours into the sky's.
 void set_colors(shared::CloudGlobals& globals, const CloudStyle& style, const CloudView& view)
 {
     glm::vec3 lit = style.color;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Clouds: heaps of round puffs on a flat base, flocks of small flat ones above them, and streaks above all,
-// in layers that stand in the world and drift with the wind; and what a style says of them.
+// Clouds and their style section: cumulus made of round puffs on a flat base, flocks of small flat clouds
+// (altocumulus) above, and streaks (cirrus) above all. The layers are fixed in the world and drift with the
+// wind.
 
 #include <array>
 #include <memory>
@@ -49,40 +50,41 @@ struct CloudStyle {
 
 [[nodiscard]] const style::Table<CloudStyle>& cloud_table();
 
-/// From where clouds are seen, and under which light.
+/// The camera and the light for clouds.
 struct CloudView {
-    glm::dvec3 eye_m{0.0}; ///< in the world
+    glm::dvec3 eye_m{0.0}; ///< in world space
     double time_s = 0.0;
     glm::vec3 towards_sun{0.0F, 1.0F, 0.0F};
-    std::optional<double> follows_elevation_rad; ///< height of the sun that colours go by, if they do
-    SkyLook look;                                ///< of the sky behind
+    /// Elevation of the sun that colours follow; none: fixed colours.
+    std::optional<double> follows_elevation_rad;
+    SkyLook look; ///< colours of the sky behind the clouds
     float pixels_per_mm = 1.0F;
 };
 
-/// What clouds there are, whoever looks.
+/// The shapes of all clouds, independent of the camera.
 struct CloudShapes {
-    /// Of one kind that is made of puffs.
+    /// One layer of puffs.
     struct Layer {
         uint32_t first_cell = 0;
-        uint32_t first_home = 0; ///< of the lists in which each puff stands once
-        float top = 0.0F;        ///< in its own cells; 0 where there is none
-        float reach = 0.0F;      ///< of its largest puff
+        uint32_t first_home = 0; ///< first cell of the lists that hold each puff once
+        float top = 0.0F;        ///< height in cells; 0 without puffs
+        float reach = 0.0F;      ///< largest radius of a puff, with its outline
     };
 
-    /// A layer of puffs whose middles are on a tile of so many cells a side.
+    /// Adds a layer of puffs whose centres lie on a tile of `cells` cells per side.
     Layer add(std::span<const shared::CloudPuff> layer_puffs, uint32_t cells);
 
-    std::array<Layer, 2> layers;  ///< heaps, flocks
-    std::vector<uint32_t> starts; ///< of each cell of each list, where its puffs begin; and the end
+    std::array<Layer, 2> layers;  ///< cumulus, flocks
+    std::vector<uint32_t> starts; ///< first puff of each cell of each list, and the end
     std::vector<shared::CloudPuff> puffs;
-    std::vector<float> streaks; ///< how dense they are at each corner, row by row
+    std::vector<float> streaks; ///< density of streaks at each corner, row by row
 };
 
-/// Shapes kept from picture to picture, as clouds change slowly.
+/// Cloud shapes, cached between pictures because clouds change slowly.
 class CloudMemory {
 public:
-    /// The shapes of that style when they are `turn` (0 to 1) through their changes. Cost: nothing where both
-    /// are as they were; else some milliseconds a layer.
+    /// The shapes of `style` at phase `turn` (0 to 1) of their change. Cost: nothing if both are unchanged;
+    /// else some milliseconds per layer.
     [[nodiscard]] std::shared_ptr<const CloudShapes> shapes(const CloudStyle& style, float turn);
 
 private:
@@ -98,13 +100,13 @@ struct CloudPlan {
     std::shared_ptr<const CloudShapes> shapes;
 };
 
-/// Nothing where the style has no clouds, or the eye is above all of them. Clouds change in small steps,
-/// 32,768 in `clouds.change_s`. The same for the same arguments, whatever `memory` holds. Cost: that of
-/// memory.shapes().
+/// Plans the clouds of a picture; none if the style has no clouds, or if the eye is above all of them. Clouds
+/// change in small steps, 32,768 in `clouds.change_s`. The result does not depend on the content of `memory`.
+/// Cost: that of memory.shapes().
 [[nodiscard]] std::optional<CloudPlan> plan_clouds(const CloudStyle& style, const CloudView& view,
                                                    CloudMemory& memory);
 
-/// The clouds of a plan on the device.
+/// A plan's clouds on the device.
 struct CloudHandles {
     gpu::BufferId globals; ///< CloudGlobals
     gpu::BufferId starts;
@@ -115,30 +117,30 @@ struct CloudHandles {
 struct CloudInputs {
     gpu::BufferId frame; ///< FrameGlobals
     CloudHandles clouds;
-    gpu::ImageId depth; ///< r32f: reversed, 0 where nothing is
+    gpu::ImageId depth; ///< r32f: reversed depth, 0 for the background
     uint32_t variant = 0;
-    bool keeps_cover = false; ///< for a mask of them
+    bool keeps_cover = false; ///< also outputs the clouds' coverage
     glm::uvec2 size_px{0};
-    /// Then these alone are painted, as of surface::add_far_tiles(), without a mask.
+    /// Paints only these tiles, from surface::add_far_tiles(); requires keeps_cover = false.
     std::optional<gpu::BufferId> tiles;
-    /// Then pixels that see something nearer to the eye are left alone.
+    /// Skips pixels whose visible surface is nearer than this distance.
     std::optional<float> far_m;
-    /// The pixels of 8 x 8 find their puffs together, as suits a GPU: where a tile of the page is drawn, it
-    /// has to begin at a multiple of 8, or its outlines may cross otherwise than those of the page.
+    /// The 8 x 8 pixels of a workgroup find their puffs together, which is faster on GPUs. A tile of the page
+    /// must then begin at a multiple of 8, or crossing outlines may differ from the whole page's.
     bool by_groups = false;
 };
 
-/// A sky, and what of it clouds cover: r16f, one texel where that is not kept.
+/// A sky with clouds, and their coverage: r16f; one texel without `keeps_cover`.
 struct CloudedSky {
     Sky sky;
     gpu::ImageId cover;
 };
 
-/// Paints clouds into a sky: its wash is theirs where they are, its strokes end at them. Not in parallel
-/// projection, which sees one direction alone.
+/// Paints clouds over a sky: they replace its wash and hide its strokes. Does nothing in parallel projection,
+/// where all pixels look in one direction.
 ///
-/// Cost    one dispatch, over the page or a list of tiles; walks where sky may show, or looks through the
-///         puffs that the pixels of a group come near
+/// Cost    one dispatch over the page or a list of tiles; where sky may be visible, a walk through cells, or
+///         a loop over the puffs near a workgroup's pixels
 /// Source  the walk through cells: Amanatides and Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing",
 ///         Eurographics 1987
 [[nodiscard]] CloudedSky add_clouds(gpu::Graph& graph, const CloudInputs& in, const Sky& sky);
@@ -146,13 +148,13 @@ struct CloudedSky {
 struct CloudShadowInputs {
     gpu::BufferId frame; ///< FrameGlobals
     CloudHandles clouds;
-    gpu::ImageId depth;                ///< r32f: reversed, 0 where nothing is
-    std::optional<gpu::ImageId> share; ///< of the sun, as large as the page, that something else leaves
+    gpu::ImageId depth;                ///< r32f: reversed depth, 0 for the background
+    std::optional<gpu::ImageId> share; ///< share of sunlight that other occluders let through, page-sized
     glm::uvec2 size_px{0};
 };
 
-/// How much of the sun is left where something is seen, r16f; heaps and flocks throw shadows, `strength`
-/// dark. Cost: a full-screen dispatch, a walk through each layer's slab for every pixel that sees something.
+/// Share of sunlight at visible surfaces, r16f. Cumulus and flocks cast shadows of darkness `strength`. Cost:
+/// a full-screen dispatch, with a walk through each layer for every pixel that shows a surface.
 [[nodiscard]] gpu::ImageId add_cloud_shadow(gpu::Graph& graph, const CloudShadowInputs& in, float strength);
 
 } // namespace estampe::sky

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Clouds whose puffs the pixels of a group find together, as GPUs do, against those that each finds alone.
+// Clouds whose puffs a workgroup finds together, as on GPUs, against clouds whose puffs each pixel finds
+// alone.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -12,7 +13,7 @@
 namespace estampe::sky {
 namespace {
 
-/// Share of pixels that differ by more than an eye can see.
+/// Share of pixels with a visible difference.
 double apart(const std::vector<float>& a, const std::vector<float>& b)
 {
     size_t count = 0;
@@ -36,7 +37,8 @@ void expect_alike(const View& view, const CloudStyle& style, const std::string& 
     SCOPED_TRACE(name);
     const Painted by_pixels = paint(view, style, 30.0, {.keeps_cover = true});
     const Painted by_groups = paint(view, style, 30.0, {.by_groups = true, .keeps_cover = true});
-    // Where outlines cross, or bulges, that which was seen first may stay, and the two go by other orders.
+    // Where outlines or bulges cross, the first one found stays, and the two methods find them in different
+    // orders.
     EXPECT_LT(apart(by_pixels.white, by_groups.white), 5e-4);
     EXPECT_LT(apart(by_pixels.cover, by_groups.cover), 5e-4);
     EXPECT_LT(most_apart(by_pixels.cover, by_groups.cover), 0.03) << "a puff is missed";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clouds as they are seen: that they stand in the world, drift, and cover what they should.
+// Rendered clouds: fixed in the world, drifting with the wind, and covering the right share.
 #include "techniques/sky/clouds/clouds.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ const CloudStyle all_kinds{.coverage = 0.25F, .flocks = 0.25F, .streaks = 0.2F, 
 
 TEST(Clouds, CoverTheShareOfTheSkyThatIsAskedFor)
 {
-    // The page sees one tile, and puffs that hardly rise show no sides.
+    // The page shows one tile, and flat puffs show no sides.
     constexpr float up_m = 1000.0F;
     const View up{.camera = looking(89.9, 0.0, 1.9), .size_px = {240, 240}};
     const float eye_m = static_cast<float>(up.camera.eye.y);
@@ -80,7 +80,7 @@ TEST(Clouds, StandStillInTheWorldAsTheCameraTurns)
         if (clip.w <= 0.0 || at.x < 1 || at.y < 1 || at.x > 158 || at.y > 98) {
             continue;
         }
-        // Nothing like it within a pixel: an edge alone may fall on either side.
+        // Differs only if no pixel around it is similar: an edge may fall one pixel off.
         float least = 1.0F;
         for (int dy = -1; dy <= 1; ++dy) {
             for (int dx = -1; dx <= 1; ++dx) {
@@ -125,7 +125,7 @@ TEST(Clouds, LookTheSameInEveryBearing)
         camera.target -= camera.eye;
         camera.eye = glm::dvec3(0.0, 2.0, 0.0);
         camera.target += camera.eye;
-        // Bearings of cameras are counted from -z.
+        // Cameras count their bearings from -z.
         style.wind_deg = static_cast<float>(180.0 - bearing_deg + 30.0);
         return paint({.camera = camera, .size_px = {120, 80}}, style);
     };
@@ -138,8 +138,8 @@ TEST(Clouds, LookTheSameInEveryBearing)
     }
 }
 
-/// Whether a pixel's ray meets any of a layer's puffs, wherever the tile repeats: surely, well within an
-/// outline, or perhaps, near one, which wavers by 8.5 %.
+/// Whether a pixel's ray meets any of a layer's puffs in the repeating tile: certainly, well inside an
+/// outline, or possibly, near an outline, which wavers by 8.5 %.
 struct Met {
     bool surely = false;
     bool perhaps = false;
@@ -163,7 +163,7 @@ Met meet_any(const CloudPlan& plan, std::span<const shared::CloudPuff> puffs, co
         const double further_m = std::max(-glm::dot(from_centre, step) / glm::dot(step, step), 0.0);
         const double away = glm::length(from_centre + step * further_m);
         const auto radius = static_cast<double>(puff.radius);
-        // More than half of what a pixel spans, on the base even, where that is most.
+        // More than half of a pixel's span, even on the base, where it is largest.
         const double margin = 0.6 * (enter_m + further_m) * pixel_rad * glm::length(step) / d.y;
         met.surely |= away < 0.9 * radius - margin;
         met.perhaps |= away < 1.1 * radius + margin;
@@ -171,7 +171,7 @@ Met meet_any(const CloudPlan& plan, std::span<const shared::CloudPuff> puffs, co
     return met;
 }
 
-/// That a pixel is cloud where its ray meets any of the puffs.
+/// Expects a cloud at a pixel exactly if its ray meets a puff.
 void expect_met_puffs_alone(const View& view, const CloudPlan& plan, std::span<const shared::CloudPuff> puffs,
                             const Painted& painted)
 {
@@ -196,7 +196,7 @@ void expect_met_puffs_alone(const View& view, const CloudPlan& plan, std::span<c
 
 TEST(Clouds, CoverWhereARayMeetsAnyPuffOfAll)
 {
-    // Apart from each other, so that none hides what another lacks; many are cut by the tile's edges.
+    // The puffs are apart, so that none hides a missing one; the tile's edges cut many of them.
     constexpr uint32_t cells = 64;
     constexpr float cell_m = 150.0F;
     std::vector<shared::CloudPuff> puffs;
@@ -216,7 +216,7 @@ TEST(Clouds, CoverWhereARayMeetsAnyPuffOfAll)
     style.tones = 1;
     style.outline_mm = 0.0F;
     style.reach_m = 2e5F;
-    // About the tile's corner, along both of its edges and askew.
+    // Views across the tile's corner, along both of its edges and diagonally.
     for (const double bearing_deg : {0.0, 90.0, 180.0, 270.0, 32.0}) {
         SCOPED_TRACE(bearing_deg);
         View view{.camera = looking(40.0, bearing_deg, 0.7), .size_px = {96, 60}};
@@ -297,7 +297,7 @@ TEST(Clouds, AreHatchedInTheirShadeAlone)
     EXPECT_NEAR(ink / shaded, 0.5, 0.06);
 }
 
-/// What is left of the sun on a level plain below the eye, and where on it each pixel lies, in metres.
+/// Share of sunlight on a level plain below the eye, and the position of each pixel on it, in metres.
 struct Plain {
     std::vector<float> share;
     std::vector<glm::dvec2> places;
@@ -342,7 +342,7 @@ Plain shadow_on_plain(const View& view, const CloudStyle& style, float strength,
     return plain;
 }
 
-/// Shapes are kept while nothing changes them, and what is kept is what would be made.
+/// Cached shapes are reused while nothing changes, and equal newly computed ones.
 TEST(CloudMemories, HoldWhatWouldBeMade)
 {
     CloudMemory memory;
@@ -366,7 +366,7 @@ TEST(CloudMemories, HoldWhatWouldBeMade)
 
 TEST(CloudShadows, CoverAsMuchGroundAsCloudsCoverSky)
 {
-    // From above, of a plain as wide as a tile and more, under a sun overhead.
+    // A view from above of a plain a little wider than a tile, under a sun overhead.
     View down{.camera = looking(-89.9, 0.0, 1.9), .size_px = {160, 160}};
     down.towards_sun = glm::vec3(0.0F, 1.0F, 0.0F);
     const float eye_m = static_cast<float>(down.camera.eye.y);
@@ -385,7 +385,7 @@ TEST(CloudShadows, CoverAsMuchGroundAsCloudsCoverSky)
 
 TEST(CloudShadows, LieWhereTheSunMeetsAClouds)
 {
-    // A second view looks from the plain's places to the sun: it sees clouds where there is shadow.
+    // A second view looks from places on the plain to the sun: it sees clouds where the plain is in shadow.
     View down{.camera = looking(-60.0, 30.0, 1.2), .size_px = {48, 36}};
     down.towards_sun = glm::normalize(glm::vec3(0.5F, 0.7F, -0.2F));
     const CloudStyle style{.coverage = 0.7F, .base_m = 900.0F, .size_m = 400.0F, .tones = 1, .reach_m = 2e5F};

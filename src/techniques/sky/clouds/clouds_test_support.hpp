@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Clouds as tests paint them.
+// Clouds painted for tests.
 
 #include <cmath>
 #include <memory>
@@ -18,9 +18,9 @@
 namespace estampe::sky {
 
 struct Painted {
-    std::vector<float> white; ///< share of a pixel that is cloud, where clouds are of one tone
+    std::vector<float> white; ///< share of a pixel that is cloud, if clouds have one tone
     std::vector<float> ink;
-    std::vector<float> cover; ///< where that is kept
+    std::vector<float> cover; ///< if it was requested
 };
 
 struct Painting {
@@ -28,7 +28,7 @@ struct Painting {
     bool keeps_cover = false;
 };
 
-/// What is planned over a black sky.
+/// Paints a plan over a black sky.
 inline Painted paint(const View& view, const std::optional<CloudPlan>& plan, Painting how = {})
 {
     const SkyStyle sky{.horizon = glm::vec3(0.0F), .zenith = glm::vec3(0.0F), .darkness = 0.0F};

@@ -12,7 +12,7 @@
 namespace estampe::sky {
 namespace {
 
-/// Value noise with `period` features a side of the tile.
+/// Value noise with `period` features per side of the tile.
 float periodic_noise(glm::vec2 place, uint32_t period, uint32_t seed)
 {
     const glm::vec2 cell = glm::floor(place);
@@ -28,13 +28,13 @@ float periodic_noise(glm::vec2 place, uint32_t period, uint32_t seed)
                     glm::mix(value(0.0F, 1.0F), value(1.0F, 1.0F), f.x), f.y);
 }
 
-/// Where a smoothstep from 0 to 1 has this value.
+/// The position at which a smoothstep from 0 to 1 has the value `y`.
 float inverse_smoothstep(float y)
 {
     return 0.5F - std::sin(std::asin(std::clamp(1.0F - 2.0F * y, -1.0F, 1.0F)) / 3.0F);
 }
 
-/// Of the puff of a cell at a level: its place from the corner of the cell, and its radius where it is grown.
+/// Random position of a puff, from the corner of its cell, and its full-grown radius.
 struct PuffSeed {
     glm::vec2 place{0.0F};
     float radius = 0.0F;
@@ -53,14 +53,14 @@ PuffSeed seed_of(const CoverField& field, const PuffShape& shape, int x, int y, 
             .trait = hashed(cell, number, 14U)};
 }
 
-/// Where the mass about a cell faces.
+/// Direction that the cloud mass around a cell faces.
 glm::vec3 lean_of(const CoverField& field, int x, int y)
 {
     const glm::vec2 slope(field.at(x + 1, y) - field.at(x - 1, y), field.at(x, y + 1) - field.at(x, y - 1));
     return glm::normalize(glm::vec3(-6.0F * slope.x, 0.6F, -6.0F * slope.y));
 }
 
-/// `for_cells` visits the cells of a puff, with how far it has to be moved there.
+/// Lists puffs by cell. `for_cells` visits the cells of a puff, with the puff's offset for each.
 template <typename ForCells>
 PuffLists list_by_cell(std::span<const shared::CloudPuff> puffs, uint32_t cells, const ForCells& for_cells)
 {
@@ -125,7 +125,7 @@ CoverField cover_field(const CoverNoise& noise)
 float limit_for(const CoverField& field, const PuffShape& shape, float share, uint32_t seed)
 {
     constexpr uint32_t points_a_cell = 2;
-    constexpr int reach = 2; // of a puff, in cells
+    constexpr int reach = 2; // reach of a puff, in cells
     const auto cells = static_cast<int>(field.cells);
     std::vector<PuffSeed> seeds;
     seeds.reserve(field.values.size());
@@ -134,7 +134,7 @@ float limit_for(const CoverField& field, const PuffShape& shape, float share, ui
             seeds.push_back(seed_of(field, shape, x, y, 0, seed));
         }
     }
-    std::vector<float> limits; // below which each point is covered
+    std::vector<float> limits; // per point: the point is covered if the limit is lower
     limits.reserve(size_t{points_a_cell} * field.values.size());
     for (int y = 0; y < cells; ++y) {
         for (int x = 0; x < cells; ++x) {
@@ -164,7 +164,7 @@ float limit_for(const CoverField& field, const PuffShape& shape, float share, ui
 std::vector<shared::CloudPuff> puffs_of(const CoverField& field, const PuffShape& shape, float limit,
                                         uint32_t seed)
 {
-    constexpr float least_radius = 0.06F; // in cells: smaller is crumbs
+    constexpr float least_radius = 0.06F; // in cells; smaller puffs look like crumbs
     const auto cells = static_cast<int>(field.cells);
     std::vector<shared::CloudPuff> puffs;
     for (int y = 0; y < cells; ++y) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Where clouds are: a field of noise on a tile that repeats, and the limit above which there is cloud.
+// Distribution of clouds: a noise field on a repeating tile, and the limit above which a cloud forms.
 
 #include <cstdint>
 #include <span>
@@ -13,12 +13,12 @@
 
 namespace estampe::sky {
 
-/// Uniform in [0, 1), the same on every machine.
+/// A random number in [0, 1), the same on every machine.
 [[nodiscard]] float hashed(uint32_t a, uint32_t b, uint32_t c);
 
-/// A field over a tile, in cells, known at the middles of cells.
+/// A field over a tile, sampled at the middles of cells.
 struct CoverField {
-    uint32_t cells = 0; ///< a side, a power of two
+    uint32_t cells = 0; ///< cells per side, a power of two
     std::vector<float> values;
 
     [[nodiscard]] uint32_t index(int x, int y) const
@@ -31,46 +31,46 @@ struct CoverField {
 };
 
 struct CoverNoise {
-    uint32_t cells = 64;     ///< a side of the tile
-    uint32_t mass_cells = 5; ///< across a usual mass
-    float turn = 0.0F;       ///< 0 to 1: how far through its changes the field is
+    uint32_t cells = 64;     ///< per side of the tile
+    uint32_t mass_cells = 5; ///< width of an average cloud mass
+    float turn = 0.0F;       ///< phase of the field's change, 0 to 1
     uint32_t seed = 1;
 };
 
-/// Three octaves of value noise; each is the sum of two, turned into each other by sine and cosine, so that
-/// the field changes smoothly, keeps its spread, and comes back.
+/// Noise of three octaves. Each octave blends two value noises by sine and cosine of the phase, so that the
+/// field changes smoothly, keeps its variance, and repeats.
 [[nodiscard]] CoverField cover_field(const CoverNoise& noise);
 
-/// How large puffs are, in cells, and how they are piled.
+/// Size of puffs, in cells, and how they are stacked.
 struct PuffShape {
-    float radius = 0.85F;      ///< where cloud is thick
-    float growth = 0.10F;      ///< of the field, above the limit, over which a puff grows to that
-    uint32_t levels = 1;       ///< puffs over each other
-    float level_rise = 0.62F;  ///< from one to the next, in radii
-    float level_limit = 0.06F; ///< each is there where the field is by so much higher
+    float radius = 0.85F;      ///< radius where the cloud is dense
+    float growth = 0.10F;      ///< rise of the field above the limit over which a puff grows to full size
+    uint32_t levels = 1;       ///< puffs on top of each other
+    float level_rise = 0.62F;  ///< height from one level to the next, in radii
+    float level_limit = 0.06F; ///< how much higher the limit is for each level
 };
 
-/// The limit for which puffs cover `share` of the base. Cost: linear in cells.
+/// The limit for which puffs cover the share `share` of the base. Cost: linear in cells.
 [[nodiscard]] float limit_for(const CoverField& field, const PuffShape& shape, float share, uint32_t seed);
 
-/// The puffs where the field is above the limit, in cells.
+/// The puffs where the field exceeds the limit, in cells.
 [[nodiscard]] std::vector<shared::CloudPuff> puffs_of(const CoverField& field, const PuffShape& shape,
                                                       float limit, uint32_t seed);
 
-/// Puffs by the cell of a tile, as the walk along a ray finds them: each stands in the list of every cell
-/// that its outline may touch. Where it reaches over the tile's edge, its centre there is off the tile,
-/// beside the cell.
+/// Puffs by cell of the tile, for the walk along a ray: each puff is in the list of every cell that its
+/// outline may touch. For cells across the tile's edge, the puff's centre is moved next to the cell, off the
+/// tile.
 struct PuffLists {
-    std::vector<uint32_t> starts; ///< one a cell, row by row, and the end
+    std::vector<uint32_t> starts; ///< first puff of each cell, row by row, and the end
     std::vector<shared::CloudPuff> puffs;
 };
 
 [[nodiscard]] PuffLists list_puffs(std::span<const shared::CloudPuff> puffs, uint32_t cells);
 
-/// Each once, by the cell of the tile that has its middle.
+/// Lists each puff once, in the cell that holds its centre.
 [[nodiscard]] PuffLists list_homes(std::span<const shared::CloudPuff> puffs, uint32_t cells);
 
-/// How dense streaks are at each cell, so that they cover `share` on average.
+/// Density of streaks per cell, scaled so that they cover the share `share` on average.
 [[nodiscard]] std::vector<float> streak_density(const CoverField& field, float share);
 
 } // namespace estampe::sky

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much of the sky puffs cover, counted point by point, and where lists have them.
+// Coverage of the sky by puffs, counted point by point, and the lists of puffs.
 #include "techniques/sky/clouds/cover.hpp"
 
 #include <algorithm>
@@ -17,14 +17,14 @@ CoverField field_of(uint32_t seed, float turn = 0.0F)
     return cover_field({.cells = cells, .mass_cells = 6, .turn = turn, .seed = seed});
 }
 
-/// From one place of the tile to another, the shorter way around.
+/// Vector from one place of the repeating tile to another, the shortest way.
 float away(glm::vec2 a, glm::vec2 b)
 {
     const glm::vec2 d = a - b;
     return glm::length(d - static_cast<float>(cells) * glm::round(d / static_cast<float>(cells)));
 }
 
-/// Counted on a grid of points that has nothing to do with those that the limit is found by.
+/// Share covered by puffs, counted on a grid of points independent of those that limit_for() uses.
 double covered_share(std::span<const shared::CloudPuff> puffs)
 {
     constexpr uint32_t side = 160;
@@ -111,7 +111,7 @@ TEST(CloudCover, ListsHaveEveryPuffThatAPlaceIsUnder)
     const PuffLists lists = list_puffs(puffs, cells);
     ASSERT_EQ(lists.starts.size(), size_t{cells} * cells + 1);
     for (uint32_t i = 0; i < 600; ++i) {
-        // Many of them at the edge of the tile.
+        // Many puffs lie at the edge of the tile.
         const float x = i % 3 == 0 ? 0.02F : static_cast<float>(cells) * hashed(i, 1, 1);
         const glm::vec2 place(x, static_cast<float>(cells) * hashed(i, 2, 1));
         const size_t cell = static_cast<size_t>(place.y) * cells + static_cast<size_t>(place.x);

@@ -2,32 +2,32 @@
 #ifndef ESTAMPE_PUFFS
 #define ESTAMPE_PUFFS
 
-// One ray through one layer of puffs: balls whose outlines waver, cut flat by the base, found cell by cell
-// (Amanatides and Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing", 1987). The includer has `clouds`,
-// `start_texels` and `puff_texels`.
+// A ray through a layer of puffs: balls with wavering outlines, cut flat by the base, found cell by cell
+// (Amanatides and Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing", 1987). Define before: `clouds`,
+// `start_texels`, `puff_texels`.
 
 #include "shaders/lines.glsl"
 
 const float no_hit_m = 1e9;
 
-// What is seen of a layer along a ray.
+// What a ray sees of a layer.
 struct SeenPuffs {
-    float cover;    // of the pixel
-    float away_m;   // of the nearest puff; no_hit_m where there is none
-    float shade;    // of that: 0 in light, 1 in shade, half in the band between
-    float line;     // ink of the outline here
-    float line_m;   // how far it lies
-    float line_px;  // how far outside of what it goes around
-    float width_px; // of it
+    float cover;    // coverage of the pixel
+    float away_m;   // distance of the nearest puff; no_hit_m without one
+    float shade;    // of the nearest puff: 0 lit, 1 shaded, 0.5 in the band between
+    float line;     // ink of the outline at this pixel
+    float line_m;   // distance of the outline
+    float line_px;  // distance outside the outlined edge
+    float width_px; // width of the outline
 };
 
-// A ray, as a layer has it.
+// A ray in a layer's space.
 struct PuffRay {
-    vec3 d;     // along the wind, up, across: unit, in metres
-    vec3 step;  // the same in the layer's space: a metre's way
-    vec3 aside; // level, unit, across it
+    vec3 d;     // unit vector in metres: along the wind, up, across
+    vec3 step;  // `d` in the layer's space, per metre
+    vec3 aside; // unit, horizontal, at a right angle to the ray
     float per_step_squared;
-    float enter_m; // into the slab
+    float enter_m; // distance at which the ray enters the layer's slab
     float leave_m;
     float pixel_rad;
 };
@@ -39,7 +39,7 @@ CloudPuff puff_at(int i)
     return CloudPuff(ball.xyz, ball.w, lean.xyz, lean.w);
 }
 
-// How wide the pen is drawn at a place of an outline: heavy away from the light, thin and broken towards it.
+// Pen width at a point of an outline: heavy away from the light, thin and broken towards it.
 float pen_px(float widest_px, float facing, float angle, float trait, float away_m)
 {
     float lit = smoothstep(-0.5, 0.8, facing);
@@ -49,14 +49,15 @@ float pen_px(float widest_px, float facing, float angle, float trait, float away
     return widest_px * thinned * mix(1.0, 0.45, lit) * mix(1.0, 0.7, pressed) * (1.0 - left_out);
 }
 
-// Of the light, -1 to 1, on what faces outward, moved towards where the whole mass does.
+// Light on a surface that faces `outward`, -1 to 1; the normal is bent towards the direction of the whole
+// mass.
 float light_on(vec3 outward, vec3 lean)
 {
     return dot(normalize(mix(outward, lean, 0.45)), clouds.towards_sun);
 }
 
-// 0 in light, 1 in shade; between them a band where there are three tones. `soft` is the change of light over
-// a pixel.
+// Shade from light: 0 lit, 1 shaded, 0.5 in the band between if there are three tones. `soft` is the change
+// of light over a pixel.
 float shade_of(float light, float soft)
 {
     float low = smoothstep(-soft, soft, clouds.shade_below - light);
@@ -64,13 +65,13 @@ float shade_of(float light, float soft)
     return 0.5 * (low + lower);
 }
 
-// Of a pixel so far outside of what a line goes around, the share that is ink.
+// Ink share of a pixel at a distance outside the outlined edge.
 float line_ink_at(float beyond_px, float width_px)
 {
     return clamp(beyond_px + 0.5, 0.0, min(width_px, 1.0)) * clamp(width_px - beyond_px + 0.5, 0.0, 1.0);
 }
 
-// Adds a puff to what is seen; `from_centre` of it to the eye.
+// Adds a puff to `seen`; `from_centre` is the vector from the puff's centre to the eye.
 void see_puff(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, CloudPuff puff, vec3 from_centre)
 {
     float nearest_m = -dot(from_centre, ray.step) * ray.per_step_squared;
@@ -81,7 +82,8 @@ void see_puff(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, CloudPuff puff
     float angle = atan(dot(offset, ray.aside), offset.y) * 0.15915494;
     float radius = puff.radius * (1.0 + 0.05 * wave(3.0 * angle + puff.trait) +
                                   0.035 * wave(7.0 * angle + 5.0 * puff.trait));
-    // What a pixel spans across the outline: on the base, where that cuts the ball, else across the ray.
+    // A pixel's span across the outline: in the plane of the base where the base cuts the ball, else across
+    // the ray.
     vec3 slope = normal * layer.per_m;
     slope.y -= at_m > nearest_m ? dot(slope, ray.d) / ray.d.y : 0.0;
     float span = max(at_m * ray.pixel_rad * length(slope), 1e-9);
@@ -104,29 +106,29 @@ void see_puff(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, CloudPuff puff
         float into_m = nearest_m - half_chord_m;
         float hit_m = max(into_m, ray.enter_m);
         if (hit_m <= seen.away_m) {
-            // Where the base's rim crosses the pixel, some of both.
+            // Where the base's rim crosses the pixel, blends the shades of side and base.
             float under =
                 clamp((ray.enter_m - into_m) * ray.d.y / (ray.enter_m * ray.pixel_rad) + 0.5, 0.0, 1.0);
             vec3 side = normalize((from_centre + ray.step * hit_m) * layer.per_m);
             float soft = hit_m * ray.pixel_rad * length(layer.per_m) / radius;
             float shade = mix(shade_of(light_on(side, puff.lean), soft),
                               shade_of(light_on(vec3(0.0, -1.0, 0.0), puff.lean) - layer.under, 1e-3), under);
-            // All bases are in one plane: no rim is seen within another's.
+            // All bases lie in one plane, so no rim is visible within another puff's base.
             seen.shade = hit_m == seen.away_m ? max(shade, seen.shade) : shade;
             seen.away_m = hit_m;
         }
     }
 }
 
-// The walk of a ray from cell to cell of a layer, and through the list of each.
+// The walk of a ray through the cells of a layer, and through each cell's list.
 struct PuffWalk {
     ivec2 cell;
     ivec2 forth;
-    vec2 border_m; // where the ray leaves the cell, along and across
+    vec2 border_m; // distance at which the ray leaves the cell, along and across the wind
     vec2 cell_m;
-    float at_m; // where it came in
-    int next;   // puff to look at
-    int end;    // of the list
+    float at_m; // distance at which the ray entered the cell
+    int next;   // next puff to test
+    int end;    // end of the cell's list
 };
 
 void enter_cell(inout PuffWalk walk, PuffLayer layer)
@@ -157,14 +159,14 @@ PuffWalk start_walk(PuffLayer layer, PuffRay ray)
     return walk;
 }
 
-// From the middle of a puff that the list of a cell has to the eye.
+// Vector from the centre of a puff in a cell's list to the eye.
 vec3 from_centre_of(PuffLayer layer, vec3 centre, ivec2 cell)
 {
     ivec2 in_tile = cell & (int(layer.cells) - 1);
     return layer.eye - centre - vec3(cell.x - in_tile.x, 0.0, cell.y - in_tile.y);
 }
 
-// Whether the ray comes near the puff, and nothing nearer hides that.
+// Whether the ray passes near the puff, and no nearer puff hides it.
 bool is_near(SeenPuffs seen, PuffRay ray, vec3 from_centre, float radius)
 {
     float nearest_m = -dot(from_centre, ray.step) * ray.per_step_squared;
@@ -173,8 +175,8 @@ bool is_near(SeenPuffs seen, PuffRay ray, vec3 from_centre, float radius)
            nearest_m - radius * sqrt(ray.per_step_squared) < seen.away_m;
 }
 
-// To the next puff that the ray comes near; false where there is none. A loop of little, so that processors,
-// which run several rays in step, do all the rest for as few puffs as they can.
+// Advances to the next puff near the ray; false at the end. This small loop lets CPUs, which run several rays
+// in lockstep, process few puffs.
 bool find_puff(inout PuffWalk walk, SeenPuffs seen, PuffLayer layer, PuffRay ray)
 {
     bool is_found = false;
@@ -191,7 +193,7 @@ bool find_puff(inout PuffWalk walk, SeenPuffs seen, PuffLayer layer, PuffRay ray
     return is_found;
 }
 
-// `d` is a unit vector well above the horizon, along the wind, up and across.
+// `d` is a unit vector well above the horizon, in the wind's axes: along, up, across.
 PuffRay puff_ray(PuffLayer layer, vec3 d, float pixel_rad)
 {
     PuffRay ray;
@@ -211,10 +213,10 @@ SeenPuffs no_puffs()
     return SeenPuffs(0.0, no_hit_m, 0.0, 0.0, no_hit_m, 0.0, 0.0);
 }
 
-// When all puffs are seen.
+// Finishes the outline after all puffs.
 void end_line(inout SeenPuffs seen, PuffRay ray)
 {
-    // Of two puffs that touch, the outline of the nearer tapers away where they meet.
+    // Where two puffs touch, the outline of the nearer one tapers off.
     float gap_cells = (seen.away_m - seen.line_m) * length(ray.step);
     float tapered = smoothstep(0.15, 0.9, gap_cells);
     seen.line = min(seen.line, line_ink_at(seen.line_px, tapered * seen.width_px));

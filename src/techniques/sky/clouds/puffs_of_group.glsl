@@ -2,42 +2,43 @@
 #ifndef ESTAMPE_PUFFS_OF_GROUP
 #define ESTAMPE_PUFFS_OF_GROUP
 
-// What the 64 pixels of a group see of a layer of puffs, found together, as suits a GPU: threads look each
-// into another cell that has the middles of puffs near the group's rays, then each at another of these puffs,
-// and pixels see those alone that are left. The includer has what puffs.glsl wants, and `lowest_way`.
+// The puffs of a layer that the 64 pixels of a workgroup see, found together, which is faster on GPUs. Each
+// thread scans one cell with puff centres near the group's rays, then tests one of the puffs found; pixels
+// process only the remaining puffs. Define before: all that puffs.glsl needs, and `lowest_way`.
 
 #include "techniques/sky/clouds/puffs.glsl"
 
 const int group_threads = 64;
 
-shared vec3 corner_ways[4];                   // directions about those of all pixels, as puff_ray() has them
-shared vec3 inward[4];                        // normals of the planes between, in the layer's space
-shared uvec2 subgroup_sums[2][group_threads]; // puffs, and whether any pixel looks for some; in turns
-shared ivec3 found[group_threads];            // a puff, and the cell it is from
-shared vec4 balls[group_threads];             // from its middle to the eye; its radius
-shared vec4 leans[group_threads];             // and the rest of it
-shared uint kept[2][2];                       // a bit for each that some ray comes near; in turns
+shared vec3 corner_ways[4]; // directions that enclose those of all pixels, as for puff_ray()
+shared vec3 inward[4];      // normals of the planes between them, in the layer's space
+// Number of puffs, and whether any pixel still needs some; double-buffered.
+shared uvec2 subgroup_sums[2][group_threads];
+shared ivec3 found[group_threads]; // a puff, and its cell
+shared vec4 balls[group_threads];  // vector from the puff's centre to the eye; radius
+shared vec4 leans[group_threads];  // lean and trait of the puff
+shared uint kept[2][2];            // one bit per puff that is near some ray; double-buffered
 
-// Where the middles of puffs lie that the group's rays may come near: rows of cells, the nearest first.
+// The region that may hold centres of puffs near the group's rays: rows of cells, nearest first.
 struct PuffBand {
-    bool is_turned; // rows lie along the wind
-    bool is_narrow; // all rays go from row to row
-    int forth;      // -1 or 1
+    bool is_turned; // rows run along the wind
+    bool is_narrow; // all rays cross the rows in one direction
+    int forth;      // direction across rows: -1 or 1
     int first_row;
     int row_count;
-    int column_count; // of no row more
-    vec2 slopes;      // least and most that rays go along a row, for what they go across it
-    vec2 sides;       // least and most that they reach along rows, from the eye
-    float beyond;     // the most along a row from a ray to the middle of a puff that it comes near
+    int column_count; // largest number of columns in a row
+    vec2 slopes;      // smallest and largest slope of rays: along a row per distance across it
+    vec2 sides;       // smallest and largest extent along rows, from the eye
+    float beyond;     // largest distance along a row from a ray to the centre of a puff near it
 };
 
-// Across rows, and along them.
+// Converts a place to the band's axes: across rows, along rows.
 vec2 in_band(PuffBand band, vec2 place)
 {
     return band.is_turned ? place.yx : place;
 }
 
-// All of a group come here together, after corner_ways are given.
+// All threads of a workgroup must call this together, after corner_ways is written.
 bool any_of_group(bool is_one)
 {
     bool is_any = subgroupAny(is_one);
@@ -51,7 +52,7 @@ bool any_of_group(bool is_one)
     return is_any;
 }
 
-// Of the plane through the eye, a corner and the next one.
+// Inward normal of the plane through the eye, a corner and the next corner.
 vec3 inward_of(PuffLayer layer, int corner)
 {
     const ivec4 next = ivec4(1, 3, 0, 2);
@@ -107,7 +108,7 @@ PuffBand band_of(PuffLayer layer)
     return band;
 }
 
-// A cell of a band by its number; false where that is none.
+// Cell number `number` of a band; false if there is none.
 bool cell_of(PuffBand band, PuffLayer layer, int number, out ivec2 cell)
 {
     int row = number / band.column_count;
@@ -123,7 +124,7 @@ bool cell_of(PuffBand band, PuffLayer layer, int number, out ivec2 cell)
     return row < band.row_count && float(column) <= eye.y + to;
 }
 
-// How far the ray is where it may first come near a puff of the band's cells from that number on.
+// Smallest ray distance at which puffs of the band's cells from `number` on may be near.
 float nearest_of(PuffBand band, PuffLayer layer, PuffRay ray, int number)
 {
     int line = band.first_row + band.forth * (number / band.column_count) + (band.forth > 0 ? 0 : 1);
@@ -131,7 +132,7 @@ float nearest_of(PuffBand band, PuffLayer layer, PuffRay ray, int number)
     return band.is_narrow ? along / abs(in_band(band, ray.step.xz).x) : 0.0;
 }
 
-// Keeps what is found as the group's `own` where some ray may come near.
+// Keeps the puff found in slot `own` if some ray may pass near it.
 void keep_puff(PuffLayer layer, int own, uint turn)
 {
     CloudPuff puff = puff_at(found[own].x);
@@ -148,7 +149,7 @@ void keep_puff(PuffLayer layer, int own, uint turn)
     }
 }
 
-// Adds those that are kept, in order, to what a pixel sees.
+// Adds the kept puffs, in order, to what a pixel sees.
 void see_kept(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, uint turn)
 {
     for (int word = 0; word < 2; ++word) {
@@ -162,7 +163,7 @@ void see_kept(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, uint turn)
     }
 }
 
-// The puffs of a cell; how many those of the threads before have, and of all.
+// The puffs of a thread's cell, the number in cells of earlier threads, and the total.
 struct CellPuffs {
     ivec2 cell;
     int start;
@@ -185,7 +186,7 @@ CellPuffs cell_puffs(PuffBand band, PuffLayer layer, int number)
     return puffs;
 }
 
-// Adds up what all threads have; false where no pixel looks for puffs any more.
+// Sums the counts of all threads; false if no pixel needs more puffs.
 bool add_up(inout CellPuffs puffs, bool looks, uint turn)
 {
     uint before = subgroupExclusiveAdd(uint(puffs.count));
@@ -204,7 +205,7 @@ bool add_up(inout CellPuffs puffs, bool looks, uint turn)
     return sums.y != 0u;
 }
 
-// Finds those from number `from` on that some ray may come near: as many as there are threads.
+// Finds puffs from number `from` on that some ray may pass near, up to one per thread.
 void find_kept(CellPuffs puffs, PuffLayer layer, int from, uint turn)
 {
     int own = int(gl_LocalInvocationIndex);
@@ -222,10 +223,10 @@ void find_kept(CellPuffs puffs, PuffLayer layer, int from, uint turn)
     barrier();
 }
 
-// As puffs_along(); all of a group come here together, also those whose pixels see none.
+// Like puffs_along(), but all threads of a workgroup must call it together, including those without clouds.
 SeenPuffs puffs_of_group(PuffLayer layer, vec3 d, float pixel_rad, bool sees_any)
 {
-    barrier(); // those of the layer before are through
+    barrier(); // all threads have finished the layer before
     if (gl_LocalInvocationIndex < 4u) {
         inward[gl_LocalInvocationIndex] = inward_of(layer, int(gl_LocalInvocationIndex));
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a texel of the map lets light spread along rows, or along columns, by five taps of a B-spline.
-// What lies farther off in the scene than in the map, beyond a seam, gives nothing, and gets nothing: its
-// share stays.
+// One thread per texel of the map spreads light along rows or columns, by five taps of a B-spline. Texels
+// that are farther apart in the scene than in the map, across a seam, exchange no light; their share stays.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -13,7 +12,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D spread_image;
 layout(binding = 1) uniform sampler2D point_image;
 layout(binding = 2) uniform sampler2D light_image;
-layout(binding = 3) uniform sampler2D sum_image; // of the levels before
+layout(binding = 3) uniform sampler2D sum_image; // sum of the levels before
 
 layout(binding = 4, rgba32f) writeonly uniform image2D out_light;
 layout(binding = 5, rgba32f) writeonly uniform image2D out_sum;
@@ -37,7 +36,8 @@ void main()
     vec4 own = texelFetch(light_image, texel, 0);
     vec4 point = texelFetch(point_image, texel, 0);
     int apart = 1 << constants.level;
-    // Mesa takes a vector that a specialization constant chooses for the one it has by default.
+    // Mesa replaces a vector chosen by a specialization constant with its default value, so it is computed
+    // here.
     int upright = is_upright ? 1 : 0;
     ivec2 along = apart * ivec2(1 - upright, upright);
     int taps = own.w > 0.0 ? 4 : 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Light that spreads in a map of the surface: the profile's integral, energy, seams, and pictures beside
-// those in which it spreads on the page.
+// Light that spreads in a map of the surface: the profile's integral, energy, seams, and pictures compared to
+// spreading on the page.
 #include "techniques/subsurface/subsurface.hpp"
 
 #include <cmath>
@@ -25,7 +25,7 @@ namespace {
 
 constexpr uint32_t size = 96;
 
-/// What light does in the map of a sheet of two metres a side, or of two such with a gap between.
+/// Light in the map of one sheet of two metres per side, or of two such sheets with a gap between them.
 class Sheet {
 public:
     explicit Sheet(const Scene& scene)
@@ -35,7 +35,7 @@ public:
     {
     }
 
-    /// What comes from elsewhere at each texel.
+    /// Light scattered from other texels, per texel.
     [[nodiscard]] std::vector<glm::vec4> spread(const test::Painter<glm::vec4>& paint, float scatter_tx)
     {
         const SubsurfaceStyle style{.enabled = true,
@@ -66,7 +66,7 @@ public:
         return test::run_and_read_as<glm::vec4>(graph, result.sum);
     }
 
-    /// With what stays where it is.
+    /// Scattered light with the light that stays in place.
     [[nodiscard]] std::vector<glm::vec4> mixed(const test::Painter<glm::vec4>& paint, float scatter_tx)
     {
         std::vector<glm::vec4> all = spread(paint, scatter_tx);
@@ -119,7 +119,7 @@ TEST(ScatterInTexture, KeepsTheEnergyOfAPoint)
 
 TEST(ScatterInTexture, DoesNotCrossASeam)
 {
-    // Two sheets far from each other: one in light, the other dark.
+    // Two distant sheets: one lit, the other dark.
     Scene scene = test::scene_of(shapes::plane(2.0F, 2.0F, 4));
     test::add_object(scene, shapes::plane(2.0F, 2.0F, 4), glm::vec3(1.0F), {50.0, 0.0, 0.0});
     Sheet sheet(scene);
@@ -158,7 +158,7 @@ protected:
                                      "wash.strength=1",   "wash.light_tint=1",    "light.ambient=0.1",
                                      "wash.neutral=1",    "light.turn_sun=false", "wash.least=0"};
         all.insert(all.end(), assignments.begin(), assignments.end());
-        // Below the board.
+        // A camera below the board.
         const Camera from_above{.eye = {x_m, 2.0, 0.0},
                                 .target = {x_m, 0.0, 0.0},
                                 .up = {0.0, 0.0, -1.0},
@@ -183,12 +183,12 @@ protected:
 
 TEST_F(SkinInTexture, LooksAsItDoesOnThePage)
 {
-    // Of two flat tones, as washes have, a column flips where light differs by a hair; and where the reach
-    // cuts the profile's tail on the page, the map's is longer. So the second wash is black and as soft as
-    // can be, its paint 1 - smoothstep(1 - light), and the page large enough for d of 4.8 pixels. Of the step
-    // a blur on the page is within 1.1 % of the profile then, and one in a map within 1 %, whose edge of the
-    // shadow lies half a texel off, 0.6 of a pixel: from two pixels on the profile rises by 5 % a pixel at
-    // most. Paint changes by one and a half of all that.
+    // In flat tones, as of the first wash, a column flips for a tiny difference of light; and where the reach
+    // cuts the profile's tail on the page, the map's tail is longer. So the second wash is black with the
+    // softest tone, its paint is 1 - smoothstep(1 - light), and the page is large enough for d of 4.8 pixels.
+    // The error is then, as a share of the step: 1.1 % for a blur on the page and 1 % for one in a map. The
+    // map's shadow edge is off by half a texel, 0.6 of a pixel, and from two pixels on the profile rises by
+    // at most 5 % per pixel. Paint changes by 1.5 times the sum.
     constexpr double bound = 1.5 * (0.011 + 0.01 + 0.6 * 0.05);
     const std::vector<std::string> soft{
         "tone.curve=linear", "tone.exposure=0.6", "wash.shadow_tint=#000000", "wash.shadow_from=0.5",
@@ -213,14 +213,14 @@ TEST_F(SkinInTexture, LooksAsItDoesOnThePage)
     RecordProperty("worst_share_of_step", fmt::format("{:.4f}", worst / step));
     EXPECT_LT(worst, bound * step);
     EXPECT_LT(rms_between(in_texture, on_page), bound * rms_between(on_page, plain));
-    // So far from the edge light is even, and is kept.
+    // This far from the edge, light is uniform and stays unchanged.
     EXPECT_NEAR(red_at(in_texture, 0), red_at(plain, 0), 0.005 * step);
     EXPECT_NEAR(red_at(on_page, 0), red_at(plain, 0), 0.005 * step);
 }
 
 TEST_F(SkinInTexture, TakesLightFromWhatIsNotSeen)
 {
-    // All that is seen is in shadow, hard by the light.
+    // All visible points are in shadow, next to the lit part.
     const double x_m = 1.02;
     const LinearImage on_page = draw(skin, x_m);
     skin.emplace_back("subsurface.space=texture");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel lays what light has come from elsewhere in the map over what stays. The backs of sheets
-// lie in no map.
+// One thread per pixel adds the map's spread light to the light that stays in place. Back faces of sheets are
+// not in the map.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a texel of the map takes the light that spreads from there.
+// One thread per texel of the map collects the light that spreads from it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -17,9 +17,10 @@ layout(binding = 2) uniform sampler2D light_image;
 layout(constant_id = 0) const uint variant = 0u;
 #include "techniques/subsurface/looks.glsl"
 
-layout(binding = 5, rgba32f) writeonly uniform image2D out_light;  // 1 where it spreads
-layout(binding = 6, rgba32f) writeonly uniform image2D out_spread; // by colour, in texels; what a texel spans
-layout(binding = 7, rgba32f) writeonly uniform image2D out_sum;    // of blurs so far; 1 where it spreads
+layout(binding = 5, rgba32f) writeonly uniform image2D out_light; // light; alpha 1 where it spreads
+// Scattering distance per colour, in texels; texel size.
+layout(binding = 6, rgba32f) writeonly uniform image2D out_spread;
+layout(binding = 7, rgba32f) writeonly uniform image2D out_sum; // sum of blurs so far; 1 where it spreads
 
 layout(push_constant, scalar) uniform Constants
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a texel of the map places it on the surface as that is posed, for light to fall on.
+// One thread per texel of the map places the texel on the posed surface, to be lit.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -27,8 +27,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "shaders/material_texels.glsl"
 
 layout(binding = 6, r32ui) writeonly uniform uimage2D out_draw;    // see shaders/surface_images.glsl
-layout(binding = 7, rg32ui) writeonly uniform uimage2D out_normal; // packed, twice
-layout(binding = 8, rgba32f) writeonly uniform image2D out_point;  // in anchor space; what a texel spans
+layout(binding = 7, rg32ui) writeonly uniform uimage2D out_normal; // packed normal, stored twice
+layout(binding = 8, rgba32f) writeonly uniform image2D out_point; // position in anchor space; size of a texel
 
 layout(push_constant, scalar) uniform Constants
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The DDS container of uncompressed images. Debian packages no library that both reads and writes arrays with
-// mip levels of one's own, and the part that is needed here is a header and a loop.
+// The DDS container of uncompressed images. Debian packages no library that reads and writes arrays with
+// custom mip levels, and the required part is only a header and a loop.
 #include "techniques/tam/files/map_files.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 constexpr size_t header_bytes = 128; ///< with the four letters in front
 constexpr size_t dx10_bytes = 20;
 
-// Places of 32-bit words, in bytes from the start of the file.
+// Positions of 32-bit words, in bytes from the start of the file.
 namespace at {
 constexpr size_t magic = 0;
 constexpr size_t size = 4;
@@ -50,10 +50,10 @@ constexpr uint32_t dimension_2d = 3;           // D3D10_RESOURCE_DIMENSION_TEXTU
 constexpr uint32_t r8_unorm = 61;
 constexpr uint32_t max_layers = max_tones;
 
-/// How the bytes of a texel become light, 0 to 255, and what of it shows.
+/// Conversion of a texel's bytes to light, 0 to 255, and opacity.
 struct Layout {
     uint32_t bytes = 1;
-    std::array<uint32_t, 3> channel{0, 0, 0}; ///< places of red, green and blue
+    std::array<uint32_t, 3> channel{0, 0, 0}; ///< byte positions of red, green and blue
     std::optional<uint32_t> alpha;
     bool is_coverage = false; ///< the byte is ink, not light
 };
@@ -116,7 +116,7 @@ private:
                     "save it uncompressed: 8-bit luminance, R8, RGB8 or RGBA8");
     }
 
-    /// The place of the byte that a mask takes out; an empty mask is that of red.
+    /// Position of the byte that `mask` selects; `otherwise` if the mask is empty.
     [[nodiscard]] uint32_t byte_of(uint32_t mask, uint32_t bytes, uint32_t otherwise) const
     {
         if (mask == 0) {
@@ -213,8 +213,9 @@ DdsImages decode_dds(std::span<const std::byte> bytes, const std::string& name)
 std::vector<std::byte> encode_dds(const TonalArtMap& map)
 {
     check_map(map, {});
-    constexpr uint32_t flags = 0x1 | 0x2 | 0x4 | 0x8 | 0x1000 | 0x20000; // caps, sides, pitch, format, levels
-    constexpr uint32_t caps = 0x8 | 0x1000 | 0x400000;                   // complex, texture, levels
+    constexpr uint32_t flags = 0x1 | 0x2 | 0x4 | 0x8 | 0x1000 | 0x20000; // caps, sizes, pitch, format, mip
+                                                                         // count
+    constexpr uint32_t caps = 0x8 | 0x1000 | 0x400000;                   // complex, texture, mipmap
     std::vector<std::byte> bytes(header_bytes + dx10_bytes);
     const auto put = [&](size_t place, uint32_t value) {
         for (size_t i = 0; i < 4; ++i) {

@@ -19,7 +19,7 @@ void put(std::vector<std::byte>& bytes, size_t place, uint32_t value)
     }
 }
 
-/// A file without a DX10 header, as DxTex and old painting programs write: 4 x 4, one level.
+/// A file without a DX10 header, as written by DxTex and old painting programs: 4 x 4, one level.
 std::vector<std::byte> old_file(uint32_t flags, uint32_t bits, uint32_t red, uint32_t green, uint32_t blue,
                                 uint32_t alpha)
 {
@@ -65,7 +65,7 @@ TEST(Dds, ReadsLuminanceColourAndAlpha)
         rgb.insert(rgb.end(), {std::byte{255}, std::byte{255}, std::byte{0}});
     }
     EXPECT_EQ(decode_dds(rgb, "rgb8").level_of_layer[0][0],
-              Gray8(16, 32)); // yellow: an eighth of its light is gone
+              Gray8(16, 32)); // yellow: an eighth of the luminance is missing
 
     std::vector<std::byte> alpha = old_file(0x2, 8, 0, 0, 0, 0xFF);
     alpha.resize(128 + 16, std::byte{55});

@@ -52,7 +52,7 @@ TEST(MapFolder, ReadsBackWhatItWroteInEveryForm)
             EXPECT_NEAR(read.map.darkness[tone], pen_map().darkness[tone], 0.01F);
         }
     }
-    EXPECT_EQ(read_map(folder / "pictures").map, pen_map()); // tam.toml keeps the darkness to the last bit
+    EXPECT_EQ(read_map(folder / "pictures").map, pen_map()); // tam.toml stores the darkness exactly
 }
 
 TEST(MapFolder, DerivesLevelsFromTonesAlone)

@@ -20,8 +20,7 @@
 namespace estampe::tam {
 namespace {
 
-/// A number of the header of a PNG, which begins at byte 16 with width and height, most significant byte
-/// first.
+/// Reads a big-endian number from the header of a PNG; width and height are at bytes 16 and 20.
 uint32_t header_number(std::span<const std::byte> png, size_t at)
 {
     uint32_t value = 0;
@@ -202,7 +201,7 @@ std::string text_of(zip_error_t& error)
     return text;
 }
 
-/// A zip archive that is read from memory.
+/// A zip archive in memory, opened for reading.
 class ZipReader {
 public:
     ZipReader(std::span<const std::byte> bytes, std::string name) : name_(std::move(name))
@@ -254,7 +253,7 @@ private:
     Archive archive_;
 };
 
-/// In a picture of thresholds what turns to ink first is black.
+/// In a picture of thresholds, texels that turn to ink first are black.
 Gray8 inverted(Gray8 image)
 {
     std::transform(image.begin(), image.end(), image.begin(),

@@ -24,7 +24,7 @@ const std::vector<std::byte>& small_file()
     return bytes;
 }
 
-/// What reading says against `bytes`; empty when they hold a sound map.
+/// Error message of reading `bytes`; empty if the map is valid.
 std::string complaint(std::span<const std::byte> bytes)
 {
     return message_of([&] { check_map(decode_tam(bytes, "hostile.tam"), "read"); });
@@ -86,7 +86,7 @@ TEST(TamFile, SurvivesDamage)
     for (int round = 0; round < 600; ++round) {
         std::vector<std::byte> bytes = small_file();
         for (int i = 0; i < 1 + round % 4; ++i) {
-            // Every other change goes to the directory at the end, where the sizes are.
+            // Every other change hits the zip directory at the end, which holds the sizes.
             const size_t reach = round % 2 == 0 ? bytes.size() : 3000;
             bytes[bytes.size() - 1 - random.bits() % reach] = static_cast<std::byte>(random.bits());
         }
@@ -128,7 +128,7 @@ TEST(TamFile, NamesTheEntryThatIsWrong)
 TEST(TamFile, RefusesWhatWouldGrowBeyondItsLimit)
 {
     const Folder folder;
-    const std::string zeros(size_t{70} << 20, '\0'); // packs to 70 kB
+    const std::string zeros(size_t{70} << 20, '\0'); // compresses to 70 kB
     EXPECT_NE(with_entry(folder / "map.tam", "tam.toml", &zeros).find("more than the limit"),
               std::string::npos);
     EXPECT_NE(with_entry(folder / "map.tam", "tone1_level0.png", &zeros).find("more than the limit"),

@@ -14,7 +14,7 @@ namespace {
 
 constexpr size_t direction_count = 3;
 
-/// Which third of the half circle a stroke points to.
+/// The third of the half circle in which a stroke's direction lies.
 size_t direction_of(const PaintedStroke& stroke)
 {
     const glm::vec2 chord = stroke.points.back() - stroke.points.front();
@@ -27,12 +27,12 @@ size_t direction_of(const PaintedStroke& stroke)
     return x > 0.0F ? 1 : 2;
 }
 
-/// Draws a painted stroke as a row of discs, each texel marked once.
+/// Draws a painted stroke as a row of discs, with one mark per texel.
 class DiscPen {
 public:
     explicit DiscPen(uint32_t size_px) : ink_(size_t{size_px} * size_px), size_px_(size_px) {}
 
-    /// Marks of the first `count` points, at most `most_half_px` wide on either side.
+    /// Marks the first `count` points, at most `most_half_px` wide on either side.
     void draw(const PaintedStroke& stroke, size_t count, float most_half_px, std::vector<Mark>& marks)
     {
         for (size_t i = 0; i < count; ++i) {
@@ -75,7 +75,6 @@ private:
     uint32_t size_px_;
 };
 
-/// One derived level.
 class DerivedLevel {
 public:
     explicit DerivedLevel(uint32_t size_px)
@@ -86,8 +85,8 @@ public:
         }
     }
 
-    /// Of `offered`, the longest first, keeps the strokes that are best spaced until the mean is `target`,
-    /// and returns them in the same order. Scraps are only taken when all else is drawn.
+    /// Keeps the best spaced strokes of `offered`, which is sorted longest first, until the mean is `target`.
+    /// Returns them in the same order. Takes short scraps only after all longer strokes.
     [[nodiscard]] std::vector<const PaintedStroke*> keep(std::vector<const PaintedStroke*> offered,
                                                          double target)
     {
@@ -111,8 +110,8 @@ public:
     [[nodiscard]] Gray8 coverage() const { return canvas_.coverage(); }
 
 private:
-    /// How many of the strokes, from the longest, are more than a third as long as that in the middle of the
-    /// ink; all when those are gone.
+    /// Number of strokes, longest first, that are longer than a third of the stroke at the median of the ink;
+    /// all if none of those is left.
     [[nodiscard]] size_t long_ones(const std::vector<const PaintedStroke*>& offered)
     {
         if (shortest_long_ == 0) {
@@ -162,7 +161,7 @@ private:
         pens_.front().draw(stroke, count, most_half_px(canvas_.size_px()), marks_);
     }
 
-    /// Draws a stroke, or as much of it as the tone still needs: false when that is reached.
+    /// Draws a stroke, or the part of it that the tone still needs. Returns false if the tone is reached.
     [[nodiscard]] bool place(const PaintedStroke& stroke, double target)
     {
         constexpr size_t fewest_points = 3;
@@ -188,7 +187,7 @@ private:
         return all;
     }
 
-    /// Makes what would still be too much too faint to be ink.
+    /// Makes marks fainter than ink if they would exceed the missing ink.
     void soften(double missing)
     {
         constexpr double faint = 0.45;

@@ -14,7 +14,7 @@
 namespace estampe::tam {
 namespace {
 
-/// A line one pixel wide in whole pixels, not wrapped.
+/// A line one pixel wide, as consecutive pixels, not wrapped.
 using Chain = std::vector<glm::ivec2>;
 
 /// A square of texels that wraps.
@@ -42,7 +42,6 @@ private:
     uint32_t size_px_;
 };
 
-/// One end of a chain.
 struct End {
     size_t chain = 0;
     bool at_back = false;
@@ -80,7 +79,7 @@ public:
         pair_ends();
         std::vector<Chain> joined;
         std::vector<bool> used(chains_.size());
-        // Open strings of chains first, from their free ends, then what is left: rings.
+        // Open sequences of chains first, from their free ends, then the rest, which are rings.
         for (const bool rings : {false, true}) {
             for (size_t end = 0; end < ends_.size(); ++end) {
                 if (!used[end / 2] && (rings || partner_[end] == none)) {
@@ -105,7 +104,7 @@ private:
         return difference - size_ * glm::round(difference / size_);
     }
 
-    /// How badly two ends fit; negative when they do not.
+    /// How badly two ends fit together; negative if they cannot be joined.
     [[nodiscard]] float misfit(const End& a, const End& b) const
     {
         constexpr float least_agreement = 0.85F;
@@ -173,7 +172,7 @@ private:
         }
     }
 
-    /// The string of chains that begins at an end, gaps filled.
+    /// The sequence of chains that begins at an end, with gaps filled.
     [[nodiscard]] Chain follow(size_t end, std::vector<bool>& used) const
     {
         Chain string;
@@ -215,8 +214,8 @@ private:
     std::vector<size_t> partner_;
 };
 
-/// Joins chains whose ends point at each other, at most `reach_px` apart with ink between them all the way.
-/// Gaps are filled with a straight line.
+/// Joins chains whose ends point at each other, if they are at most `reach_px` apart with ink all the way
+/// between. Gaps are filled with a straight line.
 std::vector<Chain> join_chains(std::vector<Chain> chains, const Field& ink, float reach_px)
 {
     return Joiner(std::move(chains), ink, reach_px).join();
@@ -226,7 +225,7 @@ constexpr size_t fewest_points = 3;
 constexpr size_t most_strokes = 20000;
 constexpr float most_half_px = 16.0F;
 
-/// Sides before corners, so that a walk does not cut a corner and come back for it.
+/// Sides before corners, so that a walk does not cut a corner and return for it.
 constexpr std::array<glm::ivec2, 8> steps{glm::ivec2(1, 0), {0, 1},  {-1, 0},  {0, -1},
                                           {1, 1},           {-1, 1}, {-1, -1}, {1, -1}};
 
@@ -239,7 +238,7 @@ int neighbours(const Field& field, glm::ivec2 place)
     return count;
 }
 
-/// Walks a line to its end, and takes it out of the field.
+/// Walks a line to its end, and removes it from the field.
 void walk(Field& lines, glm::ivec2 place, Chain& chain)
 {
     while (true) {
@@ -283,7 +282,7 @@ std::vector<Chain> trace_chains(Field lines)
     return chains;
 }
 
-/// Distance from a texel to the nearest that is not of the field.
+/// Distance from a texel to the nearest texel outside the field.
 float distance_to_paper(const Field& field, glm::ivec2 place)
 {
     float nearest = most_half_px * most_half_px;
@@ -299,7 +298,7 @@ float distance_to_paper(const Field& field, glm::ivec2 place)
     return std::sqrt(nearest);
 }
 
-/// The mean of each value and its neighbours: a row of pixels is only roughly in the middle of a stroke.
+/// Mean of each value and its neighbours, because a row of pixels only roughly follows a stroke's centre.
 template <typename Value>
 std::vector<Value> smoothed(const std::vector<Value>& values)
 {
@@ -322,7 +321,7 @@ PaintedStroke stroke_of(const Chain& chain, const Field& fresh)
     const auto size_px = static_cast<float>(fresh.size_px());
     for (const glm::ivec2 place : chain) {
         stroke.points.push_back((glm::vec2(place) + 0.5F) / size_px);
-        // A texel of a gap is a crossing, where the stroke is as wide as before it.
+        // A texel of a gap is a crossing; the stroke keeps its width there.
         stroke.half_px.push_back(fresh.at(place) != 0 || stroke.half_px.empty()
                                      ? distance_to_paper(fresh, place)
                                      : stroke.half_px.back());
@@ -350,7 +349,7 @@ void fit_area(std::vector<PaintedStroke>& strokes, double area_px, uint32_t size
         halves.push_back(stroke.half_px[stroke.half_px.size() / 2]);
     }
     std::sort(halves.begin(), halves.end());
-    // Where strokes touch, the middle of both is far from paper.
+    // Where strokes touch, the centres of both are far from paper and look too wide.
     const float most = halves.empty() ? 0.0F : 1.5F * halves[halves.size() / 2];
     for (PaintedStroke& stroke : strokes) {
         for (float& half_px : stroke.half_px) {
@@ -359,8 +358,8 @@ void fit_area(std::vector<PaintedStroke>& strokes, double area_px, uint32_t size
     }
 }
 
-/// Adds to `fresh` the texels of older ink that a fresh stroke runs over: a straight line through them, in
-/// one of twelve directions, is mostly fresh, on both sides.
+/// Adds to `fresh` the texels of older ink that a fresh stroke crosses: on a straight line through them, in
+/// one of twelve directions, most texels on both sides are fresh.
 Field with_crossings(const Field& fresh, const Field& ink)
 {
     constexpr int reach_px = 8;
@@ -420,7 +419,7 @@ std::array<uint32_t, 8> around(uint32_t texel, uint32_t size_px)
     return {up + x, up + right, here + right, down + right, down + x, down + left, here + left, up + left};
 }
 
-/// Whether a texel of the edge may go in this half of a round.
+/// Whether an edge texel may be removed in this half of a round.
 bool removable(const std::vector<uint8_t>& mask, uint32_t texel, uint32_t size_px, bool second)
 {
     const std::array<uint32_t, 8> places = around(texel, size_px);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr uint32_t size_px = 128;
 
-/// A straight line of a width, in texels, over an image that wraps.
+/// Draws a straight line of a given width, in texels, into an image that wraps.
 void line(Gray8& image, glm::vec2 from, glm::vec2 to, float width_px)
 {
     const glm::vec2 along = glm::normalize(to - from);
@@ -42,7 +42,7 @@ float length_px(const PaintedStroke& stroke)
     return glm::length(stroke.points.back() - stroke.points.front()) * static_cast<float>(size_px);
 }
 
-/// From tip to tip: the middle line ends half a width before.
+/// Length from tip to tip: the centre line ends half a width before each tip.
 float whole_length_px(const PaintedStroke& stroke)
 {
     return length_px(stroke) + stroke.half_px.front() + stroke.half_px.back();

@@ -14,7 +14,7 @@ namespace {
 
 constexpr uint32_t grid_side = 128;
 constexpr double least_wind_m_per_s = 6.0;
-constexpr double sand_by_wind = 0.6; ///< speed of sand in the air
+constexpr double sand_by_wind = 0.6; ///< speed of sand in the air relative to the wind
 constexpr double life_s = static_cast<double>(shared::drift_life_s);
 
 } // namespace
@@ -72,21 +72,20 @@ const style::Table<DriftStyle>& drift_table()
 {
     static const auto table =
         style::Table<DriftStyle>("drift", "Drifting sand that the wind blows off the crests of a terrain")
-            .auto_toggle(
-                "enabled", &DriftStyle::enabled,
-                "Lets sand drift. true: in any wind; false: never; auto: if the terrain's wind is 6 m/s "
-                "or more.")
+            .auto_toggle("enabled", &DriftStyle::enabled,
+                         "Draws drifting sand. true: in any wind; false: never; auto: if the terrain's wind "
+                         "is 6 m/s or more.")
             .number("amount", &DriftStyle::amount, {0.0F, 1.0F}, "",
-                    "Amount of drifting sand: 0 is none, 1 draws all streaks that the crests can give")
+                    "Amount of drifting sand: 0 is none, 1 draws all streaks for which there are crests")
             .number("length_m", &DriftStyle::length_m, {0.05F, 20.0F}, "m",
                     "Length of an average streak of drifting sand")
             .number("lift_m", &DriftStyle::lift_m, {0.0F, 20.0F}, "m",
-                    "Greatest height to which drifting sand rises above its crest")
+                    "Largest height above its crest to which drifting sand rises: more gives higher plumes")
             .number("width_mm", &DriftStyle::width_mm, {0.05F, 5.0F}, "mm",
-                    "Width of a streak of drifting sand in its middle, on the page")
+                    "Width on the page of a streak of drifting sand, in the middle of the streak")
             .number("reach_m", &DriftStyle::reach_m, {5.0F, 1000.0F}, "m",
-                    "Distance from the eye up to which drifting sand is drawn: more also blurs small crests, "
-                    "which are then not found")
+                    "Distance from the eye up to which drifting sand is drawn: more draws sand farther away, "
+                    "but misses the sand at small crests")
             .color("ink", &DriftStyle::ink, "Colour of the streaks of drifting sand");
     return table;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Sand that the wind blows off the crests of dunes, as strokes.
+// Drifting sand: strokes for the sand that the wind blows off the crests of dunes.
 
 #include <optional>
 
@@ -25,10 +25,10 @@ struct DriftStyle {
 
 [[nodiscard]] const style::Table<DriftStyle>& drift_table();
 
-/// The drift of a picture: what its streaks have in common, and the field of heights they need.
+/// The drift of a picture: the common constants of its streaks, and the field of heights that they read.
 struct DriftPlan {
     shared::DriftConstants streaks;
-    shared::TerrainField field; ///< `side` texels a side, as the streaks have it
+    shared::TerrainField field; ///< `streaks.side` texels per side
 };
 
 struct DriftView {
@@ -38,20 +38,21 @@ struct DriftView {
     float pixels_per_mm = 1.0F;
 };
 
-/// Nothing where no sand is drawn.
+/// Plans the drift of a picture; none if no sand is drawn.
 [[nodiscard]] std::optional<DriftPlan> drift_at(const TerrainWind& wind, const DriftStyle& style,
                                                 const DriftView& view);
 
 struct DriftInputs {
     gpu::BufferId frame;  ///< FrameGlobals
-    gpu::ImageId heights; ///< r32f, of the plan's field
-    gpu::ImageId depth;   ///< r32f: reversed, 0 where nothing is
+    gpu::ImageId heights; ///< r32f, heights of the plan's field
+    gpu::ImageId depth;   ///< r32f: reversed, 0 where no surface is visible
     glm::uvec2 size_px{0};
 };
 
-/// Draws streaks over `lines`, a layer as of contours: square root of linear colour, coverage in alpha.
+/// Draws streaks over `lines`, a layer like that of contours: square root of linear colour, coverage in
+/// alpha.
 ///
-/// Cost    one thread a streak there might be (100,000), one full-screen dispatch
+/// Cost    one thread per possible streak (100,000), one full-screen dispatch
 [[nodiscard]] gpu::ImageId add_drift(gpu::Graph& graph, const DriftInputs& in,
                                      const shared::DriftConstants& streaks, const glm::vec3& ink,
                                      gpu::ImageId lines);

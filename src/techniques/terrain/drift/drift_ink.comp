@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread puts the streaks at one pixel over the lines there: where both are the darker stands.
+// One thread draws the streaks at a pixel over the lines there; where both have ink, the darker one is kept.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -13,7 +13,7 @@ layout(scalar, binding = 0) readonly buffer Ink
     uint ink_at[];
 };
 
-layout(binding = 1, rgba8) uniform image2D line_image; // square root of linear colour; coverage
+layout(binding = 1, rgba8) uniform image2D line_image; // square root of linear colour; coverage in alpha
 
 layout(push_constant, scalar) uniform Constants
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread draws one streak of sand that the wind blows off a crest: where it is in its life, as a stroke
-// that is thin at both ends. Where streaks cross the darker stays, whatever the order.
+// One thread draws one streak of sand that the wind blows off a crest, at its age, as a stroke that tapers at
+// both ends. Where streaks cross, the darker one is kept, so that the order of threads does not matter.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -17,7 +17,7 @@ layout(scalar, binding = 0) uniform Frame
     FrameGlobals frame;
 };
 
-layout(binding = 1) uniform sampler2D height_image; // above the anchor, metres
+layout(binding = 1) uniform sampler2D height_image; // metres above the anchor
 layout(binding = 2) uniform sampler2D depth_image;
 
 layout(scalar, binding = 3) buffer Ink
@@ -30,10 +30,10 @@ layout(push_constant, scalar) uniform Constants
     DriftConstants drift;
 };
 
-const int search = 6; // places either way that are asked along the wind
+const int search = 6; // samples to each side along the wind
 const float search_m = 1.5;
-const vec2 crest = vec2(0.3, 0.65); // slopes by which the ground bends there: from a swell to a brink
-const float sinking_m_s2 = 0.5;     // of grains in moving air
+const vec2 crest = vec2(0.3, 0.65); // change of slope at a crest: from a swell to a sharp brink
+const float sinking_m_s2 = 0.5;     // sinking of grains in moving air
 const float longest_px = 160.0;
 
 float ground_m(vec2 place_m)
@@ -42,7 +42,7 @@ float ground_m(vec2 place_m)
     return textureLod(height_image, ((place_m - drift.corner_m) / drift.cell_m + 0.5) / size, 0.0).x;
 }
 
-// Where along the wind about a place a crest is: how far from it, how high there, and how much of a crest.
+// Finds a crest along the wind near a place: its distance, its height, and how pronounced it is, 0 to 1.
 vec3 crest_near(vec2 place_m)
 {
     float height[2 * search + 1];
@@ -68,7 +68,7 @@ vec3 flown(vec3 from, float age_s, float rises, float swerves)
     return vec3(place.x, from.y + up, place.y);
 }
 
-// In pixels of what is drawn, and reversed depth; negative depth for what is behind the eye.
+// Position in pixels of the drawn image, and reversed depth; a negative depth is behind the eye.
 vec3 on_page(vec3 place)
 {
     vec4 clip = frame.clip_from_anchor * vec4(place, 1.0);
@@ -88,7 +88,7 @@ void ink_pixel(ivec2 pixel, vec3 tail, vec3 head, float strength)
     vec2 from_tail = vec2(pixel) + 0.5 - tail.xy;
     float share = clamp(dot(from_tail, along) / max(dot(along, along), 1e-6), 0.0, 1.0);
     float half_width = drift.half_width_px * sqrt(4.0 * share * (1.0 - share));
-    // A stroke thinner than a pixel keeps its width and loses darkness.
+    // A stroke thinner than a pixel is drawn one pixel wide with less ink.
     float edge = max(half_width, 0.5) + 0.5 - length(from_tail - share * along);
     float ink = strength * clamp(edge, 0.0, 1.0) * min(2.0 * half_width, 1.0);
     float depth = mix(tail.z, head.z, share);
@@ -134,7 +134,7 @@ void main()
     if (tail.z < 0.0 || head.z < 0.0 || strength <= 0.0 || max(span.x, span.y) > longest_px) {
         return;
     }
-    // A column or a row of pixels after the other, and those beside it.
+    // Walks along the longer axis of the stroke, and draws the pixels beside it within the margin.
     bool is_steep = span.y > span.x;
     vec2 first = (is_steep ? along.y : along.x) > 0.0 ? tail.xy : head.xy;
     float longer = is_steep ? along.y : along.x;

@@ -21,13 +21,13 @@ namespace {
 
 constexpr size_t most_instructions = 1000;
 
-/// A node's text, read.
+/// A node with its parsed text.
 struct Definition {
     const HeightNode* node = nullptr;
     std::unique_ptr<Expression> expression;
 };
 
-/// Walks the nodes from "height" inwards, with the coordinates that each is looked up by.
+/// Visits the nodes from "height" inwards, with the coordinates in which each is evaluated.
 class Compiler {
 public:
     explicit Compiler(const TerrainDescription& terrain) : terrain_(terrain)
@@ -82,7 +82,7 @@ private:
                     node_->where, remedy);
     }
 
-    /// Runs `inside` within the node `name`, and sees when it leads back to itself.
+    /// Runs `inside` in the context of the node `name`; throws Error when the node depends on itself.
     template <typename Function>
     auto within(const Expression& at, const Function& inside)
     {
@@ -212,7 +212,7 @@ private:
         }
     }
 
-    /// A frame whose warp, where it has one, goes through the same linear change as its coordinates.
+    /// Rotates a frame's coordinates, and its warp if it has one.
     Frame turned(const Frame& frame, double angle_rad)
     {
         Frame result = frame.turned(angle_rad);
@@ -245,7 +245,8 @@ private:
         return result;
     }
 
-    /// By numbers and by speeds exactly, as far from the origin as one likes; by anything else as a warp.
+    /// Translates a frame: by numbers and speeds exactly, at any distance from the origin; by other
+    /// expressions as a warp.
     Frame translated(const Arguments& arguments, const Frame& frame)
     {
         const auto x = in_time(arguments.value("x"));
@@ -273,7 +274,8 @@ private:
         return result;
     }
 
-    /// What is linear in time alone, as numbers and speeds are.
+    /// The linear function of time that an expression is, such as a number or a speed; none for other
+    /// expressions.
     std::optional<Linear> in_time(const Expression& at)
     {
         if (at.kind == Expression::Kind::number) {
@@ -509,7 +511,7 @@ private:
                 .count = 0};
     }
 
-    /// Where numbers stand in the program, which holds equal ones once.
+    /// Index of numbers among the program's parameters; equal lists are stored once.
     uint32_t parameters(const std::vector<double>& numbers)
     {
         const auto [found, is_new] =
@@ -520,8 +522,8 @@ private:
         return found->second;
     }
 
-    /// The value that `instruction` makes, here still numbered in order. What is known already is not made
-    /// again; what hangs on constants alone becomes one.
+    /// Appends an instruction, still numbered in order, and returns the number of its value. Known values are
+    /// reused, and values that only depend on constants are folded.
     uint32_t append(Instruction instruction)
     {
         if (instruction.op != shared::height_constant && hangs_on_constants(instruction)) {
@@ -569,12 +571,12 @@ private:
 
     const TerrainDescription& terrain_;
     std::map<std::string, Definition> definitions_;
-    const HeightNode* node_ = nullptr; ///< that is being read
-    std::set<std::string> open_;       ///< nodes on the way to it
+    const HeightNode* node_ = nullptr; ///< the node being read
+    std::set<std::string> open_;       ///< nodes on the path to `node_`, to detect cycles
     Program program_;
     std::map<std::vector<double>, uint32_t> parameters_;
     std::map<std::array<uint32_t, 9>, uint32_t> known_;
-    std::map<std::pair<std::string, Frame::Key>, uint32_t> named_; ///< nodes as seen in frames
+    std::map<std::pair<std::string, Frame::Key>, uint32_t> named_; ///< values of nodes, by name and frame
     std::map<std::string, std::optional<Linear>> times_;           ///< nodes that are linear in time
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// From the nodes of a terrain to a program; and the frames of coordinates that are folded into its places.
+// Compiles the nodes of a terrain to a program; coordinate frames are folded into the program's places.
 
 #include <algorithm>
 #include <array>
@@ -13,27 +13,27 @@
 
 namespace estampe::terrain {
 
-/// Turns the nodes of a terrain into a program for its node "height": every name is followed, coordinates are
-/// folded into places, constants into numbers, and what is asked for twice is computed once. Throws Error as
-/// Terrain's constructor does. Cost: linear in what is asked for; textures are read.
+/// Compiles the nodes of a terrain to a program for the node "height": resolves names, folds coordinates into
+/// places and constants into numbers, and computes equal expressions once. Throws Error as Terrain's
+/// constructor does. Cost: linear in the nodes used; reads textures.
 [[nodiscard]] Program compile_program(const TerrainDescription& terrain);
 
-/// Cosine and sine of an angle. Those of quarter turns are exact, so that what repeats along an axis still
-/// does so a million metres away.
+/// Cosine and sine of an angle. They are exact for quarter turns, so that repetition along an axis stays
+/// exact a million metres away.
 [[nodiscard]] inline glm::dvec2 cosine_and_sine(double angle_rad)
 {
-    constexpr double rounding = 1e-15; // of the angle, in a turn or two
+    constexpr double rounding = 1e-15; // error of an angle of up to two turns
     const auto exact = [](double value) { return std::abs(value) < rounding ? 0.0 : value; };
     return {exact(std::cos(angle_rad)), exact(std::sin(angle_rad))};
 }
 
-/// The coordinates that a part of a graph is looked up by, in metres: linear in x, z and time, plus a warp,
-/// two values of the program, where there is one.
+/// The coordinates in which a part of a graph is evaluated, in metres: linear in x, z and time, plus an
+/// optional warp by two values of the program.
 struct Frame {
     Linear u{.x = 1.0};
     Linear v{.z = 1.0};
     std::array<uint32_t, 2> warp{shared::height_no_register, shared::height_no_register};
-    double stretch = 1.0; ///< metres on the ground for one of the frame, at least
+    double stretch = 1.0; ///< smallest length on the ground, in metres, of one metre in the frame
 
     /// Equal for equal frames.
     using Key = std::array<double, 11>;
@@ -46,7 +46,7 @@ struct Frame {
 
     [[nodiscard]] bool is_warped() const { return warp[0] != shared::height_no_register; }
 
-    /// What is inside turns from x towards z; the warp is left as it is.
+    /// Rotates the content of the frame from x towards z; does not change the warp.
     [[nodiscard]] Frame turned(double angle_rad) const
     {
         const glm::dvec2 turn = cosine_and_sine(angle_rad);
@@ -58,7 +58,7 @@ struct Frame {
         return result;
     }
 
-    /// Coordinates grow by `factor`; the warp is left as it is.
+    /// Multiplies coordinates by `factor`; does not change the warp.
     [[nodiscard]] Frame scaled(const glm::dvec2& factor) const
     {
         Frame result = *this;
@@ -68,7 +68,7 @@ struct Frame {
         return result;
     }
 
-    /// What is inside moves by so much; only `t` and `constant` count.
+    /// Moves the content of the frame; only `t` and `constant` of the arguments are used.
     [[nodiscard]] Frame moved(const Linear& by_u, const Linear& by_v) const
     {
         Frame result = *this;

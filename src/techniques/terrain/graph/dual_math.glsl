@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_DUAL_MATH
 #define ESTAMPE_DUAL_MATH
 
-// The arithmetic of height graphs, read by GLSL and by C++ alike, where Real is a float or a double. A value
-// is a dual number (value, d/dx, d/dz, d/dt): slopes and speeds are exact. Only sums, products, quotients and
-// roots are used, as the sines and powers of devices differ.
+// The arithmetic of height graphs, for GLSL and C++, where Real is a float or a double. A value is a dual
+// number (value, d/dx, d/dz, d/dt), so slopes and speeds are exact. Only sums, products, quotients and roots
+// are used, because sines and powers differ between devices.
 
 Real4 dual(Real value)
 {
@@ -26,7 +26,7 @@ Real4 dual_div(Real4 a, Real4 b)
     return r;
 }
 
-// f(a), given f and its derivative there.
+// f(a), given the value of f and its derivative at a.
 Real4 dual_chain(Real4 a, Real value, Real derivative)
 {
     Real4 r = a * derivative;
@@ -63,7 +63,7 @@ Real real_floor(Real x)
     return floor(x);
 }
 
-// sin(2 pi x), to 1e-7.
+// sin(2 pi x), accurate to 1e-7.
 Real sine_of_turns(Real x)
 {
     Real t = x - real_floor(x + Real(0.5));
@@ -102,7 +102,7 @@ Real4 dual_cos(Real4 a)
     return dual_sine_of_turns(turns);
 }
 
-// 0 for what is negative.
+// Square root; 0 for a negative value.
 Real4 dual_sqrt(Real4 a)
 {
     if (a.x <= Real(0)) {
@@ -112,7 +112,7 @@ Real4 dual_sqrt(Real4 a)
     return dual_chain(a, root, Real(0.5) / root);
 }
 
-// log2 of what is positive, 0 otherwise, and 2^x: by series, to 1e-7.
+// log2 of a positive value, 0 otherwise; and below, 2^x. Both by series, accurate to 1e-7.
 Real log2_of(Real x)
 {
     if (x <= Real(0)) {
@@ -163,7 +163,7 @@ Real two_to(Real x)
     return power;
 }
 
-// a^exponent; 0 for what is not positive.
+// a^exponent; 0 unless a is positive.
 Real4 dual_pow(Real4 a, Real exponent)
 {
     if (a.x <= Real(0)) {
@@ -190,7 +190,7 @@ Real4 dual_smoothstep(Real4 low, Real4 high, Real4 a)
     return dual_chain(t, t.x * t.x * (Real(3) - Real(2) * t.x), Real(6) * t.x * (Real(1) - t.x));
 }
 
-// The greater of both, round where they meet within `width` of each other.
+// The maximum of two values, rounded where they differ by less than `width`.
 Real4 dual_smooth_max(Real4 a, Real4 b, Real width)
 {
     Real4 apart = dual_abs(a - b);
@@ -202,7 +202,7 @@ Real4 dual_smooth_max(Real4 a, Real4 b, Real width)
     return greater + dual_mul(near, near) * (Real(0.25) * width);
 }
 
-// The angle of (u, v) in radians.
+// Angle of the vector (u, v), in radians.
 Real angle_of(Real u, Real v)
 {
     Real across = u < Real(0) ? -u : u;

@@ -26,7 +26,7 @@ bool continues_name(char c)
     return begins_name(c) || std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Reads by recursive descent.
+/// Recursive descent parser.
 class Reader {
 public:
     explicit Reader(const HeightNode& node) : text_(node.expression), node_(node) {}
@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    /// Counts how deep the reading is.
+    /// Counts the depth of recursion.
     struct Level {
         explicit Level(Reader& reader) : reader_(reader)
         {
@@ -70,7 +70,7 @@ private:
         }
     }
 
-    /// The next character that is no blank; 0 at the end.
+    /// The next character that is not blank; 0 at the end.
     char next()
     {
         skip_blanks();

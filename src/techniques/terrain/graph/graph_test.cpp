@@ -60,12 +60,12 @@ TEST(HeightGraph, CoordinatesChange)
     EXPECT_NEAR(height_of("polar(x, 1, 2)", 4.0, 6.0), 5.0, 1e-12);
     EXPECT_NEAR(height_of("polar(z, 0, 0, 10)", 0.0, 2.0), 10.0 * std::numbers::pi / 2.0, 1e-6);
     EXPECT_DOUBLE_EQ(height_of("warp(x, z, 0)", 1.0, 2.0), 3.0);
-    // A warp goes through what is inside of it: turned, (1 + 2, 0) lies along -z.
+    // A warp affects the nodes inside it: after the rotation, (1 + 2, 0) lies on -z.
     EXPECT_NEAR(height_of("warp(rotate(z, 90), 2, 0)", 1.0), -3.0, 1e-12);
     EXPECT_NEAR(height_of("rotate(warp(x, 2, 0), 90)", 0.0, 4.0), 6.0, 1e-12);
 }
 
-/// Slopes and rates against differences of the heights.
+/// Compares slopes and rates with differences of heights.
 TEST(HeightGraph, DerivativesAreExact)
 {
     for (const auto& [name, toml] : all_graphs()) {
@@ -83,12 +83,12 @@ TEST(HeightGraph, DerivativesAreExact)
             const glm::dvec3 measured(slope(e, 0, 0), slope(0, e, 0), slope(0, 0, e));
             wrong += glm::length(exact - measured) > 1e-3 * std::max(1.0, glm::length(exact)) ? 1 : 0;
         }
-        // On an edge the two sides differ.
+        // On an edge, the slopes of the two sides differ.
         EXPECT_LE(wrong, 2) << name;
     }
 }
 
-/// Where periods go into it, the pattern 10^6 m away is the one at the origin, in the numbers of the GPU.
+/// If periods divide the distance, the pattern 10^6 m away equals that at the origin, in the GPU's precision.
 TEST(HeightGraph, IsTheSameAMillionMetresAway)
 {
     const Terrain terrain(parse_terrain(test::periodic_graph, "periodic.toml"));
@@ -101,7 +101,7 @@ TEST(HeightGraph, IsTheSameAMillionMetresAway)
     }
 }
 
-/// Turned by a quarter, sand looks along one axis alone.
+/// After a quarter turn, sand only depends on one axis.
 TEST(HeightGraph, QuarterTurnsAreExact)
 {
     for (int quarter = -3; quarter <= 6; ++quarter) {
@@ -115,7 +115,7 @@ TEST(HeightGraph, SinglePrecisionAgreesWithDouble)
 {
     for (const auto& [name, toml] : all_graphs()) {
         const Terrain terrain(parse_terrain(toml, name));
-        // What goes round a point keeps its precision near it alone.
+        // A form around a point is only precise near that point.
         const glm::dvec2 origin =
             name == "polar" ? glm::dvec2(20.0, -10.0) : glm::dvec2(1234567.0, -7654321.0);
         const auto places = terrain::place_words(terrain.program(), origin, 12.5);
@@ -228,7 +228,7 @@ TEST(HeightGraph, RaysMeetTheGround)
     EXPECT_FALSE(terrain.hit({0.0, -1.0, 3.0}, {0.0, 1.0, 0.0}, 100.0));
 }
 
-/// A flag in the ground where a program painted it.
+/// A mask marks the ground where a program painted it.
 TEST(HeightGraph, MasksArePainted)
 {
     Terrain terrain = made_of("2 * mask(\"demons\", 64, texels = 16)");

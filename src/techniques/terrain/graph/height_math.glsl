@@ -2,20 +2,19 @@
 #ifndef ESTAMPE_HEIGHT_MATH
 #define ESTAMPE_HEIGHT_MATH
 
-// What nodes of height graphs are looked up as, read by GLSL and by C++ alike (there as members of
-// HeightMath, with Real a float or a double). Whoever includes this says first what Real, Real2 and Real4
-// are, and gives
+// Evaluation of the leaves of height graphs, for GLSL and C++ (there as members of HeightMath, with Real a
+// float or a double). The including file must define Real, Real2 and Real4, and the functions
 //
 //     Real height_number(uint index)        a parameter of the graph
-//     Real height_place(uint index)         of the places, sixteen words each, see place_at()
-//     int height_cell(uint index)           the same, whole numbers
-//     Real height_texel(uint index)         of the textures, one behind the other
+//     Real height_place(uint index)         a number of the places, sixteen words each, see place_at()
+//     int height_cell(uint index)           a whole number of the places
+//     Real height_texel(uint index)         a texel of the textures, one after another
 
 #include "shaders/hash.glsl"
 #include "techniques/terrain/graph/dual_math.glsl"
 
-// Where a leaf of the graph is looked up, in its own units: cells, and how far from them in each direction.
-// `period_m` is what a unit spans on the ground.
+// The coordinates of a leaf in its own units: whole cells, and the offset from them in each direction.
+// `period_m` is the length of a unit on the ground.
 struct Place {
     int cell_u;
     int cell_v;
@@ -24,7 +23,8 @@ struct Place {
     Real period_m;
 };
 
-// A curve through `count` points (x, y, slope) from `first` on; beyond its ends it is level.
+// A curve through `count` points (x, y, slope), which begin at parameter `first`. It is level beyond its
+// ends.
 Real4 dual_curve(Real4 a, uint first, uint count)
 {
     uint last = first + 3u * (count - 1u);
@@ -52,7 +52,8 @@ Real4 dual_curve(Real4 a, uint first, uint count)
                       (m0 + t * (Real(2) * c2 + t * Real(3) * c3)) / width);
 }
 
-// What is left of a form that repeats every `period_m` on a grid of `spacing_m`, which could not show it.
+// Amplitude factor for a form that repeats every `period_m` on a grid of `spacing_m`: fades out forms that
+// are too fine for the grid.
 Real share_shown(Real period_m, Real spacing_m)
 {
     if (period_m >= Real(4) * spacing_m) {
@@ -81,7 +82,7 @@ Place place_at(uint place, Real x, Real z)
     return p;
 }
 
-// The same place, moved by (u, v), which are in metres of the frame that the place stands in.
+// The place moved by (u, v), in metres of the place's frame.
 Place place_warped(uint place, Real x, Real z, Real4 u, Real4 v)
 {
     Place p = place_at(place, x, z);
@@ -90,7 +91,7 @@ Place place_warped(uint place, Real x, Real z, Real4 u, Real4 v)
     return p;
 }
 
-// A coordinate of the frame, in metres.
+// The frame's first coordinate, in metres.
 Real4 coordinate_u(Place p)
 {
     Real4 r = p.u;
@@ -120,8 +121,8 @@ Real hashed_unit(uint bits)
     return Real(bits >> 8u) * Real(1.0 / 16777216.0);
 }
 
-// Gradient noise in about [-1, 1], one feature a unit (Perlin, "Improving noise", SIGGRAPH 2002, with any
-// gradients).
+// Gradient noise in about [-1, 1], one feature per unit (Perlin, "Improving noise", SIGGRAPH 2002, but with
+// arbitrary gradients).
 Real4 gradient_noise(Place p, uint seed)
 {
     Real base_u = real_floor(p.u.x);
@@ -161,8 +162,8 @@ Real4 leaf_noise(Place p, uint first, Real spacing_m)
     return gradient_noise(p, uint(height_number(first))) * share_shown(p.period_m, spacing_m);
 }
 
-// The next octave: turned by 26.6 degrees and finer by the root of five, which takes cells to cells, so that
-// no lattice shows and nothing is rounded.
+// The place in the next octave: rotated by 26.6 degrees and scaled by the square root of five. This maps
+// cells to cells, so that no lattice is visible and no rounding occurs.
 Place next_octave(Place p)
 {
     Place q;
@@ -200,7 +201,7 @@ Real4 leaf_fbm(Place p, uint first, Real spacing_m)
     return sum;
 }
 
-// Parameters: seed, octaves, gain. Crests where noise passes zero; in [0, 1] for one octave.
+// Parameters: seed, octaves, gain. Ridges where noise crosses zero; in [0, 1] for one octave.
 Real4 leaf_ridged(Place p, uint first, Real spacing_m)
 {
     uint seed = uint(height_number(first));
@@ -221,8 +222,8 @@ Real4 leaf_ridged(Place p, uint first, Real spacing_m)
     return sum;
 }
 
-// Parameters: seed. How far the nearest of points is, one a cell (Worley, "A cellular texture basis
-// function", SIGGRAPH 1996), in cells.
+// Parameters: seed. Distance in cells to the nearest of random points, one per cell (Worley, "A cellular
+// texture basis function", SIGGRAPH 1996).
 Real4 leaf_cellular(Place p, uint first, Real spacing_m)
 {
     uint seed = uint(height_number(first));
@@ -253,7 +254,7 @@ Real4 leaf_cellular(Place p, uint first, Real spacing_m)
     return r * share_shown(p.period_m, spacing_m);
 }
 
-// Where texel `index` of a row of `count` is read; wrap: 0 repeats, 1 mirrors, 2 clamps.
+// Texel to read for `index` in a row of `count`; wrap: 0 repeats, 1 mirrors, 2 clamps.
 int wrapped_texel(int index, int count, int wrap)
 {
     if (wrap == 2) {
@@ -265,8 +266,8 @@ int wrapped_texel(int index, int count, int wrap)
     return at >= count ? period - 1 - at : at;
 }
 
-// Weights of four texels about t in [0, 1], and their derivatives: linear, or through the texels and smooth
-// (Catmull and Rom 1974).
+// Weights of the four texels around t in [0, 1], and their derivatives: linear, or smooth and through the
+// texels (Catmull and Rom 1974).
 Real4 texel_weights(Real t, bool is_cubic)
 {
     if (!is_cubic) {
@@ -295,7 +296,7 @@ Real4 leaf_texture(Place p, uint first, Real spacing_m)
     int wrap = int(height_number(first + 3u));
     bool is_cubic = height_number(first + 4u) > Real(0.5);
     Real mean = height_number(first + 5u);
-    // Whole textures on the way there count for mirrors and ends alone.
+    // The number of whole textures only matters for mirroring and for clamping.
     int turn_u = wrap == 0 ? 0 : (wrap == 1 ? p.cell_u & 1 : clamp(p.cell_u, -2, 2));
     int turn_v = wrap == 0 ? 0 : (wrap == 1 ? p.cell_v & 1 : clamp(p.cell_v, -2, 2));
     Real u = p.u.x * Real(columns) - Real(0.5);
@@ -326,7 +327,7 @@ Real4 leaf_texture(Place p, uint first, Real spacing_m)
     return r;
 }
 
-// Noise along a line of its own for each `row`, in [-1, 1], with its first and second derivative.
+// One-dimensional noise in [-1, 1], different for each `row`, with its first and second derivative.
 Real4 row_noise(int cell, Real t, int row, uint seed)
 {
     Real base = real_floor(t);
@@ -340,13 +341,14 @@ Real4 row_noise(int cell, Real t, int row, uint seed)
     return Real4(a + (b - a) * weight, (b - a) * slope, (b - a) * bend, Real(0));
 }
 
-// Before a rise the ground falls as that of a dune of this share of the usual height, at least: so that it is
-// lower by the width of a foot, a twentieth of the height, this share of the rise before it.
+// In front of a dune the surface falls below the ground, like that of a dune with at least this share of the
+// usual height. At a distance of `before_rise` times the rise, it is lower by the width of a foot, a
+// twentieth of the height.
 const Real least_dune = Real(0.25);
 const Real before_rise = Real(0.29);
 
-// One dune of a train, `row`: a rise of `windward_m` to the brink, then sand at its angle of repose. Below 0
-// where it is not; by `foot_m` where it is far.
+// Height of dune number `row` of a train: it rises over `windward_m` to the brink, then falls at the angle of
+// repose. Negative outside the dune, down to -foot_m far away.
 Real4 one_dune(Place p, int row, uint first, Real foot_m, Real spacing_m)
 {
     uint seed = uint(height_number(first));
@@ -358,11 +360,11 @@ Real4 one_dune(Place p, int row, uint first, Real foot_m, Real spacing_m)
     Real variation = height_number(first + 6u);
     Real crest_m = height_number(first + 7u);
     int ridge = p.cell_u + row;
-    // Where the brink runs, in wavelengths, and how high it is.
+    // Position of the brink in wavelengths, and its height.
     Real4 shift = row_noise(p.cell_v, p.v.x, ridge, seed) * meander;
     Real4 brink = dual_chain(p.v, Real(row) + shift.x, shift.y);
     Real4 behind_m = (p.u - brink) * wavelength_m;
-    // A meandering brink is nearer than along the wind.
+    // A meandering brink is nearer than the distance along the wind.
     Real tilt = shift.y * wavelength_m / crest_m;
     Real stretch = sqrt(Real(1) + tilt * tilt);
     Real highest_m = height_m * (Real(1) + Real(0.6) * variation);
@@ -377,7 +379,8 @@ Real4 one_dune(Place p, int row, uint first, Real foot_m, Real spacing_m)
     Real4 straight = dual_chain(p.v, Real(1) / stretch, -tilt * tilt_slope / (stretch * stretch * stretch));
     Real4 lee = crest - dual_mul(behind_m, straight) * repose;
     Real4 climb = dual(Real(1)) + behind_m * (Real(1) / windward_m);
-    // Level at the foot, steepest in the middle, still rising a little at the brink; below the ground before.
+    // The slope is level at the foot, steepest in the middle, still positive at the brink; in front of the
+    // foot the surface is below the ground.
     Real4 rise = dual_chain(climb, climb.x * climb.x * (Real(2.4) - Real(1.4) * climb.x),
                             climb.x * (Real(4.8) - Real(4.2) * climb.x));
     if (climb.x <= Real(0)) {
@@ -387,13 +390,13 @@ Real4 one_dune(Place p, int row, uint first, Real foot_m, Real spacing_m)
     if (climb.x >= Real(1)) {
         rise = dual(Real(1));
     }
-    // A grid would turn a sharp brink into teeth: there it is as round as that shows it straight.
+    // A grid shows a sharp brink as teeth, so the brink is rounded by the grid's spacing.
     return -dual_smooth_max(-dual_mul(crest, rise), -lee, Real(1.5) * repose * spacing_m + Real(1e-9));
 }
 
 // Parameters: seed, height, wavelength, slope of the slip face, length of the rise, meander (in wavelengths),
-// variation of height, length of a bend of the crest, width of the round foot. A unit of u is a wavelength
-// downwind, one of v a bend of the crest.
+// variation of height, length of a bend of the crest, width of the rounded foot. A unit of u is a wavelength
+// downwind, a unit of v is a bend of the crest.
 Real4 leaf_dunes(Place p, uint first, Real spacing_m)
 {
     Real shown = share_shown(p.period_m * Real(0.5), spacing_m);
@@ -405,7 +408,7 @@ Real4 leaf_dunes(Place p, uint first, Real spacing_m)
     p.u.x = p.u.x - whole;
     Real foot_m = height_number(first + 8u);
     Real4 height = dual(Real(0));
-    // Those whose slip face or rise can reach here.
+    // Only dunes whose slip face or rise can reach this place are evaluated.
     Real lee = height_number(first + 1u) * (Real(1) + Real(0.6) * height_number(first + 6u)) /
                (height_number(first + 3u) * height_number(first + 2u));
     Real meander = height_number(first + 5u);

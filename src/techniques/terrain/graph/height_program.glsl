@@ -2,10 +2,10 @@
 #ifndef ESTAMPE_HEIGHT_PROGRAM
 #define ESTAMPE_HEIGHT_PROGRAM
 
-// height_at(place, spacing): a program's height at a place from the anchor, as a dual number; what a grid of
-// that spacing cannot show is left out. Either an interpreter, which takes any program, or, where the text of
-// one is put in place of HEIGHT_PROGRAM, that program alone. Wants `words`, `texels` and `terrain` of whoever
-// includes it.
+// height_at(place, spacing): a program's height at a place relative to the anchor, as a dual number. Forms
+// that are too fine for a grid of that spacing are left out. The function is an interpreter for any program,
+// or, if its text replaces HEIGHT_PROGRAM, a single compiled program. The including shader must declare
+// `words`, `texels` and `terrain`.
 
 #include "techniques/terrain/terrain.glsl.h"
 
@@ -14,7 +14,7 @@
 #define Real4 vec4
 
 #ifdef ESTAMPE_HEIGHT_PROGRAM_IS_WRITTEN
-uint first_parameter(); // a constant, so that all words are read at places known ahead
+uint first_parameter(); // a constant, so that the compiler knows the positions of all words
 #else
 uint first_parameter()
 {
@@ -58,8 +58,8 @@ struct Decoded {
     uint count;
 };
 
-// An instruction in four words: op, target and count of a curve; three inputs; two warps and the place; the
-// parameter.
+// Decodes an instruction of four words: op, target and count of a curve; three inputs; two warps and the
+// place; the parameter.
 Decoded decoded(uint number)
 {
     uint first = terrain.first_instruction + 4u * number;
@@ -134,7 +134,7 @@ vec4 value_of(Decoded i, vec4 a, vec4 b, vec4 c)
 
 vec4 height_at(vec2 local_m, float spacing_m)
 {
-    // One more than there are, for inputs that an operation does not have.
+    // One register more than programs use, for inputs that an operation does not have.
     vec4 registers[height_register_count + 1u];
     registers[height_register_count] = vec4(0.0);
     uint target = 0u;

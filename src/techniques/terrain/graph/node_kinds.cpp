@@ -185,7 +185,7 @@ const NodeKind* find_node_kind(std::string_view name)
 
 namespace {
 
-/// One call, being sorted.
+/// The state of binding the arguments of one call.
 struct Binding {
     const NodeKind& kind;
     const Expression& call;

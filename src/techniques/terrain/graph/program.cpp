@@ -20,7 +20,7 @@
 namespace estampe::terrain {
 namespace {
 
-/// A coordinate at the origin: how many whole cells, and the rest.
+/// A coordinate at the origin, divided into whole cells and the rest.
 struct Split {
     int32_t cell = 0;
     double rest = 0.0;
@@ -39,7 +39,7 @@ uint32_t bits(double number)
     return std::bit_cast<uint32_t>(static_cast<float>(number));
 }
 
-/// What an operation does not read is a register of its own, which holds zeros.
+/// Inputs that an operation does not have are read from an extra register, which holds zeros.
 uint32_t byte_of(uint32_t number)
 {
     return number == shared::height_no_register ? shared::height_register_count : number;
@@ -108,7 +108,8 @@ std::vector<double> monotone_curve(std::span<const glm::dvec2> points)
         if (i > 0 && i + 1 < points.size() && rise(i - 1) * rise(i) > 0.0) {
             const double before = points[i].x - points[i - 1].x;
             const double after = points[i + 1].x - points[i].x;
-            // The weighted harmonic mean keeps within three times the lesser rise, which is enough.
+            // The weighted harmonic mean stays within three times the smaller slope, which is enough for a
+            // monotone curve.
             const double near = 2.0 * after + before;
             const double far = after + 2.0 * before;
             slope = (near + far) / (near / rise(i - 1) + far / rise(i));
@@ -120,7 +121,7 @@ std::vector<double> monotone_curve(std::span<const glm::dvec2> points)
 
 namespace {
 
-/// Calls `visit` with a reference to each register that is read.
+/// Calls `visit` with a reference to each input register.
 template <typename Visit>
 void for_each_input(Instruction& instruction, const Visit& visit)
 {
@@ -196,7 +197,7 @@ void check_room(const Program& program, size_t added)
     }
 }
 
-/// An Image or a DeepImage: the mean of its colours, of which the brightest is one.
+/// Appends an Image or a DeepImage as the mean of its colour channels, scaled so that white is 1.
 template <class Picture>
 HeightTexture append_picture(Program& program, const Picture& image)
 {
@@ -281,7 +282,7 @@ using std::max;
 using std::sqrt;
 using uint = uint32_t;
 
-/// What height_math.glsl wants of whoever includes it.
+/// The definitions that height_math.glsl requires.
 template <typename Real>
 struct HeightMath {
     using Real2 = glm::vec<2, Real>;

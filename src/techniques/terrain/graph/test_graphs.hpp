@@ -7,12 +7,12 @@
 
 namespace estampe::test {
 
-/// Repeats every 8 m, with everything that can.
+/// A graph that repeats every 8 m, with every node that can repeat.
 inline const std::string periodic_graph = R"toml([terrain]
 height = "3 * sine(8) + rotate(sine(2), 90) + noise(0.5) * 0 + lerp(sine(4), translate(sine(1), 0.25, 0), 0.5)"
 )toml";
 
-/// Every node is in one of them.
+/// Graphs that together contain every node.
 inline std::vector<std::pair<std::string, std::string>> all_graphs()
 {
     return {

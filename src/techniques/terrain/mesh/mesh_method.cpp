@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The meshes of a terrain that mesh_method() chooses from.
+// The mesh methods of a terrain, from which mesh_method() chooses.
 #include "techniques/terrain/mesh/mesh_method.hpp"
 
 #include <algorithm>
@@ -9,11 +9,11 @@
 namespace estampe::terrain {
 namespace {
 
-/// Square grids about the eye, one within the other, each of twice the cell of the one within and with a hole
-/// for it. A grid goes with the eye in steps of two of its cells, so that its even vertices are vertices of
-/// the next. Its outermost triangles use even vertices alone along the border, and heights there are those
-/// that the next grid would have: neighbours share their edges bit for bit. As the hole may be off by a cell
-/// each way, a trim of one column and one row of cells goes where the gap is.
+/// Nested square grids around the eye; each has twice the cell size of the grid inside it, and a hole for
+/// that grid. A grid follows the eye in steps of two cells, so that its even vertices coincide with vertices
+/// of the next grid. Its outermost triangles only use even vertices along the border, at the heights of the
+/// next grid: neighbours share their edges bit for bit. As the hole may be off by a cell in each direction, a
+/// trim of one column and one row of cells fills the gap.
 class Rings : public MeshMethod {
 public:
     explicit Rings(const TerrainMeshing& meshing);
@@ -28,8 +28,8 @@ private:
     uint32_t levels_ = 1;
 };
 
-/// One even grid that goes with the eye in steps of its own cell, three quarters of it ahead; it turns with
-/// the eye by right angles alone, so that no vertex ever leaves the lattice.
+/// One uniform grid that follows the eye in steps of its own cell, with three quarters of it ahead. It only
+/// turns by right angles, so that vertices never leave the lattice.
 class Grid : public MeshMethod {
 public:
     explicit Grid(const TerrainMeshing& meshing);
@@ -43,7 +43,7 @@ private:
     uint32_t cells_;
 };
 
-/// A mesh that is there already: its vertices are raised by the heights where they stand.
+/// An existing mesh, whose vertices are raised by the heights at their places.
 class Raised : public MeshMethod {
 public:
     explicit Raised(ObjectTriangles object);
@@ -54,16 +54,16 @@ public:
 
 private:
     ObjectTriangles object_;
-    float spacing_m_; ///< about how far vertices are apart
+    float spacing_m_; ///< approximate distance between vertices
 };
 
-/// The finest cell as it is: a power of two, so that places of vertices are exact numbers.
+/// The finest cell size, rounded to a power of two, so that positions of vertices are exact numbers.
 double cell_of(const TerrainMeshing& meshing)
 {
     return std::exp2(std::round(std::log2(static_cast<double>(meshing.cell_m))));
 }
 
-/// Cells along a side as they are: a multiple of four, at least `least`.
+/// Cells along a side, rounded up to a multiple of four, at least `least`.
 uint32_t cells_of(const TerrainMeshing& meshing, uint32_t least)
 {
     return std::max(least, (static_cast<uint32_t>(meshing.cells) + 3U) / 4U * 4U);
@@ -134,7 +134,7 @@ std::vector<shared::TerrainLevel> Grid::place(const EyePlace& eye, const glm::dv
 
 namespace {
 
-/// The side of a square of which there are as many as pairs of triangles, over the plane.
+/// Side of a square whose area is the mean area, on the plane, of a pair of triangles.
 float spacing_of(const ObjectTriangles& object)
 {
     double area = 0.0;
@@ -170,7 +170,7 @@ namespace {
 constexpr uint32_t most_levels = 16;
 constexpr uint32_t none = std::numeric_limits<uint32_t>::max();
 
-/// The vertices of one grid that are used, made when they are first asked for.
+/// The vertices of one grid that are used, created on first use.
 class GridVertices {
 public:
     GridVertices(MeshTopology& mesh, uint32_t word, uint32_t columns, uint32_t rows)
@@ -190,7 +190,8 @@ public:
 
     void triangle(glm::uvec2 a, glm::uvec2 b, glm::uvec2 c)
     {
-        // Seen from above with x to the right, z runs down: counter-clockwise is the other way round there.
+        // In these coordinates (x to the right, z down, seen from above), counter-clockwise has the opposite
+        // sign.
         const auto cross = [](glm::ivec2 p, glm::ivec2 q) { return p.x * q.y - p.y * q.x; };
         if (cross(glm::ivec2(b) - glm::ivec2(a), glm::ivec2(c) - glm::ivec2(a)) > 0) {
             std::swap(b, c);
@@ -198,7 +199,7 @@ public:
         mesh_.triangles.emplace_back(at(a.x, a.y), at(b.x, b.y), at(c.x, c.y));
     }
 
-    /// Two triangles, parted from the first corner to the last.
+    /// Adds two triangles, divided along the diagonal from the first corner to the last.
     void cell(uint32_t i, uint32_t j)
     {
         triangle({i, j}, {i + 1, j}, {i + 1, j + 1});
@@ -212,11 +213,11 @@ private:
     std::vector<uint32_t> known_;
 };
 
-/// The outermost cells of a grid of n x n, whose border goes in steps of two.
+/// Adds the outermost cells of a grid of n x n, whose border has steps of two cells.
 void add_border(GridVertices& grid, uint32_t n)
 {
     for (uint32_t side = 0; side < 4; ++side) {
-        // `along` the border, `in` from it.
+        // `along` the border, `in` cells away from it.
         const auto place = [&](uint32_t along, uint32_t in) {
             const glm::uvec2 lower(along, in);
             const glm::uvec2 upper(along, n - in);

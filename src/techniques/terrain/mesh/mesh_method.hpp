@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How the plane is cut into triangles: methods behind one small interface, to be swapped while running.
+// How the plane is divided into triangles: methods behind a small interface, which can be exchanged at run
+// time.
 
 #include <cstdint>
 #include <memory>
@@ -13,18 +14,18 @@
 
 namespace estampe::terrain {
 
-/// Vertices, which a level's place turns into points of the plane, and triangles between them, which run
-/// counter-clockwise from above.
+/// The vertices of a mesh, which a level's placement converts to points of the plane, and its triangles,
+/// counter-clockwise seen from above.
 struct MeshTopology {
-    std::vector<glm::dvec3> places; ///< in the world, of vertices that are in no grid; else none
-    std::vector<uint32_t> vertices; ///< words of terrain.glsl.h
+    std::vector<glm::dvec3> places; ///< world positions of vertices that are in no grid; otherwise empty
+    std::vector<uint32_t> vertices; ///< words as described in terrain.glsl.h
     std::vector<glm::uvec3> triangles;
 };
 
-/// Where a picture is taken from, over the plane (x, z).
+/// Position and direction of the eye, projected on the plane (x, z).
 struct EyePlace {
     glm::dvec2 eye_m{0.0};
-    glm::dvec2 ahead{1.0, 0.0}; ///< any length
+    glm::dvec2 ahead{1.0, 0.0}; ///< of any length
 };
 
 class MeshMethod {
@@ -34,25 +35,25 @@ public:
     /// Cost: linear in vertices.
     [[nodiscard]] virtual MeshTopology topology() const = 0;
 
-    /// Where the levels stand about an eye, relative to an anchor whose coordinates are whole multiples of 64
-    /// m.
+    /// Places the levels around an eye, relative to an anchor whose coordinates are whole multiples of 64 m.
     [[nodiscard]] virtual std::vector<shared::TerrainLevel> place(const EyePlace& eye,
                                                                   const glm::dvec2& anchor_m) const = 0;
 };
 
-/// A mesh of the scene, in the world.
+/// A mesh of the scene in world space.
 struct ObjectTriangles {
     std::vector<glm::dvec3> places;
     std::vector<glm::uvec3> triangles;
 };
 
-/// The method that `meshing` names; `object` is for the method that raises one. Source of the rings: Losasso
-/// and Hoppe, "Geometry Clipmaps", SIGGRAPH 2004, whose neighbours here share vertices, so that nothing lies
-/// between them; of the grid: Zanuttini, "Recherches en rendu non réaliste temps réel", 2008, chapter 5.
+/// Creates the method that `meshing` names; `object` is used by the method that raises a mesh. Source of the
+/// rings: Losasso and Hoppe, "Geometry Clipmaps", SIGGRAPH 2004, except that neighbours share vertices, so
+/// that no gap remains; of the grid: Zanuttini, "Recherches en rendu non réaliste temps réel", 2008, chapter
+/// 5.
 [[nodiscard]] std::unique_ptr<MeshMethod> mesh_method(const TerrainMeshing& meshing,
                                                       const ObjectTriangles& object = {});
 
-/// The place of a vertex in the plane, from the anchor in metres; as terrain_vertices.comp finds it.
+/// Position of a vertex in the plane, from the anchor in metres, as in terrain_vertices.comp.
 [[nodiscard]] glm::vec2 vertex_place(uint32_t vertex, const std::vector<shared::TerrainLevel>& levels);
 
 } // namespace estampe::terrain

@@ -23,7 +23,7 @@ double area2(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c)
     return p.y * q.x - p.x * q.y;
 }
 
-/// A number of an edge that has the other sign the other way round.
+/// A hash of an edge, which changes its sign with the edge's direction.
 uint64_t signed_hash(const glm::ivec2& from, const glm::ivec2& to)
 {
     const auto mixed = [](uint64_t bits) {
@@ -37,7 +37,8 @@ uint64_t signed_hash(const glm::ivec2& from, const glm::ivec2& to)
     return mixed(word(from) + mixed(word(to))) - mixed(word(to) + mixed(word(from)));
 }
 
-/// Every inner edge has a triangle on either side, corner for corner; what is left is one closed border.
+/// Every inner edge has a triangle on either side, with equal corners; the other edges form one closed
+/// border.
 TEST(Rings, HaveNoCracksWhereverTheEyeIs)
 {
     const auto method = mesh_method({.cell_m = 0.25F, .cells = 32, .reach_m = 100.0F});
@@ -73,8 +74,8 @@ TEST(Rings, HaveNoCracksWhereverTheEyeIs)
     }
 }
 
-/// The same from ten thousand eyes, by sums: edges that run both ways cancel, so that those of all triangles
-/// come to those of the outermost border. Places are whole numbers of half the finest cell.
+/// Tests ten thousand eye positions by sums: edges with opposite directions cancel, so that the sum over all
+/// triangles equals that of the outermost border. Positions are whole multiples of half the finest cell.
 TEST(Rings, HaveNoCracksFromTenThousandEyes)
 {
     const auto method = mesh_method({.cell_m = 0.25F, .cells = 32, .reach_m = 30.0F});
@@ -102,7 +103,7 @@ TEST(Rings, HaveNoCracksFromTenThousandEyes)
             const auto border = [&](glm::ivec2 from, glm::ivec2 to) {
                 sum -= signed_hash(corner + cell * from, corner + cell * to);
             };
-            border({i, 32}, {i + 1, 32}); // counter-clockwise from above, where z runs down
+            border({i, 32}, {i + 1, 32}); // counter-clockwise from above, where z points down
             border({i + 1, 0}, {i, 0});
             border({0, i}, {0, i + 1});
             border({32, i + 1}, {32, i});
@@ -122,7 +123,7 @@ TEST(Rings, VerticesKeepTheirPlaces)
             const glm::vec2 place = vertex_place(vertex, levels) / levels[vertex >> 28U].cell_m;
             ASSERT_EQ(place, glm::round(place));
         }
-        // The eye stands in the middle, where the finest cells are.
+        // The eye is in the middle, where the finest cells are.
         EXPECT_LE(std::abs(levels[0].eye_cells.x - 17.0F), 1.0F);
         EXPECT_LE(std::abs(levels[0].eye_cells.y - 17.0F), 1.0F);
     }

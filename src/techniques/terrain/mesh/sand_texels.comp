@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Copies heights of sand to where graphs look textures up.
+// Copies heights of sand to the buffer in which graphs look textures up.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread finds the height of one texel of one field.
+// One thread computes the height at one texel of one field.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -19,7 +19,7 @@ layout(scalar, binding = 1) uniform Words
 };
 
 layout(binding = 2) uniform samplerBuffer texels;
-layout(binding = 3, r32f) writeonly uniform image2D out_height; // above the anchor
+layout(binding = 3, r32f) writeonly uniform image2D out_height; // metres above the anchor
 
 layout(push_constant, scalar) uniform Constants
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread finds one vertex of a terrain: its height, its normal, and where it was in the frame before.
+// One thread computes one vertex of a terrain: its height, its normal, and its position in the previous
+// frame.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_vote : require
@@ -51,7 +52,7 @@ layout(scalar, binding = 7) writeonly buffer StrokeCoordinates
 
 layout(scalar, binding = 8) readonly buffer Places
 {
-    vec3 places[]; // of vertices that stand in no grid, from the first anchor
+    vec3 places[]; // positions of vertices in no grid, from the first anchor
 };
 
 layout(constant_id = 0) const uint variant = 0u;
@@ -71,8 +72,8 @@ uvec2 index_of(uint vertex, TerrainLevel level)
     return part == terrain_part_grid ? index : index + level.hole_first + trim;
 }
 
-// Heights go over to those of the next level, which lie on the straight edges between even vertices: the
-// vertex itself, then one or two of those.
+// Blends the vertex's height into that of the next level. There, the vertex lies on a straight edge between
+// even vertices, so one or two of these are evaluated, too.
 vec4 height_of(uvec2 index, TerrainLevel level)
 {
     vec2 from_eye = abs(vec2(index) - level.eye_cells);
@@ -94,7 +95,7 @@ vec4 height_of(uvec2 index, TerrainLevel level)
     return sum;
 }
 
-// Onto a ball whose top at height 0 is below the eye, if the ground is one.
+// Bends a place onto a sphere whose top at height 0 is below the eye, if the ground is a planet.
 vec3 bent(vec2 place, float height)
 {
     vec2 away = place - terrain.eye_m;

@@ -2,18 +2,18 @@
 #ifndef ESTAMPE_RIPPLES
 #define ESTAMPE_RIPPLES
 
-// The form of sand ripples, in plain GLSL that tests compile as C++ too.
+// The shape of sand ripples, in plain GLSL that tests also compile as C++.
 
 #include "shaders/hash.glsl"
 
 const float ripple_turn = 6.2831853f;
 
-// How lopsided a ripple is: the face in the lee is (1 + skew) times as steep as a sine's.
+// Asymmetry of a ripple: its lee face is (1 + skew) times as steep as a sine's.
 const float ripple_skew = 0.55f;
 
-// A wave of unit height and wavelength along the wind, spread over a lattice whose corners each have a phase
-// and a direction of their own: where these disagree waves end and fork. Value and derivatives along the
-// wind and across, as complex numbers. `at` counts cells from the cell.
+// A wave of unit height and wavelength along the wind. Each corner of the lattice has its own phase and
+// direction; where these disagree, waves end and fork. The members are the value and its derivatives along
+// and across the wind, as complex numbers.
 struct RippleWave {
     vec2 z;
     vec2 z_along;
@@ -55,8 +55,8 @@ RippleWave ripple_wave(ivec2 cell, vec2 at, float meander)
     return sum;
 }
 
-// How a surface of ripples leans: rise by way along the wind and across, for ripples as high as they are
-// long. `cells` is the size of a cell in wavelengths, a whole number along the wind.
+// Slope of rippled sand along and across the wind, for a height equal to the wavelength. `cells` is the size
+// of a cell in wavelengths, a whole number along the wind.
 vec2 ripple_lean(ivec2 cell, vec2 at, float meander, vec2 cells)
 {
     RippleWave wave = ripple_wave(cell, at, meander);
@@ -64,7 +64,7 @@ vec2 ripple_lean(ivec2 cell, vec2 at, float meander, vec2 cells)
     float calm = 1.0f / (strength + 0.06f); // flat where waves end
     vec2 drift = vec2(wave.z.x * wave.z_along.y - wave.z.y * wave.z_along.x,
                       wave.z.x * wave.z_across.y - wave.z.y * wave.z_across.x);
-    vec2 phase_slope = vec2(strength, 0.0f) + drift / (ripple_turn * cells); // of a wavelength, in turns
+    vec2 phase_slope = vec2(strength, 0.0f) + drift / (ripple_turn * cells); // turns per wavelength
     float carrier = cells.x * (at.x - floor(at.x));
     float t = ripple_turn * (carrier - floor(carrier)) + atan(wave.z.y, wave.z.x);
     float psi = t - ripple_skew * cos(t);

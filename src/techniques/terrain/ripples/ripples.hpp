@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Ripples on sand: tone where the eye is near, nothing where they would be finer than pixels.
+// Ripples on sand: they give tone near the eye, and vanish where they are finer than pixels.
 
 #include <optional>
 
@@ -12,8 +12,8 @@
 
 namespace estampe::terrain {
 
-/// Ripples as seen from an anchor, at a time in seconds: what is left of their lattice there is small. `draw`
-/// is the terrain's. Nothing where a terrain has none.
+/// The ripples relative to an anchor, at a time in seconds, so that lattice coordinates stay small. `draw` is
+/// the terrain's draw. Returns none if the terrain has no ripples.
 [[nodiscard]] std::optional<shared::RippleConstants>
 ripples_at(const TerrainDescription& terrain, uint32_t draw, const glm::dvec3& anchor_m, double time_s);
 
@@ -21,15 +21,15 @@ struct RippleInputs {
     gpu::BufferId frame; ///< FrameGlobals
     gpu::ImageId draw;
     gpu::ImageId depth;
-    gpu::ImageId normal; ///< rg32ui: shading, smooth
+    gpu::ImageId normal; ///< rg32ui: shading normal, smooth normal
     glm::uvec2 size_px{0};
 };
 
-/// Bends the shading normals of the terrain.
+/// Bends the terrain's shading normals by ripples.
 ///
-/// Writes  a new version of `normal`: on pixels of the terrain within some 300 pixels' worth of wavelengths
+/// Writes  a new version of `normal`, for pixels of the terrain within some 300 pixels' worth of wavelengths
 /// Cost    one full-screen dispatch
-/// Source  Tricard et al., "Procedural Phasor Noise", SIGGRAPH 2019, with four waves a place, on a lattice
+/// Source  Tricard et al., "Procedural Phasor Noise", SIGGRAPH 2019, with four waves per place, on a lattice
 [[nodiscard]] gpu::ImageId add_ripples(gpu::Graph& graph, const RippleInputs& in,
                                        const shared::RippleConstants& ripples);
 

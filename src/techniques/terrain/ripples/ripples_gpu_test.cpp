@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ripples on a plane that the tests lay before the eye.
+// Ripples on a plane that the tests place in front of the eye.
 #include "techniques/terrain/ripples/ripples.hpp"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ namespace in_glsl = ripples_drawn_in_glsl;
 constexpr glm::uvec2 size_px(128, 96);
 constexpr uint32_t sand = 5;
 
-/// The eye over a plane of the world through the point below it.
+/// A plane in the world, below the eye.
 struct SeenPlane {
     glm::dvec3 eye{3.0, 1.7, -2.0};
     double eye_height_m = 1.7;
@@ -49,7 +49,7 @@ struct SeenPlane {
         return features::frame_globals(camera, {}, anchor, {.size_px = size_px});
     }
 
-    /// Where the plane is seen, from the anchor; nothing above the horizon.
+    /// Position on the plane at a pixel, from the anchor; none above the horizon.
     [[nodiscard]] std::optional<glm::dvec3> place(glm::uvec2 pixel) const
     {
         const auto from_clip = glm::inverse(glm::dmat4(globals().clip_from_anchor));
@@ -83,7 +83,7 @@ struct Words {
     bool operator==(const Words&) const = default;
 };
 
-/// The left half is of another draw where that is asked for.
+/// Applies ripples; if `is_halved`, the left half belongs to another draw.
 std::vector<Words> rippled(const SeenPlane& ground, bool is_halved = false)
 {
     auto draw = test::Layer::words(size_px, [&](glm::uvec2 pixel) {
@@ -123,7 +123,7 @@ TEST(SandRipples, BendNormalsAsTheirFormLeans)
     const glm::vec2 cells(shared::ripple_cell_along, shared::ripple_cell_across);
     const glm::vec2 across(-ripples.wind.y, ripples.wind.x);
     int close = 0;
-    for (uint32_t y = size_px.y - 10; y < size_px.y; ++y) { // near enough that none is lowered
+    for (uint32_t y = size_px.y - 10; y < size_px.y; ++y) { // so near that no ripple is faded
         for (uint32_t x = 0; x < size_px.x; ++x) {
             const glm::dvec3 place = ground.place({x, y}).value();
             const glm::vec2 flat(place.x, place.z);
@@ -143,7 +143,7 @@ TEST(SandRipples, BendNormalsAsTheirFormLeans)
 
 TEST(SandRipples, AreGoneBeforeTheyAlias)
 {
-    // From nearer to farther: the mean stays the ground's, and in the end so does every byte.
+    // With increasing distance, the mean stays that of the ground, and finally every byte does.
     float last_lean = 1.0F;
     for (const double height_m : {1.0, 4.0, 12.0, 60.0}) {
         const SeenPlane ground{.eye = {3.0, height_m, -2.0}, .eye_height_m = height_m};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The form of ripples by the very functions of the shader, and what the processor hands to it.
+// The shape of ripples, by the functions of the shader, and the constants that the processor passes to it.
 #include "techniques/terrain/ripples/ripples.hpp"
 
 #include <algorithm>
@@ -62,7 +62,7 @@ TEST(Ripples, AreGentleToWindwardAndSteepInTheLee)
 
 TEST(Ripples, ForkTheMoreTheMoreTheyMeander)
 {
-    // Around each point where waves end the phase goes round once.
+    // Around each point where waves end, the phase makes one turn.
     const auto ends = [](float meander) {
         int count = 0;
         constexpr int side = 100;

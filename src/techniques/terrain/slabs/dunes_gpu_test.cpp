@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What grows of slabs are dunes: their slopes, their crests, and how they wander.
+// Slabs form dunes: tests their slopes, their crests and their movement.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int dunes_side = 128;
 
-/// Heights in metres, a metre a cell, of a field that repeats.
+/// Heights in metres of a field that repeats, one metre per cell.
 class DuneField {
 public:
     explicit DuneField(std::vector<float> heights_m)
@@ -37,7 +37,7 @@ public:
         return 0.5 * glm::dvec2(at(x + 1, y) - at(x - 1, y), at(x, y + 1) - at(x, y - 1));
     }
 
-    /// Mean product of heights about their mean with those of `other` so many cells away.
+    /// Mean product of the deviations of heights here and those of `other` at an offset in cells.
     [[nodiscard]] double correlation(const DuneField& other, glm::ivec2 away) const
     {
         double sum = 0.0;
@@ -54,7 +54,7 @@ private:
     double mean_m_;
 };
 
-/// A field whose steps are let pass one after the other.
+/// A field that is simulated step by step.
 class Growing {
 public:
     explicit Growing(const SlabStyle& style) : style_(style), field_(test::shared_device(), style, dunes_side)
@@ -82,7 +82,7 @@ private:
     SlabField field_;
 };
 
-/// Cells after which the correlation with itself has halved.
+/// Distance in cells at which the autocorrelation has halved.
 int correlation_length(const DuneField& ground, glm::ivec2 towards)
 {
     const double half = 0.5 * ground.correlation(ground, {0, 0});
@@ -93,7 +93,7 @@ int correlation_length(const DuneField& ground, glm::ivec2 towards)
     return cells;
 }
 
-/// Where `later` is most like `ground`, within so many cells.
+/// The offset within `reach` cells at which `later` correlates best with `ground`.
 glm::ivec2 moved_between(const DuneField& ground, const DuneField& later, int reach)
 {
     glm::ivec2 best(0);
@@ -107,8 +107,8 @@ glm::ivec2 moved_between(const DuneField& ground, const DuneField& later, int re
 }
 
 struct Slopes {
-    std::vector<int> lee = std::vector<int>(91); ///< cells that fall with the wind, by whole degrees
-    double too_steep = 0.0;                      ///< share of all cells, beyond 34 degrees
+    std::vector<int> lee = std::vector<int>(91); ///< number of cells that fall downwind, by whole degrees
+    double too_steep = 0.0;                      ///< share of all cells that are steeper than 34 degrees
 };
 
 Slopes slopes_of(const DuneField& ground)
@@ -147,10 +147,10 @@ TEST(SlabDunes, GrowWithSlipFacesAndCrestsAcrossTheWindAndWanderWithIt)
     EXPECT_LE(std::abs(moved.y), 1);
 }
 
-/// Of a ridge across the wind, its crest so high at first.
+/// A ridge across the wind, with a given initial height of its crest.
 struct Ridge {
     double crest_m = 0.0;
-    double celerity_m = 0.0; ///< in a step
+    double celerity_m = 0.0; ///< speed per step
 };
 
 Ridge wandering_ridge(float crest_m)
@@ -163,7 +163,7 @@ Ridge wandering_ridge(float crest_m)
     }
     Growing growing(style, start);
     Ridge ridge;
-    // The wave of the field's length is the ridge's place, finer than a cell.
+    // The phase of the wave with the field's length gives the ridge's position, finer than a cell.
     const auto place = [&](const DuneField& ground) {
         glm::dvec2 wave(0.0);
         ridge.crest_m = 0.0;
@@ -186,7 +186,7 @@ Ridge wandering_ridge(float crest_m)
 
 TEST(SlabDunes, HighOnesWanderSlowlierAsTheirFluxSays)
 {
-    // Sand that a crest is reached by: what is lifted and hops on and on until it stays.
+    // Flux of sand that reaches a crest: slabs are lifted and hop until they stay.
     const double flux_m2 = 0.4 * 0.1 * 5.0 / 0.6;
     const Ridge low = wandering_ridge(6.0F);
     const Ridge high = wandering_ridge(9.0F);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: heights between two steps, in slabs, smoothed along x.
+// One thread per cell: interpolates heights between two steps, in slabs, and smooths them along x.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

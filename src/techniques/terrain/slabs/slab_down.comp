@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: heights in metres, smoothed along y.
+// One thread per cell: converts heights to metres and smooths them along y.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: the wind may lift a slab from it, which hops until it stays. What it meets is the ground
-// before the step, and slabs are counted by whole numbers, so that order does not matter.
+// One thread per cell: the wind may lift a slab, which hops until it stays. Each slab sees the ground before
+// the step, and slabs are whole numbers, so the order of threads does not matter.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -25,15 +25,14 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/terrain/slabs/slab_lines.glsl"
 
-// Hops from a cell so high are longer or shorter than the field's by so much, 256 for 1: over crests the wind
-// is faster.
+// Length factor of hops from a cell of this height, 256 for 1: the wind is faster over crests.
 int reach_of_hop(int slabs)
 {
     int above = clamp(slabs - slab.mean, -0x4000, 0x4000);
     return clamp(256 + ((slab.gain * above) >> 8), 64, 1024);
 }
 
-// Fractions of a cell go either way, at random, so that they add up.
+// Fractions of a cell are rounded up or down at random, so that their mean is correct.
 ivec2 cells_of_hop(int reach, uint bits)
 {
     return ivec2(slab.hop_x * reach + int(bits & 0xffffu), slab.hop_y * reach + int(bits >> 16u)) >> 16;
@@ -68,7 +67,7 @@ void main()
         }
     }
     if (lands != cell) {
-        atomicAdd(next_slabs[cell], 0xffffffffu); // less one
+        atomicAdd(next_slabs[cell], 0xffffffffu); // adds -1
         atomicAdd(next_slabs[lands], 1u);
     }
 }

@@ -2,9 +2,10 @@
 #ifndef ESTAMPE_SLAB_LINES
 #define ESTAMPE_SLAB_LINES
 
-// Where lines along the wind meet a field without edge: so many steps as the field has cells visit each cell
-// once, and go on as another line. What is in the lee lies under a roof that falls from every crest upwind.
-// Needs `slab`, a SlabConstants, and last_slabs.
+// Lines along the wind on a field that repeats at its edges. After as many steps as the field has cells per
+// side, all lines together have visited each cell once, and each continues as another line. Cells in the lee
+// lie below a roof that descends downwind from every crest. The including shader must declare `slab`, a
+// SlabConstants, and last_slabs.
 
 const int no_roof = -0x40000000;
 
@@ -21,7 +22,7 @@ uint cell_of_line(int line, int step)
     return slab_cell(slab.along_y != 0u ? ivec2(across, along) : ivec2(along, across));
 }
 
-// The line that goes on as `line`.
+// The line that continues as `line`.
 int line_upwind(int line)
 {
     return (line - ((slab.slope * int(slab.side)) >> 16)) & (int(slab.side) - 1);
@@ -37,7 +38,7 @@ uint number_of_piece(int line, int piece)
     return uint(line) * slab_pieces + uint(piece);
 }
 
-// In 1/256 slab, as all that roofs are compared with.
+// Height in 1/256 slab, the unit of roofs.
 int height_of(uint slabs)
 {
     return int(slabs) << 8;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a piece of a line along the wind: how high a roof it leaves at its end.
+// One thread per piece of a line along the wind: computes the height of the roof at the piece's end.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

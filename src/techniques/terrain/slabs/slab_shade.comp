@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a piece of a line along the wind: which of its cells lie in the lee. The roof comes from as many
-// pieces upwind as a line has. The heights are copied too, for slabs to move in.
+// One thread per piece of a line along the wind: marks the cells that lie in the lee. The roof comes from as
+// many upwind pieces as a line has. Also copies the heights, as the buffer in which slabs move.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

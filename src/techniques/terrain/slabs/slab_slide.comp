@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a block of two by two cells: sand slides from one to another where it stands steeper than it
-// can. No cell is in two blocks, so it slides in place.
+// One thread per block of 2 x 2 cells: sand slides between them where it is steeper than its angle of repose.
+// Blocks do not overlap, so this works in place.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -19,7 +19,7 @@ layout(push_constant, scalar) uniform Constants
     SlideConstants slide;
 };
 
-// So many slide from the higher of two cells, half of what is too much, that at most one slides back.
+// Slabs that slide from the higher of two cells: half of the excess, so that at most one slides back.
 int sliding(int from, int to, int most)
 {
     int difference = from - to;

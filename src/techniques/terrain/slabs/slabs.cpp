@@ -30,7 +30,7 @@ uint32_t share(float value)
     return static_cast<uint32_t>(times(static_cast<double>(value), 65536.0));
 }
 
-/// Slabs that a cell's height may differ by over so many cells.
+/// Slabs by which heights may differ at the angle of repose over a distance in cells.
 int difference_at_repose(const SlabStyle& style, double cells)
 {
     const auto slope = std::tan(glm::radians(static_cast<double>(style.repose_deg)));
@@ -38,7 +38,7 @@ int difference_at_repose(const SlabStyle& style, double cells)
                                         static_cast<double>(style.slab_m)));
 }
 
-/// Spread evenly, whatever number of steps is looked at: multiples of the golden ratio.
+/// Wind direction of a step: multiples of the golden ratio spread directions evenly over any number of steps.
 double wind_rad(const SlabStyle& style, uint64_t step)
 {
     const auto turn = static_cast<double>(static_cast<uint32_t>(step) * 2654435769U) / 2147483648.0 - 1.0;
@@ -50,7 +50,7 @@ double wind_rad(const SlabStyle& style, uint64_t step)
 
 shared::SlabConstants slab_constants(const SlabStyle& style, uint32_t side, uint64_t step)
 {
-    constexpr int steepest_drop = 1 << 19; // or the sum over two fields' length would not fit
+    constexpr int steepest_drop = 1 << 19; // limits the sum over twice the side to 32 bits
     constexpr int greatest_gain = 1 << 16;
     const double wind = wind_rad(style, step);
     const glm::dvec2 downwind(std::cos(wind), std::sin(wind));
@@ -81,7 +81,7 @@ shared::SlabConstants slab_constants(const SlabStyle& style, uint32_t side, uint
 
 shared::SlideConstants slide_constants(const SlabStyle& style, uint32_t side, int slide)
 {
-    // Four places where blocks can begin; the second lies across a corner from the first.
+    // Blocks have four offsets; the second is diagonal to the first.
     const auto phase = static_cast<uint32_t>(slide) & 3U;
     return {.side = side,
             .first_x = phase & 1U,
@@ -92,8 +92,8 @@ shared::SlideConstants slide_constants(const SlabStyle& style, uint32_t side, in
 
 namespace {
 
-constexpr uint32_t most_passes = 240;  ///< of steps, in a graph; others need some too
-constexpr double most_slabs = 1 << 20; ///< on a cell at the start
+constexpr uint32_t most_passes = 240;  ///< passes of steps per graph; the graph needs some for other work
+constexpr double most_slabs = 1 << 20; ///< largest number on a cell at the start
 
 void check_side(uint32_t side)
 {
@@ -235,41 +235,44 @@ gpu::ImageId SlabField::add_moment(gpu::Graph& graph, const SlabStyle& style, do
 const style::Table<SlabStyle>& slab_table()
 {
     static const auto table =
-        style::Table<SlabStyle>("slabs", "Simulated dunes: sand that the wind moves in slabs")
+        style::Table<SlabStyle>("slabs", "Simulated dunes: sand that the wind moves in thin slabs")
             .number("cell_m", &SlabStyle::cell_m, {0.05F, 20.0F}, "m",
-                    "Side of a cell of the dune simulation")
+                    "Size of a cell of the dune simulation: less gives finer dunes")
             .number("slab_m", &SlabStyle::slab_m, {0.01F, 2.0F}, "m",
                     "Height of one slab of sand: a tenth of slabs.cell_m keeps slopes at the angle of repose")
             .number("depth_m", &SlabStyle::depth_m, {0.0F, 100.0F}, "m",
-                    "Mean depth of sand on the rock: little makes single dunes, much makes a sea of sand")
+                    "Mean depth of sand on the rock: little sand makes single dunes, much sand makes a sea "
+                    "of dunes")
             .number("wind_deg", &SlabStyle::wind_deg, {-360.0F, 360.0F}, "deg",
-                    "Direction towards which the wind blows, from the field's x towards its y. Dunes are "
-                    "best along an axis.")
+                    "Direction towards which the wind blows over the dune field: 0 is the field's x, 90 its "
+                    "y. Dunes look best when the wind blows along an axis.")
             .number("wind_spread_deg", &SlabStyle::wind_spread_deg, {0.0F, 90.0F}, "deg",
-                    "How far the wind turns to either side from step to step: 0 blows steadily")
+                    "How far the wind turns to either side from one step to the next: 0 blows always in one "
+                    "direction, more changes the direction more")
             .number("hop_cells", &SlabStyle::hop_cells, {0.25F, 32.0F}, "cells",
                     "Distance that the wind carries a slab of sand in one hop")
             .number("speedup_per_m", &SlabStyle::speedup_per_m, {0.0F, 1.0F}, "1/m",
-                    "How much farther slabs hop for each metre above the mean depth of sand: more makes "
-                    "gentler windward slopes")
+                    "How much farther slabs of sand hop for each metre above the mean depth of sand: more "
+                    "makes the windward slopes less steep")
             .number("lift_share", &SlabStyle::lift_share, {0.0F, 1.0F}, "",
                     "Share of the cells from which the wind tries to lift a slab in one step: more moves "
                     "dunes faster")
             .number("stay_on_sand", &SlabStyle::stay_on_sand, {0.01F, 1.0F}, "",
-                    "Share of the slabs that stay where they land on sand")
-            .number("stay_on_rock", &SlabStyle::stay_on_rock, {0.01F, 1.0F}, "",
-                    "Share of the slabs that stay where they land on bare rock")
+                    "Share of the slabs of sand that stay where they land on sand: more moves sand less far")
+            .number(
+                "stay_on_rock", &SlabStyle::stay_on_rock, {0.01F, 1.0F}, "",
+                "Share of the slabs of sand that stay where they land on bare rock: more moves sand less far")
             .number("lee_deg", &SlabStyle::lee_deg, {1.0F, 60.0F}, "deg",
-                    "Slope of the line from a crest, below which the air is still: more makes the sheltered "
-                    "area behind a dune shorter")
+                    "Angle below the horizontal of the sheltered area behind a crest, in which the air is "
+                    "still: more makes the sheltered area shorter")
             .number("repose_deg", &SlabStyle::repose_deg, {5.0F, 60.0F}, "deg",
-                    "Angle of repose: sand that is steeper slides")
+                    "Angle of repose: sand on slopes steeper than this angle slides down")
             .integer(
                 "slides", &SlabStyle::slides, {0, 64}, "",
-                "Number of times that sand may slide in one step: four let it slide once in each direction")
-            .integer(
-                "smooth_cells", &SlabStyle::smooth_cells, {0, 8}, "cells",
-                "How far heights are smoothed before they are drawn, so that slabs do not show as stairs")
+                "Number of times that sand may slide in one step: 4 lets sand slide once in each direction")
+            .integer("smooth_cells", &SlabStyle::smooth_cells, {0, 8}, "cells",
+                     "Distance over which heights are smoothed before the dunes are drawn: more hides the "
+                     "stairs that slabs of sand form")
             .integer("seed", &SlabStyle::seed, {0, 1000000}, "",
                      "Random seed of the dunes: another value gives another desert");
     return table;

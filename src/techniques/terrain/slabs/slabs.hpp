@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Sand that the wind moves in slabs: dunes that grow, wander and merge on a square without edge, and not a
-// slab more or less than there was. What it gives is a height image that repeats.
+// Sand that the wind moves in slabs: dunes grow, wander and merge on a square that repeats at its edges. The
+// number of slabs is constant. The result is a height image that repeats.
 
 #include <array>
 #include <span>
@@ -36,64 +36,65 @@ struct SlabStyle {
 
 [[nodiscard]] const style::Table<SlabStyle>& slab_table();
 
-/// A square of cells whose edges meet, and the slabs on them.
+/// A square field of cells that repeats at its edges, and the slabs on the cells.
 ///
-/// The same style, start and steps give the same slabs on every device, bit for bit. Sand is counted in whole
-/// slabs: there are as many after any number of steps as at the start.
+/// Equal style, start and steps give equal slabs on every device, bit for bit. Sand is counted in whole
+/// slabs, and their number never changes.
 class SlabField {
 public:
-    /// Sand of the style's depth, a metre up and down at random. `side` is in cells: a power of two, 64 to
-    /// 1024; anything else is an std::logic_error.
+    /// Starts with the style's depth of sand, plus random differences of up to a metre. `side` is in cells: a
+    /// power of two, 64 to 1024; other values throw std::logic_error.
     SlabField(gpu::Device& device, const SlabStyle& style, uint32_t side = 512);
-    /// From heights in metres, row by row, rounded to slabs; `side` times `side` of them. What is negative or
-    /// no number is bare rock.
+    /// Starts from `side` times `side` heights in metres, row by row, rounded to slabs. A negative height or
+    /// NaN is bare rock.
     SlabField(gpu::Device& device, const SlabStyle& style, uint32_t side, std::span<const float> heights_m);
 
-    /// Lets `count` steps pass, and hands out heights in metres: r32f, `side` texels square, a cell each, to
-    /// be sampled with Sampling::linear_repeat. `fraction` runs from 0, before the last step, to 1, after it,
-    /// so that motion between steps is smooth; with a `count` of 0 it is of the steps that passed before.
+    /// Lets `count` steps pass, and returns heights in metres: r32f, `side` x `side` texels, one per cell,
+    /// for Sampling::linear_repeat. `fraction` interpolates from 0, before the last step, to 1, after it, so
+    /// that motion between steps is smooth; a `count` of 0 interpolates the last step of earlier calls.
     ///
-    /// The graph must be run, and graphs in the order in which they were given to the field, which must
-    /// outlive their runs. Once a graph.
+    /// The graph must be run, in the order in which graphs were given to the field, and the field must
+    /// outlive the runs. Call once per graph.
+    ///
     /// Throws  std::logic_error for more than most_steps() in one graph
-    /// Cost    a step: three dispatches, and one of a quarter of the threads for each of `slides`; heights:
-    /// two Source  Werner, "Eolian dunes: computer simulations and attractor interpretation", Geology 23,
-    /// 1995;
+    /// Cost    per step three dispatches, and one of a quarter of the threads for each of `slides`; two for
+    ///         heights
+    /// Source  Werner, "Eolian dunes: computer simulations and attractor interpretation", Geology 23, 1995;
     ///         Momiji, Carretero-Gonzalez, Bishop and Warren, "Simulation of the effect of wind speedup in
     ///         the formation of transverse dune fields", Earth Surface Processes and Landforms 25, 2000
     [[nodiscard]] gpu::ImageId add_steps(gpu::Graph& graph, const SlabStyle& style, uint32_t count,
                                          float fraction = 1.0F);
 
-    /// The same for a moment counted in steps: 3.25 is a quarter of the way from state 3 to 4. What is
-    /// missing to it is caught up with `most` steps a graph; a moment that has passed shows the state before
-    /// the last.
+    /// Lets steps pass up to a moment, counted in steps: 3.25 is a quarter of the way from state 3 to 4. At
+    /// most `most` steps pass per graph, until the moment is reached. A moment in the past shows the state
+    /// before the last step.
     [[nodiscard]] gpu::ImageId add_moment(gpu::Graph& graph, const SlabStyle& style, double moment,
                                           uint32_t most);
 
-    /// As many steps as one graph takes.
+    /// The largest number of steps per graph.
     [[nodiscard]] static uint32_t most_steps(const SlabStyle& style);
 
     [[nodiscard]] uint32_t side() const { return side_; }
 
-    /// Steps that have passed, or will have when the graphs so far have been run.
+    /// Steps that have passed once all graphs so far have run.
     [[nodiscard]] uint64_t steps() const { return steps_; }
 
-    /// Slabs on each cell, row by row: one word each.
+    /// Slabs on each cell, row by row, one word each.
     [[nodiscard]] gpu::Buffer& slabs() { return states_[newest_]; }
 
 private:
     SlabField(gpu::Device& device, uint32_t side, const std::vector<uint32_t>& slabs);
 
-    std::array<gpu::Buffer, 2> states_; ///< before and after the last step
+    std::array<gpu::Buffer, 2> states_; ///< states before and after the last step
     uint32_t newest_ = 0;
     uint32_t side_ = 0;
     uint64_t steps_ = 0;
 };
 
-/// Of a step, whose wind is one of those within the spread.
+/// Constants of a step, with a wind direction within the style's spread.
 [[nodiscard]] shared::SlabConstants slab_constants(const SlabStyle& style, uint32_t side, uint64_t step);
 
-/// Of one of a step's slides.
+/// Constants of one of the slides of a step.
 [[nodiscard]] shared::SlideConstants slide_constants(const SlabStyle& style, uint32_t side, int slide);
 
 } // namespace estampe::terrain

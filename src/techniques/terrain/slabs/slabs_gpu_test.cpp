@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Slabs against plain loops, slab by slab; that none is lost; and that what grows are dunes.
+// Compares slabs with plain loops, slab by slab; tests that none is lost and that dunes grow.
 #include "techniques/terrain/slabs/slabs.hpp"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ uint64_t sum_of_slabs(const Slabs& slabs)
     return std::accumulate(slabs.begin(), slabs.end(), uint64_t{0});
 }
 
-/// A step in plain loops.
+/// A step of the simulation in plain loops.
 class Reference {
 public:
     Reference(uint32_t side, const Slabs& slabs)
@@ -85,7 +85,7 @@ private:
         return static_cast<size_t>((y & last) * side_ + (x & last));
     }
 
-    /// By walking each line twice as far as the field is long, and remembering the second half.
+    /// Walks each line for twice the field's length, and keeps the second half.
     [[nodiscard]] std::vector<bool> lee_cells(const shared::SlabConstants& c) const
     {
         std::vector<bool> lee(slabs_.size());
@@ -96,7 +96,7 @@ private:
                     return c.along_y != 0 ? cell(across, c.sign * step) : cell(c.sign * step, across);
                 };
                 bool is_lee = false;
-                // From the start of a piece, a field's length before the cell's own piece.
+                // Begins at the start of a piece, one field length before the cell's own piece.
                 const int piece = side_ / static_cast<int>(shared::slab_pieces);
                 for (int back = 1; end - back >= end / piece * piece - side_; ++back) {
                     is_lee = is_lee || slabs_[at(end - back)] * 256 - c.drop * back > slabs_[at(end)] * 256;
@@ -161,7 +161,7 @@ private:
     std::vector<int> slabs_;
 };
 
-/// Hills with bare rock between them, steeper than sand can stand, and a column that throws a long lee.
+/// Hills that are too steep for sand, with bare rock between them, and a column with a long lee.
 std::vector<float> rough_start(uint32_t side)
 {
     std::vector<float> heights;
@@ -227,7 +227,7 @@ TEST(Slabs, HeightsHoldTheSandAndRepeat)
         const double sand_m = 0.1 * static_cast<double>(sum_of_slabs(slabs_of(field)));
         const std::vector<float> heights = heights_after(field, style, 0);
         EXPECT_NEAR(std::accumulate(heights.begin(), heights.end(), 0.0) / sand_m, 1.0, 1e-6) << smooth;
-        // What is moved round the field comes out moved.
+        // A start that is shifted around the field gives a result with the same shift.
         const std::vector<float> start = rough_start(side);
         std::vector<float> moved_start(start.size());
         const auto moved = [&](size_t i) { return (i / side + 50) % side * side + (i + 9) % side; };

@@ -48,7 +48,8 @@ TEST(Track, SaysWhatIsWrong)
     }
 }
 
-/// Left and right in turn, a stride apart, at the walker's pace; the last one now where no start is given.
+/// Footprints are left and right in turn, a stride apart, at the walker's pace; without a start time the last
+/// one is pressed at time 0.
 TEST(Track, IsWalked)
 {
     const std::vector<TimedStamp> steps = stamps_of(parse_track("0,0 20,0", "rider", ""));

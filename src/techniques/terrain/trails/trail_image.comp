@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a texel: the window's heights as an image that begins at its corner, level at its edge.
+// One thread per texel copies the window's heights to an image that begins at the window's corner, and fades
+// them at its edge.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread bends the shading normal of one pixel of sand by the trails there: by how much their height
-// differs across what the pixel covers of the ground. Where a trail shades itself it turns from the sun.
+// One thread bends the shading normal of a pixel of sand by the trails there: by the change of their height
+// across the pixel's area on the ground. Where a trail shades itself, the normal turns away from the sun.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -28,7 +28,7 @@ layout(push_constant, scalar) uniform Constants
 };
 
 const int shadow_steps = 8;
-const float longest_m = 0.5; // that a pixel may cover: beyond a trail is finer than what is seen
+const float longest_m = 0.5; // in pixels that cover more of the ground, trails are invisible
 
 float trail_height_m(vec2 place_m)
 {
@@ -36,7 +36,7 @@ float trail_height_m(vec2 place_m)
     return textureLod(trail_image, (place_m - relief.corner_m) / size_m, 0.0).x;
 }
 
-// Along a step, across a texel at least.
+// Slope along a step, measured over at least one texel.
 float rise(vec2 place_m, vec2 along_m, float length_m)
 {
     vec2 aside = 0.5 * max(length_m, relief.texel_m) / length_m * along_m;
@@ -44,7 +44,7 @@ float rise(vec2 place_m, vec2 along_m, float length_m)
            max(length_m, relief.texel_m);
 }
 
-// Share of the sun that what stands beside a place leaves it, a texel after another towards the sun.
+// Share of the sunlight that reaches a place past its surroundings, sampled texel by texel towards the sun.
 float sun_left(vec2 place_m, vec3 normal)
 {
     float up = dot(relief.towards_sun, normal);
@@ -55,7 +55,7 @@ float sun_left(vec2 place_m, vec3 normal)
     }
     float here = trail_height_m(place_m);
     float rising = up / level_m;
-    float highest = 0.0; // what stands above the ray, by its way
+    float highest = 0.0; // largest height above the ray, relative to its distance
     for (int i = 1; i <= shadow_steps; ++i) {
         float way = float(i) * relief.texel_m;
         highest = max(highest, (trail_height_m(place_m + way / level_m * level) - here) / way - rising);
@@ -91,7 +91,7 @@ void main()
     if (max(right_m, down_m) > longest_m || abs(turned) < 1e-3 || smooth_normal.y <= 0.0) {
         return;
     }
-    // The slope whose parts along both steps are the rises there.
+    // The slope whose components along both steps equal the measured rises.
     float along_right = rise(place.xz, right, right_m);
     float along_down = rise(place.xz, down, down_m);
     vec2 slope =

@@ -22,11 +22,11 @@ namespace {
 
 constexpr uint32_t ticks_a_step = 4;
 constexpr double steps_a_second = 30.0;
-constexpr uint32_t most_steps = 30 * 3600;   ///< at once: an hour
-constexpr uint32_t steps_a_dispatch = 16384; ///< lavapipe stops a thread after 65535 rounds of its loops
-constexpr int slumps = 8;           ///< steps through which sand slumps after something was pressed in
-constexpr float least_m = 0.001F;   ///< depth that is remembered
-constexpr double farthest_m = 1e12; ///< from the origin: texels can still be counted
+constexpr uint32_t most_steps = 30 * 3600;   ///< steps that may pass at once: an hour
+constexpr uint32_t steps_a_dispatch = 16384; ///< lavapipe stops a thread after 65535 loop rounds
+constexpr int slumps = 8;                    ///< steps during which sand slumps after a stamp
+constexpr float least_m = 0.001F;            ///< shallower stamps are forgotten
+constexpr double farthest_m = 1e12; ///< largest distance from the origin, where texels can still be counted
 
 std::vector<float> even_ground(uint32_t side, double extent_m)
 {
@@ -37,7 +37,7 @@ std::vector<float> even_ground(uint32_t side, double extent_m)
     return std::vector<float>(static_cast<size_t>(side) * side);
 }
 
-/// Whether all of it lay within the window before that moved.
+/// Returns whether the whole stamp was inside the window before that moved.
 bool lay_within(const shared::TrailPress& press, glm::i64vec2 moved, uint32_t side)
 {
     const glm::i64vec2 base = moved + glm::i64vec2(press.base_x, press.base_y);
@@ -63,9 +63,9 @@ bool is_usable(const TrailStamp& stamp)
            is_size(stamp.depth_m, 1e-4F) && is_size(stamp.rim_m, 1e-3F);
 }
 
-/// Where a stamp meets a window; of one longer than that, as far as a little beyond it. Places are counted
-/// from a texel of the ground near the stamp, so that they are the same wherever the window is. Nothing where
-/// it touches no texel.
+/// Converts a stamp to texels of a window; a stamp longer than the window is cut a little outside it. Places
+/// are relative to a texel of the ground near the stamp, so that they do not depend on the window. Returns
+/// none if the stamp touches no texel.
 std::optional<shared::TrailPress> press_of(const TrailStamp& stamp, uint32_t side, double texel_m,
                                            glm::i64vec2 first)
 {
@@ -172,7 +172,7 @@ void TrailField::go_to(const TerrainTrails& style, glm::dvec2 centre_m)
     if (is_placed_ && first == first_) {
         return;
     }
-    // What has not arrived yet is found again.
+    // Stamps that had not been repeated yet are collected again.
     const bool is_whole = !std::exchange(is_placed_, true) || !arriving_.empty();
     const glm::i64vec2 far(side_);
     const glm::i64vec2 moved = is_whole ? far : glm::clamp(first - first_ + moved_, -far, far);
@@ -197,7 +197,7 @@ void TrailField::go_to(const TerrainTrails& style, glm::dvec2 centre_m)
     }
 }
 
-/// Makes the texels that have come in even, and presses into them what is known.
+/// Levels the new texels, and repeats the known stamps in them.
 gpu::BufferId TrailField::add_arriving(gpu::Graph& graph, const TerrainTrails& style, size_t most,
                                        gpu::BufferId heights)
 {
@@ -227,7 +227,7 @@ gpu::BufferId TrailField::add_slump(gpu::Graph& graph, const TerrainTrails& styl
 {
     const double beside_m = texel_m_ * std::tan(glm::radians(static_cast<double>(style.repose_deg)));
     for (uint32_t phase = 0; phase < 4; ++phase) {
-        // The second place where blocks begin lies across a corner from the first.
+        // The second of the four block offsets is diagonal to the first.
         const glm::uvec2 begin(phase & 1U, (phase ^ (phase >> 1U)) & 1U);
         auto pass = graph.compute("trails/slump", shaders::trail_slump_comp);
         heights = pass.modify(heights);
@@ -298,7 +298,7 @@ namespace {
 
 constexpr double ticks_a_second = 120.0;
 constexpr uint32_t window_texels = 1024;
-constexpr double longest_step_s = 2.0; ///< beyond it time has jumped
+constexpr double longest_step_s = 2.0; ///< a longer step counts as a jump in time
 
 int64_t ticks_at(double time_s)
 {
@@ -363,7 +363,7 @@ void Footprints::prepare(gpu::Device& device, const FootprintMoment& moment)
     }
 }
 
-/// What has been pressed in by a moment, as old as it is then.
+/// Rebuilds the field from all stamps before a time, at their age.
 void Footprints::make_afresh(gpu::Device& device, double time_s)
 {
     next_step_ = static_cast<size_t>(std::ranges::upper_bound(steps_, time_s, {}, &TimedStamp::time_s) -
@@ -379,7 +379,7 @@ void Footprints::make_afresh(gpu::Device& device, double time_s)
     }
 }
 
-/// Presses in what tracks do until a moment; after a jump, as it is seen by then.
+/// Presses in the tracks' stamps up to a time; after a jump in time, repeats them at their age.
 void Footprints::walk_on(double time_s)
 {
     const bool is_jump = time_s - moment_.time_s > longest_step_s;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Trails in sand: what walks or is dragged over the ground presses it down and throws up a rim, the rim
-// slumps, and the wind fills it again. Heights beside those of the ground, in a window that follows somebody;
-// and the trails of a terrain as a picture of it has them: tracks of its file, and what a program presses in.
+// Trails in sand: whoever walks or is dragged over the ground presses it down and raises a rim; the rim
+// slumps, and the wind fills the trail again. Trails are heights that are added to the ground's, in a window
+// that follows a point. The trails of a picture come from the tracks of the terrain's file and from stamps of
+// the program.
 
 #include <deque>
 #include <memory>
@@ -22,59 +23,59 @@
 
 namespace estampe::terrain {
 
-/// Something pressed in at a moment.
+/// A stamp and the time when it is pressed in.
 struct TimedStamp {
     TrailStamp stamp;
     double time_s = 0.0;
 };
 
-/// What a track presses in, one after the other: prints to the left and to the right, no two quite alike, or
-/// short drags. The curve is Catmull and Rom's, "A Class of Local Interpolating Splines", 1974. Cost: linear
-/// in its length.
+/// The stamps of a track in their order: left and right footprints, each slightly different, or short drags.
+/// The curve is that of Catmull and Rom, "A Class of Local Interpolating Splines", 1974. Cost: linear in its
+/// length.
 [[nodiscard]] std::vector<TimedStamp> stamps_of(const TerrainTrack& track);
 
-/// Heights to be added to those of the ground, and where they lie.
+/// Heights to add to the ground's, and their position.
 struct TrailImage {
-    gpu::ImageId height; ///< r32f, metres; 0 at the edge, so that Sampling::linear is level beyond it
-    glm::dvec2 corner_m; ///< x and z of the image's corner: its first texel's centre is half a texel on
+    gpu::ImageId height; ///< r32f, metres; 0 at the edge, so that Sampling::linear is level beyond
+    glm::dvec2 corner_m; ///< x and z of the image's corner, half a texel before its first centre
     double texel_m = 0.0;
 };
 
-/// A square window of texels that follows a point by whole texels: those that stay within keep their values
-/// bit for bit, wherever the window goes, and what it comes upon is as it was pressed, as old as it is. Time
-/// passes in steps of 1/30 s, so that how it is split among frames does not matter.
+/// A square window of texels that follows a point in steps of whole texels. Texels that stay inside keep
+/// their values bit for bit, wherever the window goes. In newly entered texels, known stamps are repeated
+/// according to their age. Time passes in steps of 1/30 s, so that results do not depend on how it is divided
+/// into frames.
 class TrailField {
 public:
-    /// `side` is in texels: a power of two, 16 to 1024; anything else is an std::logic_error.
+    /// `side` is in texels: a power of two, 16 to 1024; other values throw std::logic_error.
     TrailField(gpu::Device& device, uint32_t side = 512, double extent_m = 32.0);
 
-    /// Things to press in, one after the other, at the next add_step(). Those that are not finite, or longer
-    /// than 100 m, are left out. The last most_known() are remembered.
+    /// Adds stamps to press in, in order, at the next add_step(). Stamps that are not finite, or longer than
+    /// 100 m, are ignored. The last most_known() stamps are remembered.
     void press(std::span<const TrailStamp> stamps);
 
-    /// Something that was pressed in so long ago, in seconds: seen where the window comes upon it from now
-    /// on.
+    /// Remembers a stamp that was pressed in `age_s` seconds ago. It appears where the window newly enters
+    /// from now on.
     void remember(const TrailStamp& stamp, double age_s);
 
-    /// Lets time pass at once: the next add_step() makes all texels anew, of what is remembered, as old as it
-    /// is then.
+    /// Lets time jump: the next add_step() rebuilds all texels from the remembered stamps at their new age.
     void pass(uint32_t ticks);
 
-    /// Takes the window about a place; where that is not finite it stays.
+    /// Centres the window on a place; does nothing if the place is not finite.
     void go_to(const TerrainTrails& style, glm::dvec2 centre_m);
 
-    /// Whether more of what is remembered comes into the window than one step takes: then graphs with
-    /// add_catching_up() alone are to be run first.
+    /// Returns whether more remembered stamps come into the window than one step can press. If so, first run
+    /// graphs that only have add_catching_up().
     [[nodiscard]] bool is_behind() const { return arriving_.size() > most_presses(); }
 
     void add_catching_up(gpu::Graph& graph, const TerrainTrails& style);
 
-    /// Lets `ticks` of 1/120 s pass with the window about `centre_m` (where that is not finite it stays), and
-    /// hands out the heights. What waits is pressed in first, at most most_presses() a graph; the rest waits
-    /// on. The graph must be run, and graphs in the order in which they were given to the field, which must
-    /// outlive their runs. Once a graph. Cost    a dispatch for the image; where steps pass or the window
-    /// moves one more, for each stamp one of
-    ///         one workgroup, for each step that slumps four of a quarter of the threads
+    /// Lets `ticks` of 1/120 s pass with the window centred on `centre_m` (unchanged if that is not finite),
+    /// and returns the heights. Waiting stamps are pressed in first, at most most_presses() per graph; the
+    /// others keep waiting. The graph must be run, in the order in which graphs were given to the field, and
+    /// the field must outlive the runs. Call once per graph. Cost: one dispatch for the image; one more if
+    /// steps pass or the window moves; one of a single workgroup per stamp; four of a quarter of the threads
+    /// per step that slumps.
     [[nodiscard]] TrailImage add_step(gpu::Graph& graph, const TerrainTrails& style, uint32_t ticks,
                                       glm::dvec2 centre_m);
 
@@ -82,20 +83,20 @@ public:
 
     [[nodiscard]] static constexpr size_t most_known() { return 4096; }
 
-    /// Whether anything was ever pressed in, or waits to be.
+    /// Returns whether anything was ever pressed in or waits to be.
     [[nodiscard]] bool is_trodden() const { return !known_.empty() || !waiting_.empty(); }
 
     [[nodiscard]] uint32_t side() const { return side_; }
 
     [[nodiscard]] double texel_m() const { return texel_m_; }
 
-    /// Heights in metres: the texel of the ground of number n is kept at n modulo the side, in x and in y.
+    /// Heights in metres. Texel number n of the ground is stored at n modulo the side, in x and in y.
     [[nodiscard]] gpu::Buffer& heights() { return heights_; }
 
 private:
     struct Known {
         TrailStamp stamp;
-        int64_t pressed_ticks = 0; ///< on the clock of the field
+        int64_t pressed_ticks = 0; ///< time on the field's clock
     };
 
     [[nodiscard]] gpu::BufferId add_arriving(gpu::Graph& graph, const TerrainTrails& style, size_t most,
@@ -115,37 +116,37 @@ private:
     uint32_t side_;
     double texel_m_;
     glm::i64vec2 first_{0};  ///< number of the window's first texel on the ground
-    bool is_placed_ = false; ///< the window has been somewhere
-    uint32_t ticks_ = 0;     ///< that have passed since the last step
+    bool is_placed_ = false; ///< the window has been placed once
+    uint32_t ticks_ = 0;     ///< ticks since the last step
     int slumps_left_ = 0;
     std::deque<TrailStamp> waiting_;
     std::deque<Known> known_;        ///< the oldest first
-    glm::i64vec2 moved_{0};          ///< texels that the window has moved by, which are yet to be made even
-    bool is_arriving_whole_ = false; ///< all texels are
-    std::deque<shared::TrailPress> arriving_; ///< what of the known lies in them
+    glm::i64vec2 moved_{0};          ///< movement of the window whose new texels are not levelled yet
+    bool is_arriving_whole_ = false; ///< all texels are new
+    std::deque<shared::TrailPress> arriving_; ///< known stamps to repeat in the new texels
     int64_t now_ticks_ = 0;
 };
 
-/// When and about where trails are to be seen.
+/// The time at which trails are shown, and the centre of the window.
 struct FootprintMoment {
     double time_s = 0.0;
     glm::dvec2 centre_m{0.0};
-    bool follows = false; ///< comes right after the one before, in a film: prints go on from there
+    bool follows = false; ///< directly follows the previous moment, as in a film: trails continue from there
 };
 
 class Footprints {
 public:
     explicit Footprints(const TerrainDescription& terrain);
 
-    /// Takes a terrain's trails and tracks; what a program has pressed in stays if they are the same.
+    /// Sets a terrain's trails and tracks. If they are unchanged, the program's stamps are kept.
     void set(const TerrainDescription& terrain);
 
-    /// Pressed in at the next moment. See TrailField::press().
+    /// Adds stamps for the next moment. See TrailField::press().
     void press(std::span<const TrailStamp> stamps);
 
-    /// Goes to a moment. One that follows lets sand slump and be filled step by step; any other is made
-    /// afresh, so that it looks the same whatever was seen before. Back in time, what a program has pressed
-    /// in since is forgotten.
+    /// Goes to a moment. If it follows the previous one, sand slumps and is filled step by step. Any other
+    /// moment is rebuilt, so that it does not depend on what was shown before. Going back in time forgets the
+    /// program's stamps after that time.
     void prepare(gpu::Device& device, const FootprintMoment& moment);
 
     /// See TrailField::is_behind().
@@ -153,10 +154,10 @@ public:
 
     void add_catching_up(gpu::Graph& graph) { field_->add_catching_up(graph, trails_); }
 
-    /// What add_step() gives; nothing where nobody has walked. Once a graph.
+    /// Returns the image of TrailField::add_step(); none if nobody has walked. Call once per graph.
     [[nodiscard]] std::optional<TrailImage> add_image(gpu::Graph& graph);
 
-    /// Side of the square that is seen, in metres.
+    /// Side of the window, in metres.
     [[nodiscard]] double extent_m() const { return static_cast<double>(trails_.extent_m); }
 
 private:
@@ -165,11 +166,11 @@ private:
 
     TerrainTrails trails_;
     std::vector<TerrainTrack> tracks_;
-    std::vector<TimedStamp> steps_; ///< of all tracks, in the order of time
+    std::vector<TimedStamp> steps_; ///< stamps of all tracks, in the order of time
     size_t next_step_ = 0;
-    std::vector<TrailStamp> waiting_;   ///< for the next moment, by the program
-    std::vector<TimedStamp> pressed_;   ///< by the program
-    std::unique_ptr<TrailField> field_; ///< where anybody has walked
+    std::vector<TrailStamp> waiting_;   ///< the program's stamps for the next moment
+    std::vector<TimedStamp> pressed_;   ///< the program's stamps up to now
+    std::unique_ptr<TrailField> field_; ///< null until anybody has walked
     bool is_made_afresh_ = false;
     FootprintMoment moment_;
     uint32_t ticks_due_ = 0;
@@ -179,16 +180,17 @@ struct ReliefInputs {
     gpu::BufferId frame; ///< FrameGlobals
     gpu::ImageId draw;
     gpu::ImageId depth;
-    gpu::ImageId normal; ///< rg32ui: shading, smooth
+    gpu::ImageId normal; ///< rg32ui: shading normal, smooth normal
     glm::uvec2 size_px{0};
     uint32_t terrain_draw = 0;
     glm::dvec2 anchor_m{0.0};
-    glm::vec3 towards_sun{0.0F}; ///< unit; 0: there is none
+    glm::vec3 towards_sun{0.0F}; ///< unit vector; 0 without a sun
 };
 
-/// Bends the shading normals of the terrain by trails, and from the sun where these shade themselves.
+/// Bends the terrain's shading normals by trails, and turns them away from the sun where trails shade
+/// themselves.
 ///
-/// Writes  a new version of `normal`: on pixels of the terrain within the image
+/// Writes  a new version of `normal`, for pixels of the terrain within the image
 /// Cost    one full-screen dispatch
 [[nodiscard]] gpu::ImageId add_trail_relief(gpu::Graph& graph, const ReliefInputs& in,
                                             const TrailImage& trails);

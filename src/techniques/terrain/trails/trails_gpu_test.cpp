@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Trails: what is pressed in comes out as a rim, time takes it by its half-life, and the window moves
+// Trails: displaced sand becomes a rim, heights decay by their half-life, and moving the window changes
 // nothing.
 #include "techniques/terrain/trails/trails.hpp"
 
@@ -23,11 +23,11 @@ constexpr double extent_m = 8.0;
 constexpr double texel_m = extent_m / trails_side;
 
 struct Seen {
-    std::vector<float> heights_m; ///< of the image, row by row
+    std::vector<float> heights_m; ///< heights of the image, row by row
     glm::dvec2 corner_m{0.0};
 };
 
-/// A field whose steps are let pass one after the other.
+/// A field that is simulated step by step.
 class Walked {
 public:
     Seen after(uint32_t ticks, glm::dvec2 centre_m = {})
@@ -47,7 +47,7 @@ public:
     TerrainTrails style;
 };
 
-/// Of a texel of the ground by its number.
+/// Height of a texel of the ground, by its number.
 float height_of(const std::vector<float>& kept, glm::ivec2 number)
 {
     const int last = static_cast<int>(trails_side) - 1;
@@ -84,7 +84,7 @@ TEST(Trails, TheRimTakesWhatTheSoleGives)
         EXPECT_GE(*std::min_element(kept.begin(), kept.end()), -stamp.depth_m);
         EXPECT_GT(*std::max_element(kept.begin(), kept.end()), 0.1F * stamp.depth_m);
     }
-    // One after the other, over each other, and slumping.
+    // Stamps in sequence, overlapping each other, with slumping.
     Walked walked;
     walked.style.half_life_s = 1e6F;
     walked.field.press(stamps);
@@ -117,7 +117,7 @@ TEST(Trails, ADiscIsItsDepthWithinAndARimWithout)
             EXPECT_NEAR(height_of(kept, turned), height, 1e-6F);
         }
     }
-    // Who stands there already goes no deeper.
+    // A second press at the same place goes no deeper.
     walked.field.press({&disc, 1});
     static_cast<void>(walked.after(0));
     EXPECT_EQ(height_of(walked.kept(), {0, 0}), -0.04F);
@@ -131,7 +131,7 @@ TEST(Trails, HalfIsLeftAfterTheHalfLifeHoweverTimeIsSplit)
     for (Walked* walked : {&once, &often}) {
         walked->style = {.half_life_s = 5.0F};
         walked->field.press(stamps);
-        static_cast<void>(walked->after(40)); // until nothing slumps
+        static_cast<void>(walked->after(40)); // until slumping has ended
     }
     const std::vector<float> before = once.kept();
     ASSERT_EQ(before, often.kept());
@@ -183,8 +183,8 @@ TEST(Trails, TheWindowMovesNothing)
     EXPECT_EQ(depth_sum_of(walked.kept()), 0.0);
 }
 
-/// What the window comes upon is what was pressed in there, by one texel after another or at once; as deep as
-/// the wind has left it.
+/// Texels that newly enter the window, one by one or all at once, show the known stamps, as deep as the wind
+/// has left them.
 TEST(Trails, WhatWasPressedInIsRemembered)
 {
     constexpr double far_m = 20.0;
@@ -206,7 +206,7 @@ TEST(Trails, WhatWasPressedInIsRemembered)
     EXPECT_EQ(slowly.kept(), kept);
     EXPECT_EQ(height_of(kept, glm::ivec2(glm::floor(stamps[0].from_m / texel_m))), -0.025F);
     EXPECT_NEAR(sum_of_heights(kept) / depth_sum_of(kept), 0.0, 0.05);
-    // Who walks away and comes back finds his prints.
+    // Footprints are still there after the window moves away and back.
     Walked away;
     away.style.half_life_s = 1e6F;
     away.field.press({stamps.data(), 1});
@@ -216,14 +216,14 @@ TEST(Trails, WhatWasPressedInIsRemembered)
     EXPECT_EQ(depth_sum_of(away.kept()), 0.0);
     static_cast<void>(away.after(0));
     EXPECT_NEAR(depth_sum_of(away.kept()), pressed, 0.1 * pressed);
-    // After a pause it is as old as it is.
+    // After a pause, stamps have their correct age.
     away.style.half_life_s = 10.0F;
     away.field.pass(1200);
     static_cast<void>(away.after(0));
     EXPECT_NEAR(depth_sum_of(away.kept()), 0.5 * pressed, 0.1 * pressed);
 }
 
-/// Heights about a place after stamps there, with steps between, seen from a window about another.
+/// Heights around a place after stamps there, with steps between, in a window around another place.
 std::vector<float> pressed_at(glm::ivec2 texel, glm::ivec2 centre)
 {
     Walked walked;
@@ -248,7 +248,8 @@ TEST(Trails, WhereTexelsWrapThereIsNoSeam)
 {
     const std::vector<float> expected = pressed_at({32, 32}, {32, 32});
     EXPECT_GT(depth_sum_of(expected), 1.0);
-    // In the middle of what is kept, on its edge, on its corner; the window about it or aside.
+    // In the middle, on the edge and on the corner of the stored texels; with the window around them or
+    // beside.
     for (const auto& [texel, centre] :
          {std::pair(glm::ivec2(32, 32), glm::ivec2(50, 18)),
           std::pair(glm::ivec2(128, 32), glm::ivec2(128, 32)), std::pair(glm::ivec2(0, 0), glm::ivec2(0, 0)),
@@ -259,7 +260,7 @@ TEST(Trails, WhereTexelsWrapThereIsNoSeam)
 
 TEST(Trails, TheSameFarFromTheOrigin)
 {
-    // A whole number of texels away: the same places but for the last bits of a double.
+    // A whole number of texels away, places only differ in the last bits of a double.
     const int far = 1 << 24;
     const std::vector<float> expected = pressed_at({32, 32}, {32, 32});
     const std::vector<float> there = pressed_at({far + 32, 32 - far}, {far + 32, 32 - far});
@@ -300,7 +301,7 @@ TEST(Trails, WhatCannotBePressedIsLeftOut)
     EXPECT_EQ(depth_sum_of(walked.kept()), 0.0);
     const glm::dvec2 corner_m = walked.after(0, {1.0, 2.0}).corner_m;
     EXPECT_EQ(walked.after(0, {nan, 2.0}).corner_m, corner_m);
-    // More than a graph takes waits for the next.
+    // Stamps beyond a graph's limit wait for the next graph.
     const std::vector<TrailStamp> many(TrailField::most_presses(), TrailStamp::disc({0.0, 0.0}, 0.3F, 0.1F));
     const TrailStamp last = TrailStamp::disc({2.0, 2.0}, 0.3F, 0.1F);
     walked.field.press(many);

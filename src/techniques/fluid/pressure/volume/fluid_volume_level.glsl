@@ -15,7 +15,7 @@ int index_of(ivec3 cell)
     return (cell.z * int(level.height) + cell.y) * int(level.width) + cell.x;
 }
 
-// The neighbour of a cell along an axis; itself where there is none, as the face between is closed.
+// The neighbour of a cell along an axis; at a wall the cell itself.
 ivec3 neighbour(ivec3 cell, int axis, int step)
 {
     int size = level_size()[axis];
@@ -28,15 +28,14 @@ ivec3 neighbour(ivec3 cell, int axis, int step)
     return cell;
 }
 
-// How open the faces of a cell towards lower x, y and z are.
+// Openings of a cell's faces towards lower x, y and z.
 vec3 lower_openings(ivec3 cell)
 {
     uvec2 packed = texelFetch(weights, int(level.first) + index_of(cell)).xy;
     return vec3(unpackHalf2x16(packed.x), unpackHalf2x16(packed.y).x);
 }
 
-// How open its face towards the neighbour at the high end is: 0 at a wall, where the neighbour is the cell
-// itself.
+// Opening of a cell's face at the high end of an axis; 0 at a wall.
 float upper_opening(ivec3 cell, int axis)
 {
     ivec3 next = neighbour(cell, axis, 1);

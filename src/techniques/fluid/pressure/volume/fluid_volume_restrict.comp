@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell of the coarser level of a volume: what is left of the equations of its eight cells,
-// summed.
+// One thread per cell of the coarser level of a volume: the sum of the residuals of its eight cells.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell of any level of a volume: how open its faces towards lower x, y and z are, as three
-// halves. As in fluid_weights.comp, a coarser face is half the sum of those that it is made of, and next to
-// the last cell more.
+// One thread per cell of any level of a volume: openings of its faces towards lower x, y and z, as three
+// halves. As in fluid_weights.comp, a coarser face is half the sum of the faces that it covers, or more next
+// to the last, narrower cell.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -34,7 +34,7 @@ bool is_open(ivec3 cell)
     return (variant & fluid_bit_solids) == 0u || texelFetch(solids, int(fluid_cell_index(cell))).x == 0u;
 }
 
-// Of the faces of the grid that make up that of a coarser cell, from `low` on, those that are open.
+// Number of open faces of the grid among those that make up a coarser cell's face from `low` on.
 float open_faces(ivec3 low, int axis, int span)
 {
     if (low[axis] == 0 && !is_periodic(axis)) {
