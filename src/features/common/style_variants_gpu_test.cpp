@@ -209,7 +209,7 @@ TEST(DrawingFactorPictures, AreThoseOfTheValuesMultiplied)
 TEST(DrawingFactorPictures, MoreInkWithEachThatDarkens)
 {
     const auto mean = [](const std::vector<std::string>& assignments) {
-        std::vector<std::string> all{"wash.strength=0", "paper.grain=0"};
+        std::vector<std::string> all{"wash.strength=0", "paper.grain=0", "tone.exposure=0.6"};
         all.insert(all.end(), assignments.begin(), assignments.end());
         const Image image = draw_variants(style_of_all(all));
         double sum = 0.0;
