@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <iterator>
-#include <ranges>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -199,10 +198,11 @@ std::string AnySchema::write_any(const void* values) const
 
 std::string AnySchema::help(std::string_view section_name) const
 {
-    const auto is_wanted = [&](const Section& section) {
+    std::vector<Section> wanted;
+    std::ranges::copy_if(sections_, std::back_inserter(wanted), [&](const Section& section) {
         return section_name.empty() || section.name == section_name;
-    };
-    if (std::ranges::none_of(sections_, is_wanted)) {
+    });
+    if (wanted.empty()) {
         std::vector<std::string> names;
         std::ranges::transform(sections_, std::back_inserter(names), &Section::name);
         const std::string meant = nearest(section_name, names);
@@ -214,7 +214,7 @@ std::string AnySchema::help(std::string_view section_name) const
     size_t key_width = 0;
     size_t range_width = 0;
     size_t default_width = 0;
-    for (const Section& section : sections_ | std::views::filter(is_wanted)) {
+    for (const Section& section : wanted) {
         for (const Parameter& parameter : section.parameters) {
             key_width = std::max(key_width, section.name.size() + 1 + parameter.key.size());
             range_width = std::max(range_width, std::min(widest_range, range_column(parameter).size()));
@@ -224,7 +224,7 @@ std::string AnySchema::help(std::string_view section_name) const
     constexpr std::array<const char*, 7> kinds = {"number", "integer", "toggle", "colour",
                                                   "choice", "text",    "file"};
     std::string text;
-    for (const Section& section : sections_ | std::views::filter(is_wanted)) {
+    for (const Section& section : wanted) {
         text += fmt::format("{}{}: {}\n", text.empty() ? "" : "\n", section.name, section.help);
         for (const Parameter& parameter : section.parameters) {
             text +=
