@@ -83,6 +83,7 @@ std::string nearest_color_name(std::string_view name)
 {
     const std::vector<std::string> all = [] {
         std::vector<std::string> list;
+        list.reserve(color_names.size());
         for (const Named& named : color_names) {
             list.emplace_back(named.first);
         }
