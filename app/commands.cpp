@@ -2,7 +2,6 @@
 // The short commands: devices, info, styles, graph, tam, view.
 #include "commands.hpp"
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -20,7 +19,6 @@
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
 #include "drawing.hpp"
-#include "features/common/style_tables.hpp"
 #include "messages.hpp"
 #include "piped_scene.hpp"
 #include "report.hpp"
@@ -94,15 +92,7 @@ void run(const StyleManualCommand& command)
         }
         return;
     }
-    const std::span<const style::Section> sections = features::style_schema().sections();
-    if (std::ranges::find(sections, "drawing", &style::Section::name) != sections.end()) {
-        fmt::print("{}", Style::help("drawing"));
-    } else {
-        fmt::print("Sections of a style:\n");
-        for (const style::Section& section : sections) {
-            fmt::print("  {:<14}{}\n", section.name, section.help);
-        }
-    }
+    fmt::print("{}", Style::help("drawing"));
     fmt::print("\nestampe --help-style hatch prints one section, estampe --help-style all every section.\n");
 }
 

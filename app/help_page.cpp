@@ -2,10 +2,7 @@
 #include "help_page.hpp"
 
 #include <algorithm>
-#include <initializer_list>
 #include <sstream>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>

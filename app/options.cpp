@@ -401,9 +401,8 @@ void TransparentOption::assign(std::vector<std::string>& assignments) const
 
 bool is_transparent(const Style& style)
 {
-    const features::StyleTables& tables = style.tables();
-    return tables.paper.transparent != paper::Transparency::none ||
-           tables.drawing.paper == features::PaperKind::none;
+    features::StyleTables room;
+    return features::with_drawing(style.tables(), room).paper.transparent != paper::Transparency::none;
 }
 
 void check_has_alpha(const DrawOptions& draw, const PictureChoice& picture, bool is_film)

@@ -205,7 +205,7 @@ void add_styles(CLI::App& app, TypedOptions& typed)
     add_device_options(command, typed);
     for (CLI::Option* option : command.get_options()) {
         if (option != sheet && !option->get_positional() && !option->check_lname("schema") &&
-            !option->check_lname("help")) {
+            !option->check_lname("help") && !option->check_lname("help-all")) {
             option->needs(sheet);
         }
     }

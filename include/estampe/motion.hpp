@@ -18,8 +18,8 @@ struct Motion {
     uint32_t height = 0;
     /// Row by row. x: pixels to the right; y: pixels down; z: reversed depth of the point at that moment
     /// (near plane over distance, 0 at infinity); w: 1. All four are 0 if the point was behind the camera
-    /// then and had no place on the page. See-through surfaces have no motion of their own; their pixels hold
-    /// that of the solid surface behind.
+    /// at that moment, because such a point has no place on the page. See-through surfaces have no motion of
+    /// their own; their pixels hold that of the solid surface behind.
     std::vector<glm::vec4> pixels;
 };
 

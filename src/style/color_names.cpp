@@ -81,7 +81,7 @@ std::optional<glm::vec3> named_color(std::string_view name)
 
 std::string nearest_color_name(std::string_view name)
 {
-    const std::vector<std::string> all = [] {
+    static const std::vector<std::string> all = [] {
         std::vector<std::string> list;
         list.reserve(color_names.size());
         for (const Named& named : color_names) {

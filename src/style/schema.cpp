@@ -248,7 +248,8 @@ private:
                     meant.empty() ? manual : fmt::format("did you mean {}?", in_quotes(meant)));
     }
 
-    /// Suggests the same key in another section before a key that is spelt similarly.
+    /// Suggests the present key for a former or foreign name, then the same key in another section, then a
+    /// key that is spelt similarly.
     [[nodiscard]] std::string suggestion(const std::string& name, const std::string& key) const
     {
         std::vector<std::string> names;

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "features/common/style_tables.hpp"
 
@@ -63,10 +64,10 @@ public:
     /// Multiplies a number of the picture's style, and of every override that sets it.
     void multiply(std::string_view key, float factor)
     {
-        const style::AnySchema::Found found = style_schema().find(key);
         if (factor == 1.0F) {
             return;
         }
+        const style::AnySchema::Found found = style_schema().find(key);
         void* const values = found.section->place.in(static_cast<void*>(&style_));
         const auto scaled = [&](const style::Value& value) {
             const style::Range& range = found.parameter->range;
@@ -80,7 +81,8 @@ public:
         }
     }
 
-    void multiply(std::span<const std::string_view> keys, float factor)
+    template <typename Keys>
+    void multiply_all(const Keys& keys, float factor)
     {
         for (const std::string_view key : keys) {
             multiply(key, factor);
@@ -91,30 +93,21 @@ private:
     StyleTables& style_;
 };
 
-constexpr std::array<std::string_view, 24> line_widths{"contour.outline.width_mm",
-                                                       "contour.outline.width_m",
-                                                       "contour.border.width_mm",
-                                                       "contour.border.width_m",
-                                                       "contour.crease.width_mm",
-                                                       "contour.crease.width_m",
-                                                       "contour.marked.width_mm",
-                                                       "contour.marked.width_m",
-                                                       "contour.ridge.width_mm",
-                                                       "contour.ridge.width_m",
-                                                       "contour.valley.width_mm",
-                                                       "contour.valley.width_m",
-                                                       "contour.suggestive.width_mm",
-                                                       "contour.suggestive.width_m",
-                                                       "contour.crest.width_mm",
-                                                       "contour.crest.width_m",
-                                                       "contour.intersection.width_mm",
-                                                       "contour.intersection.width_m",
-                                                       "contour.shadow_edge.width_mm",
-                                                       "contour.shadow_edge.width_m",
-                                                       "contour.hidden.width_mm",
-                                                       "smoke.line_mm",
-                                                       "clouds.outline_mm",
-                                                       "particles.outline_mm"};
+/// Keys of the widths of all kinds of ink lines, and of the outlines that other techniques draw.
+const std::vector<std::string>& line_widths()
+{
+    static const std::vector<std::string> keys = [] {
+        std::vector<std::string> found{"smoke.line_mm", "clouds.outline_mm", "particles.outline_mm"};
+        for (const style::Parameter& parameter : contour::contour_table().parameters()) {
+            if (parameter.key.ends_with(".width_mm") || parameter.key.ends_with(".width_m")) {
+                found.push_back("contour." + parameter.key);
+            }
+        }
+        return found;
+    }();
+    return keys;
+}
+
 constexpr std::array<std::string_view, 5> stroke_widths{"hatch.width_mm", "hatch.map_texel_mm",
                                                         "sky.width_mm", "smoke.stroke_mm", "clouds.hatch_mm"};
 constexpr std::array<std::string_view, 6> unsteadiness{"hatch.wobble_mm",          "contour.wobble_mm",
@@ -172,11 +165,11 @@ const StyleTables& with_drawing(const StyleTables& style, StyleTables& room)
     room = style;
     room.drawing = {};
     Change change(room);
-    change.multiply(line_widths, drawing.line_weight);
-    change.multiply(stroke_widths, drawing.hatch_spacing * drawing.hatch_weight);
+    change.multiply_all(line_widths(), drawing.line_weight);
+    change.multiply_all(stroke_widths, drawing.hatch_spacing * drawing.hatch_weight);
     change.multiply("hatch.dots_mm", drawing.hatch_spacing);
     // The gap between strokes is their width over the darkness. The exponent of the tone curve darkens tones
-    // and leaves white paper white, as less exposure would not.
+    // and leaves white paper white. A lower exposure would darken white paper, too.
     const float darkening = drawing.hatch_weight * drawing.darkness;
     if (room.tone.curve == light::ToneCurve::linear && darkening != 1.0F) {
         room.tone.curve = light::ToneCurve::gamma;
@@ -184,8 +177,8 @@ const StyleTables& with_drawing(const StyleTables& style, StyleTables& room)
     }
     change.multiply("tone.gamma", darkening);
     change.multiply("tone.contrast", drawing.contrast);
-    change.multiply(texture, drawing.detail);
-    change.multiply(fewer_inner_lines, 1.0F / std::max(drawing.detail, 1e-3F));
+    change.multiply_all(texture, drawing.detail);
+    change.multiply_all(fewer_inner_lines, 1.0F / std::max(drawing.detail, 1e-3F));
     if (drawing.detail == 0.0F) {
         for (contour::LineStyle* const line :
              {&room.contour.border, &room.contour.crease, &room.contour.ridge, &room.contour.valley,
@@ -193,7 +186,7 @@ const StyleTables& with_drawing(const StyleTables& style, StyleTables& room)
             line->enabled = false;
         }
     }
-    change.multiply(unsteadiness, drawing.wobble);
+    change.multiply_all(unsteadiness, drawing.wobble);
     change_color(room, change, drawing.color);
     change_paper(room.paper, drawing.paper);
     for (int* const seed : {&room.hatch.seed, &room.tam.seed, &room.contour.seed, &room.ink.seed,

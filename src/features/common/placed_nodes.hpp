@@ -20,8 +20,8 @@ public:
     /// Records the nodes' transforms at a moment; forgets all records of later moments.
     void place(std::span<const NodePlace> places, double time_s);
 
-    /// Sets the scene's nodes to their transforms at a moment: interpolated between two recorded moments,
-    /// and held constant before the first and after the last.
+    /// Sets the scene's nodes to their transforms at a moment. Transforms are interpolated between recorded
+    /// moments. Before the first recorded moment and after the last one, transforms are constant.
     void put(Scene& scene, double time_s) const;
 
     [[nodiscard]] bool empty() const { return stands_.empty(); }

@@ -172,7 +172,7 @@ TEST(DefaultLightPictures, ACameraInsideOfAHouseHasALampAndOneOutsideTheSun)
 
 TEST(DefaultLightPictures, TheSunTurnsWithTheFront)
 {
-    // The same model turned away from the camera: the picture must not change.
+    // The model turns by 180 degrees. Camera and sun follow its front, so the picture must not change.
     Primitive beast;
     const auto add = [&beast](const Primitive& part, const glm::vec3& place) {
         shapes::append(beast, part, glm::translate(glm::mat4(1.0F), place));

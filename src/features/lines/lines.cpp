@@ -22,8 +22,8 @@ struct Share {
     float to = 1.0F;
 };
 
-/// Shortens `kept`, a range of shares, to the part of the segment from `a` to `b` that is between `least`
-/// and `most`.
+/// Shortens the range `kept` to the part where the segment from `a` to `b` lies between `least` and `most`.
+/// `kept` counts in shares of the segment.
 void keep_between(float a, float b, float least, float most, Share& kept)
 {
     for (const auto& [from, to] : {std::pair(a - least, b - least), std::pair(most - a, most - b)}) {

@@ -11,8 +11,6 @@
 namespace estampe::cloth {
 namespace {
 
-constexpr double gravity_m_s2 = 9.81;
-
 /// By regular grids and by lists.
 std::vector<Sheet> both_forms(const Sheet& sheet)
 {
