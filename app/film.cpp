@@ -318,16 +318,21 @@ public:
         Progress progress("film", share(next));
         FilmQueue queue(frames_, writer_ ? &*writer_ : nullptr);
         Clock::time_point kept = Clock::now();
-        for (; next <= film_.last && !was_told_to_stop(); ++next) {
+        // A signal is looked at once a frame: one that came between two looks would end the film with a frame
+        // whose memory was not kept, and nothing could go on from there.
+        bool stops = was_told_to_stop();
+        while (next <= film_.last && !stops) {
             progress.show(share(next), fmt::format("frame {} of {}", next, film_.last));
             const Clock::time_point start = Clock::now();
             FilmQueue::Frame frame{.number = next, .image = draw_frame(next)};
             add_cost(next, seconds_since(start));
-            if (was_told_to_stop() || next == film_.last || seconds_since(kept) > keep_s) {
+            stops = was_told_to_stop();
+            if (stops || next == film_.last || seconds_since(kept) > keep_s) {
                 frame.memory = renderer_.film_memory();
                 kept = Clock::now();
             }
             queue.push(std::move(frame));
+            ++next;
         }
         queue.finish();
         progress.clear();

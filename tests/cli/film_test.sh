@@ -32,16 +32,30 @@ count=40
 draw -o whole.mp4 --frames $count
 [[ $status -eq 0 && "$(frames_of whole.mp4)" -eq $count ]] || wrong "whole.mp4: $(cat said)"
 [[ ! -e whole.mp4.partial ]] || wrong "frames of a whole film are left"
-draw -o stopped.mp4 --frames $count &
-while [[ ! -e stopped.mp4.partial/000004.png ]]; do
-    kill -0 $! 2>/dev/null || break
-    sleep 0.05
+
+# stop_after NUMBER ARGUMENT...: sends SIGINT to a film once it has drawn this frame; the last frame drawn in $at
+stop_after() {
+    local frame
+    frame="$(printf '%06d' "$1")"
+    draw -o stopped.mp4 --frames $count "${@:2}" &
+    while [[ ! -e stopped.mp4.partial/$frame.png ]]; do
+        kill -0 $! 2>/dev/null || break
+        sleep 0.02
+    done
+    pkill -INT -P $! || true
+    wait $! || true
+    at="$(sed -n 's/.*stopped after frame \([0-9]*\) of.*/\1/p' said)"
+    [[ "${at:-0}" -ge $1 && "${at:-0}" -lt $count ]] || wrong "was not stopped after $1: $(cat said)"
+    [[ "$(frames_of stopped.mp4)" -eq "${at:-0}" ]] || wrong "a film that was stopped has not the frames drawn"
+}
+
+stop_after 4
+# Wherever the signal comes, what was drawn is gone on with
+for _ in 1 2 3; do
+    before=$at
+    stop_after $((at + 3)) --resume
+    grep -q "goes on with frame $((before + 1))" said || wrong "begins anew: $(cat said)"
 done
-pkill -INT -P $! || true
-wait $! || true
-at="$(sed -n 's/.*stopped after frame \([0-9]*\) of.*/\1/p' said)"
-[[ "${at:-0}" -ge 4 && "${at:-0}" -lt $count ]] || wrong "was not stopped: $(cat said)"
-[[ "$(frames_of stopped.mp4)" -eq "${at:-0}" ]] || wrong "a film that was stopped has not the frames drawn"
 draw -o stopped.mp4 --frames $count --resume --set hatch.width_mm=0.7
 says "drew something else"
 draw -o stopped.mp4 --frames $((count + 8)) --resume
