@@ -23,7 +23,7 @@ struct SheetEntry {
 /// left out. Throws Error when the sheet would be larger than an Image may be.
 [[nodiscard]] Image lay_out_sheet(std::span<const SheetEntry> entries);
 
-/// Draws the scene of `draw` in each of look_presets(), with the assignments that `draw` has over each, and
+/// Draws the scene of `draw` in each of style_presets(), with the assignments that `draw` has over each, and
 /// lays the pictures out. Without a scene it draws a small still life. Throws Error as load_scene() and
 /// Renderer::render() do.
 [[nodiscard]] Image draw_contact_sheet(const DrawOptions& draw);

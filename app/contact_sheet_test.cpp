@@ -69,7 +69,7 @@ TEST(ContactSheet, LettersThatTheFontLacksAreLeftOut)
 
 TEST(ContactSheet, ShowsThePresetsThatAreLooks)
 {
-    const std::vector<std::string> names = look_presets();
+    const std::vector<std::string> names = style_presets();
     EXPECT_NE(std::ranges::find(names, "comic"), names.end());
     EXPECT_EQ(std::ranges::find(names, "tam-pen"), names.end());
 }

@@ -127,7 +127,7 @@ glm::dvec3 towards_sun(const SunBearing& sun, const Terrain& terrain)
 {
     SunPlace place{sun.azimuth_deg, sun.elevation_deg};
     if (sun.turns) {
-        place = sun_over_ground(place, terrain.description().wind.direction_deg);
+        place = sun_over_ground(place, terrain.description().wind.towards_deg);
     }
     const double azimuth_rad = glm::radians(place.azimuth_deg);
     const double elevation_rad = glm::radians(place.elevation_deg);

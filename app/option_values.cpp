@@ -159,7 +159,7 @@ void check_count(const char* option, uint32_t count, uint32_t most)
     }
 }
 
-std::vector<std::string> look_presets()
+std::vector<std::string> style_presets()
 {
     std::vector<std::string> names = Style::presets();
     std::erase_if(names, [](const std::string& name) { return name.starts_with("tam-"); });

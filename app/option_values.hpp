@@ -73,7 +73,7 @@ private:
 };
 
 /// The presets that are looks of their own: all but those named tam-..., which are tools of `estampe tam`.
-[[nodiscard]] std::vector<std::string> look_presets();
+[[nodiscard]] std::vector<std::string> style_presets();
 
 /// Adds `--no-cache`, which takes effect while the command line is read: see gpu::keep_pipelines().
 void add_no_cache_flag(CLI::App& command);

@@ -55,7 +55,7 @@ void add_device_options(CLI::App& command, TypedOptions& typed)
 }
 
 /// What a picture is of and how it is drawn, wherever it goes.
-void add_look_options(CLI::App& command, TypedOptions& typed)
+void add_style_options(CLI::App& command, TypedOptions& typed)
 {
     typed.page.add_to(command, command.get_name() == "render");
     typed.input.add_to(command);
@@ -113,7 +113,7 @@ void add_draw_options(CLI::App& command, TypedOptions& typed, const char* output
 {
     add_scene(command, typed).required();
     command.add_option("-o,--output", typed.output, output_help)->required()->type_name("FILE");
-    add_look_options(command, typed);
+    add_style_options(command, typed);
 }
 
 void add_view(CLI::App& app, TypedOptions& typed)
@@ -121,7 +121,7 @@ void add_view(CLI::App& app, TypedOptions& typed)
     CLI::App& command = *app.add_subcommand("view", "Open a window to look at a scene and to edit its style");
     command.footer(viewer::keys_text() + "\n" + view_examples);
     add_scene(command, typed);
-    add_look_options(command, typed);
+    add_style_options(command, typed);
     command
         .add_option("--samples", typed.samples,
                     "Number of jittered frames that a still view averages, for smooth edges")

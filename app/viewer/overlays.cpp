@@ -131,9 +131,9 @@ std::string status_of(const Studio& studio)
     std::string text;
     if (studio.file) {
         text = std::filesystem::path(studio.file->draw.scene).filename().string();
-        text += " \u00b7 " + (studio.look.name().empty()
+        text += " \u00b7 " + (studio.edited.name().empty()
                                   ? std::string("built-in style")
-                                  : std::filesystem::path(studio.look.name()).filename().string());
+                                  : std::filesystem::path(studio.edited.name()).filename().string());
     }
     if (studio.rig.mode() != CameraMode::orbit) {
         text += fmt::format(" \u00b7 {}", mode_name(studio.rig.mode()));

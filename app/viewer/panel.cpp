@@ -42,14 +42,14 @@ const char* title_of(PanelTab tab)
 
 void show_preset_list(Studio& studio, const PanelRequests& requests)
 {
-    const std::string& name = studio.look.name();
+    const std::string& name = studio.edited.name();
     ImGui::SetNextItemWidth(-1.0F);
     if (ImGui::BeginCombo("##preset", name.empty() ? "built-in style" : name.c_str(),
                           ImGuiComboFlags_HeightLarge)) {
         if (ImGui::Selectable("built-in style", name.empty())) {
             requests.open_style("");
         }
-        for (const std::string& preset : app::look_presets()) {
+        for (const std::string& preset : app::style_presets()) {
             if (ImGui::Selectable(preset.c_str(), preset == name)) {
                 requests.open_style(preset);
             }
@@ -63,13 +63,13 @@ void show_preset_list(Studio& studio, const PanelRequests& requests)
 
 void show_style_buttons(Studio& studio, const PanelRequests& requests)
 {
-    ImGui::BeginDisabled(!studio.look.can_undo());
+    ImGui::BeginDisabled(!studio.edited.can_undo());
     if (ImGui::Button("Undo")) {
         requests.act(Action::undo);
     }
     ImGui::EndDisabled();
     ImGui::SameLine();
-    ImGui::BeginDisabled(!studio.look.can_redo());
+    ImGui::BeginDisabled(!studio.edited.can_redo());
     if (ImGui::Button("Redo")) {
         requests.act(Action::redo);
     }
@@ -101,11 +101,11 @@ void show_save_field(Studio& studio)
         }
         studio.attempt("style", [&] {
             std::error_code problem;
-            if (studio.save_name != studio.look.name() &&
+            if (studio.save_name != studio.edited.name() &&
                 std::filesystem::exists(studio.save_name, problem)) {
                 throw Error("is there already", studio.save_name, "choose another name");
             }
-            studio.look.save(studio.save_name);
+            studio.edited.save(studio.save_name);
             studio.say(Message::Kind::note, "saved", "wrote " + studio.save_name);
         });
         ImGui::CloseCurrentPopup();
@@ -161,7 +161,7 @@ void show_layer(Studio& studio, const char* name, T& value, const T& base, const
     bool on = value != off;
     if (ImGui::Checkbox(name, &on)) {
         value = !on ? off : base != off ? base : usual;
-        studio.look.finish_change();
+        studio.edited.finish_change();
     }
 }
 
@@ -216,8 +216,8 @@ void show_light_tab(Studio& studio)
 
 void show_layers_tab(Studio& studio)
 {
-    features::StyleTables& tables = studio.look.style().tables();
-    const features::StyleTables& base = studio.look.base().tables();
+    features::StyleTables& tables = studio.edited.style().tables();
+    const features::StyleTables& base = studio.edited.base().tables();
     const features::StyleTables plain;
     ImGui::TextDisabled("What lies on the page, from above");
     ImGui::Spacing();

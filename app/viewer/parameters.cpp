@@ -234,11 +234,11 @@ void set_value(Studio& studio, const std::string& section, const Parameter& para
     const std::string name = section + "." + parameter.key;
     if (parameter.kind == Kind::text || parameter.kind == Kind::file) {
         studio.attempt("style",
-                       [&] { studio.look.set(fmt::format("{}={}", name, style::format_value(value))); });
+                       [&] { studio.edited.set(fmt::format("{}={}", name, style::format_value(value))); });
         return;
     }
     parameter.set(values, value);
-    studio.look.changed();
+    studio.edited.changed();
     studio.settle("style");
 }
 
@@ -251,7 +251,7 @@ void show_row(Studio& studio, const std::string& section, const Parameter& param
         set_value(studio, section, parameter, values, *edit.value);
     }
     if (edit.is_finished) {
-        studio.look.finish_change_if_any(); // a drag adds one undo step at its end
+        studio.edited.finish_change_if_any(); // a drag adds one undo step at its end
     }
 }
 
@@ -266,8 +266,8 @@ void show_parameters(Studio& studio, const std::string& search, std::span<const 
 {
     bool any = false;
     for (const style::Section& section : features::style_schema().sections()) {
-        void* const values = section.place.in(&studio.look.style().tables());
-        const void* const base = section.place.in(&studio.look.base().tables());
+        void* const values = section.place.in(&studio.edited.style().tables());
+        const void* const base = section.place.in(&studio.edited.base().tables());
         if (!is_wanted(sections, section.name) || !matches(section, search)) {
             continue;
         }
@@ -295,7 +295,7 @@ void show_parameters(Studio& studio, const std::string& search, std::span<const 
             for (const Parameter& parameter : section.parameters) {
                 parameter.set(values, parameter.get(base));
             }
-            studio.look.finish_change();
+            studio.edited.finish_change();
         }
         for (const Parameter& parameter : section.parameters) {
             if (matches(section, parameter, search)) {

@@ -195,25 +195,25 @@ Style style_named(const std::string& name)
 
 } // namespace
 
-Look::Look(const std::string& name, Style style)
+EditedStyle::EditedStyle(const std::string& name, Style style)
     : name_(name), base_(style_named(name)), style_(std::move(style)), history_({name_, base_, style_})
 {
 }
 
-void Look::load(const std::string& name)
+void EditedStyle::load(const std::string& name)
 {
     const Style style = style_named(name);
     history_.push({name, style, style});
     take(history_.now());
 }
 
-void Look::set(std::string_view assignment)
+void EditedStyle::set(std::string_view assignment)
 {
     style_.set(assignment);
     finish_change();
 }
 
-void Look::finish_change()
+void EditedStyle::finish_change()
 {
     ++revision_;
     if (style_.to_toml() != history_.now().style.to_toml()) {
@@ -222,14 +222,14 @@ void Look::finish_change()
     finished_revision_ = revision_;
 }
 
-void Look::finish_change_if_any()
+void EditedStyle::finish_change_if_any()
 {
     if (revision_ != finished_revision_) {
         finish_change();
     }
 }
 
-void Look::take(const State& state)
+void EditedStyle::take(const State& state)
 {
     name_ = state.name;
     base_ = state.base;
@@ -237,21 +237,21 @@ void Look::take(const State& state)
     finished_revision_ = ++revision_;
 }
 
-void Look::undo()
+void EditedStyle::undo()
 {
     if (history_.can_undo()) {
         take(history_.undo());
     }
 }
 
-void Look::redo()
+void EditedStyle::redo()
 {
     if (history_.can_redo()) {
         take(history_.redo());
     }
 }
 
-void Look::save(const std::filesystem::path& path)
+void EditedStyle::save(const std::filesystem::path& path)
 {
     const std::string text = style_.to_toml();
     write_file_atomically(path, std::as_bytes(std::span(text)));
@@ -348,12 +348,12 @@ void Studio::step_up_axis()
 
 void Studio::step_preset(int step)
 {
-    std::vector<std::string> names = app::look_presets();
+    std::vector<std::string> names = app::style_presets();
     names.insert(names.begin(), ""); // the built-in style
-    const auto found = std::ranges::find(names, look.name());
+    const auto found = std::ranges::find(names, edited.name());
     const auto count = static_cast<std::ptrdiff_t>(names.size());
     const std::ptrdiff_t now = found == names.end() ? 0 : found - names.begin();
-    attempt("style", [&] { look.load(names.at(static_cast<size_t>((now + step + count) % count))); });
+    attempt("style", [&] { edited.load(names.at(static_cast<size_t>((now + step + count) % count))); });
 }
 
 void Studio::toggle_comparison()
@@ -361,7 +361,7 @@ void Studio::toggle_comparison()
     if (comparison.other) {
         comparison.other.reset();
     } else {
-        comparison.other = look.style();
+        comparison.other = edited.style();
         say(Message::Kind::note, "compare", "the right side stays as it is; drag the bar");
     }
 }
@@ -386,9 +386,9 @@ bool Studio::is_at_terrain() const
 
 void Studio::turn_sun(const glm::dvec2& drag)
 {
-    light::LightStyle& light = look.style().tables().light;
+    light::LightStyle& light = edited.style().tables().light;
     constexpr float degrees_a_view = 180.0F;
-    look.style().tables().sun.by = light::SunBy::direction;
+    edited.style().tables().sun.by = light::SunBy::direction;
     if (file && !file->scene.lights.empty()) {
         light.source = light::LightSource::sun; // replaces the scene's own lights
     }
@@ -396,7 +396,7 @@ void Studio::turn_sun(const glm::dvec2& drag)
     light.sun_azimuth_deg = std::remainder(azimuth, 360.0F);
     light.sun_elevation_deg =
         std::clamp(light.sun_elevation_deg - degrees_a_view * static_cast<float>(drag.y), -10.0F, 90.0F);
-    look.changed();
+    edited.changed();
 }
 
 } // namespace estampe::viewer

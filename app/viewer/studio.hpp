@@ -81,11 +81,11 @@ struct Bookmark {
 void save_bookmarks(const std::vector<Bookmark>& bookmarks, const std::filesystem::path& path);
 
 /// The edited style with its source and undo history.
-class Look {
+class EditedStyle {
 public:
     /// `name` is the preset or file of the command line, `style` includes the changes of --set. An empty name
     /// is the built-in style.
-    Look(const std::string& name, Style style);
+    EditedStyle(const std::string& name, Style style);
 
     [[nodiscard]] const Style& style() const { return style_; }
 
@@ -162,10 +162,10 @@ struct Work {
 };
 
 struct Studio {
-    explicit Studio(const std::string& style_name, Style style) : look(style_name, std::move(style)) {}
+    explicit Studio(const std::string& style_name, Style style) : edited(style_name, std::move(style)) {}
 
     std::shared_ptr<const LoadedFile> file; ///< the scene that is shown; null before the first is loaded
-    Look look;
+    EditedStyle edited;
     std::optional<TerrainEdit> terrain; ///< the terrain that the scene stands on, if any
     CameraRig rig;
     Timeline time;

@@ -19,7 +19,7 @@ const std::string commented = "# A sea of sand\n"
                               "swell = '6 * fbm(600)' # slow\n"
                               "small = 2\n"
                               "[wind]\n"
-                              "direction_deg = 20 # from the sea\n";
+                              "towards_deg = 70 # from the sea\n";
 
 TerrainDescription description(const std::string& text)
 {
@@ -51,13 +51,13 @@ TEST(TerrainText, AValueIsChangedInItsLine)
     const TerrainText text = changed(commented, [](TerrainDescription& terrain) {
         terrain.nodes[0].expression = "swell + \"small\"";
         terrain.nodes[1].expression = "7 * fbm(600)";
-        terrain.wind.direction_deg = 45.0F;
+        terrain.wind.towards_deg = 45.0F;
     });
     EXPECT_TRUE(text.keeps_comments);
     EXPECT_EQ(text.text,
               replaced(replaced(replaced(commented, "\"swell + 'small'\"", "\"swell + \\\"small\\\"\""),
                                 "'6 * fbm(600)'", "\"7 * fbm(600)\""),
-                       "= 20 #", "= 45 #"));
+                       "= 70 #", "= 45 #"));
 }
 
 TEST(TerrainText, NodesComeAndGo)

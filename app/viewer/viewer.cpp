@@ -92,11 +92,11 @@ void Viewer::open(const std::string& path)
         is_terrain(path) ? open_terrain(path) : open_style(path);
     } else if (extension == ".tam" || extension == ".dds" || std::filesystem::is_directory(path, problem)) {
         studio_.attempt("style", [&] {
-            Style style = studio_.look.style();
+            Style style = studio_.edited.style();
             style.set("hatch.strokes=map");
             style.set("hatch.map=" + path);
-            studio_.look.style() = style;
-            studio_.look.finish_change();
+            studio_.edited.style() = style;
+            studio_.edited.finish_change();
         });
     } else {
         open_scene(path, studio_.file ? studio_.file->draw.terrain : command_.draw.terrain);
@@ -138,7 +138,7 @@ void Viewer::open_scene(const std::string& path, const std::string& terrain)
     const Area view = picture_area(studio_, ui_scale_);
     draw.page.width = static_cast<uint32_t>(view.width);
     draw.page.height = static_cast<uint32_t>(view.height);
-    draw.style = studio_.look.style();
+    draw.style = studio_.edited.style();
     loader_->load(std::move(draw));
     studio_.work = Work{"Reading " + std::filesystem::path(path).filename().string(), -1.0};
     report("reads " + path);
@@ -155,13 +155,13 @@ void Viewer::read_scene_again()
 
 void Viewer::open_style(const std::string& name)
 {
-    studio_.attempt("style", [&] { studio_.look.load(name); });
+    studio_.attempt("style", [&] { studio_.edited.load(name); });
 }
 
 Sight Viewer::sight() const
 {
     return {.camera = studio_.rig.camera(),
-            .style = studio_.look.revision(),
+            .style = studio_.edited.revision(),
             .time_s = studio_.time.time_s,
             .animation = studio_.time.animation,
             .size_px = studio_.view_px,
@@ -177,7 +177,7 @@ void Viewer::request(size_t slot, const Sight& sight, bool is_moving)
     const auto scaled = [&](uint32_t px) {
         return std::max(static_cast<uint32_t>(std::lround(scale * px)), 1U);
     };
-    const app::ChosenStyle chosen{studio_.look.style(), studio_.look.base()};
+    const app::ChosenStyle chosen{studio_.edited.style(), studio_.edited.base()};
     const Style& other = studio_.comparison.other.value_or(chosen.style);
     PictureRequest request{.camera = sight.camera,
                            .style = slot == 0 ? chosen : app::ChosenStyle{other, other},
@@ -232,7 +232,7 @@ void Viewer::take_screenshot()
     }
     const Sight now = sight();
     PictureRequest request{.camera = now.camera,
-                           .style = {studio_.look.style(), studio_.look.base()},
+                           .style = {studio_.edited.style(), studio_.edited.base()},
                            .settings = {.width = now.size_px.x,
                                         .height = now.size_px.y,
                                         .samples = studio_.samples,
@@ -258,7 +258,7 @@ void Viewer::toggle_recording()
     const RenderSettings settings{
         .width = studio_.view_px.x, .height = studio_.view_px.y, .samples = studio_.samples};
     // Transparent pictures need a format with alpha, which H.264 lacks.
-    const bool has_alpha = app::is_transparent(studio_.look.style());
+    const bool has_alpha = app::is_transparent(studio_.edited.style());
     pictures_->do_job(
         std::make_unique<FilmJob>(std::move(take_), studio_.file, end_s_, settings,
                                   free_name(studio_.file->draw.scene, has_alpha ? ".webm" : ".mp4")));
@@ -267,10 +267,10 @@ void Viewer::toggle_recording()
 
 void Viewer::record()
 {
-    if (!take_style_ || take_revision_ != studio_.look.revision()) {
-        take_revision_ = studio_.look.revision();
+    if (!take_style_ || take_revision_ != studio_.edited.revision()) {
+        take_revision_ = studio_.edited.revision();
         take_style_ = std::make_shared<const app::ChosenStyle>(
-            app::ChosenStyle{studio_.look.style(), studio_.look.base()});
+            app::ChosenStyle{studio_.edited.style(), studio_.edited.base()});
     }
     studio_.recorded_s = app::seconds_since(take_start_);
     take_.add({.at_s = studio_.recorded_s,

@@ -20,7 +20,7 @@ namespace estampe::viewer {
 /// Everything that a picture depends on; a new picture is requested when it changes.
 struct Sight {
     Camera camera;
-    uint64_t style = 0; ///< Look::revision()
+    uint64_t style = 0; ///< EditedStyle::revision()
     double time_s = 0.0;
     Index animation = 0;
     glm::uvec2 size_px{0};
@@ -50,7 +50,7 @@ public:
 private:
     void act(Action action);
     bool act_on_view(Action action);
-    bool act_on_look(Action action);
+    bool act_on_style(Action action);
     void go_back();
     void open(const std::string& path);
     /// `terrain` is the file that the scene is put on, unless the scene itself is a terrain.

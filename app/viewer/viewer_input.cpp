@@ -97,7 +97,7 @@ bool Viewer::act_on_view(Action action)
     }
 }
 
-bool Viewer::act_on_look(Action action)
+bool Viewer::act_on_style(Action action)
 {
     const auto open_tab = [this](PanelTab tab) {
         studio_.shows_bars = true;
@@ -107,10 +107,10 @@ bool Viewer::act_on_look(Action action)
     };
     switch (action) {
     case Action::undo:
-        studio_.is_at_terrain() ? studio_.terrain->undo() : studio_.look.undo();
+        studio_.is_at_terrain() ? studio_.terrain->undo() : studio_.edited.undo();
         return true;
     case Action::redo:
-        studio_.is_at_terrain() ? studio_.terrain->redo() : studio_.look.redo();
+        studio_.is_at_terrain() ? studio_.terrain->redo() : studio_.edited.redo();
         return true;
     case Action::style_back:
         studio_.step_preset(-1);
@@ -153,7 +153,7 @@ void Viewer::act(Action action)
     if (is_of_feet && is_on_foot()) {
         return; // here arrows move and Space jumps
     }
-    if (act_on_view(action) || act_on_look(action)) {
+    if (act_on_view(action) || act_on_style(action)) {
         return;
     }
     Timeline& time = studio_.time;
@@ -308,7 +308,7 @@ void Viewer::follow_pointer(const std::vector<PointerEvent>& events)
             break;
         case PointerEvent::Kind::release:
             if (drag_ == Drag::sun) {
-                studio_.look.finish_change();
+                studio_.edited.finish_change();
             }
             drag_ = Drag::none;
             break;

@@ -175,8 +175,8 @@ void Viewer::look_at_files()
         return;
     }
     looked_at_files_ = app::Clock::now();
-    if (studio_.look.name() != watched_style_) {
-        watched_style_ = studio_.look.name();
+    if (studio_.edited.name() != watched_style_) {
+        watched_style_ = studio_.edited.name();
         std::vector<std::filesystem::path> files;
         for (const std::string& part : style::parts_of(watched_style_)) {
             if (part.ends_with(".toml")) {
@@ -189,8 +189,8 @@ void Viewer::look_at_files()
         report("style changed: " + watched_style_);
         studio_.attempt("style", [this] {
             // A file saved by the viewer itself is already loaded.
-            if (Style::load(watched_style_).to_toml() != studio_.look.base().to_toml()) {
-                studio_.look.load(watched_style_);
+            if (Style::load(watched_style_).to_toml() != studio_.edited.base().to_toml()) {
+                studio_.edited.load(watched_style_);
             }
         });
     }
@@ -214,7 +214,7 @@ void Viewer::take_shaders()
             gpu::replace_shader(news.name, std::move(news.spirv));
             studio_.settle(topic);
             studio_.settle("picture");
-            studio_.look.changed(); // makes everything redraw
+            studio_.edited.changed(); // makes everything redraw
             report(topic + " compiled");
         } else {
             studio_.say(Message::Kind::problem, topic, news.problem);

@@ -30,10 +30,10 @@ struct Making {
         set_up.camera = {.eye = eye, .target = target, .vertical_fov_rad = fov_rad};
     }
 
-    void wind(float speed_m_per_s, float direction_deg)
+    void wind(float speed_m_per_s, float towards_deg)
     {
         set_up.style.push_back("wind.speed_m_per_s=" + std::to_string(speed_m_per_s));
-        set_up.style.push_back("wind.direction_deg=" + std::to_string(direction_deg));
+        set_up.style.push_back("wind.towards_deg=" + std::to_string(towards_deg));
     }
 };
 
@@ -77,7 +77,7 @@ void flag(Making& m)
     kit::add(m.scene(), "plinth", kit::block({0.5F, 0.15F, 0.5F}), {0.0, 0.15, 0.0});
     kit::add_sheet(m.scene(), m.particles(49, 33), {0.04, 4.0, 0.0}, {2.1F, 0.0F, 0.0F}, {0.0F, -1.4F, 0.0F},
                    held_left);
-    m.wind(7.0F, 12.0F);
+    m.wind(7.0F, 78.0F);
     m.seen({2.2, 2.3, 9.0}, {0.75, 2.1, 0.0});
 }
 
@@ -89,7 +89,7 @@ void banner(Making& m)
     kit::add(m.scene(), "rope", kit::block({1.6F, 0.012F, 0.012F}), {0.0, 3.2, 0.0});
     kit::add_sheet(m.scene(), m.particles(57, 33), {-1.3, 3.19, 0.0}, {2.6F, 0.0F, 0.0F}, {0.0F, -1.5F, 0.0F},
                    hooks(4.0F, m.finer * 56.0F + 1.0F));
-    m.wind(2.0F, 60.0F);
+    m.wind(2.0F, 30.0F);
     m.seen({-3.6, 2.2, 9.0}, {0.2, 1.8, 0.0});
 }
 
@@ -107,7 +107,7 @@ void curtain(Making& m)
     for (glm::vec3& place : positions) { // laid in waves
         place.z += 0.07F * std::sin(place.x * 8.0F * std::numbers::pi_v<float> / 2.1F * 2.0F);
     }
-    m.wind(1.2F, 80.0F);
+    m.wind(1.2F, 10.0F);
     m.seen({2.2, 1.9, 6.2}, {0.0, 1.3, 0.0});
 }
 
@@ -122,7 +122,7 @@ void sail(Making& m)
                                   ? 1.0F
                                   : 0.0F;
                    });
-    m.wind(4.0F, 75.0F);
+    m.wind(4.0F, 15.0F);
     m.seen({6.2, 2.2, 8.6}, {0.9, 2.45, 0.0});
 }
 
@@ -202,7 +202,7 @@ void washing(Making& m)
                        {0.0F, -1.2F, 0.0F}, hooks(3.0F, m.finer * 32.0F + 1.0F));
         x += width_m + 0.2;
     }
-    m.wind(2.2F, 65.0F);
+    m.wind(2.2F, 25.0F);
     m.seen({3.4, 1.8, 6.8}, {0.0, 1.35, 0.0});
 }
 
@@ -253,7 +253,7 @@ void awning(Making& m)
                                   ? 1.0F
                                   : 0.0F;
                    });
-    m.wind(1.5F, 30.0F);
+    m.wind(1.5F, 60.0F);
     m.seen({3.4, 2.1, 6.8}, {0.0, 1.45, 0.4});
 }
 
@@ -266,7 +266,7 @@ void pennants(Making& m)
         kit::add_sheet(m.scene(), m.particles(33, 13), {x + 0.03, 3.1, z}, {1.3F, 0.0F, 0.0F},
                        {0.0F, -0.45F, 0.0F}, held_left, {.bending_n_m = 1e-5F});
     }
-    m.wind(6.0F, 15.0F);
+    m.wind(6.0F, 75.0F);
     m.seen({1.5, 1.6, 9.5}, {0.2, 1.7, -0.8});
 }
 
@@ -276,7 +276,7 @@ void veil(Making& m)
     ball(m, {0.0, 1.55, 0.0}, 0.3F);
     kit::add_sheet(m.scene(), m.particles(65, 65), {-1.1, 1.87, -1.1}, {2.2F, 0.0F, 0.0F}, {0.0F, 0.0F, 2.2F},
                    {}, {.density_kg_m2 = 0.08F, .bending_n_m = 5e-6F, .friction = 0.8F});
-    m.wind(1.0F, 30.0F);
+    m.wind(1.0F, 60.0F);
     m.seen({1.8, 2.4, 4.8}, {0.0, 0.9, 0.0}, 0.5);
 }
 
@@ -302,7 +302,7 @@ void swing(Making& m)
         }
     }
     m.scene().animations.push_back({.name = "sway", .channels = {sway}, .duration_s = 4.0F});
-    m.wind(0.5F, 90.0F);
+    m.wind(0.5F, 0.0F);
     m.seen({2.2, 1.9, 5.4}, {0.0, 1.35, 0.0});
 }
 
@@ -326,7 +326,7 @@ void cape(Making& m)
     const Index node = kit::add(m.scene(), "cape", std::move(sheet), {});
     m.scene().nodes[node].skin = walker.skin;
     m.scene().nodes[node].cloth = Cloth{.density_kg_m2 = 0.25F, .bending_n_m = 1e-4F};
-    m.wind(1.5F, 250.0F);
+    m.wind(1.5F, -160.0F);
     m.seen({-5.2, 1.9, -3.6}, {0.0, 0.9, 0.0}, 0.5);
 }
 

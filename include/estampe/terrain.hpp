@@ -29,7 +29,7 @@ struct HeightNode {
 
 /// Wind over the ground.
 struct TerrainWind {
-    float direction_deg = 0.0F; ///< Direction towards which the wind blows: 0 is +x, 90 is +z
+    float towards_deg = 90.0F; ///< Direction towards which the wind blows: 0 is +z, 90 is +x
     float speed_m_per_s = 5.0F;
 
     bool operator==(const TerrainWind&) const = default;

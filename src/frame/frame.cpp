@@ -29,19 +29,20 @@ void declare_frame(const FrameContext& context)
     const hatch::HatchInputs hatching = hatch_inputs(context, scene, surface, lit, screen);
     const contour::ContourInputs outlining = contour_inputs(context, scene, visibility, surface, lit, screen);
     if (context.job.lists != nullptr) {
-        declare_stroke_lists(context.graph,
-                             {hatching, context.features.hatching.looks(context.graph, plan.looks.styles)},
-                             {outlining, context.features.lines.mesh()}, plan.looks,
-                             stroke_haze(context, scene, surface), *context.job.lists);
+        declare_stroke_lists(
+            context.graph,
+            {hatching, context.features.hatching.variants(context.graph, plan.variants.styles)},
+            {outlining, context.features.lines.mesh()}, plan.variants, stroke_haze(context, scene, surface),
+            *context.job.lists);
         return;
     }
     if (context.job.linked_out != nullptr) {
-        context.features.lines.record_linked(context.graph, context.device, outlining, plan.looks.lines,
+        context.features.lines.record_linked(context.graph, context.device, outlining, plan.variants.lines,
                                              *context.job.linked_out);
         return;
     }
     const gpu::ImageId strokes = hatch::add_hatch(
-        context.graph, hatching, context.features.hatching.looks(context.graph, plan.looks.styles));
+        context.graph, hatching, context.features.hatching.variants(context.graph, plan.variants.styles));
     const gpu::ImageId lines = add_lines(context, outlining);
     const gpu::ImageId ink = bleed::add_bleed(context.graph,
                                               {.hatch = strokes,

@@ -16,9 +16,10 @@ struct FrameBuffers {
     gpu::Buffer map_frame_globals;  ///< FrameGlobals of a page with the size of the map in which subsurface
                                     ///< light spreads
     gpu::Buffer half_frame_globals; ///< FrameGlobals of the page at half resolution
-    gpu::Buffer look_of_draw;       ///< style variant of each draw call, if the plan has several variants
-    gpu::Buffer subsurface_looks;   ///< SubsurfaceLook of each style variant, with subsurface scattering
-    gpu::Buffer motion_pixels;      ///< read back if the settings ask for motion
+    gpu::Buffer variant_of_draw;    ///< style variant of each draw call, if the plan has several variants
+    gpu::Buffer
+        subsurface_parameters; ///< SubsurfaceParameters of each style variant, with subsurface scattering
+    gpu::Buffer motion_pixels; ///< read back if the settings ask for motion
     Page page;
 };
 
@@ -47,7 +48,7 @@ struct FrameContext {
     const FramePlan& plan;
     const SamplePlan& sample;
     const features::StyleTables& style;
-    std::vector<wash::LookWash>& wash_looks; ///< cleared for each frame; keeps its capacity
+    std::vector<wash::WashVariant>& wash_variants; ///< cleared for each frame; keeps its capacity
 };
 
 /// Declares the passes of one sample of a picture, in order. If the job has stroke lists, declares the passes

@@ -101,7 +101,7 @@ EdgePlan plan_edges(const features::StyleTables& style, const SunPlan& sun,
                     const features::StrokePlan& strokes, float pixels_per_mm)
 {
     const auto lines = features::hatched_lines(style.hatch, sun.towards, strokes);
-    return {.look = shadow::edge_look(style.shadow, lines, pixels_per_mm),
+    return {.profile = shadow::edge_profile(style.shadow, lines, pixels_per_mm),
             .variant = shadow::shadow_variant(style.shadow, lines)};
 }
 
@@ -151,14 +151,14 @@ std::optional<sky::CloudPlan> plan_clouds(const PlanInputs& in, const PagePlan& 
          .time_s = in.settings.time_s,
          .towards_sun = sun.towards,
          .follows_elevation_rad = sky::followed_elevation_rad(style, sun.towards, sun.daylight_rad),
-         .look = sky::look_under(style, sun.towards, sun.daylight_rad),
+         .colors = sky::colors_under(style, sun.towards, sun.daylight_rad),
          .pixels_per_mm = page.pixels_per_mm},
         in.clouds);
 }
 
 /// Runs of solid triangles whose style variants satisfy `chosen`.
 template <typename Chosen>
-std::vector<raster::Batch> runs_of(const pose::MeshData& layout, const features::StyleVariants& looks,
+std::vector<raster::Batch> runs_of(const pose::MeshData& layout, const features::StyleVariants& variants,
                                    const Chosen& chosen)
 {
     std::vector<raster::Batch> runs;
@@ -166,8 +166,8 @@ std::vector<raster::Batch> runs_of(const pose::MeshData& layout, const features:
         bool goes_on = false;
         for (uint32_t triangle = range->first; triangle < range->first + range->count; ++triangle) {
             const uint32_t draw = layout.triangles[triangle].w & shared::triangle_draw_mask;
-            const uint32_t look = looks.has_several() ? looks.variant_of_draw[draw] : 0U;
-            const bool is_chosen = chosen(looks.styles[look].subsurface);
+            const uint32_t variant = variants.has_several() ? variants.variant_of_draw[draw] : 0U;
+            const bool is_chosen = chosen(variants.styles[variant].subsurface);
             if (is_chosen && !goes_on) {
                 runs.push_back({.first_triangle = triangle, .masked = range == &layout.masked});
             }
@@ -181,21 +181,21 @@ std::vector<raster::Batch> runs_of(const pose::MeshData& layout, const features:
 }
 
 std::optional<SubsurfacePlan> plan_subsurface(const pose::MeshData& layout,
-                                              const features::StyleVariants& looks, bool has_ground)
+                                              const features::StyleVariants& variants, bool has_ground)
 {
-    if (std::ranges::none_of(looks.styles,
+    if (std::ranges::none_of(variants.styles,
                              [](const features::StyleTables& style) { return style.subsurface.enabled; })) {
         return std::nullopt;
     }
     SubsurfacePlan plan;
-    for (const features::StyleTables& style : looks.styles) {
-        plan.looks.push_back(subsurface::look_of(style.subsurface));
+    for (const features::StyleTables& style : variants.styles) {
+        plan.parameters.push_back(subsurface::parameters_of(style.subsurface));
         plan.scatters |= subsurface::scatters(style.subsurface);
     }
-    plan.bodies = runs_of(layout, looks, subsurface::shines);
-    plan.clear = runs_of(layout, looks, subsurface::is_clear);
+    plan.bodies = runs_of(layout, variants, subsurface::shines);
+    plan.clear = runs_of(layout, variants, subsurface::is_clear);
     const auto all_but = [&](bool (*is_left_out)(const subsurface::SubsurfaceStyle&)) {
-        std::vector<raster::Batch> runs = runs_of(layout, looks, std::not_fn(is_left_out));
+        std::vector<raster::Batch> runs = runs_of(layout, variants, std::not_fn(is_left_out));
         if (has_ground) {
             runs.push_back({.first_triangle = layout.ground.first,
                             .triangle_count = layout.ground.count,
@@ -205,10 +205,10 @@ std::optional<SubsurfacePlan> plan_subsurface(const pose::MeshData& layout,
     };
     if (!plan.clear.empty()) {
         plan.others = all_but(subsurface::is_clear);
-        const bool any_shows = std::ranges::any_of(looks.styles, [](const features::StyleTables& style) {
+        const bool any_shows = std::ranges::any_of(variants.styles, [](const features::StyleTables& style) {
             return subsurface::shows_lines(style.subsurface);
         });
-        plan.lines_show = std::ranges::all_of(looks.styles, [](const features::StyleTables& style) {
+        plan.lines_show = std::ranges::all_of(variants.styles, [](const features::StyleTables& style) {
             return subsurface::shows_lines(style.subsurface) || !subsurface::is_clear(style.subsurface);
         });
         if (any_shows && !plan.lines_show) {
@@ -257,27 +257,27 @@ FramePlan shrunk_plan(const FramePlan& plan, uint32_t shrink, glm::uvec2 size_px
 FramePlan plan_frame(const PlanInputs& in, PlanLists room)
 {
     const PagePlan page = plan_page(in);
-    features::StyleVariants looks =
+    features::StyleVariants variants =
         features::style_variants(in.loaded.layout, in.loaded.scene, in.style, std::move(room.styles));
     features::StrokePlan strokes =
-        features::plan_strokes(in.loaded.layout, looks, std::move(room.kind_of_draw));
+        features::plan_strokes(in.loaded.layout, variants, std::move(room.kind_of_draw));
     if (in.loaded.scene.terrain) {
-        const float wind_rad = glm::radians(in.loaded.scene.terrain->description().wind.direction_deg);
+        const float wind_rad = glm::radians(90.0F - in.loaded.scene.terrain->description().wind.towards_deg);
         strokes.ground_wind = {std::cos(wind_rad), std::sin(wind_rad)};
     }
     const LightPlan light = plan_light(in, strokes);
     SunPlan sun = plan_sun(in, page);
     const EdgePlan edges = plan_edges(in.style, sun, strokes, page.pixels_per_mm);
     std::optional<sky::CloudPlan> clouds = plan_clouds(in, page, sun);
-    const LinePlan lines{.half_px = widest_half_px(looks.lines, page.pixels_per_mm),
-                         .of_shadows = draws_shadow_lines(looks.lines, sun.map)};
-    std::optional<SubsurfacePlan> subsurface = plan_subsurface(in.loaded.layout, looks, page.has_ground);
+    const LinePlan lines{.half_px = widest_half_px(variants.lines, page.pixels_per_mm),
+                         .of_shadows = draws_shadow_lines(variants.lines, sun.map)};
+    std::optional<SubsurfacePlan> subsurface = plan_subsurface(in.loaded.layout, variants, page.has_ground);
     const auto texels_of_scatter = scatter_texels(in.style.subsurface, subsurface);
     return {.page_px = page.size_px,
             .page = page,
             .raster = plan_raster(in),
             .needs = in.loaded.needs,
-            .looks = std::move(looks),
+            .variants = std::move(variants),
             .strokes = std::move(strokes),
             .sun = std::move(sun),
             .light = light,

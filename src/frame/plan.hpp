@@ -74,10 +74,10 @@ struct LightPlan {
 
 /// Subsurface scattering and transmission, and clear bodies.
 struct SubsurfacePlan {
-    std::vector<shared::SubsurfaceLook> looks; ///< one per style of StyleVariants
-    std::vector<raster::Batch> bodies;         ///< triangles that transmit light
-    std::vector<raster::Batch> clear;          ///< triangles that show what lies behind them
-    std::vector<raster::Batch> others;         ///< solid triangles not in `clear`; empty if `clear` is empty
+    std::vector<shared::SubsurfaceParameters> parameters; ///< one per style of StyleVariants
+    std::vector<raster::Batch> bodies;                    ///< triangles that transmit light
+    std::vector<raster::Batch> clear;                     ///< triangles that show what lies behind them
+    std::vector<raster::Batch> others;      ///< solid triangles not in `clear`; empty if `clear` is empty
     std::vector<raster::Batch> line_hiders; ///< all solid triangles that hide lines; filled if only some of
                                             ///< the clear bodies show lines
     bool lines_show = false;                ///< all clear bodies show the lines behind them
@@ -86,8 +86,8 @@ struct SubsurfacePlan {
 
 /// The look of shadow edges.
 struct EdgePlan {
-    shared::EdgeLook look; ///< jagged edges
-    uint32_t variant = 0;  ///< shader variant, see shadow/shadow_style.hpp
+    shared::EdgeProfile profile; ///< jagged edges
+    uint32_t variant = 0;        ///< shader variant, see shadow/shadow_style.hpp
 };
 
 struct LinePlan {
@@ -115,7 +115,7 @@ struct FramePlan {
     PagePlan page;
     RasterPlan raster;
     surface::SceneNeeds needs;
-    features::StyleVariants looks;
+    features::StyleVariants variants;
     features::StrokePlan strokes;
     SunPlan sun;
     LightPlan light;
@@ -130,7 +130,7 @@ struct FramePlan {
     std::optional<shared::RippleConstants> ripples; ///< ripples in a terrain's sand
     std::optional<terrain::DriftPlan> drift;        ///< wind-blown sand in the air
     std::optional<sky::CloudPlan> clouds;
-    std::vector<particles::ParticlePlan> particles; ///< one per particle look, the farthest first
+    std::vector<particles::ParticlePlan> particles; ///< one per style of particles, the farthest first
     std::optional<shared::LensConstants> lens;
     std::optional<features::MotionPlan> motion;
     std::optional<MotionBlurPlan> motion_blur;

@@ -186,7 +186,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const features::StyleTable
     if (plan.sun.ground.is_thrown) {
         features.shadows.ground().ensure(device, plan.sun.ground);
     }
-    features.lines.ensure(device, loaded->layout, plan.looks.lines);
+    features.lines.ensure(device, loaded->layout, plan.variants.lines);
     frame::FrameContext context{.graph = declared,
                                 .device = device,
                                 .loaded = *loaded,
@@ -196,7 +196,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const features::StyleTable
                                 .plan = plan,
                                 .sample = sample,
                                 .style = style,
-                                .wash_looks = wash_looks};
+                                .wash_variants = wash_variants};
     declared.clear();
     frame::declare_frame(context);
     std::unique_ptr<gpu::CompileAhead> compiling = std::move(ahead); // must be destroyed before the graph
@@ -256,7 +256,7 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
     frame::ensure_page(device, buffers.page, plan.page_px, settings.samples);
     // Later samples of one picture differ from the first by a pixel at most and keep no history.
     plan.lines.are_remembered =
-        is_of_film && features.lines.meshes().ensure(device, loaded->layout, plan.looks.lines) != nullptr;
+        is_of_film && features.lines.meshes().ensure(device, loaded->layout, plan.variants.lines) != nullptr;
     if (plan.lines.are_remembered) {
         features.lines.history().begin_frame(device, plan.page.size_px,
                                              settings.continuity == Continuity::follows,
@@ -281,7 +281,7 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
     if (settings.motion_since) {
         motion = features::read_motion(buffers.motion_pixels, settings);
     }
-    plan_lists = {std::move(plan.looks.styles), std::move(plan.strokes.kind_of_draw)};
+    plan_lists = {std::move(plan.variants.styles), std::move(plan.strokes.kind_of_draw)};
     if (target != nullptr) {
         return {};
     }
@@ -337,7 +337,7 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
     frame::check_size(impl.device, settings);
     const Camera seen_by = page_camera(camera, tables.paper, settings);
     frame::FramePlan plan = impl.prepare(seen_by, tables, settings);
-    frame::check_has_paths(plan.looks);
+    frame::check_has_paths(plan.variants);
     plan.motion.reset();
     if (tables.wash.strength > 0.0F || plan.page.has_sky || tables.bleed.enabled || tables.ink.enabled ||
         tables.smoke.enabled) {

@@ -9,6 +9,7 @@
 
 #include <estampe/renderer.hpp>
 
+#include "features/common/wind.hpp"
 #include "frame/frame.hpp"
 #include "frame/loaded_scene.hpp"
 #include "gpu/graph/compile_ahead.hpp"
@@ -46,11 +47,13 @@ struct Renderer::Impl {
     {
     }
 
-    /// Returns the style's tables with the factors of its section [drawing] applied; valid until the next
-    /// call.
+    /// Returns the style's tables with the factors of its section [drawing] applied, and with the wind over
+    /// the loaded scene; valid until the next call.
     [[nodiscard]] const features::StyleTables& tables_of(const Style& style)
     {
-        return features::with_drawing(style.tables(), drawn_style);
+        static const std::optional<Terrain> none;
+        return features::with_wind(features::with_drawing(style.tables(), drawn_style),
+                                   loaded ? loaded->scene.terrain : none, drawn_style);
     }
 
     void update_pose(const ScenePose& scene_pose);
@@ -107,7 +110,7 @@ struct Renderer::Impl {
                          const features::StyleTables& tables);
     /// Uploads the data of lighting and lines that depends on the size of a pixel.
     void upload_pixel_sizes(const frame::FramePlan& plan, const features::StyleTables& tables);
-    void ensure_looks(const frame::FramePlan& plan);
+    void ensure_variants(const frame::FramePlan& plan);
     /// Creates the surface maps that the style asks for.
     void ensure_surface_maps(const frame::FramePlan& plan);
     /// Prepares everything that the first sample needs. Throws Error as Renderer::render() does.
@@ -151,9 +154,9 @@ struct Renderer::Impl {
     frame::Features features;
     frame::FrameBuffers buffers;
     Motion motion;
-    frame::PlanLists plan_lists;            ///< lists of the last picture, to reuse
-    std::vector<wash::LookWash> wash_looks; ///< storage for the next frame
-    gpu::Graph declared;                    ///< storage for the next frame
+    frame::PlanLists plan_lists;                  ///< lists of the last picture, to reuse
+    std::vector<wash::WashVariant> wash_variants; ///< storage for the next frame
+    gpu::Graph declared;                          ///< storage for the next frame
     gpu::Graph drawn; ///< the last frame, for inspection; its resources may no longer exist
     std::vector<std::string> notes;
 };

@@ -31,7 +31,7 @@ std::optional<std::vector<smoke::Box>> Renderer::Impl::blow_cloth(const ScenePos
         return std::nullopt;
     }
     cloth::Cloths& sheets = features.cloth.sheets()->sheets();
-    if (style.wind.from != cloth::WindSource::smoke) {
+    if (style.wind.from != wind::WindSource::smoke) {
         sheets.set_flows(device, {});
         return std::nullopt;
     }
@@ -190,7 +190,7 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const features::S
                                   .line_half_px = plan.lines.half_px},
                                  notes);
     features.hatching.ensure_strokes(device, loaded->layout, plan.strokes);
-    ensure_looks(plan);
+    ensure_variants(plan);
     plan.local_shadows = features.shadows.ensure_local_maps(
         device, lighting, local_map_scene(plan.page, camera, tables), notes);
     upload_lighting(plan, lighting, tables);
@@ -248,9 +248,9 @@ features::LocalMapScene Renderer::Impl::local_map_scene(const frame::PagePlan& p
             .casters = features::caster_kinds(loaded->layout)};
 }
 
-void Renderer::Impl::ensure_looks(const frame::FramePlan& plan)
+void Renderer::Impl::ensure_variants(const frame::FramePlan& plan)
 {
-    features.hatching.maps().ensure(device, plan.looks.styles);
+    features.hatching.maps().ensure(device, plan.variants.styles);
     if (!plan.focus.lines.empty()) {
         gpu::upload_items(device, "focus lines", plan.focus.lines, features.lines.focus_lines());
     }
@@ -258,17 +258,18 @@ void Renderer::Impl::ensure_looks(const frame::FramePlan& plan)
         features.clouds.upload(device, *plan.clouds);
     }
     features.occlusion.prepare(device, loaded->layout, loaded->materials,
-                               plan.looks.styles.front().occlusion);
+                               plan.variants.styles.front().occlusion);
     ensure_surface_maps(plan);
     if (plan.motion_blur) {
-        features.motion_blur.prepare(device, loaded->layout, plan.looks.styles.front().motion_blur);
+        features.motion_blur.prepare(device, loaded->layout, plan.variants.styles.front().motion_blur);
     }
     if (plan.subsurface) {
-        gpu::upload_items(device, "subsurface looks", plan.subsurface->looks, buffers.subsurface_looks);
+        gpu::upload_items(device, "subsurface parameters", plan.subsurface->parameters,
+                          buffers.subsurface_parameters);
     }
-    if (plan.looks.has_several()) {
-        const std::vector<uint32_t>& looks = plan.looks.variant_of_draw;
-        gpu::upload_items(device, "looks", looks, buffers.look_of_draw);
+    if (plan.variants.has_several()) {
+        const std::vector<uint32_t>& variants = plan.variants.variant_of_draw;
+        gpu::upload_items(device, "style variants", variants, buffers.variant_of_draw);
     }
 }
 
@@ -299,13 +300,13 @@ void Renderer::Impl::ensure_surface_maps(const frame::FramePlan& plan)
 void Renderer::Impl::upload_pixel_sizes(const frame::FramePlan& plan, const features::StyleTables& tables)
 {
     const shared::SunShadow sun = features::sun_globals(plan.sun.map, plan.page.pixel, tables.shadow);
-    features.shadows.upload(device, plan.shadow_edges.look, sun);
-    if (plan.looks.has_several()) {
-        std::vector<shared::LineLook> lines;
-        for (const features::StyleTables& style : plan.looks.styles) {
+    features.shadows.upload(device, plan.shadow_edges.profile, sun);
+    if (plan.variants.has_several()) {
+        std::vector<shared::VariantLines> lines;
+        for (const features::StyleTables& style : plan.variants.styles) {
             lines.push_back(contour::line_look(style.contour, plan.page.pixels_per_mm));
         }
-        gpu::upload_items(device, "line looks", lines, features.lines.looks());
+        gpu::upload_items(device, "variant lines", lines, features.lines.variants());
     }
 }
 

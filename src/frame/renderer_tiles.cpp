@@ -69,7 +69,7 @@ Renderer::Impl::survey_page(const Camera& camera, const features::StyleTables& s
                             const frame::FramePlan& plan, const features::Survey& survey, uint32_t samples)
 {
     const bool has_chains =
-        features.lines.meshes().ensure(device, loaded->layout, plan.looks.lines) != nullptr;
+        features.lines.meshes().ensure(device, loaded->layout, plan.variants.lines) != nullptr;
     const uint32_t survey_count = has_chains ? samples : plan.light.meters_page ? 1 : 0;
     const frame::FramePlan survey_plan = frame::shrunk_plan(plan, survey.shrink, survey.size_px(), style);
     upload_pixel_sizes(survey_plan, style);
@@ -129,8 +129,8 @@ void Renderer::Impl::draw_tiles(const Camera& camera, const Style& style, const 
         plan.motion_blur.reset();
     }
     uint32_t overlap = 0;
-    for (const features::StyleTables& look : plan.looks.styles) {
-        overlap = std::max(overlap, frame::overlap_px(look, plan.page.pixels_per_mm));
+    for (const features::StyleTables& variant : plan.variants.styles) {
+        overlap = std::max(overlap, frame::overlap_px(variant, plan.page.pixels_per_mm));
     }
     const uint32_t tile_px = settings.tile_px > 0 ? std::min(settings.tile_px, limits.side_px)
                                                   : automatic_tile_px(limits, overlap);

@@ -132,7 +132,7 @@ struct LightBefore {
 subsurface_inputs(const FrameContext& context, const PosedScene& scene, const surface::Surface& surface);
 
 /// The style variant of each draw call; none if there is a single variant.
-[[nodiscard]] std::optional<gpu::BufferId> look_of_draw(const FrameContext& context);
+[[nodiscard]] std::optional<gpu::BufferId> variant_of_draw(const FrameContext& context);
 
 /// The inputs of hatching.
 [[nodiscard]] hatch::HatchInputs hatch_inputs(const FrameContext& context, const PosedScene& scene,

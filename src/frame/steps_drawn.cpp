@@ -7,14 +7,14 @@
 namespace estampe::frame {
 namespace {
 
-const std::vector<wash::LookWash>& wash_looks(const FrameContext& context)
+const std::vector<wash::WashVariant>& wash_variants(const FrameContext& context)
 {
-    std::vector<wash::LookWash>& looks = context.wash_looks;
-    looks.clear();
-    for (const features::StyleTables& style : context.plan.looks.styles) {
-        looks.push_back({.style = style.wash, .tone = light::tone_constants(style.tone)});
+    std::vector<wash::WashVariant>& variants = context.wash_variants;
+    variants.clear();
+    for (const features::StyleTables& style : context.plan.variants.styles) {
+        variants.push_back({.style = style.wash, .tone = light::tone_constants(style.tone)});
     }
-    return looks;
+    return variants;
 }
 
 /// The footprint that determines the size of strokes on the page; a lens that acts on strokes widens it.
@@ -71,12 +71,12 @@ std::optional<contour::CrestMesh> crests_of(const FrameContext& context)
 
 } // namespace
 
-std::optional<gpu::BufferId> look_of_draw(const FrameContext& context)
+std::optional<gpu::BufferId> variant_of_draw(const FrameContext& context)
 {
-    if (!context.plan.looks.has_several()) {
+    if (!context.plan.variants.has_several()) {
         return std::nullopt;
     }
-    return gpu::import_whole(context.graph, "looks", context.buffers.look_of_draw);
+    return gpu::import_whole(context.graph, "style variants", context.buffers.variant_of_draw);
 }
 
 hatch::HatchInputs hatch_inputs(const FrameContext& context, const PosedScene& scene,
@@ -101,7 +101,7 @@ hatch::HatchInputs hatch_inputs(const FrameContext& context, const PosedScene& s
             .ground_wind = plan.strokes.ground_wind,
             .pixels_per_mm = plan.page.pixels_per_mm,
             .size_px = context.sample.size_px,
-            .look_of_draw = look_of_draw(context),
+            .variant_of_draw = variant_of_draw(context),
             .draws = scene.meshes.draws};
 }
 
@@ -138,11 +138,11 @@ contour::ContourInputs contour_inputs(const FrameContext& context, const PosedSc
             .line_step_px = context.sample.line_step_px,
             .pixel_m_at_one = plan.page.pixel.at_one_m,
             .size_px = context.sample.size_px,
-            .look_of_draw = look_of_draw(context),
-            .line_looks = plan.looks.has_several()
-                              ? std::optional(gpu::import_whole(context.graph, "line looks",
-                                                                context.features.lines.looks()))
-                              : std::nullopt,
+            .variant_of_draw = variant_of_draw(context),
+            .variant_lines = plan.variants.has_several()
+                                 ? std::optional(gpu::import_whole(context.graph, "variant lines",
+                                                                   context.features.lines.variants()))
+                                 : std::nullopt,
             .line_hiders = screen.line_hiders};
 }
 
@@ -150,7 +150,7 @@ gpu::ImageId add_lines(const FrameContext& context, const contour::ContourInputs
 {
     const FramePlan& plan = context.plan;
     return context.features.lines.record(context.graph, in,
-                                         {.style = plan.looks.lines,
+                                         {.style = plan.variants.lines,
                                           .has_cuts = context.loaded.layout.masked.count > 0,
                                           .remembers = plan.lines.are_remembered && context.sample.is_first,
                                           .linked = context.job.linked});
@@ -352,8 +352,8 @@ gpu::ImageId add_paint(const FrameContext& context, const PosedScene& scene, con
                            .has_background = background.has_value(),
                            .keeps_cover = context.style.paper.transparent == paper::Transparency::background,
                            .size_px = context.sample.size_px,
-                           .look_of_draw = look_of_draw(context)},
-                          wash_looks(context));
+                           .variant_of_draw = variant_of_draw(context)},
+                          wash_variants(context));
 }
 
 haze::HazeInputs haze_inputs(const FrameContext& context, const PosedScene& scene,

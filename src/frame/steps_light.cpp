@@ -108,8 +108,8 @@ gpu::ImageId spread_in_map(const FrameContext& context, const PosedScene& scene,
     gpu::Graph& graph = context.graph;
     features::SurfaceMap& map = context.loaded.surface_maps.at(*context.plan.scatter_texels);
     float most_m = 0.0F;
-    for (const shared::SubsurfaceLook& look : context.plan.subsurface->looks) {
-        most_m = std::max({most_m, look.scatter_m.x, look.scatter_m.y, look.scatter_m.z});
+    for (const shared::SubsurfaceParameters& parameters : context.plan.subsurface->parameters) {
+        most_m = std::max({most_m, parameters.scatter_m.x, parameters.scatter_m.y, parameters.scatter_m.z});
     }
     const subsurface::TextureInputs in{
         .map_texels = gpu::import_whole(graph, "texels of surfaces", map.texels),
@@ -118,8 +118,9 @@ gpu::ImageId spread_in_map(const FrameContext& context, const PosedScene& scene,
         .posed_vertices = scene.meshes.posed_vertices,
         .draws = scene.meshes.draws,
         .materials = scene.meshes.materials,
-        .looks = gpu::import_whole(graph, "subsurface looks", context.buffers.subsurface_looks),
-        .look_of_draw = look_of_draw(context),
+        .parameters =
+            gpu::import_whole(graph, "subsurface parameters", context.buffers.subsurface_parameters),
+        .variant_of_draw = variant_of_draw(context),
         .size = map.size,
         .most_spread_tx = most_m * map.texels_per_m};
     const subsurface::TextureSurface surface = subsurface::add_texture_surface(graph, in);
@@ -187,8 +188,9 @@ subsurface::SubsurfaceInputs subsurface_inputs(const FrameContext& context, cons
             .draw = surface.draw,
             .depth = surface.depth,
             .normal = surface.normal,
-            .looks = gpu::import_whole(context.graph, "subsurface looks", context.buffers.subsurface_looks),
-            .look_of_draw = look_of_draw(context),
+            .parameters = gpu::import_whole(context.graph, "subsurface parameters",
+                                            context.buffers.subsurface_parameters),
+            .variant_of_draw = variant_of_draw(context),
             .reach_mm = context.style.subsurface.reach_mm,
             .pixels_per_mm = context.plan.page.pixels_per_mm,
             .size_px = context.sample.size_px,

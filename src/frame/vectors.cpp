@@ -227,20 +227,20 @@ contour::LineWidths hidden_widths_px(const contour::ContourStyle& contour, float
 }
 
 /// The ink of a line, from its LinePoint::ink.
-glm::vec3 ink_of(uint32_t number, const Scene& scene, const features::StyleVariants& looks)
+glm::vec3 ink_of(uint32_t number, const Scene& scene, const features::StyleVariants& variants)
 {
-    if ((number & shared::ink_of_look) != 0) {
-        return looks.styles.at(number & ~shared::ink_of_look).contour.ink;
+    if ((number & shared::ink_of_variant) != 0) {
+        return variants.styles.at(number & ~shared::ink_of_variant).contour.ink;
     }
     return number > 0 && scene.materials.at(number - 1).toon ? scene.materials[number - 1].toon->outline_color
-                                                             : looks.lines.ink;
+                                                             : variants.lines.ink;
 }
 
 void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene& drawn,
-               const features::StyleVariants& looks, bool with_hidden_lines)
+               const features::StyleVariants& variants, bool with_hidden_lines)
 {
-    const contour::ContourStyle& contour = looks.lines;
-    const float px_per_mm = features::pixels_per_mm(drawn.size_px.y, looks.styles.front().paper.height_mm);
+    const contour::ContourStyle& contour = variants.lines;
+    const float px_per_mm = features::pixels_per_mm(drawn.size_px.y, variants.styles.front().paper.height_mm);
     bool with_hidden = with_hidden_lines || contour.hidden.enabled;
     std::vector<contour::LinePath> paths;
     for (const gpu::Buffer& line_points : lists.line_points) {
@@ -265,45 +265,46 @@ void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene&
         if (has_width) {
             gathering.add(
                 {.kind = kind_of_line(path.kind), .is_hidden = path.is_hidden, .is_closed = path.is_closed},
-                draw, ink_of(path.ink, drawn.scene, looks), path.points);
+                draw, ink_of(path.ink, drawn.scene, variants), path.points);
         }
     }
 }
 
 } // namespace
 
-void check_has_paths(const features::StyleVariants& looks)
+void check_has_paths(const features::StyleVariants& variants)
 {
     const auto is_no_line = [](const features::StyleTables& style) {
         return style.hatch.enabled && style.hatch.strokes != hatch::Strokes::lines;
     };
-    if (std::ranges::any_of(looks.styles, is_no_line)) {
+    if (std::ranges::any_of(variants.styles, is_no_line)) {
         throw Error("the strokes of a tonal art map have no paths, nor have dots", "hatch.strokes",
                     "--set hatch.strokes=lines draws others, --set hatch.enabled=false none");
     }
-    if (looks.lines.enabled && looks.lines.lines == contour::Lines::page) {
+    if (variants.lines.enabled && variants.lines.lines == contour::Lines::page) {
         throw Error("lines that are found between pixels have no paths", "contour.lines",
                     "--set contour.lines=chains draws others, --set contour.enabled=false none");
     }
 }
 
 void declare_stroke_lists(gpu::Graph& graph, const HatchStrokes& hatch, const LineStrokes& lines,
-                          const features::StyleVariants& looks, const std::optional<StrokeHaze>& haze,
+                          const features::StyleVariants& variants, const std::optional<StrokeHaze>& haze,
                           StrokeLists& lists)
 {
     gpu::Device& device = lists.device;
     if (haze) {
         read_back(graph, device, haze::add_ink_left(graph, haze->inputs, haze->style), lists.ink_left);
     }
-    if (std::ranges::any_of(looks.styles,
+    if (std::ranges::any_of(variants.styles,
                             [](const features::StyleTables& style) { return style.hatch.enabled; })) {
-        read_back(graph, device,
-                  hatch::add_trace(graph, hatch.inputs, hatch.looks, device.limits().maxStorageBufferRange),
-                  lists.crossings);
+        read_back(
+            graph, device,
+            hatch::add_trace(graph, hatch.inputs, hatch.variants, device.limits().maxStorageBufferRange),
+            lists.crossings);
     }
     if (lines.mesh != nullptr) {
         const contour::ShapedStrokes shaped =
-            contour::add_shaped_strokes(graph, lines.inputs, *lines.mesh, nullptr, looks.lines);
+            contour::add_shaped_strokes(graph, lines.inputs, *lines.mesh, nullptr, variants.lines);
         read_back(graph, device, shaped.strokes.sizes, lists.line_sizes);
         read_back(graph, device, shaped.strokes.samples, lists.line_samples);
         read_back(graph, device, shaped.strokes.samples_before, lists.line_samples_before);
@@ -319,7 +320,7 @@ void declare_stroke_lists(gpu::Graph& graph, const HatchStrokes& hatch, const Li
 VectorDrawing drawing_of(const StrokeLists& lists, const DrawnScene& drawn, const FramePlan& plan,
                          bool with_hidden_lines)
 {
-    const features::StyleTables& style = plan.looks.styles.front();
+    const features::StyleTables& style = plan.variants.styles.front();
     Gathering gathering(drawn, style);
     const auto ink_left =
         lists.ink_left.empty() ? std::span<const glm::vec2>() : gpu::items_of<glm::vec2>(lists.ink_left);
@@ -329,7 +330,7 @@ VectorDrawing drawing_of(const StrokeLists& lists, const DrawnScene& drawn, cons
     }
     gathering.thin_by(ink_left, 1);
     if (!lists.line_sizes.empty()) {
-        add_lines(gathering, lists, drawn, plan.looks, with_hidden_lines);
+        add_lines(gathering, lists, drawn, plan.variants, with_hidden_lines);
     }
     gathering.add_focus(plan.focus, style.focus_lines.ink);
     if (style.paper.border_mm > 0.0F) {

@@ -34,12 +34,12 @@ struct StrokeLists {
 
 /// Throws Error when a style variant has strokes that have no paths: strokes of a tonal art map, and lines
 /// that are found between pixels.
-void check_has_paths(const features::StyleVariants& looks);
+void check_has_paths(const features::StyleVariants& variants);
 
 /// The inputs of hatching strokes.
 struct HatchStrokes {
     hatch::HatchInputs inputs;
-    std::vector<hatch::LookHatch> looks;
+    std::vector<hatch::HatchVariant> variants;
 };
 
 /// The inputs of line strokes.
@@ -56,7 +56,7 @@ struct StrokeHaze {
 
 /// Declares the passes that fill `lists` instead of drawing a picture. `lists` must outlive the graph.
 void declare_stroke_lists(gpu::Graph& graph, const HatchStrokes& hatch, const LineStrokes& chains,
-                          const features::StyleVariants& looks, const std::optional<StrokeHaze>& haze,
+                          const features::StyleVariants& variants, const std::optional<StrokeHaze>& haze,
                           StrokeLists& lists);
 
 /// The scene that the strokes were drawn from.

@@ -74,7 +74,7 @@ struct LineField {
     bool wraps;     // v and u are only known up to integers and sign
 };
 
-struct LineLook {
+struct HatchLineStyle {
     float width_px;
     float wobble_px;
     float gap_px;
@@ -130,19 +130,19 @@ struct LineScale {
     float px_per_u;
 };
 
-LineScale scale_of(LineField field, LineLook look, float dark)
+LineScale scale_of(LineField field, HatchLineStyle style, float dark)
 {
     LineScale scale;
     float u_per_px = max(field.u_per_px, 1e-6f * abs(field.u) + 1e-12f);
-    float wavelength = 1.6f * look.cell_px * u_per_px;
+    float wavelength = 1.6f * style.cell_px * u_per_px;
     wavelength = field.wraps ? min(wavelength, 0.5f) : wavelength;
     scale.wobble_frequency = power_of_two(-floor_log2(wavelength));
     scale.wobble_fade = log2(wavelength * scale.wobble_frequency);
     // Gaps, wobble and pressure fade as the paper fills up, because lines that touch would lose ink.
     scale.gap_scale = clamp(2.0f * (1.0f - dark), 0.0f, 1.0f);
-    scale.wobble_px = min(look.wobble_px, 0.17f * look.width_px / dark * (1.0f - dark));
-    scale.pressure = min(look.pressure, 0.5f * (1.0f - dark) / dark);
-    float cell = look.cell_px * u_per_px;
+    scale.wobble_px = min(style.wobble_px, 0.17f * style.width_px / dark * (1.0f - dark));
+    scale.pressure = min(style.pressure, 0.5f * (1.0f - dark) / dark);
+    float cell = style.cell_px * u_per_px;
     cell = field.wraps ? min(cell, 1.0f) : cell;
     scale.cell_level = ceil_log2(cell);
     scale.cell = power_of_two(scale.cell_level);
@@ -162,21 +162,21 @@ float wobble(LineField field, LineScale scale, uint identity)
 
 // Mean opening of cell boundaries, as a share of the largest opening. One in four boundaries stays closed. 0
 // if the lines have no gaps.
-float mean_opening(LineLook look, float gap_scale)
+float mean_opening(HatchLineStyle style, float gap_scale)
 {
-    return look.gap_px > 0.0f ? 0.75f * gap_scale : 0.0f;
+    return style.gap_px > 0.0f ? 0.75f * gap_scale : 0.0f;
 }
 
 // Mean share of a line that remains after gaps and tapers.
-float kept_share(LineLook look, float gap_scale)
+float kept_share(HatchLineStyle style, float gap_scale)
 {
-    return 1.0f - mean_opening(look, gap_scale) * (look.gap_px + look.taper_px) / look.cell_px;
+    return 1.0f - mean_opening(style, gap_scale) * (style.gap_px + style.taper_px) / style.cell_px;
 }
 
 // Width factor along a line: 0 in gaps, rising over the taper. Cells are dyadic in u, with a length of one
 // to two cell_px. As the paper fills up, or with distance, gaps shrink to a third and then close one after
 // another. Each closes almost at once, because a nearly closed gap would be a white nick.
-float stroke_profile(LineField field, LineLook look, LineScale scale, uint identity)
+float stroke_profile(LineField field, HatchLineStyle style, LineScale scale, uint identity)
 {
     float u = field.u + 16.0f * trait(identity, 3u);
     float half_cell = 0.5f * scale.cell;
@@ -186,19 +186,19 @@ float stroke_profile(LineField field, LineLook look, LineScale scale, uint ident
                                     scale.cell_level, identity);
     const float least = 0.35f;
     const float haste = 16.0f;
-    float wanted = mean_opening(look, scale.gap_scale) * ((nearest & 1) == 0 ? 1.0f : scale.cell_growth);
+    float wanted = mean_opening(style, scale.gap_scale) * ((nearest & 1) == 0 ? 1.0f : scale.cell_growth);
     float size = max(wanted / 0.75f, least);
     float opening = size * clamp((wanted / size - trait(boundary, 4u)) * haste + 0.5f, 0.0f, 1.0f);
     opening = wanted > 0.0f ? opening : 0.0f;
     float distance_px = abs(u - float(nearest) * half_cell) * scale.px_per_u;
-    float taper_px = look.taper_px * opening;
-    return opening > 0.0f ? soft_step(distance_px - 0.5f * (look.gap_px * opening + taper_px), taper_px)
+    float taper_px = style.taper_px * opening;
+    return opening > 0.0f ? soft_step(distance_px - 0.5f * (style.gap_px * opening + taper_px), taper_px)
                           : 1.0f;
 }
 
 // Profile of a newborn line of which `share` of the ink is drawn, as strokes that grow one after another: 0
 // or 1 with soft ends. The strokes keep their places in u while the line is newborn.
-float grown_profile(LineField field, LineLook look, Lines lines, uint identity, float share)
+float grown_profile(LineField field, HatchLineStyle style, Lines lines, uint identity, float share)
 {
     const float spread = 0.5f; // Share of the growth that a single stroke takes
     float cell = 4.0f * lines.spacing;
@@ -212,7 +212,7 @@ float grown_profile(LineField field, LineLook look, Lines lines, uint identity, 
     float length_here = clamp((front - order) / spread, 0.0f, 1.0f);
     float px_per_cell = cell / max(field.u_per_px, 1e-12f);
     float inside_px = (0.5f * length_here - abs(at - number - 0.5f)) * px_per_cell;
-    float soft_px = min(look.taper_px, min(length_here, 1.0f - length_here) * px_per_cell);
+    float soft_px = min(style.taper_px, min(length_here, 1.0f - length_here) * px_per_cell);
     return length_here > 0.0f ? soft_step(inside_px, soft_px) : 0.0f;
 }
 
@@ -230,18 +230,18 @@ struct DrawnLines {
 };
 
 // `dark` is the darkness that the family must reach.
-DrawnLines drawn_lines(LineField field, LineLook look, float dark)
+DrawnLines drawn_lines(LineField field, HatchLineStyle style, float dark)
 {
     DrawnLines drawn;
-    drawn.scale = scale_of(field, look, max(dark, 1e-4f));
-    float wanted = clamp(dark / kept_share(look, drawn.scale.gap_scale), 1e-4f, 1.0f);
-    drawn.lines = lines_of(field, look.width_px, wanted);
+    drawn.scale = scale_of(field, style, max(dark, 1e-4f));
+    float wanted = clamp(dark / kept_share(style, drawn.scale.gap_scale), 1e-4f, 1.0f);
+    drawn.lines = lines_of(field, style.width_px, wanted);
     drawn.newborn_length = 1.0f;
     drawn.newborn_width = drawn.lines.width * drawn.lines.newborn;
-    if (look.growth > 0.0f) {
+    if (style.growth > 0.0f) {
         // The width of newborn strokes is limited so that they do not touch the old lines beside them.
         float room = 0.7f * (drawn.lines.spacing - drawn.lines.width) / drawn.lines.width;
-        float share = max(pow(drawn.lines.newborn, look.growth), drawn.lines.newborn / room);
+        float share = max(pow(drawn.lines.newborn, style.growth), drawn.lines.newborn / room);
         drawn.newborn_length = clamp(share, 1e-6f, 1.0f);
         drawn.newborn_width /= drawn.newborn_length;
     }
@@ -249,22 +249,22 @@ DrawnLines drawn_lines(LineField field, LineLook look, float dark)
 }
 
 // Width of the i-th line at the pixel, in the unit of v.
-float drawn_width(LineField field, LineLook look, DrawnLines drawn, int i, uint identity)
+float drawn_width(LineField field, HatchLineStyle style, DrawnLines drawn, int i, uint identity)
 {
     bool is_old = (i & 1) == 0;
     float profile =
-        stroke_profile(field, look, drawn.scale, identity) * pressure_at(field, drawn.scale, identity);
-    if (!is_old && look.growth > 0.0f) {
-        profile *= grown_profile(field, look, drawn.lines, identity, drawn.newborn_length);
+        stroke_profile(field, style, drawn.scale, identity) * pressure_at(field, drawn.scale, identity);
+    if (!is_old && style.growth > 0.0f) {
+        profile *= grown_profile(field, style, drawn.lines, identity, drawn.newborn_length);
     }
     return (is_old ? drawn.lines.width : drawn.newborn_width) * profile;
 }
 
 // Ink of one family of lines at a pixel of darkness `dark`, box-filtered over the pixel.
-float line_ink(LineField field, LineLook look, float dark, uint seed)
+float line_ink(LineField field, HatchLineStyle style, float dark, uint seed)
 {
     float g = max(field.v_per_px, 1e-12f);
-    DrawnLines drawn = drawn_lines(field, look, dark);
+    DrawnLines drawn = drawn_lines(field, style, dark);
     // The lines that may touch the pixel; at most four, because lines keep their distance.
     float reach =
         0.5f * drawn.lines.width * (1.0f + drawn.scale.pressure) + g * (1.15f * drawn.scale.wobble_px + 0.5f);
@@ -273,7 +273,7 @@ float line_ink(LineField field, LineLook look, float dark, uint seed)
     float ink = 0.0f;
     for (int i = first;; ++i) {
         uint identity = line_identity(field, drawn.lines, i, seed);
-        float width = drawn_width(field, look, drawn, i, identity);
+        float width = drawn_width(field, style, drawn, i, identity);
         float at = 0.5f * float(i) * drawn.lines.spacing + g * wobble(field, drawn.scale, identity);
         float low = max(at - 0.5f * width, field.v - 0.5f * g);
         float high = min(at + 0.5f * width, field.v + 0.5f * g);

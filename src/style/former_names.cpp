@@ -16,6 +16,7 @@ using Pair = std::pair<std::string_view, std::string_view>;
 /// new key.
 constexpr std::array former_keys{Pair{"cloth.rest_mm_s", "cloth.rest_mm_per_s"},
                                  Pair{"clouds.seed", "drawing.seed"},
+                                 Pair{"clouds.wind_deg", "wind.towards_deg"},
                                  Pair{"clouds.wind_mps", "clouds.wind_m_per_s"},
                                  Pair{"contour.boundary_brush", "contour.border.brush"},
                                  Pair{"contour.boundary_m", "contour.border.width_m"},
@@ -99,15 +100,18 @@ constexpr std::array former_keys{Pair{"cloth.rest_mm_s", "cloth.rest_mm_per_s"},
                                  Pair{"particles.seed", "drawing.seed"},
                                  Pair{"particles.speed_mps", "particles.speed_m_per_s"},
                                  Pair{"particles.swirl_mps", "particles.swirl_m_per_s"},
+                                 Pair{"particles.wind_deg", "wind.towards_deg"},
                                  Pair{"particles.wind_mps", "particles.wind_m_per_s"},
                                  Pair{"screen.layers", "transparency.layers"},
                                  Pair{"screen.mode", "transparency.mode"},
                                  Pair{"sky.mode", "sky.enabled"},
                                  Pair{"smoke.drawn", "smoke.enabled"},
                                  Pair{"smoke.seed", "drawing.seed"},
+                                 Pair{"smoke.wind_deg", "wind.towards_deg"},
                                  Pair{"smoke.wind_m_s", "smoke.wind_m_per_s"},
                                  Pair{"subsurface.drawn", "subsurface.enabled"},
                                  Pair{"tam.seed", "drawing.seed"},
+                                 Pair{"wind.direction_deg", "wind.towards_deg"},
                                  Pair{"wind.speed_m_s", "wind.speed_m_per_s"}};
 
 /// Other programs' names of parameters, by the last word of the key, sorted.

@@ -51,8 +51,8 @@ Drawing::Drawing(const Scene& scene, const Camera& camera, glm::uvec2 size, doub
     plan_.page.size_px = size;
     plan_.page.pixel = features::pixel_size(camera, size.y);
     plan_.needs = loaded->needs;
-    plan_.looks.styles = {style_};
-    plan_.strokes = features::plan_strokes(layout, plan_.looks);
+    plan_.variants.styles = {style_};
+    plan_.strokes = features::plan_strokes(layout, plan_.variants);
 }
 
 frame::FrameContext Drawing::context(gpu::Graph& graph)
@@ -73,7 +73,7 @@ frame::FrameContext Drawing::context(gpu::Graph& graph)
             .plan = plan_,
             .sample = sample_,
             .style = style_,
-            .wash_looks = wash_looks_};
+            .wash_variants = wash_variants_};
 }
 
 raster::RasterInputs Drawing::raster_inputs(gpu::Graph& graph)
@@ -122,7 +122,7 @@ void Drawing::prepare_light(const LightSetup& setup)
     plan_.light = {
         .local_count = local_count, .leads_strokes = setup.keeps_strongest, .has_links = setup.has_links};
     plan_.lines.of_shadows = setup.keeps_sun;
-    plan_.shadow_edges = {.look = shadow::edge_look(setup.shadow, setup.lines, 1.0F),
+    plan_.shadow_edges = {.profile = shadow::edge_profile(setup.shadow, setup.lines, 1.0F),
                           .variant = shadow::shadow_variant(setup.shadow, setup.lines)};
     plan_.sun.map = sun_plan(setup);
     features::Shadows& shadows = features->shadows;
@@ -142,7 +142,7 @@ void Drawing::prepare_light(const LightSetup& setup)
     local.style.local_megatexels = 1e4F;
     std::vector<std::string> notes;
     plan_.local_shadows = shadows.ensure_local_maps(shared_device(), lighting, local, notes);
-    shadows.upload(shared_device(), plan_.shadow_edges.look,
+    shadows.upload(shared_device(), plan_.shadow_edges.profile,
                    features::sun_globals(plan_.sun.map, plan_.page.pixel, setup.shadow));
     features->lighting.upload(shared_device(),
                               {.sky_ambient = setup.ambient,

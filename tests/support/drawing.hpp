@@ -156,7 +156,7 @@ private:
     frame::FramePlan plan_;
     frame::SamplePlan sample_;
     features::StyleTables style_;
-    std::vector<wash::LookWash> wash_looks_;
+    std::vector<wash::WashVariant> wash_variants_;
 };
 
 } // namespace estampe::test

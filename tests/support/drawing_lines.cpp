@@ -15,7 +15,7 @@ void Drawing::prepare_lines(const contour::ContourStyle& style, float pixels_per
     features->lines.invalidate(features::Event::layout_replaced); // features may be another drawing's
     features->lines.ensure(shared_device(), layout, style);
     plan_.page.pixels_per_mm = pixels_per_mm;
-    plan_.looks.lines = style;
+    plan_.variants.lines = style;
     prepare_light(line_light);
 }
 

@@ -244,8 +244,8 @@ estampe::Terrain Desert::with(std::span<const Hollow> hollows, bool is_trodden) 
         "wild = \"swell + great + small - 1\"\n" +
         nodes +
         "[wind]\n"
-        "direction_deg = " +
-        decimal(wind_to_deg) +
+        "towards_deg = " +
+        decimal(90.0F - wind_to_deg) +
         "\n"
         "speed_m_per_s = " +
         decimal(calm_m_per_s) +

@@ -367,14 +367,12 @@ estampe::Style World::style(const estampe::Style& base, const estampe::Camera& c
     const auto gusts = static_cast<double>(weather_.gusts);
     const double shelter = static_cast<double>(shelter_at(plan_, {camera.eye.x, camera.eye.z}));
     const double dust = static_cast<double>(weather_.dust) * (1.0 - 0.93 * shelter);
-    const double bearing_deg = 90.0 - static_cast<double>(wind_to_deg);
     set("wind.from", "style");
     set("wind.speed_m_per_s", wind_m_per_s);
     set("wind.blown_m", weather_.blown_m);
-    set("wind.direction_deg", static_cast<double>(wind_to_deg));
+    set("wind.towards_deg", 90.0 - static_cast<double>(wind_to_deg));
     const auto blow = [&](const std::string& what, double speed_m_per_s) {
         set("object." + what + ".particles.wind_m_per_s", speed_m_per_s);
-        set("object." + what + ".particles.wind_deg", bearing_deg);
     };
     // Plumes consist of the paths of all their particles at once: wind that changed with every gust would
     // shake them.
@@ -413,7 +411,6 @@ estampe::Style World::style(const estampe::Style& base, const estampe::Camera& c
     set("light.ambient", std::min(base.number("light.ambient") + 0.25 * dust, 1.0));
     set("clouds.coverage",
         (1.0 - dust) * std::max(static_cast<double>(weather_.clouds), base.number("clouds.coverage")));
-    set("clouds.wind_deg", bearing_deg);
     if (base.number("clouds.coverage") == 0.0) {
         // Clouds take the sky's colours, so that only marble is white.
         const glm::vec3 straw = base.color("sky.horizon");

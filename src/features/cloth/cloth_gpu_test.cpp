@@ -284,7 +284,7 @@ TEST(ClothFrame, AirOfSmokeBlowsOnIt)
     set_up.scene.nodes.push_back(node);
     for (const char* assignment :
          {"smoke.enabled=true", "smoke.objects=draught", "smoke.cells=16", "smoke.age_s=0.2",
-          "smoke.amount_per_s=0", "smoke.wind_m_per_s=5", "smoke.wind_deg=90"}) {
+          "smoke.amount_per_s=0", "smoke.wind_m_per_s=5", "wind.towards_deg=90"}) {
         set_up.style.emplace_back(assignment);
     }
     Renderer& renderer = test::shared_renderer();

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "features/common/wind.hpp"
 #include "shaders/scene.glsl.h"
 
 namespace estampe::features {
@@ -278,7 +279,7 @@ std::optional<ClothRun> MovingCloth::plan(const RenderSettings& settings, const 
                                           std::optional<double> before_s) const
 {
     constexpr double longest_gap_s = 10.0;
-    const bool is_same_still = is_still_ && style.wind.from != cloth::WindSource::smoke &&
+    const bool is_same_still = is_still_ && style.wind.from != wind::WindSource::smoke &&
                                settings.continuity == Continuity::still && !before_s &&
                                time_s_ == settings.time_s && animation_ == settings.animation &&
                                wind_ == style.wind && style_ == style.cloth;
@@ -310,15 +311,12 @@ cloth::Surroundings MovingCloth::surroundings(double time_s, const Scene& scene,
                                               const RenderSettings& settings, const glm::dvec3& anchor) const
 {
     cloth::Surroundings result{.time_s = time_s,
-                               .wind = style.wind,
+                               .wind = wind_over(scene.terrain, style.wind),
                                .origin_m = anchor,
                                .effort = style.cloth.effort,
                                .rest_m_per_s = 1e-3F * style.cloth.rest_mm_per_s};
-    if (style.wind.from == cloth::WindSource::automatic && scene.terrain) {
-        const TerrainWind& wind = scene.terrain->description().wind;
-        result.wind.speed_m_per_s = wind.speed_m_per_s;
-        result.wind.direction_deg = wind.direction_deg;
-    } else if (style.wind.blown_m >= 0.0F) {
+    const bool is_of_terrain = style.wind.from == wind::WindSource::automatic && scene.terrain;
+    if (!is_of_terrain && style.wind.blown_m >= 0.0F) {
         result.ahead_m = static_cast<double>(style.wind.blown_m) -
                          static_cast<double>(style.wind.speed_m_per_s) * settings.time_s;
     }

@@ -172,7 +172,7 @@ private:
     bool is_still_ = false; ///< the last picture was a still
     bool is_taken_up_ = false;
     uint32_t animation_ = 0;
-    cloth::WindStyle wind_;
+    wind::WindStyle wind_;
     cloth::ClothStyle style_;
 };
 

@@ -70,7 +70,7 @@ struct StyleTables {
     lens::LensStyle lens;
     motion_blur::MotionBlurStyle motion_blur;
     terrain::DriftStyle drift;
-    cloth::WindStyle wind;
+    wind::WindStyle wind;
     cloth::ClothStyle cloth;
     particles::ParticleStyle particles;
     sky::SkyStyle sky;

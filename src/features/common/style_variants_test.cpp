@@ -50,33 +50,33 @@ TEST_F(StyleVariantsTest, PatternsNameMaterialsAndObjectsWithWhatHangsOnThem)
 {
     set("material.Brick*.hatch.width_mm=1");
     set("object.Tower.wash.strength=0");
-    const StyleVariants looks = plan();
-    ASSERT_EQ(looks.variant_of_draw.size(), 4U);
-    const auto style_of = [&](size_t draw) { return looks.styles.at(looks.variant_of_draw[draw]); };
+    const StyleVariants variants = plan();
+    ASSERT_EQ(variants.variant_of_draw.size(), 4U);
+    const auto style_of = [&](size_t draw) { return variants.styles.at(variants.variant_of_draw[draw]); };
     EXPECT_EQ(style_of(0).hatch.width_mm, 1.0F);
     EXPECT_EQ(style_of(0).wash.strength, 0.0F);
     EXPECT_EQ(style_of(1).hatch.width_mm, style_.hatch.width_mm);
     EXPECT_EQ(style_of(1).wash.strength, 0.0F);
     EXPECT_EQ(style_of(2).hatch.width_mm, 1.0F);
     EXPECT_EQ(style_of(2).wash.strength, style_.wash.strength);
-    EXPECT_EQ(looks.variant_of_draw[3], 0U) << "the ground";
+    EXPECT_EQ(variants.variant_of_draw[3], 0U) << "the ground";
     EXPECT_TRUE(idle_overrides(scene_, style_).empty());
 }
 
 TEST_F(StyleVariantsTest, TheSameOverridesAreOneVariant)
 {
     set("material.*.hatch.width_mm=1");
-    const StyleVariants looks = plan();
-    EXPECT_EQ(looks.styles.size(), 2U);
-    EXPECT_EQ(looks.variant_of_draw, (std::vector<uint32_t>{1, 1, 1, 0}));
+    const StyleVariants variants = plan();
+    EXPECT_EQ(variants.styles.size(), 2U);
+    EXPECT_EQ(variants.variant_of_draw, (std::vector<uint32_t>{1, 1, 1, 0}));
 }
 
 TEST_F(StyleVariantsTest, LaterOverridesWin)
 {
     set("object.Tower.hatch.width_mm=1");
     set("material.Brick.hatch.width_mm=2");
-    const StyleVariants looks = plan();
-    EXPECT_EQ(looks.styles.at(looks.variant_of_draw[0]).hatch.width_mm, 2.0F);
+    const StyleVariants variants = plan();
+    EXPECT_EQ(variants.styles.at(variants.variant_of_draw[0]).hatch.width_mm, 2.0F);
 }
 
 TEST_F(StyleVariantsTest, LinesAreFoundForWhicheverWantsThem)
@@ -86,10 +86,10 @@ TEST_F(StyleVariantsTest, LinesAreFoundForWhicheverWantsThem)
     set("object.Wall.contour.enabled=true");
     set("object.Wall.contour.ridge.enabled=true");
     set("object.Wall.contour.ridge.width_mm=0.5");
-    const StyleVariants looks = plan();
-    EXPECT_TRUE(looks.lines.enabled);
-    EXPECT_EQ(looks.lines.ridge.width_mm, 0.5F);
-    EXPECT_FALSE(looks.styles.front().contour.enabled);
+    const StyleVariants variants = plan();
+    EXPECT_TRUE(variants.lines.enabled);
+    EXPECT_EQ(variants.lines.ridge.width_mm, 0.5F);
+    EXPECT_FALSE(variants.styles.front().contour.enabled);
 }
 
 } // namespace

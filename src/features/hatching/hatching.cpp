@@ -48,20 +48,22 @@ GroundForm ground_of(const pose::MeshData& meshes, size_t draw)
     return draw == meshes.sources.size() ? GroundForm::level : GroundForm::no;
 }
 
-const StyleTables& look_of(const StyleVariants& looks, size_t draw)
+const StyleTables& style_of(const StyleVariants& variants, size_t draw)
 {
-    return looks.has_several() ? looks.styles[looks.variant_of_draw[draw]] : looks.styles.front();
+    return variants.has_several() ? variants.styles[variants.variant_of_draw[draw]] : variants.styles.front();
 }
 
 } // namespace
 
-StrokePlan plan_strokes(const pose::MeshData& meshes, const StyleVariants& looks, std::vector<uint32_t> room)
+StrokePlan plan_strokes(const pose::MeshData& meshes, const StyleVariants& variants,
+                        std::vector<uint32_t> room)
 {
     StrokePlan plan{.kind_of_draw = std::move(room)};
     plan.kind_of_draw.clear();
     plan.kind_of_draw.reserve(meshes.draws.size());
     for (const shared::DrawRecord& draw : meshes.draws) {
-        const auto wanted = static_cast<uint32_t>(look_of(looks, plan.kind_of_draw.size()).hatch.coordinates);
+        const auto wanted =
+            static_cast<uint32_t>(style_of(variants, plan.kind_of_draw.size()).hatch.coordinates);
         const uint32_t kind = possible(wanted, draw, ground_of(meshes, plan.kind_of_draw.size()));
         plan.kind_of_draw.push_back(kind);
         plan.present |= 1U << kind;
@@ -183,19 +185,19 @@ hatch::MapData load_map(const MapChoice& choice)
             .threshold_of_level = std::move(thresholds)};
 }
 
-void TonalMaps::ensure(gpu::Device& device, const std::vector<StyleTables>& looks)
+void TonalMaps::ensure(gpu::Device& device, const std::vector<StyleTables>& variants)
 {
-    place_of_look_.assign(looks.size(), std::nullopt);
+    place_of_variant_.assign(variants.size(), std::nullopt);
     std::vector<Loaded> wanted;
-    for (size_t look = 0; look < looks.size(); ++look) {
-        const hatch::HatchStyle& hatch = looks[look].hatch;
+    for (size_t variant = 0; variant < variants.size(); ++variant) {
+        const hatch::HatchStyle& hatch = variants[variant].hatch;
         if (!hatch.enabled || hatch.strokes != hatch::Strokes::map) {
             continue;
         }
-        MapChoice choice = map_choice(looks[look]);
+        MapChoice choice = map_choice(variants[variant]);
         const auto is_choice = [&](const Loaded& loaded) { return loaded.choice == choice; };
         const auto ready = std::ranges::find_if(wanted, is_choice);
-        place_of_look_[look] = static_cast<size_t>(ready - wanted.begin());
+        place_of_variant_[variant] = static_cast<size_t>(ready - wanted.begin());
         if (ready != wanted.end()) {
             continue;
         }
@@ -218,18 +220,18 @@ void Hatching::invalidate(Event event)
     }
 }
 
-const std::vector<hatch::LookHatch>& Hatching::looks(gpu::Graph& graph,
-                                                     const std::vector<StyleTables>& styles)
+const std::vector<hatch::HatchVariant>& Hatching::variants(gpu::Graph& graph,
+                                                           const std::vector<StyleTables>& styles)
 {
-    looks_.clear();
+    variants_.clear();
     for (const StyleTables& style : styles) {
-        hatch::MapImages* const map = maps_.of_look(looks_.size());
-        looks_.push_back(
+        hatch::MapImages* const map = maps_.of_variant(variants_.size());
+        variants_.push_back(
             {.style = style.hatch,
              .tone = light::tone_constants(style.tone),
              .map = map != nullptr ? std::optional(hatch::import_map(graph, *map)) : std::nullopt});
     }
-    return looks_;
+    return variants_;
 }
 
 void Hatching::ensure_strokes(gpu::Device& device, const pose::MeshData& layout, const StrokePlan& strokes)

@@ -39,7 +39,7 @@ struct StrokePlan {
 /// Chooses what the strokes of each draw follow: the choice of its style variant if its surface allows it.
 /// Strokes follow UVs only on meshes that have them; a ground has no form, and dunes use their slope. The
 /// list reuses the memory of `room`. Cost: linear in draws.
-[[nodiscard]] StrokePlan plan_strokes(const pose::MeshData& meshes, const StyleVariants& looks,
+[[nodiscard]] StrokePlan plan_strokes(const pose::MeshData& meshes, const StyleVariants& variants,
                                       std::vector<uint32_t> room = {});
 
 /// The hatching lines that shadow edges can follow; none if the hatching is not made of lines.
@@ -73,12 +73,12 @@ struct MapChoice {
 class TonalMaps {
 public:
     /// Loads the maps that the variants need and that are not loaded yet. Throws Error as load_map() does.
-    void ensure(gpu::Device& device, const std::vector<StyleTables>& looks);
+    void ensure(gpu::Device& device, const std::vector<StyleTables>& variants);
 
     /// The map of a style variant; null if its strokes use no map.
-    [[nodiscard]] hatch::MapImages* of_look(size_t look)
+    [[nodiscard]] hatch::MapImages* of_variant(size_t variant)
     {
-        return place_of_look_.at(look) ? &maps_.at(*place_of_look_[look]).images : nullptr;
+        return place_of_variant_.at(variant) ? &maps_.at(*place_of_variant_[variant]).images : nullptr;
     }
 
 private:
@@ -88,7 +88,7 @@ private:
     };
 
     std::vector<Loaded> maps_;
-    std::vector<std::optional<size_t>> place_of_look_;
+    std::vector<std::optional<size_t>> place_of_variant_;
 };
 
 /// The cache file of the map of `style`; empty without a cache folder.
@@ -107,8 +107,8 @@ public:
     [[nodiscard]] TonalMaps& maps() { return maps_; }
 
     /// How each style variant is hatched; needs TonalMaps::ensure() first. Valid until the next call.
-    [[nodiscard]] const std::vector<hatch::LookHatch>& looks(gpu::Graph& graph,
-                                                             const std::vector<StyleTables>& styles);
+    [[nodiscard]] const std::vector<hatch::HatchVariant>& variants(gpu::Graph& graph,
+                                                                   const std::vector<StyleTables>& styles);
 
     /// One kind per draw, numbered as in shaders/stroke_kind.glsl.h.
     [[nodiscard]] gpu::Buffer& kinds() { return kinds_; }
@@ -118,8 +118,8 @@ public:
 
 private:
     TonalMaps maps_;
-    std::vector<hatch::LookHatch> looks_; ///< kept for its memory
-    std::vector<uint32_t> kind_of_draw_;  ///< the content of `kinds_`
+    std::vector<hatch::HatchVariant> variants_; ///< kept for its memory
+    std::vector<uint32_t> kind_of_draw_;        ///< the content of `kinds_`
     gpu::Buffer kinds_;
     gpu::Buffer form_coordinates_;
 };

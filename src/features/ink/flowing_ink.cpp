@@ -487,14 +487,38 @@ std::optional<double> FlowingInk::before_s(const RenderSettings& settings, const
     return goes_on ? memory_.time_s() : std::nullopt;
 }
 
+namespace {
+
+/// `ink` with the scene's wind as `camera` sees it on the page. A wind across the view at 4 m/s carries ink
+/// as fast as the default of ink.wind_mm_per_s does.
+ink::InkStyle blown_by(ink::InkStyle ink, const wind::WindStyle& wind, const Camera& camera)
+{
+    constexpr double mm_per_m = 4.5;
+    const double bearing_rad = glm::radians(static_cast<double>(wind.towards_deg));
+    const glm::dvec3 way(std::sin(bearing_rad), 0.0, std::cos(bearing_rad));
+    const glm::dvec3 ahead = glm::normalize(camera.target - camera.eye);
+    const glm::dvec3 right = glm::normalize(glm::cross(ahead, camera.up));
+    const glm::dvec2 on_page(glm::dot(way, right), glm::dot(way, glm::cross(right, ahead)));
+    ink.wind_mm_per_s =
+        static_cast<float>(mm_per_m * static_cast<double>(wind.speed_m_per_s) * glm::length(on_page));
+    ink.wind_deg = static_cast<float>(glm::degrees(std::atan2(on_page.y, on_page.x)));
+    return ink;
+}
+
+} // namespace
+
 std::optional<InkPlan> FlowingInk::ensure(gpu::Device& device, gpu::Executor& executor,
                                           const FlowingInkInputs& in, std::vector<std::string>& notes)
 {
-    const ink::InkStyle& style = in.style.ink;
-    if (!style.enabled) {
+    if (!in.style.ink.enabled) {
         forget();
         return std::nullopt;
     }
+    std::optional<ink::InkStyle> blown;
+    if (in.style.ink.wind_mm_per_s < 0.0F) {
+        blown = blown_by(in.style.ink, in.style.wind, in.camera);
+    }
+    const ink::InkStyle& style = blown ? *blown : in.style.ink;
     const ink::Page page = page_of(in);
     const bool is_there = memory_.holds(ink::grid_of(style, page));
     const std::optional<double> before = is_there ? before_s(in.settings, style) : std::nullopt;

@@ -35,7 +35,7 @@ void expect_sun(const Scene& scene, const light::Lighting& lighting, double azim
 TEST(DefaultLight, StandsLowAndUpwindOverGroundThatNothingStandsOn)
 {
     const Terrain ground(
-        parse_terrain("[terrain]\nheight = \"dunes(85, 10)\"\n[wind]\ndirection_deg = 20\n", "dunes.toml"));
+        parse_terrain("[terrain]\nheight = \"dunes(85, 10)\"\n[wind]\ntowards_deg = 70\n", "dunes.toml"));
     Scene bare;
     bare.materials.emplace_back();
     bare.terrain = ground;

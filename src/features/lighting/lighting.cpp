@@ -33,7 +33,7 @@ ViewAnalysis DefaultLight::analysis(const Scene& scene, const light::LightStyle&
         cloud_ = surface_cloud(scene, pose_scene(scene, 0.0, no_index));
         analysis_ = analyze_view(*cloud_);
         if (scene.terrain && cloud_->points.empty()) { // the terrain has no triangles yet
-            analysis_->wind_deg = scene.terrain->description().wind.direction_deg;
+            analysis_->wind_towards_deg = scene.terrain->description().wind.towards_deg;
         }
     }
     ViewAnalysis analysis = *analysis_;

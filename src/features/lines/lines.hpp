@@ -149,8 +149,8 @@ public:
 
     [[nodiscard]] contour::LineHistory& history() { return history_; }
 
-    /// One LineLook of the contour technique per style variant, if there are several.
-    [[nodiscard]] gpu::Buffer& looks() { return looks_; }
+    /// One VariantLines of the contour technique per style variant, if there are several.
+    [[nodiscard]] gpu::Buffer& variants() { return variants_; }
 
     /// One FocusLine per line that points at the centre of interest.
     [[nodiscard]] gpu::Buffer& focus_lines() { return focus_lines_; }
@@ -161,7 +161,7 @@ private:
     contour::LineMesh* mesh_ = nullptr;            ///< points into `meshes_`
     contour::BrushImages* brush_images_ = nullptr; ///< points into `brushes_`
     contour::LineHistory history_;
-    gpu::Buffer looks_;
+    gpu::Buffer variants_;
     gpu::Buffer focus_lines_;
 };
 

@@ -157,16 +157,16 @@ struct EmitterGroup {
 };
 
 std::vector<EmitterGroup> groups_of(const std::vector<size_t>& nodes, const ScenePose& pose,
-                                    const StyleVariants& looks)
+                                    const StyleVariants& variants)
 {
-    std::vector<EmitterGroup> groups(looks.styles.size());
+    std::vector<EmitterGroup> groups(variants.styles.size());
     for (const size_t node : nodes) {
-        EmitterGroup& group = groups[looks.variant_of_draw[node]];
+        EmitterGroup& group = groups[variants.variant_of_draw[node]];
         group.nodes.push_back(node);
         group.emitters.push_back(emitter_at(pose.world_from_node[node]));
     }
     for (size_t i = 0; i < groups.size(); ++i) {
-        groups[i].style = &looks.styles[i].particles;
+        groups[i].style = &variants.styles[i].particles;
     }
     std::erase_if(groups, [](const EmitterGroup& group) {
         return group.emitters.empty() || group.style->per_s <= 0.0F;
@@ -219,8 +219,8 @@ std::vector<particles::ParticlePlan> Particles::plan(gpu::Device& device, gpu::E
     if (nodes.empty()) {
         return {};
     }
-    const StyleVariants looks = style_variants_of_nodes(in.scene, in.style);
-    std::vector<EmitterGroup> groups = groups_of(nodes, in.pose, looks);
+    const StyleVariants variants = style_variants_of_nodes(in.scene, in.style);
+    std::vector<EmitterGroup> groups = groups_of(nodes, in.pose, variants);
     const std::vector<bool> moves = moving_nodes(in.scene);
     Past past(in);
     std::ranges::stable_sort(groups, std::greater(), [&](const EmitterGroup& group) {

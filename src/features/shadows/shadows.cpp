@@ -340,15 +340,15 @@ light::ShadowMaps Shadows::record(gpu::Graph& graph, const ShadowScene& scene, c
             .sun_globals = gpu::import_whole(graph, "sun", sun_globals_),
             .local = add_local_maps(graph, scene, work.draws_local ? work.local.views : none, local_buffers_),
             .local_shadows = gpu::import_whole(graph, "lights' shadows", local_buffers_.shadows),
-            .edge_look = gpu::import_whole(graph, "edges", edge_look_),
+            .edge_profile = gpu::import_whole(graph, "edges", edge_profile_),
             .has_sun = work.sun.size > 0,
             .has_local = work.local.is_there,
             .variant = work.sun.variant | work.local.variant};
 }
 
-void Shadows::upload(gpu::Device& device, const shared::EdgeLook& edges, const shared::SunShadow& sun)
+void Shadows::upload(gpu::Device& device, const shared::EdgeProfile& edges, const shared::SunShadow& sun)
 {
-    gpu::upload_items(device, "edges", std::span(&edges, 1), edge_look_);
+    gpu::upload_items(device, "edges", std::span(&edges, 1), edge_profile_);
     gpu::upload_items(device, "sun", std::span(&sun, 1), sun_globals_);
 }
 

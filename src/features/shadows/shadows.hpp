@@ -236,7 +236,7 @@ public:
                                                  const LocalMapScene& scene, std::vector<std::string>& notes);
 
     /// Uploads the globals that shadow lookups read.
-    void upload(gpu::Device& device, const shared::EdgeLook& edges, const shared::SunShadow& sun);
+    void upload(gpu::Device& device, const shared::EdgeProfile& edges, const shared::SunShadow& sun);
 
     /// Draws the obsolete parts of a picture's maps. Cost: that of SunMap::record() and add_local_maps().
     [[nodiscard]] light::ShadowMaps record(gpu::Graph& graph, const ShadowScene& scene,
@@ -252,7 +252,7 @@ private:
     LocalShadows local_;
     LocalShadowBuffers local_buffers_;
     std::vector<Bounds> moved_; ///< since the last plan of local maps
-    gpu::Buffer edge_look_;     ///< EdgeLook, see shadow/shadow.glsl.h
+    gpu::Buffer edge_profile_;  ///< EdgeProfile, see shadow/shadow.glsl.h
     gpu::Buffer sun_globals_;   ///< SunShadow, see shadow/shadow.glsl.h
 };
 

@@ -85,8 +85,9 @@ fluid::MatterStyle changing(const Draught& draught, const smoke::SmokeStyle& sty
 Draught draught_of(const smoke::Box& box, const smoke::SmokeStyle& style)
 {
     const float height_m = box.cell_m * static_cast<float>(box.cells.y);
-    const float angle = glm::radians(style.wind_deg);
-    const glm::vec3 wind = style.wind_m_per_s * glm::vec3(std::sin(angle), 0.0F, std::cos(angle));
+    const float angle = glm::radians(style.wind.towards_deg);
+    const glm::vec3 wind = wind::speed_m_per_s(style.wind, style.wind_m_per_s) *
+                           glm::vec3(std::sin(angle), 0.0F, std::cos(angle));
     return {.speed_m_per_s = height_m / style.rise_s,
             .width_m = box.width_m(),
             .height_m = height_m,

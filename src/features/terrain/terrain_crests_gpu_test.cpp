@@ -21,7 +21,7 @@ Scene crested_dunes()
 {
     Scene scene{.materials = {Material{}}};
     scene.terrain = Terrain(parse_terrain("[terrain]\nheight = 'dunes(6, 0.8, meander = 0.2)'\n"
-                                          "[wind]\ndirection_deg = 25\n"
+                                          "[wind]\ntowards_deg = 65\n"
                                           "[mesh]\ncells = 128\ncell_m = 0.25\n",
                                           "test.toml"));
     return scene;

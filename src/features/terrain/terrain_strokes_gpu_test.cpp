@@ -12,13 +12,14 @@ namespace {
 
 constexpr RenderSettings stroke_page{.width = 128, .height = 128, .samples = 4};
 
+/// `wind_deg` counts from +x towards +z, as directions in the picture do.
 Scene windy_ground(const char* height, float wind_deg)
 {
     Scene scene{.materials = {Material{}}};
     Terrain terrain(parse_terrain("[terrain]\nheight = '" + std::string(height) +
                                       "'\n[mesh]\ncells = 64\ncell_m = 1\n[ripples]\nheight_m = 0\n[wind]\n"
-                                      "direction_deg = " +
-                                      std::to_string(wind_deg) + "\n",
+                                      "towards_deg = " +
+                                      std::to_string(90.0F - wind_deg) + "\n",
                                   "test.toml"));
     scene.terrain = std::move(terrain);
     return scene;

@@ -127,11 +127,11 @@ glm::dvec3 ViewAnalysis::towards_sun(double azimuth_deg, double elevation_deg) c
     return bearing(azimuth_rad + sun_side * from_eye_rad, glm::radians(elevation_deg));
 }
 
-SunPlace sun_over_ground(const SunPlace& asked, double wind_deg)
+SunPlace sun_over_ground(const SunPlace& asked, double wind_towards_deg)
 {
     constexpr double low_deg = 16.0;
     constexpr double aside_deg = 35.0;
-    const double upwind_deg = -90.0 - wind_deg; // as bearings are measured
+    const double upwind_deg = wind_towards_deg - 180.0;
     return {.azimuth_deg = asked.azimuth_deg == static_cast<double>(house_sun_azimuth_deg)
                                ? upwind_deg + aside_deg
                                : asked.azimuth_deg,

@@ -39,9 +39,9 @@ struct SunPlace {
 
 /// The sun over ground that nothing stands on. The default sun would leave dunes without shade, because they
 /// are at most 34 degrees steep on the lee side and nearly level on the windward side; it is replaced by a
-/// low sun upwind. Any other sun in `asked` is returned as it is. `wind_deg` is the direction that the wind
-/// blows to, from +x towards +z.
-[[nodiscard]] SunPlace sun_over_ground(const SunPlace& asked, double wind_deg);
+/// low sun upwind. Any other sun in `asked` is returned as it is. `wind_towards_deg` is the direction towards
+/// which the wind blows: 0 is +z, 90 is +x.
+[[nodiscard]] SunPlace sun_over_ground(const SunPlace& asked, double wind_towards_deg);
 
 struct ViewAnalysis {
     Standpoint standpoint = Standpoint::outside;
@@ -53,7 +53,7 @@ struct ViewAnalysis {
     Bounds subject;             ///< what to show; a wide floor counts only where something stands on it
     glm::dvec3 corner{0.0};     ///< position of the eye, if it is inside
     std::optional<Shelter> shelter;
-    std::optional<double> wind_deg; ///< direction of the wind over ground that nothing stands on
+    std::optional<double> wind_towards_deg; ///< direction of the wind over ground that nothing stands on
 
     /// Unit vector to a sun whose bearing is given for an eye at the default 35 degrees. The sun turns with
     /// the eye and moves to where it models what is seen.

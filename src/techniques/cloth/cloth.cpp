@@ -60,10 +60,10 @@ float small_steps_per_s(uint32_t particles)
     return 60.0F * std::clamp(0.31F * side, 8.0F, 40.0F);
 }
 
-glm::vec3 direction_of(const WindStyle& wind)
+glm::vec3 direction_of(const wind::WindStyle& wind)
 {
-    const float angle_rad = wind.direction_deg * std::numbers::pi_v<float> / 180.0F;
-    return {std::cos(angle_rad), 0.0F, std::sin(angle_rad)};
+    const float from_x_rad = (90.0F - wind.towards_deg) * std::numbers::pi_v<float> / 180.0F;
+    return {std::cos(from_x_rad), 0.0F, std::sin(from_x_rad)};
 }
 
 /// Whether sheets at rest in `before` would not be in `now`, but for the wind.
@@ -141,7 +141,7 @@ void Cloths::lower_rigidities(const Surroundings& surroundings)
 
 void Cloths::fill_runs(const Surroundings& surroundings, uint32_t count)
 {
-    const WindStyle& wind = surroundings.wind;
+    const wind::WindStyle& wind = surroundings.wind;
     find_met_solids();
     const size_t size_bytes = met_.size() * sizeof(shared::ClothCollider);
     const bool moves = (bodies_move_ && std::ranges::any_of(met_, is_seen)) ||
@@ -373,7 +373,7 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
         handles.solids = gpu::add_copy_of_start(graph, "cloth/solids", handles.solids,
                                                 2 * met_.size() * sizeof(shared::ClothCollider));
     }
-    const WindStyle& wind = surroundings.wind;
+    const wind::WindStyle& wind = surroundings.wind;
     const uint32_t surrounded =
         (met_.empty() ? 0U : shared::cloth_bit_colliders) |
         (std::ranges::any_of(met_, is_of_grid) ? shared::cloth_bit_grids : 0U) |

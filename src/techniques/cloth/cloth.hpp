@@ -13,6 +13,7 @@
 #include "techniques/cloth/cloth_style.hpp"
 #include "techniques/cloth/sheet/sheet.hpp"
 #include "techniques/cloth/solids/solids.hpp"
+#include "techniques/wind/wind_style.hpp"
 
 namespace estampe::cloth {
 
@@ -22,7 +23,7 @@ struct Surroundings {
     double time_s = 0.0;          ///< at the beginning of the run, for the wind
     glm::vec3 gravity_m_s2{0.0F, -9.81F, 0.0F};
     float air_kg_m3 = 1.2F;
-    WindStyle wind{.speed_m_per_s = 0.0F};
+    wind::WindStyle wind{.speed_m_per_s = 0.0F};
     double ahead_m = 0.0;       ///< that it has blown farther than its speed times the time
     glm::dvec3 origin_m{0.0};   ///< of places, in the world
     float effort = 1.0F;        ///< see ClothStyle

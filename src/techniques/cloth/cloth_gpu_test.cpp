@@ -120,7 +120,7 @@ State blown(const Sheet& sheet, bool is_wide)
     Lab lab(sheet);
     lab.cloths().set_wide(test::shared_device(), is_wide);
     lab.air.air_kg_m3 = 1.2F;
-    lab.air.wind = {.speed_m_per_s = 5.0F, .direction_deg = 80.0F};
+    lab.air.wind = {.speed_m_per_s = 5.0F, .towards_deg = 10.0F};
     State state;
     for (int i = 0; i < 10; ++i) {
         const float way_m = 0.03F * static_cast<float>(i);
@@ -341,7 +341,7 @@ TEST(Cloth, MirroredSetUpsGiveMirroredResults)
         Lab lab(sheet);
         lab.air.air_kg_m3 = 1.2F;
         lab.air.wind = {.speed_m_per_s = 3.0F,
-                        .direction_deg = side > 0.0F ? 50.0F : 130.0F,
+                        .towards_deg = side > 0.0F ? 40.0F : -40.0F,
                         .gustiness = 0.0F,
                         .turbulence = 0.0F};
         lab.cloths().set_solids(test::shared_device(), std::array{ball({side * 0.3F, -0.6F, 0.3F}, 0.2F)});
@@ -362,7 +362,7 @@ TEST(Cloth, SameRunsGiveSameBytes)
         sheet.held[0] = 1.0F;
         Lab lab(sheet);
         lab.air.air_kg_m3 = 1.2F;
-        lab.air.wind = {.speed_m_per_s = 6.0F};
+        lab.air.wind = {.speed_m_per_s = 6.0F, .towards_deg = 70.0F};
         return lab.run(1.0).places_m;
     };
     EXPECT_EQ(run(), run());

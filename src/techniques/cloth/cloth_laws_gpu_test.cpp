@@ -192,7 +192,7 @@ TEST(ClothLaws, HoursLeaveItAsItWas)
     }
     Lab lab(sheet);
     lab.air.air_kg_m3 = 1.2F;
-    lab.air.wind = {.speed_m_per_s = 9.0F};
+    lab.air.wind = {.speed_m_per_s = 9.0F, .towards_deg = 70.0F};
     const int minutes = std::getenv("ESTAMPE_LONG") != nullptr ? 120 : 1;
     for (int minute = 0; minute < minutes; ++minute) {
         const State state = lab.run(60.0);

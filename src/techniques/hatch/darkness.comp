@@ -42,7 +42,7 @@ layout(scalar, binding = 8) buffer DarkTiles
     DarkTile dark_tiles[];
 };
 
-layout(binding = 9) uniform usamplerBuffer look_texels; // one per draw call
+layout(binding = 9) uniform usamplerBuffer variant_texels; // one per draw call
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -52,7 +52,7 @@ layout(push_constant, scalar) uniform Constants
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_fade = (variant & darkness_has_fade) != 0u;
 const bool has_screen = (variant & darkness_has_screen) != 0u;
-const bool has_looks = (variant & darkness_has_looks) != 0u;
+const bool has_variants = (variant & darkness_has_variants) != 0u;
 const bool keeps_ink = (variant & darkness_keeps_ink) != 0u;
 
 float darkness_at(ivec2 pixel)
@@ -74,8 +74,8 @@ float darkness_at(ivec2 pixel)
         float own = 0.6 * (1.0 - luminance(screen.rgb * screen.rgb));
         dark = sees_draw(word) ? mix(dark, own, 0.7 * screen.a) : 0.0;
     }
-    if (has_looks && sees_draw(word)) {
-        dark = texelFetch(look_texels, int(draw_of(word))).x == constants.look ? dark : 0.0;
+    if (has_variants && sees_draw(word)) {
+        dark = texelFetch(variant_texels, int(draw_of(word))).x == constants.style_variant ? dark : 0.0;
     }
     return dark;
 }

@@ -79,7 +79,7 @@ FirstLayer first_layer(const HatchStyle& style)
     const float ends_mm = style.gap_mm > 0.0F ? 0.75F * (style.gap_mm + style.taper_mm) : 0.0F;
     const float kept = std::max(1.0F - ends_mm / std::max(style.length_mm, 1e-3F), 0.1F);
     const float share = style.layers > 1 ? shared::first_layer_share : single_share;
-    const float wind = glm::radians(style.wind_deg);
+    const float wind = glm::radians(style.wind.towards_deg);
     return {.width_mm = style.width_mm,
             .darkness = std::min(share / kept, 1.0F),
             .seed = static_cast<uint32_t>(style.seed),
@@ -139,14 +139,15 @@ Darkness add_darkness(gpu::Graph& graph, const HatchInputs& in, const HatchStyle
     const gpu::ImageId blank =
         in.ink_before ? pass.modify(*in.ink_before) : pass.write(ink_image(graph, in.size_px));
     const gpu::BufferId tiles = pass.modify(none);
-    pass.sample(in.look_of_draw.value_or(in.frame), gpu::Format::r32ui);
+    pass.sample(in.variant_of_draw.value_or(in.frame), gpu::Format::r32ui);
     pass.variant((style.fade < 1.0F ? shared::darkness_has_fade : 0U) |
                  (in.has_screen ? shared::darkness_has_screen : 0U) |
-                 (in.look_of_draw ? shared::darkness_has_looks : 0U) |
+                 (in.variant_of_draw ? shared::darkness_has_variants : 0U) |
                  (in.ink_before ? shared::darkness_keeps_ink : 0U));
-    pass
-        .push(shared::DarknessConstants{
-            .tone = in.tone, .fade = style.fade, .fade_distance_m = style.fade_distance_m, .look = in.look})
+    pass.push(shared::DarknessConstants{.tone = in.tone,
+                                        .fade = style.fade,
+                                        .fade_distance_m = style.fade_distance_m,
+                                        .style_variant = in.variant})
         .dispatch_over(in.size_px.x, in.size_px.y);
     return {darkness, blank, tiles};
 }
@@ -214,7 +215,7 @@ gpu::ImageId add_dots(gpu::Graph& graph, const HatchInputs& in, const Darkness& 
 
 namespace {
 
-gpu::ImageId add_look(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style)
+gpu::ImageId add_variant(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style)
 {
     const Darkness darkness = add_darkness(graph, in, style);
     if (in.map && style.enabled && style.strokes == Strokes::map) {
@@ -226,22 +227,22 @@ gpu::ImageId add_look(gpu::Graph& graph, const HatchInputs& in, const HatchStyle
 
 } // namespace
 
-HatchInputs inputs_of_look(const HatchInputs& in, const std::vector<LookHatch>& looks, uint32_t number,
-                           std::optional<gpu::ImageId> ink_before)
+HatchInputs inputs_of_variant(const HatchInputs& in, const std::vector<HatchVariant>& variants,
+                              uint32_t number, std::optional<gpu::ImageId> ink_before)
 {
-    HatchInputs of_look = in;
-    of_look.tone = looks[number].tone;
-    of_look.map = looks[number].map;
-    of_look.look = number;
-    of_look.ink_before = ink_before;
-    return of_look;
+    HatchInputs of_variant = in;
+    of_variant.tone = variants[number].tone;
+    of_variant.map = variants[number].map;
+    of_variant.variant = number;
+    of_variant.ink_before = ink_before;
+    return of_variant;
 }
 
-gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in, const std::vector<LookHatch>& looks)
+gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in, const std::vector<HatchVariant>& variants)
 {
     std::optional<gpu::ImageId> ink;
-    for (uint32_t look = 0; look < looks.size(); ++look) {
-        ink = add_look(graph, inputs_of_look(in, looks, look, ink), looks[look].style);
+    for (uint32_t variant = 0; variant < variants.size(); ++variant) {
+        ink = add_variant(graph, inputs_of_variant(in, variants, variant, ink), variants[variant].style);
     }
     return ink.value();
 }
@@ -262,25 +263,23 @@ const style::Table<HatchStyle>& hatch_table()
             .integer("layers", &HatchStyle::layers, {1, 3}, "",
                      "Largest number of layers of hatching strokes that cross in dark tones: 1 never "
                      "crosses, 2 and 3 cross-hatch. Only used when hatch.strokes is lines.")
-            .choice("coordinates", &HatchStyle::coordinates,
-                    {{"auto", Coordinates::automatic},
-                     {"uv", Coordinates::uv},
-                     {"solid", Coordinates::solid},
-                     {"form", Coordinates::form},
-                     {"height", Coordinates::height},
-                     {"wind", Coordinates::wind},
-                     {"light", Coordinates::light},
-                     {"page", Coordinates::page},
-                     {"slope", Coordinates::slope}},
-                    "What hatching strokes follow. uv: UVs; solid: parallel slices; form: curvature; height: "
-                    "contour levels; wind: hatch.wind_deg; light; page; slope: ground slopes, ripples; auto: "
-                    "slope on terrain, uv where UVs are unbroken, else solid.")
+            .choice(
+                "coordinates", &HatchStyle::coordinates,
+                {{"auto", Coordinates::automatic},
+                 {"uv", Coordinates::uv},
+                 {"solid", Coordinates::solid},
+                 {"form", Coordinates::form},
+                 {"height", Coordinates::height},
+                 {"wind", Coordinates::wind},
+                 {"light", Coordinates::light},
+                 {"page", Coordinates::page},
+                 {"slope", Coordinates::slope}},
+                "What hatching strokes follow. uv: UVs; solid: parallel slices; form: curvature; height: "
+                "contour levels; wind: wind.towards_deg; light; page; slope: ground slopes, ripples; auto: "
+                "slope on terrain, uv where UVs are unbroken, else solid.")
             .number("slant_deg", &HatchStyle::slant_deg, {-180.0F, 180.0F}, "deg",
                     "Rotation of the first layer of hatching strokes, where strokes follow UVs or the page. "
                     "The other layers rotate with the first.")
-            .number("wind_deg", &HatchStyle::wind_deg, {-360.0F, 360.0F}, "deg",
-                    "Direction towards which the wind blows that strokes follow: 0 is +z, 90 is +x. Only "
-                    "used where hatching strokes follow the wind (see hatch.coordinates).")
             .number("wobble_mm", &HatchStyle::wobble_mm, {0.0F, 5.0F}, "mm",
                     "How far a hatching stroke wavers sideways: 0 is straight as with a ruler, more is a "
                     "shaky hand. Only used when hatch.strokes is lines.")

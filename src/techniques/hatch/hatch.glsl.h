@@ -22,8 +22,9 @@ SHARED_CONSTANT uint ramp_steps = 8U;
 // Variant bits of darkness.comp.
 SHARED_CONSTANT uint darkness_has_fade = 1U << 0U;   // strokes fade with distance
 SHARED_CONSTANT uint darkness_has_screen = 1U << 1U; // there are transparent surfaces
-SHARED_CONSTANT uint darkness_has_looks = 1U << 2U;  // surfaces have style variants, and one variant is drawn
-SHARED_CONSTANT uint darkness_keeps_ink = 1U << 3U;  // keeps the ink of variants drawn before
+SHARED_CONSTANT uint darkness_has_variants = 1U
+                                             << 2U; // surfaces have style variants, and one variant is drawn
+SHARED_CONSTANT uint darkness_keeps_ink = 1U << 3U; // keeps the ink of variants drawn before
 
 // Variant bits of overrun.comp.
 SHARED_CONSTANT uint overrun_is_first = 1U << 0U; // first step: each pixel is its own source
@@ -51,7 +52,7 @@ struct DarknessConstants {
     ToneConstants tone;
     float fade; // share of darkness that is left at infinity; 1 is no fade
     float fade_distance_m;
-    uint look; // number of the style variant that is drawn
+    uint style_variant; // number of the style variant that is drawn
 };
 
 struct LineConstants {

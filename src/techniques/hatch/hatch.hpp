@@ -15,6 +15,7 @@
 #include "shaders/tone.glsl.h"
 #include "style/parameter.hpp"
 #include "techniques/hatch/hatch.glsl.h"
+#include "techniques/wind/wind_style.hpp"
 
 namespace estampe::hatch {
 
@@ -71,7 +72,7 @@ struct HatchStyle {
     int layers = 3;
     Coordinates coordinates = Coordinates::automatic;
     float slant_deg = 24.0F;
-    float wind_deg = 20.0F;
+    wind::Wind wind; ///< of the scene; no key of its own
     float wobble_mm = 0.18F;
     float gap_mm = 0.6F;
     float taper_mm = 2.6F;
@@ -140,22 +141,23 @@ struct HatchInputs {
     std::optional<MapInputs> map;      ///< set if the style asks for a map
     float pixels_per_mm = 1.0F;
     glm::uvec2 size_px{0};
-    std::optional<gpu::BufferId> look_of_draw; ///< style variant of each draw call, r32ui; unset if only one
-    std::optional<gpu::BufferId> draws;        ///< needed by dots
-    uint32_t look = 0;                         ///< the style variant to draw
-    std::optional<gpu::ImageId> ink_before;    ///< ink of style variants drawn before
+    std::optional<gpu::BufferId>
+        variant_of_draw;                    ///< style variant of each draw call, r32ui; unset if only one
+    std::optional<gpu::BufferId> draws;     ///< needed by dots
+    uint32_t variant = 0;                   ///< the style variant to draw
+    std::optional<gpu::ImageId> ink_before; ///< ink of style variants drawn before
 };
 
 /// Hatching of the surfaces of one style variant.
-struct LookHatch {
+struct HatchVariant {
     HatchStyle style;
     shared::ToneConstants tone;
     std::optional<MapInputs> map; ///< set if the style asks for a map
 };
 
 /// `in` for one of several style variants, drawn over `ink_before`.
-[[nodiscard]] HatchInputs inputs_of_look(const HatchInputs& in, const std::vector<LookHatch>& looks,
-                                         uint32_t number, std::optional<gpu::ImageId> ink_before);
+[[nodiscard]] HatchInputs inputs_of_variant(const HatchInputs& in, const std::vector<HatchVariant>& variants,
+                                            uint32_t number, std::optional<gpu::ImageId> ink_before);
 
 /// Darkness that the strokes must reach, and the tiles that have any.
 struct Darkness {
@@ -197,10 +199,10 @@ struct Darkness {
 [[nodiscard]] gpu::ImageId add_dots(gpu::Graph& graph, const HatchInputs& in, const Darkness& darkness,
                                     const HatchStyle& style);
 
-/// Draws the strokes of all style variants. Ignores `tone`, `map` and `look` of `in`. Cost: per variant one
-/// full-screen dispatch and its strokes.
+/// Draws the strokes of all style variants. Ignores `tone`, `map` and `variant` of `in`. Cost: per variant
+/// one full-screen dispatch and its strokes.
 [[nodiscard]] gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in,
-                                     const std::vector<LookHatch>& looks);
+                                     const std::vector<HatchVariant>& variants);
 
 [[nodiscard]] shared::LineConstants line_constants(const HatchInputs& in, const HatchStyle& style);
 

@@ -97,10 +97,10 @@ float next_family(inout Families families, vec3 normal, uint kind, out uint fami
     return dark < 0.002 ? 0.0 : dark;
 }
 
-LineLook line_look()
+HatchLineStyle line_style()
 {
-    return LineLook(constants.width_px, constants.wobble_px, constants.gap_px, constants.taper_px,
-                    constants.cell_px, constants.pressure, has_growth ? constants.growth : 0.0);
+    return HatchLineStyle(constants.width_px, constants.wobble_px, constants.gap_px, constants.taper_px,
+                          constants.cell_px, constants.pressure, has_growth ? constants.growth : 0.0);
 }
 
 uint family_seed(uint family)

@@ -36,14 +36,14 @@ const bool has_ink = (variant & lines_has_ink) != 0u;
 
 float strokes(vec3 p, Footprint f, vec3 normal, uint kind, float dark)
 {
-    LineLook look = line_look();
+    HatchLineStyle style = line_style();
     Families families = Families(0u, false, dark);
     float white = 1.0;
     do {
         uint family;
         float family_dark = next_family(families, normal, kind, family);
         LineField field = family_field(p, f, kind, family);
-        white *= 1.0 - line_ink(field, look, family_dark, family_seed(family));
+        white *= 1.0 - line_ink(field, style, family_dark, family_seed(family));
     } while (subgroupAny(is_any_left(families)));
     return 1.0 - white;
 }

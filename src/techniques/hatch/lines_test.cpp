@@ -103,17 +103,17 @@ TEST(LineIdentity, IsTheSameAtEveryZoom)
 }
 
 /// Lengths of the gaps in a line in pixels, longest first.
-std::vector<int> breaks(const lines::LineLook& look, float dark)
+std::vector<int> breaks(const lines::HatchLineStyle& style, float dark)
 {
     lines::LineField field{};
     field.u_per_px = 1e-4F;
     field.v_per_px = 1e-4F;
-    const lines::LineScale scale = lines::scale_of(field, look, dark);
+    const lines::LineScale scale = lines::scale_of(field, style, dark);
     std::vector<int> lengths;
     int length = 0;
     for (int px = 0; px < 400000; ++px) {
         field.u = 1e-4F * static_cast<float>(px);
-        if (lines::stroke_profile(field, look, scale, 99U) < 0.5F) {
+        if (lines::stroke_profile(field, style, scale, 99U) < 0.5F) {
             ++length;
         } else if (length > 0) {
             lengths.push_back(length);
@@ -126,11 +126,11 @@ std::vector<int> breaks(const lines::LineLook& look, float dark)
 
 TEST(Breaks, CloseOneAfterTheOtherAndAreNoNicks)
 {
-    const lines::LineLook look{.width_px = 1.5F, .gap_px = 6.0F, .taper_px = 8.0F, .cell_px = 90.0F};
-    size_t before = breaks(look, 0.5F).size();
+    const lines::HatchLineStyle style{.width_px = 1.5F, .gap_px = 6.0F, .taper_px = 8.0F, .cell_px = 90.0F};
+    size_t before = breaks(style, 0.5F).size();
     EXPECT_GT(before, 1000U);
     for (const float dark : {0.85F, 0.91F, 0.97F}) {
-        const std::vector<int> lengths = breaks(look, dark);
+        const std::vector<int> lengths = breaks(style, dark);
         EXPECT_LT(static_cast<double>(lengths.size()), 0.95 * static_cast<double>(before)) << dark;
         before = lengths.size();
         const auto nicks = std::count_if(lengths.begin(), lengths.end(), [](int px) { return px < 4; });
@@ -140,10 +140,10 @@ TEST(Breaks, CloseOneAfterTheOtherAndAreNoNicks)
 
 TEST(Breaks, AreNoneWithoutGaps)
 {
-    const lines::LineLook look{.width_px = 1.5F, .gap_px = 0.0F, .taper_px = 3.0F, .cell_px = 90.0F};
+    const lines::HatchLineStyle style{.width_px = 1.5F, .gap_px = 0.0F, .taper_px = 3.0F, .cell_px = 90.0F};
     for (const float dark : {0.3F, 0.6F, 0.9F}) {
-        EXPECT_TRUE(breaks(look, dark).empty());
-        EXPECT_EQ(lines::kept_share(look, 1.0F), 1.0F);
+        EXPECT_TRUE(breaks(style, dark).empty());
+        EXPECT_EQ(lines::kept_share(style, 1.0F), 1.0F);
     }
 }
 
@@ -151,8 +151,8 @@ TEST(GrownStrokes, AreAsLongAsAskedOnAverage)
 {
     lines::LineField field{};
     field.u_per_px = 1e-4F;
-    lines::LineLook look{};
-    look.taper_px = 20.0F;
+    lines::HatchLineStyle style{};
+    style.taper_px = 20.0F;
     lines::Lines spaced{};
     spaced.spacing = 0.125F;
     for (int step = 0; step <= 10; ++step) {
@@ -161,7 +161,7 @@ TEST(GrownStrokes, AreAsLongAsAskedOnAverage)
         constexpr int samples = 400000;
         for (int i = 0; i < samples; ++i) {
             field.u = 0.001F * static_cast<float>(i);
-            sum += static_cast<double>(lines::grown_profile(field, look, spaced, 99U, share)) / samples;
+            sum += static_cast<double>(lines::grown_profile(field, style, spaced, 99U, share)) / samples;
         }
         EXPECT_NEAR(sum, static_cast<double>(share), 0.02);
     }
@@ -171,11 +171,11 @@ TEST(FirstLayer, PaysForGapsAndTapersAsTheShadersLinesDo)
 {
     hatch::HatchStyle style;
     style.length_mm = 7.0F;
-    lines::LineLook look{};
-    look.gap_px = style.gap_mm;
-    look.taper_px = style.taper_mm;
-    look.cell_px = style.length_mm;
-    EXPECT_FLOAT_EQ(hatch::first_layer(style).darkness * lines::kept_share(look, 1.0F),
+    lines::HatchLineStyle drawn{};
+    drawn.gap_px = style.gap_mm;
+    drawn.taper_px = style.taper_mm;
+    drawn.cell_px = style.length_mm;
+    EXPECT_FLOAT_EQ(hatch::first_layer(style).darkness * lines::kept_share(drawn, 1.0F),
                     shared::first_layer_share);
 }
 

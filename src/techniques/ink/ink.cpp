@@ -51,7 +51,7 @@ void set_flow(shared::InkGlobals& globals, const InkStyle& style, const Page& pa
     globals.map_mm_per_s = style.flow_mm_per_s;
 }
 
-void set_look(shared::InkGlobals& globals, const InkStyle& style)
+void set_cover(shared::InkGlobals& globals, const InkStyle& style)
 {
     globals.thin = glm::mix(0.004F, 0.06F, style.sharpness);
     globals.full = glm::mix(0.9F, 0.16F, style.sharpness);
@@ -90,7 +90,7 @@ shared::InkGlobals globals_of(const InkStyle& style, const Page& page, const Gri
     globals.clip_min_px = style.spills ? glm::vec2(-1.0F) : globals.window_min_px;
     globals.clip_max_px = style.spills ? page_px + 1.0F : globals.window_max_px;
     std::ranges::copy(zones, globals.zones);
-    set_look(globals, style);
+    set_cover(globals, style);
     return globals;
 }
 

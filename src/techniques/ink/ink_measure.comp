@@ -35,7 +35,7 @@ layout(constant_id = 0) const uint variant = 0u;
 const bool is_around = (variant & ink_is_around) != 0u;
 
 #include "techniques/ink/grid.glsl"
-#include "techniques/ink/look.glsl"
+#include "techniques/ink/cover.glsl"
 #include "techniques/ink/page_ink.glsl"
 
 shared uint covered;

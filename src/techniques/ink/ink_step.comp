@@ -54,7 +54,7 @@ const bool keeps_depth = (variant & ink_keeps_depth) != 0u;
 #include "techniques/ink/flow/carried.glsl"
 #include "techniques/ink/front.glsl"
 #include "techniques/ink/grid.glsl"
-#include "techniques/ink/look.glsl"
+#include "techniques/ink/cover.glsl"
 
 // Weights of nine cells, of which six in a row, from index `past` (0 to 3) on, are not zero.
 struct NineWeights {

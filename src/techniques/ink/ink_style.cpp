@@ -42,10 +42,12 @@ const style::Table<InkStyle>& ink_table()
             .number("spot_s", &InkStyle::spot_s, {0.1F, 1000.0F}, "s",
                     "How long ink flows from a source spot before another spot replaces it: more gives "
                     "longer threads of ink")
-            .number("wind_mm_per_s", &InkStyle::wind_mm_per_s, {0.0F, 500.0F}, "mm/s",
-                    "Speed of the wind that carries all flowing ink over the page: more carries ink farther")
+            .number("wind_mm_per_s", &InkStyle::wind_mm_per_s, {-1.0F, 500.0F}, "mm/s",
+                    "Speed of the wind that carries all flowing ink over the page: more carries ink farther. "
+                    "-1 takes speed and direction from section wind, as the camera sees that wind.")
             .number("wind_deg", &InkStyle::wind_deg, {-360.0F, 360.0F}, "deg",
-                    "Direction on the page towards which the wind carries flowing ink: 0 is right, 90 is up")
+                    "Direction on the page towards which the wind carries flowing ink: 0 is right, 90 is up. "
+                    "Not used when ink.wind_mm_per_s is -1.")
             .number("swirl_mm", &InkStyle::swirl_mm, {1.0F, 1000.0F}, "mm",
                     "Size of the largest swirls in flowing ink. A low value gives small curls, a high value "
                     "gives wide bends.")

@@ -199,8 +199,8 @@ void add_sun_and_fill(std::vector<shared::LightRecord>& records, const LightStyl
                       const ViewAnalysis& analysis)
 {
     SunPlace sun{style.sun_azimuth_deg, style.sun_elevation_deg};
-    if (style.turn_sun && analysis.wind_deg) {
-        sun = sun_over_ground(sun, *analysis.wind_deg);
+    if (style.turn_sun && analysis.wind_towards_deg) {
+        sun = sun_over_ground(sun, *analysis.wind_towards_deg);
     }
     const auto towards = [&](double bearing_deg, double height_deg) {
         return style.turn_sun ? analysis.towards_sun(bearing_deg, height_deg)

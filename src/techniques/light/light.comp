@@ -52,7 +52,7 @@ layout(binding = 11) uniform usampler2D footprint_image;
 
 layout(scalar, binding = 12) uniform EdgeLooks
 {
-    EdgeLook edge_look;
+    EdgeProfile edge_profile;
 };
 
 layout(scalar, binding = 13) readonly buffer Lists

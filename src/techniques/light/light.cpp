@@ -187,7 +187,7 @@ LitPixels add_light(gpu::Graph& graph, const LightInputs& in)
         .uniform(in.shadows.sun_globals)
         .sample(in.coordinate)
         .sample(in.footprint)
-        .uniform(in.shadows.edge_look)
+        .uniform(in.shadows.edge_profile)
         .read(lists.words);
     const gpu::ImageId light = pass.write(graph.image(
         "light", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));

@@ -122,7 +122,7 @@ struct ShadowMaps {
     gpu::BufferId sun_globals;   ///< SunShadow, see shadow/shadow.glsl.h
     gpu::BufferId local;         ///< near distance over distance, for all maps of local lights
     gpu::BufferId local_shadows; ///< LocalShadow, see shadow/shadow.glsl.h
-    gpu::BufferId edge_look;     ///< EdgeLook, see shadow/shadow.glsl.h
+    gpu::BufferId edge_profile;  ///< EdgeProfile, see shadow/shadow.glsl.h
     bool has_sun = false;
     bool has_local = false;
     uint32_t variant = 0; ///< see shadow/shadow_style.hpp

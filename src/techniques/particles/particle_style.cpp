@@ -33,11 +33,9 @@ const style::Table<ParticleStyle>& particle_table()
             .number("lift_m_per_s2", &ParticleStyle::lift_m_per_s2, {-20.0F, 20.0F}, "m/s2",
                     "Upward acceleration of particles: above 0 they rise like smoke, below 0 they fall like "
                     "sparks")
-            .number(
-                "wind_m_per_s", &ParticleStyle::wind_m_per_s, {0.0F, 100.0F}, "m/s",
-                "Speed of the wind that carries particles along: more carries particles farther to the side")
-            .number("wind_deg", &ParticleStyle::wind_deg, {-360.0F, 360.0F}, "deg",
-                    "Direction towards which the wind carries particles: 0 is +z, 90 is +x")
+            .number("wind_m_per_s", &ParticleStyle::wind_m_per_s, {-1.0F, 100.0F}, "m/s",
+                    "Speed of the wind that carries particles along, towards wind.towards_deg: more carries "
+                    "particles farther to the side. -1 takes the speed from wind.speed_m_per_s.")
             .number("swirl_m_per_s", &ParticleStyle::swirl_m_per_s, {0.0F, 100.0F}, "m/s",
                     "Speed of the swirls that particles drift through: 0 lets them fly smoothly, more "
                     "scatters them")

@@ -71,9 +71,9 @@ Particle fly(const ParticleStyle& style, const Emitter& emitter, uint32_t number
     constexpr double drag_s = 0.8; // time constant of air drag
     const auto seed = static_cast<uint32_t>(style.seed);
     const auto trait = [&](uint32_t which) { return hashed(number, emitter_number, which, seed); };
-    const double bearing = glm::radians(static_cast<double>(style.wind_deg));
-    const glm::dvec3 wind =
-        static_cast<double>(style.wind_m_per_s) * glm::dvec3(std::sin(bearing), 0.0, std::cos(bearing));
+    const double bearing = glm::radians(static_cast<double>(style.wind.towards_deg));
+    const glm::dvec3 wind = static_cast<double>(wind::speed_m_per_s(style.wind, style.wind_m_per_s)) *
+                            glm::dvec3(std::sin(bearing), 0.0, std::cos(bearing));
     const double spread_rad = glm::radians(static_cast<double>(style.spread_deg));
     const double speed = static_cast<double>(style.speed_m_per_s) * (0.7 + 0.6 * trait(2));
     glm::dvec3 own = speed * scattered(emitter.direction, spread_rad, trait(3), trait(4));

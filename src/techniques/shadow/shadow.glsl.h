@@ -59,7 +59,7 @@ struct LocalShadow {
 };
 
 // Shape and direction of the teeth along shadow edges.
-struct EdgeLook {
+struct EdgeProfile {
     float amplitude_px; // reach of a tooth to either side of the edge, on the page
     float width_px;     // width of the lines that carry the teeth; determines the teeth's spacing
     float darkness;
@@ -78,7 +78,7 @@ struct EdgeLook {
 #ifdef __cplusplus
 static_assert(sizeof(SunShadow) == 196);
 static_assert(sizeof(LocalShadow) == 64);
-static_assert(sizeof(EdgeLook) == 96);
+static_assert(sizeof(EdgeProfile) == 96);
 } // namespace estampe::shared
 #endif
 

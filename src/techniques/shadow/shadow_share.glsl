@@ -3,8 +3,8 @@
 #define ESTAMPE_SHADOW_SHARE
 
 // Share of a light that shadows leave, with toothed edges and the light's size. The including shader declares
-// what the lookups need, `EdgeLook edge_look`, `coordinate_image` and `footprint_image`, and the constants
-// has_edges, has_stroke_edges, has_wave_edges, has_soft_sun and has_soft_lamps.
+// what the lookups need, `EdgeProfile edge_profile`, `coordinate_image` and `footprint_image`, and the
+// constants has_edges, has_stroke_edges, has_wave_edges, has_soft_sun and has_soft_lamps.
 //
 // Edges have teeth, as illustrators draw them. The lookup point is moved along the surface, back and forth
 // across a coordinate v that is fixed to the world, so that the edge breaks up into strokes that stay in
@@ -78,37 +78,38 @@ Teeth wave_teeth(vec3 axis, vec3 point, PageRates rates, uint seed)
 }
 
 // Teeth that are ends of the strokes of the hatching's first layer.
-Teeth stroke_teeth(EdgeLook look, uint kind, vec3 coordinate, Footprint f, vec3 normal, PageRates rates)
+Teeth stroke_teeth(EdgeProfile profile, uint kind, vec3 coordinate, Footprint f, vec3 normal, PageRates rates)
 {
-    StrokeAxes axes = StrokeAxes(look.flat_axis, look.flat_axis, look.flat_axis, look.wind, look.ground_wind,
-                                 look.towards_light, look.has_directions != 0u);
+    StrokeAxes axes = StrokeAxes(profile.flat_axis, profile.flat_axis, profile.flat_axis, profile.wind,
+                                 profile.ground_wind, profile.towards_light, profile.has_directions != 0u);
     bool is_level = length(cross(solid_axis(axes, kind, 0u), normal)) < 0.59;
     uint family = !is_flat(kind) && is_level ? 1u : 0u;
     vec3 axis = is_flat(kind) ? flat_axis(axes, kind, 0u) : solid_axis(axes, kind, family);
     return teeth_across(dot(axis, coordinate), vec2(dot(axis, f.dx), dot(axis, f.dy)), rates,
-                        kind == strokes_form, hash(look.seed * 64u + family));
+                        kind == strokes_form, hash(profile.seed * 64u + family));
 }
 
 // Teeth get wider with the penumbra.
-float edge_tooth(Teeth teeth, EdgeLook look, float penumbra_px)
+float edge_tooth(Teeth teeth, EdgeProfile profile, float penumbra_px)
 {
-    return tooth(teeth.field, teeth.seed, look.width_px + penumbra_px / 8.0, look.darkness, look.variety);
+    return tooth(teeth.field, teeth.seed, profile.width_px + penumbra_px / 8.0, profile.darkness,
+                 profile.variety);
 }
 
 // Strokes extend past the edge on the lit side and leave gaps of light on the other.
-EdgePoints stroke_edge(Teeth teeth, EdgeLook look, vec3 point, float penumbra_px)
+EdgePoints stroke_edge(Teeth teeth, EdgeProfile profile, vec3 point, float penumbra_px)
 {
-    float lean = edge_tooth(teeth, look, penumbra_px);
-    vec3 shift = teeth.step_m * (lean * (look.amplitude_px + 0.5f * penumbra_px));
+    float lean = edge_tooth(teeth, profile, penumbra_px);
+    vec3 shift = teeth.step_m * (lean * (profile.amplitude_px + 0.5f * penumbra_px));
     return EdgePoints(point + shift, point - shift, lean);
 }
 
 // One sample along each of two axes; their mean counts.
-EdgePoints wave_edge(Teeth first, Teeth second, EdgeLook look, vec3 point, float penumbra_px)
+EdgePoints wave_edge(Teeth first, Teeth second, EdgeProfile profile, vec3 point, float penumbra_px)
 {
-    float reach_px = look.amplitude_px + 0.5f * penumbra_px;
-    return EdgePoints(point + first.step_m * (reach_px * edge_tooth(first, look, penumbra_px)),
-                      point + second.step_m * (reach_px * edge_tooth(second, look, penumbra_px)), 0.0f);
+    float reach_px = profile.amplitude_px + 0.5f * penumbra_px;
+    return EdgePoints(point + first.step_m * (reach_px * edge_tooth(first, profile, penumbra_px)),
+                      point + second.step_m * (reach_px * edge_tooth(second, profile, penumbra_px)), 0.0f);
 }
 
 // Data of a pixel for the edges of all lights' shadows.
@@ -119,19 +120,19 @@ struct Edge {
     float m_per_px; // on a surface that faces the eye
 };
 
-EdgePoints edge_points(Edge edge, EdgeLook look, bool is_waves, vec3 point, float penumbra_m)
+EdgePoints edge_points(Edge edge, EdgeProfile profile, bool is_waves, vec3 point, float penumbra_m)
 {
     float penumbra_px = penumbra_m / max(edge.m_per_px, 1e-20);
-    return is_waves ? wave_edge(edge.first, edge.second, look, point, penumbra_px)
-                    : stroke_edge(edge.first, look, point, penumbra_px);
+    return is_waves ? wave_edge(edge.first, edge.second, profile, point, penumbra_px)
+                    : stroke_edge(edge.first, profile, point, penumbra_px);
 }
 
 // A third lookup point, for omnidirectional lights.
-vec3 third_wave_point(Edge edge, EdgeLook look, vec3 point, float penumbra_m)
+vec3 third_wave_point(Edge edge, EdgeProfile profile, vec3 point, float penumbra_m)
 {
     float penumbra_px = penumbra_m / max(edge.m_per_px, 1e-20);
-    float reach_px = look.amplitude_px + 0.5f * penumbra_px;
-    return point + edge.third.step_m * (reach_px * edge_tooth(edge.third, look, penumbra_px));
+    float reach_px = profile.amplitude_px + 0.5f * penumbra_px;
+    return point + edge.third.step_m * (reach_px * edge_tooth(edge.third, profile, penumbra_px));
 }
 
 // A point that was moved into shadow is raised towards the light: the plane in which it moves may cut into a
@@ -154,12 +155,12 @@ Edge edge_at(ivec2 pixel, uint word, float depth, vec3 point, vec3 normal)
     vec2 at_px = vec2(pixel) + 0.5;
     PageRates rates = page_rates(frame, at_px, depth, point, normal);
     Edge edge;
-    edge.first = wave_teeth(edge_look.axis_0, point, rates, 1u);
-    edge.second = wave_teeth(edge_look.axis_1, point, rates, 2u);
-    edge.third = wave_teeth(edge_look.axis_2, point, rates, 3u);
+    edge.first = wave_teeth(edge_profile.axis_0, point, rates, 1u);
+    edge.second = wave_teeth(edge_profile.axis_1, point, rates, 2u);
+    edge.third = wave_teeth(edge_profile.axis_2, point, rates, 3u);
     edge.m_per_px = distance(point, anchor_at(frame, at_px + vec2(1.0, 0.0), depth));
     if (has_stroke_edges) {
-        edge.first = stroke_teeth(edge_look, strokes_of(word), texelFetch(coordinate_image, pixel, 0).xyz,
+        edge.first = stroke_teeth(edge_profile, strokes_of(word), texelFetch(coordinate_image, pixel, 0).xyz,
                                   unpack_footprint(texelFetch(footprint_image, pixel, 0)), normal, rates);
     }
     return edge;
@@ -177,7 +178,7 @@ float sun_share(vec3 point, vec3 normal, vec3 towards_sun, Edge edge)
     if (!has_edges) {
         return sun_lookup(point, normal, towards_sun, penumbra_m);
     }
-    EdgePoints points = edge_points(edge, edge_look, has_wave_edges, point, penumbra_m);
+    EdgePoints points = edge_points(edge, edge_profile, has_wave_edges, point, penumbra_m);
     float radius_m = 0.5 * penumbra_m;
     float first = sun_lookup(raised(points.first, points, point, towards_sun), normal, towards_sun, radius_m);
     float second =
@@ -204,7 +205,7 @@ float local_share(LocalShadow shadow, vec3 light_position, vec3 point, vec3 norm
     if (!has_edges) {
         return local_lookup(shadow, light_position, point, normal, penumbra, 1.0);
     }
-    EdgePoints points = edge_points(edge, edge_look, has_wave_edges, point, penumbra.mean_m);
+    EdgePoints points = edge_points(edge, edge_profile, has_wave_edges, point, penumbra.mean_m);
     vec3 towards_light = normalize(light_position - point);
     vec3 raised_first = raised(points.first, points, point, towards_light);
     vec3 raised_second = raised(points.second, points, point, towards_light);
@@ -213,7 +214,7 @@ float local_share(LocalShadow shadow, vec3 light_position, vec3 point, vec3 norm
     float share = edge_blend(points, first, second);
     if (has_wave_edges) {
         // A lamp's shadows run in all directions, so it has a third axis.
-        vec3 point_3 = third_wave_point(edge, edge_look, point, penumbra.mean_m);
+        vec3 point_3 = third_wave_point(edge, edge_profile, point, penumbra.mean_m);
         float third = local_lookup(shadow, light_position, point_3, normal, penumbra, 0.5);
         share = shadow.is_cube != 0u ? mix(share, third, 1.0 / 3.0) : share;
     }

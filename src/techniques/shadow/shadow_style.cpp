@@ -78,27 +78,27 @@ bool follows_strokes(const ShadowStyle& style, const std::optional<HatchedLines>
 
 } // namespace
 
-shared::EdgeLook edge_look(const ShadowStyle& style, const std::optional<HatchedLines>& lines,
-                           float pixels_per_mm)
+shared::EdgeProfile edge_profile(const ShadowStyle& style, const std::optional<HatchedLines>& lines,
+                                 float pixels_per_mm)
 {
-    shared::EdgeLook look{.amplitude_px = style.edge_reach_mm * pixels_per_mm,
-                          .width_px = 0.5F * style.edge_spacing_mm * pixels_per_mm,
-                          .darkness = 0.5F,
-                          .variety = style.edge_variety,
-                          .axis_0 = slanted(style.edge_slant_deg),
-                          .axis_1 = slanted(style.edge_slant_deg + 97.0F),
-                          .axis_2 = slanted(style.edge_slant_deg + 228.0F)};
+    shared::EdgeProfile profile{.amplitude_px = style.edge_reach_mm * pixels_per_mm,
+                                .width_px = 0.5F * style.edge_spacing_mm * pixels_per_mm,
+                                .darkness = 0.5F,
+                                .variety = style.edge_variety,
+                                .axis_0 = slanted(style.edge_slant_deg),
+                                .axis_1 = slanted(style.edge_slant_deg + 97.0F),
+                                .axis_2 = slanted(style.edge_slant_deg + 228.0F)};
     if (follows_strokes(style, lines)) {
-        look.width_px = lines->width_mm * pixels_per_mm;
-        look.darkness = lines->darkness;
-        look.seed = lines->seed;
-        look.flat_axis = lines->flat_axis;
-        look.wind = lines->wind;
-        look.ground_wind = lines->ground_wind;
-        look.towards_light = lines->towards_light;
-        look.has_directions = lines->has_directions ? 1U : 0U;
+        profile.width_px = lines->width_mm * pixels_per_mm;
+        profile.darkness = lines->darkness;
+        profile.seed = lines->seed;
+        profile.flat_axis = lines->flat_axis;
+        profile.wind = lines->wind;
+        profile.ground_wind = lines->ground_wind;
+        profile.towards_light = lines->towards_light;
+        profile.has_directions = lines->has_directions ? 1U : 0U;
     }
-    return look;
+    return profile;
 }
 
 uint32_t shadow_variant(const ShadowStyle& style, const std::optional<HatchedLines>& lines)

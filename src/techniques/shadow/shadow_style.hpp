@@ -47,8 +47,8 @@ struct HatchedLines {
 };
 
 /// The teeth that `style` asks for, on a page of `pixels_per_mm`.
-[[nodiscard]] shared::EdgeLook edge_look(const ShadowStyle& style, const std::optional<HatchedLines>& lines,
-                                         float pixels_per_mm);
+[[nodiscard]] shared::EdgeProfile edge_profile(const ShadowStyle& style,
+                                               const std::optional<HatchedLines>& lines, float pixels_per_mm);
 
 /// Variant bits of the lighting shader (shaders/light_variant.glsl.h) that the style needs. The caller that
 /// fits the sun's map adds the bits for clipmaps and perspective maps.

@@ -12,7 +12,7 @@
 namespace estampe::sky {
 namespace {
 
-SkyLook mix(const SkyLook& a, const SkyLook& b, float share)
+SkyColors mix(const SkyColors& a, const SkyColors& b, float share)
 {
     return {glm::mix(a.horizon, b.horizon, share), glm::mix(a.zenith, b.zenith, share),
             glm::mix(a.darkness, b.darkness, share)};
@@ -41,13 +41,13 @@ Disc disc_of(const SkyStyle& style, const glm::vec3& towards_sun, const std::opt
 
 } // namespace
 
-SkyLook look_at(const SkyStyle& style, double sun_elevation_rad)
+SkyColors look_at(const SkyStyle& style, double sun_elevation_rad)
 {
     const auto deg = static_cast<float>(glm::degrees(sun_elevation_rad));
-    const SkyLook night{style.night_horizon, style.night_zenith, style.night_darkness};
-    const SkyLook dusk{style.dusk_horizon, style.dusk_zenith, style.darkness};
-    const SkyLook low{style.horizon, style.zenith, style.darkness};
-    const SkyLook noon{style.noon_horizon, style.noon_zenith, style.darkness};
+    const SkyColors night{style.night_horizon, style.night_zenith, style.night_darkness};
+    const SkyColors dusk{style.dusk_horizon, style.dusk_zenith, style.darkness};
+    const SkyColors low{style.horizon, style.zenith, style.darkness};
+    const SkyColors noon{style.noon_horizon, style.noon_zenith, style.darkness};
     return mix(
         mix(mix(night, dusk, glm::smoothstep(-10.0F, -2.0F, deg)), low, glm::smoothstep(-2.0F, 4.0F, deg)),
         noon, glm::smoothstep(12.0F, 40.0F, deg));
@@ -63,12 +63,12 @@ std::optional<double> followed_elevation_rad(const SkyStyle& style, const glm::v
                         : std::asin(std::clamp(static_cast<double>(towards_sun.y), -1.0, 1.0));
 }
 
-SkyLook look_under(const SkyStyle& style, const glm::vec3& towards_sun,
-                   const std::optional<float>& daylight_rad)
+SkyColors colors_under(const SkyStyle& style, const glm::vec3& towards_sun,
+                       const std::optional<float>& daylight_rad)
 {
     const auto elevation_rad = followed_elevation_rad(style, towards_sun, daylight_rad);
     return elevation_rad ? look_at(style, *elevation_rad)
-                         : SkyLook{style.horizon, style.zenith, style.darkness};
+                         : SkyColors{style.horizon, style.zenith, style.darkness};
 }
 
 Sky add_sky(gpu::Graph& graph, const SkyInputs& in, const SkyStyle& style)
@@ -92,12 +92,12 @@ Sky add_sky(gpu::Graph& graph, const SkyInputs& in, const SkyStyle& style)
         before ? pass.modify(before->ink) : pass.write(graph.image("sky/ink", ink_image));
     pass.read(in.tiles.value_or(in.frame)).sample(in.depth);
     pass.variant((in.tiles ? shared::sky_has_tiles : 0U) | (in.far_m ? shared::sky_has_depth : 0U));
-    const SkyLook look = look_under(style, in.towards_sun, in.daylight_rad);
+    const SkyColors colors = colors_under(style, in.towards_sun, in.daylight_rad);
     const Disc disc = disc_of(style, in.towards_sun, in.daylight_rad);
-    pass.push(shared::SkyConstants{.horizon_color = look.horizon,
+    pass.push(shared::SkyConstants{.horizon_color = colors.horizon,
                                    .stroke_width_px = style.width_mm * in.pixels_per_mm,
-                                   .zenith_color = look.zenith,
-                                   .darkness = look.darkness,
+                                   .zenith_color = colors.zenith,
+                                   .darkness = colors.darkness,
                                    .towards_sun = in.towards_sun,
                                    .high_color = style.high_band,
                                    .high_rad = glm::radians(style.high_band_deg),

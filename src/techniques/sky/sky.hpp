@@ -58,15 +58,15 @@ struct Sky {
 };
 
 /// The colours of the sky at a time of day.
-struct SkyLook {
+struct SkyColors {
     glm::vec3 horizon{0.0F};
     glm::vec3 zenith{0.0F};
     float darkness = 0.0F; ///< darkness of the strokes at the zenith
 };
 
 /// The sky's colours under this sun; they depend on its elevation if the style's sky follows the sun.
-[[nodiscard]] SkyLook look_under(const SkyStyle& style, const glm::vec3& towards_sun,
-                                 const std::optional<float>& daylight_rad);
+[[nodiscard]] SkyColors colors_under(const SkyStyle& style, const glm::vec3& towards_sun,
+                                     const std::optional<float>& daylight_rad);
 
 /// Elevation of the sun that the sky's colours follow; none if the style keeps them fixed.
 [[nodiscard]] std::optional<double> followed_elevation_rad(const SkyStyle& style,
@@ -75,7 +75,7 @@ struct SkyLook {
 
 /// The colours at a sun elevation: night up to -10 degrees, dusk at -2, the style's horizon and zenith from 4
 /// to 12, noon from 40, with smooth transitions.
-[[nodiscard]] SkyLook look_at(const SkyStyle& style, double sun_elevation_rad);
+[[nodiscard]] SkyColors look_at(const SkyStyle& style, double sun_elevation_rad);
 
 /// Paints the sky of the page; returns blank images of one texel if no sky is drawn. Cost: one dispatch over
 /// the page or a list of tiles; next to nothing without a sky.

@@ -55,9 +55,9 @@ LineField level_strokes(vec3 d, vec2 position_px)
 }
 
 // The pen of these strokes.
-LineLook level_pen(float pen_px)
+HatchLineStyle level_pen(float pen_px)
 {
-    return LineLook(pen_px, 0.9 * pen_px, 26.0 * pen_px, 40.0 * pen_px, 190.0 * pen_px, 0.35, 0.0);
+    return HatchLineStyle(pen_px, 0.9 * pen_px, 26.0 * pen_px, 40.0 * pen_px, 190.0 * pen_px, 0.35, 0.0);
 }
 
 #endif

@@ -126,8 +126,8 @@ float strokes_at(ivec2 pixel, vec3 point, float surface_m, float dark, uint box)
     float pixel_m = pixel_size_m(frame, point);
     field.v_per_px = clamp(field.v_per_px, 0.2 * pixel_m, 3.0 * pixel_m);
     float pen = ink.stroke_px;
-    LineLook look = LineLook(pen, 0.4 * pen, 10.0 * pen, 30.0 * pen, 90.0 * pen, 0.3, 0.0);
-    return line_ink(field, look, dark, smoke.boxes[box].seed + 5u);
+    HatchLineStyle style = HatchLineStyle(pen, 0.4 * pen, 10.0 * pen, 30.0 * pen, 90.0 * pen, 0.3, 0.0);
+    return line_ink(field, style, dark, smoke.boxes[box].seed + 5u);
 }
 
 // Share of flame in the visible smoke, from its light.

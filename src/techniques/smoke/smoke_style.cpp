@@ -29,10 +29,9 @@ const style::Table<SmokeStyle>& smoke_table()
                     "How quickly smoke becomes dense at its source: more gives thicker smoke")
             .number("rise_s", &SmokeStyle::rise_s, {0.2F, 100.0F}, "s",
                     "Approximate time in which smoke rises to the top of its box: less rises faster")
-            .number("wind_m_per_s", &SmokeStyle::wind_m_per_s, {0.0F, 100.0F}, "m/s",
-                    "Speed of the wind around the smoke: more bends the column of smoke over")
-            .number("wind_deg", &SmokeStyle::wind_deg, {-360.0F, 360.0F}, "deg",
-                    "Direction towards which the wind carries the smoke: 0 is +z, 90 is +x")
+            .number("wind_m_per_s", &SmokeStyle::wind_m_per_s, {-1.0F, 100.0F}, "m/s",
+                    "Speed of the wind around the smoke: more bends the column of smoke over, towards "
+                    "wind.towards_deg. -1 takes the speed from wind.speed_m_per_s.")
             .number("curl", &SmokeStyle::curl, {0.0F, 4.0F}, "",
                     "Strength of the swirls in smoke: 0 adds none, more gives livelier curls")
             .toggle("obstacles", &SmokeStyle::obstacles,

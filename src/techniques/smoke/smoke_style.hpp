@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include "style/parameter.hpp"
+#include "techniques/wind/wind_style.hpp"
 
 namespace estampe::smoke {
 
@@ -32,7 +33,7 @@ struct SmokeStyle {
     float amount_per_s = 6.0F;
     float rise_s = 3.0F;
     float wind_m_per_s = 0.0F;
-    float wind_deg = 90.0F;
+    wind::Wind wind; ///< of the scene; no key of its own
     float curl = 1.0F;
     bool obstacles = false;
     Solver solver = Solver::automatic;

@@ -17,10 +17,10 @@ layout(scalar, binding = 0) uniform Frame
 
 layout(binding = 1) uniform usampler2D draw_image;
 
-#define LOOKS_BINDING 2
-#define HAS_LOOKS ((variant & subsurface_has_looks) != 0u)
+#define PARAMETERS_BINDING 2
+#define HAS_VARIANTS ((variant & subsurface_has_variants) != 0u)
 layout(constant_id = 0) const uint variant = 0u;
-#include "techniques/subsurface/looks.glsl"
+#include "techniques/subsurface/parameters.glsl"
 
 #define MESH_TEXELS_BINDING 4
 #include "shaders/mesh_texels.glsl"
@@ -54,7 +54,7 @@ void main()
         return;
     }
     uint word = texelFetch(draw_image, pixel, 0).x;
-    vec3 seen_behind = takes_light_in(word) ? look_behind(look_of(word)) : vec3(0.0);
+    vec3 seen_behind = takes_light_in(word) ? behind_of(style_variant_of(word)) : vec3(0.0);
     float share = seen_behind.x;
     int index = pixel.y * int(frame.size_px.x) + pixel.x;
     vec2 middle_px = vec2(pixel) + 0.5;
@@ -80,31 +80,31 @@ void main()
         vec3 flat_normal = cross(b - a, c - a) * ((corners.w & triangle_mirrored) != 0u ? -1.0 : 1.0);
         bool goes_in = is_there && !is_behind && dot(flat_normal, towards_eye(frame, a)) >= 0.0;
         bool goes_out = entered != 0u && is_there;
-        uint look = look_of((corners.w & triangle_draw_mask) + 1u);
+        uint style_variant = style_variant_of((corners.w & triangle_draw_mask) + 1u);
         float at_depth = max(depth, end_depth);
         vec3 there = anchor_at(frame, middle_px, max(at_depth, 1e-9));
         if (i == 0) {
             pixel_m = pixel_size_m(frame, there);
         }
         // A second entry without an exit is a thin sheet.
-        uint left = goes_out ? entered - 1u : look;
-        float inside_m = goes_in ? look_scatter(left).a
+        uint left = goes_out ? entered - 1u : style_variant;
+        float inside_m = goes_in ? scatter_of(left).a
                                  : distance(there, anchor_at(frame, middle_px, max(entered_depth, 1e-9)));
         if (goes_out) {
-            absorbed += look_through(left).rgb * inside_m;
-            blur_m += look_behind(left).y * inside_m;
+            absorbed += light_through(left).rgb * inside_m;
+            blur_m += behind_of(left).y * inside_m;
             entered = 0u;
         }
         if (goes_in) {
-            entered = look + 1u;
+            entered = style_variant + 1u;
             entered_depth = depth;
         }
         before_depth = is_there ? seen_depth(seen) : -1.0;
         ++i;
     } while (i < layers);
     if (entered != 0u) {
-        absorbed += look_through(entered - 1u).rgb * look_scatter(entered - 1u).a;
-        blur_m += look_behind(entered - 1u).y * look_scatter(entered - 1u).a;
+        absorbed += light_through(entered - 1u).rgb * scatter_of(entered - 1u).a;
+        blur_m += behind_of(entered - 1u).y * scatter_of(entered - 1u).a;
     }
     vec3 color = texelFetch(color_image, pixel, 0).rgb;
     vec3 tint = mix(vec3(1.0), color * color, seen_behind.z);

@@ -27,10 +27,10 @@ layout(binding = 4) uniform usamplerBuffer behind_texels; // visibility buffer o
 #define MESH_TEXELS_BINDING 5
 #include "shaders/mesh_texels.glsl"
 
-#define LOOKS_BINDING 7
-#define HAS_LOOKS ((variant & subsurface_has_looks) != 0u)
+#define PARAMETERS_BINDING 7
+#define HAS_VARIANTS ((variant & subsurface_has_variants) != 0u)
 layout(constant_id = 0) const uint variant = 0u;
-#include "techniques/subsurface/looks.glsl"
+#include "techniques/subsurface/parameters.glsl"
 
 layout(binding = 9, r32ui) writeonly uniform uimage2D out_draw;
 layout(binding = 10, r32f) writeonly uniform image2D out_depth;
@@ -72,8 +72,8 @@ void main()
     }
     barrier();
     uint word = texelFetch(draw_image, pixel, 0).x;
-    uint look = look_of(word);
-    vec4 through = takes_light_in(word) ? look_through(look) : vec4(0.0);
+    uint style_variant = style_variant_of(word);
+    vec4 through = takes_light_in(word) ? light_through(style_variant) : vec4(0.0);
     float own_depth = texelFetch(depth_image, pixel, 0).x;
     float depth = own_depth;
     vec3 normal = -unpack_normal(texelFetch(normal_image, pixel, 0).y);
@@ -89,7 +89,7 @@ void main()
         normal = turns_its_back ? unit(flat_normal) : normal;
         depth = turns_its_back ? seen_depth(seen) : depth;
     }
-    float inside_m = thickness_m(vec2(pixel) + 0.5, own_depth, depth, look_scatter(look).a);
+    float inside_m = thickness_m(vec2(pixel) + 0.5, own_depth, depth, scatter_of(style_variant).a);
     vec3 left = through.a * exp(-through.rgb * inside_m);
     bool shines = is_on_page && max(max(left.r, left.g), left.b) > least_through;
     if (shines) {

@@ -58,23 +58,25 @@ std::vector<glm::vec4> spread(const Painted& page, const SubsurfaceStyle& style,
     globals.size_px = part_px;
     globals.tile_from_px = from_px;
     auto frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{globals});
-    auto looks = gpu::upload_buffer(test::shared_device(), "looks", std::vector{look_of(style)});
+    auto parameters =
+        gpu::upload_buffer(test::shared_device(), "subsurface parameters", std::vector{parameters_of(style)});
     gpu::Graph graph;
     // The graph must not change the imported image, so the light is copied first.
     const gpu::ImageId given = light.in(graph);
-    const gpu::ImageId result = add_scatter(graph,
-                                            {.frame = gpu::import_whole(graph, "frame", frame),
-                                             .draw = draw.in(graph),
-                                             .depth = depth.in(graph),
-                                             .normal = depth.in(graph),
-                                             .looks = gpu::import_whole(graph, "looks", looks),
-                                             .look_of_draw = std::nullopt,
-                                             .reach_mm = style.reach_mm,
-                                             .pixels_per_mm = 4.0F,
-                                             .size_px = part_px,
-                                             .from_px = from_px,
-                                             .execution = {.is_processor = on_processor}},
-                                            given);
+    const gpu::ImageId result =
+        add_scatter(graph,
+                    {.frame = gpu::import_whole(graph, "frame", frame),
+                     .draw = draw.in(graph),
+                     .depth = depth.in(graph),
+                     .normal = depth.in(graph),
+                     .parameters = gpu::import_whole(graph, "subsurface parameters", parameters),
+                     .variant_of_draw = std::nullopt,
+                     .reach_mm = style.reach_mm,
+                     .pixels_per_mm = 4.0F,
+                     .size_px = part_px,
+                     .from_px = from_px,
+                     .execution = {.is_processor = on_processor}},
+                    given);
     return test::run_and_read_colors(graph, result);
 }
 

@@ -21,10 +21,10 @@ layout(binding = 2) uniform sampler2D depth_image;
 layout(binding = 3) uniform sampler2D sum_image;
 layout(binding = 4) uniform sampler2D through_image;
 
-#define LOOKS_BINDING 5
-#define HAS_LOOKS ((variant & subsurface_has_looks) != 0u)
+#define PARAMETERS_BINDING 5
+#define HAS_VARIANTS ((variant & subsurface_has_variants) != 0u)
 layout(constant_id = 0) const uint variant = 0u;
-#include "techniques/subsurface/looks.glsl"
+#include "techniques/subsurface/parameters.glsl"
 const bool shines = (variant & subsurface_shines) != 0u;
 const bool spreads = (variant & subsurface_spreads) != 0u;
 const bool looks_less = (variant & subsurface_looks_less) != 0u;
@@ -55,14 +55,14 @@ void main()
         return;
     }
     uint word = texelFetch(draw_image, pixel, 0).x;
-    uint look = look_of(word);
+    uint style_variant = style_variant_of(word);
     bool takes = takes_light_in(word);
-    vec3 scatter_m = spreads && takes ? look_scatter(look).rgb : vec3(0.0);
+    vec3 scatter_m = spreads && takes ? scatter_of(style_variant).rgb : vec3(0.0);
     float ahead = ahead_at(vec2(pixel) + 0.5, texelFetch(depth_image, pixel, 0).x, in_perspective);
     float pixel_m = pixel_m_at(ahead);
     vec3 spread_px = spread_px_of(scatter_m, pixel_m);
     bool scatters = !holds_all(kept_below_px(), max(max(spread_px.r, spread_px.g), spread_px.b));
-    bool is_shone_through = shines && takes && look_through(look).a > 0.0;
+    bool is_shone_through = shines && takes && light_through(style_variant).a > 0.0;
     float tolerance_m = max(4.0 * pixel_m, max(max(scatter_m.x, scatter_m.y), scatter_m.z));
     float per_variance = -0.5 / max(tolerance_m * tolerance_m, 1e-12);
     // Half-page pixels lie at the middle of four page pixels; transmitted light was computed at the first of

@@ -18,10 +18,10 @@ layout(binding = 1) uniform usampler2D draw_image;
 layout(binding = 2) uniform sampler2D depth_image;
 layout(binding = 3) uniform sampler2D light_image;
 
-#define LOOKS_BINDING 4
-#define HAS_LOOKS ((variant & subsurface_has_looks) != 0u)
+#define PARAMETERS_BINDING 4
+#define HAS_VARIANTS ((variant & subsurface_has_variants) != 0u)
 layout(constant_id = 0) const uint variant = 0u;
-#include "techniques/subsurface/looks.glsl"
+#include "techniques/subsurface/parameters.glsl"
 const bool shines = (variant & subsurface_shines) != 0u;
 const bool spreads = (variant & subsurface_spreads) != 0u;
 const bool looks_less = (variant & subsurface_looks_less) != 0u;
@@ -112,21 +112,21 @@ void main()
     barrier();
     ivec2 pixel = whole_pixel(half_pixel);
     uint word = texelFetch(draw_image, pixel, 0).x;
-    uint look = look_of(word);
-    vec4 scatter_m = takes_light_in(word) ? look_scatter(look) : vec4(0.0);
+    uint style_variant = style_variant_of(word);
+    vec4 scatter_m = takes_light_in(word) ? scatter_of(style_variant) : vec4(0.0);
     float depth = texelFetch(depth_image, pixel, 0).x;
     float ahead = ahead_at(vec2(pixel) + 0.5, depth, in_perspective);
     vec3 through = vec3(0.0);
     float takes = takes_nothing;
     if (shines) {
-        vec4 look_in = takes_light_in(word) ? look_through(look) : vec4(0.0);
+        vec4 absorbed = takes_light_in(word) ? light_through(style_variant) : vec4(0.0);
         bool is_lit = texelFetch(far_draw_image, half_pixel, 0).x != 0u;
         float inside_m =
             thickness_m(vec2(pixel) + 0.5, depth, texelFetch(far_depth_image, half_pixel, 0).x, scatter_m.a);
-        vec3 left = look_in.a * exp(-look_in.rgb * inside_m);
+        vec3 left = absorbed.a * exp(-absorbed.rgb * inside_m);
         vec3 far_light = is_lit ? texelFetch(far_light_image, half_pixel, 0).rgb : vec3(0.0);
         through = min(left * far_light, vec3(most_light));
-        takes = look_in.a > 0.0 ? takes_light_through : takes_nothing;
+        takes = absorbed.a > 0.0 ? takes_light_through : takes_nothing;
         if (is_there && through != vec3(0.0)) {
             atomicOr(reached_about, squares_that_look(gl_LocalInvocationID.xy));
         }

@@ -107,11 +107,11 @@ float widest(const SubsurfaceStyle& style)
 }
 
 /// Binds the parameter sets and each draw call's set; returns the variant bit for several sets.
-uint32_t bind_looks(gpu::Pass& pass, const SubsurfaceInputs& in)
+uint32_t bind_variants(gpu::Pass& pass, const SubsurfaceInputs& in)
 {
-    pass.sample(in.looks, gpu::Format::rgba32f);
-    pass.sample(in.look_of_draw.value_or(in.looks), gpu::Format::r32ui);
-    return in.look_of_draw ? shared::subsurface_has_looks : 0U;
+    pass.sample(in.parameters, gpu::Format::rgba32f);
+    pass.sample(in.variant_of_draw.value_or(in.parameters), gpu::Format::r32ui);
+    return in.variant_of_draw ? shared::subsurface_has_variants : 0U;
 }
 
 /// Variant bits for the device's reading strategy and the projection.
@@ -179,21 +179,21 @@ gpu::ImageId add_blurs(gpu::Graph& graph, const SubsurfaceInputs& in, shared::Sc
 
 } // namespace
 
-shared::SubsurfaceLook look_of(const SubsurfaceStyle& style)
+shared::SubsurfaceParameters parameters_of(const SubsurfaceStyle& style)
 {
-    shared::SubsurfaceLook look{};
+    shared::SubsurfaceParameters parameters{};
     if (style.depth_m > 0.0F) {
-        look.absorbed_per_m = -glm::log(glm::max(style.tint, 1e-4F)) / style.depth_m;
+        parameters.absorbed_per_m = -glm::log(glm::max(style.tint, 1e-4F)) / style.depth_m;
     }
-    look.strength = shines(style) ? style.strength : 0.0F;
-    look.behind = is_clear(style) ? style.behind : 0.0F;
-    look.behind_blur = style.behind_blur;
-    look.behind_tint = style.behind_tint;
+    parameters.strength = shines(style) ? style.strength : 0.0F;
+    parameters.behind = is_clear(style) ? style.behind : 0.0F;
+    parameters.behind_blur = style.behind_blur;
+    parameters.behind_tint = style.behind_tint;
     if (scatters(style)) {
-        look.scatter_m = style.scatter_m * style.scatter_color;
+        parameters.scatter_m = style.scatter_m * style.scatter_color;
     }
-    look.sheet_m = style.sheet_m;
-    return look;
+    parameters.sheet_m = style.sheet_m;
+    return parameters;
 }
 
 SubsurfaceStyle seen_through(SubsurfaceStyle style, const Material& material, float color_share)
@@ -250,7 +250,7 @@ FarSide add_far_side(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::BufferI
     auto pass = graph.compute("subsurface/exit", shaders::exit_comp);
     pass.uniform(in.frame).sample(in.draw).sample(in.depth).sample(in.normal);
     pass.sample(behind, gpu::Format::rg32ui).sample(triangles).sample(posed_vertices);
-    pass.variant(bind_looks(pass, in));
+    pass.variant(bind_variants(pass, in));
     const gpu::ImageId draw = pass.write(image("subsurface/far draw", gpu::Format::r32ui));
     const gpu::ImageId depth = pass.write(image("subsurface/far depth", gpu::Format::r32f));
     const gpu::ImageId normal = pass.write(image("subsurface/far normal", gpu::Format::rg32ui));
@@ -273,7 +273,7 @@ gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::Ima
                              (spreads ? shared::subsurface_spreads : 0U) | looking(in);
     auto source = graph.compute("subsurface/source", shaders::scatter_source_comp);
     source.uniform(in.frame).sample(in.draw).sample(in.depth).sample(light);
-    source.variant(variant | bind_looks(source, in));
+    source.variant(variant | bind_variants(source, in));
     source.sample(through ? through->far_side.draw : in.draw);
     source.sample(through ? through->far_side.depth : in.depth).sample(through ? through->light : light);
     const auto written = [&](const char* name, gpu::Format format, bool is_wanted) {
@@ -291,7 +291,7 @@ gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::Ima
                   {lit, spread, kept, listed, sizeof(uint32_t) * (shared::tile_list_first + squares)});
     auto pass = graph.compute("subsurface/page", shaders::scatter_page_comp);
     pass.uniform(in.frame).sample(in.draw).sample(in.depth).sample(sum).sample(shone);
-    pass.variant(variant | bind_looks(pass, in));
+    pass.variant(variant | bind_variants(pass, in));
     const gpu::ImageId result = pass.modify(light);
     pass.read(listed).push(constants).dispatch_indirect(listed);
     return result;
@@ -322,8 +322,8 @@ gpu::ImageId add_behind(gpu::Graph& graph, const BehindInputs& in, gpu::ImageId 
     const SubsurfaceInputs& common = in.common;
     auto inside = graph.compute("subsurface/clear", shaders::behind_inside_comp);
     inside.uniform(common.frame).sample(common.draw);
-    inside.sample(common.looks, gpu::Format::rgba32f);
-    inside.sample(common.look_of_draw.value_or(common.looks), gpu::Format::r32ui);
+    inside.sample(common.parameters, gpu::Format::rgba32f);
+    inside.sample(common.variant_of_draw.value_or(common.parameters), gpu::Format::r32ui);
     inside.sample(in.triangles).sample(in.posed_vertices);
     inside.sample(in.background, gpu::Format::rg32ui);
     for (size_t i = 0; i < inside_layers; ++i) {
@@ -336,7 +336,7 @@ gpu::ImageId add_behind(gpu::Graph& graph, const BehindInputs& in, gpu::ImageId 
     const gpu::ImageId share = inside.write(
         graph.image("subsurface/share",
                     {.width = common.size_px.x, .height = common.size_px.y, .format = gpu::Format::r16f}));
-    inside.variant(common.look_of_draw ? shared::subsurface_has_looks : 0U);
+    inside.variant(common.variant_of_draw ? shared::subsurface_has_variants : 0U);
     inside.dispatch_over(common.size_px.x, common.size_px.y);
 
     const std::vector<gpu::ImageId> levels = add_halves(graph, in);
@@ -402,9 +402,9 @@ TextureLight add_texture_scatter(gpu::Graph& graph, const TextureInputs& in, con
     const auto image = [&](const char* name) { return map_image(graph, in, name, gpu::Format::rgba32f); };
     auto source = graph.compute("subsurface/map source", shaders::texture_source_comp);
     source.sample(surface.draw).sample(surface.points).sample(light);
-    source.sample(in.looks, gpu::Format::rgba32f);
-    source.sample(in.look_of_draw.value_or(in.looks), gpu::Format::r32ui);
-    source.variant(in.look_of_draw ? shared::subsurface_has_looks : 0U);
+    source.sample(in.parameters, gpu::Format::rgba32f);
+    source.sample(in.variant_of_draw.value_or(in.parameters), gpu::Format::r32ui);
+    source.variant(in.variant_of_draw ? shared::subsurface_has_variants : 0U);
     gpu::ImageId blurred = source.write(image("subsurface/map light"));
     const gpu::ImageId spread = source.write(image("subsurface/map spread"));
     gpu::ImageId sum = source.write(image("subsurface/map sum"));

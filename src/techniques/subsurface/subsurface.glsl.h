@@ -14,7 +14,7 @@ SHARED_CONSTANT uint most_texture_levels = 8U;
 SHARED_CONSTANT uint behind_levels = 6U; // images of the background: full size, half size, and so on
 
 // Subsurface parameters of a material: three texels of 16 bytes.
-struct SubsurfaceLook {
+struct SubsurfaceParameters {
     vec3 absorbed_per_m; // absorption coefficient per colour
     float strength;      // factor on transmitted light; 0: none
     vec3 scatter_m;      // scattering distance d per colour; 0: none
@@ -44,7 +44,7 @@ struct TextureConstants {
 };
 
 // Variant bits.
-SHARED_CONSTANT uint subsurface_has_looks = 1U; // there are several parameter sets
+SHARED_CONSTANT uint subsurface_has_variants = 1U; // there are several parameter sets
 SHARED_CONSTANT uint subsurface_is_upright = 2U;
 SHARED_CONSTANT uint subsurface_shines = 4U;  // light is transmitted from the far side
 SHARED_CONSTANT uint subsurface_spreads = 8U; // light spreads below the surface
@@ -53,7 +53,7 @@ SHARED_CONSTANT uint subsurface_looks_less = 16U;
 SHARED_CONSTANT uint subsurface_in_perspective = 32U;
 
 #ifdef __cplusplus
-static_assert(sizeof(SubsurfaceLook) == 48);
+static_assert(sizeof(SubsurfaceParameters) == 48);
 } // namespace estampe::shared
 #endif
 

@@ -39,7 +39,7 @@ struct SubsurfaceStyle {
 [[nodiscard]] const style::Table<SubsurfaceStyle>& subsurface_table();
 
 /// Converts a style to shader parameters.
-[[nodiscard]] shared::SubsurfaceLook look_of(const SubsurfaceStyle& style);
+[[nodiscard]] shared::SubsurfaceParameters parameters_of(const SubsurfaceStyle& style);
 
 /// The style for a material with transmission. `color_share` is the share of the material's colours that the
 /// picture paints; at 0 the body does not tint the background.
@@ -66,8 +66,8 @@ struct SubsurfaceInputs {
     gpu::ImageId draw;
     gpu::ImageId depth;
     gpu::ImageId normal;
-    gpu::BufferId looks;                       ///< SubsurfaceLook, one per parameter set
-    std::optional<gpu::BufferId> look_of_draw; ///< set of each draw call; none if there is one set
+    gpu::BufferId parameters;                     ///< SubsurfaceParameters, one per parameter set
+    std::optional<gpu::BufferId> variant_of_draw; ///< set of each draw call; none if there is one set
     float reach_mm = 20.0F;
     float pixels_per_mm = 1.0F;
     glm::uvec2 size_px{0};
@@ -151,10 +151,10 @@ struct TextureInputs {
     gpu::BufferId posed_vertices;
     gpu::BufferId draws;
     gpu::BufferId materials;
-    gpu::BufferId looks;                       ///< SubsurfaceLook, one per parameter set
-    std::optional<gpu::BufferId> look_of_draw; ///< set of each draw call; none if there is one set
-    uint32_t size = 0;                         ///< texels per side
-    float most_spread_tx = 1.0F;               ///< largest scattering distance of all colours and sets
+    gpu::BufferId parameters;                     ///< SubsurfaceParameters, one per parameter set
+    std::optional<gpu::BufferId> variant_of_draw; ///< set of each draw call; none if there is one set
+    uint32_t size = 0;                            ///< texels per side
+    float most_spread_tx = 1.0F;                  ///< largest scattering distance of all colours and sets
 };
 
 /// The map's texels as surfaces to light; all images have the map's size.

@@ -55,7 +55,8 @@ Far far_side_of(const Scene& scene, const Camera& camera, const SubsurfaceStyle&
     });
     auto far_light = test::Layer::color(half_px, [](glm::uvec2) { return glm::vec4(1.0F); });
     auto frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{drawing.globals});
-    auto looks = gpu::upload_buffer(test::shared_device(), "looks", std::vector{look_of(style)});
+    auto parameters =
+        gpu::upload_buffer(test::shared_device(), "subsurface parameters", std::vector{parameters_of(style)});
     std::vector<uint64_t> words = drawing.visibility();
     words.resize((words.size() + 1) / 2 * 2);
     auto visibility = gpu::upload_buffer(test::shared_device(), "visibility", words);
@@ -78,8 +79,9 @@ Far far_side_of(const Scene& scene, const Camera& camera, const SubsurfaceStyle&
                                       .draw = draw.in(graph),
                                       .depth = depth.in(graph),
                                       .normal = normal.in(graph),
-                                      .looks = gpu::import_whole(graph, "looks", looks),
-                                      .look_of_draw = std::nullopt,
+                                      .parameters =
+                                          gpu::import_whole(graph, "subsurface parameters", parameters),
+                                      .variant_of_draw = std::nullopt,
                                       .size_px = through_px};
         const FarSide far_side = add_far_side(graph, inputs, behind, meshes.triangles, meshes.posed_vertices);
         if (wanted == 0) {

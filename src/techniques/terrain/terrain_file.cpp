@@ -27,8 +27,8 @@ const style::Table<TerrainWind>& wind_table()
 {
     static const auto table =
         style::Table<TerrainWind>("wind", "Wind over the ground, along which dunes and ripples move")
-            .number("direction_deg", &TerrainWind::direction_deg, {-360.0F, 360.0F}, "deg",
-                    "Direction towards which the wind over the ground blows: 0 is +x, 90 is +z")
+            .number("towards_deg", &TerrainWind::towards_deg, {-360.0F, 360.0F}, "deg",
+                    "Direction towards which the wind over the ground blows: 0 is +z, 90 is +x")
             .number("speed_m_per_s", &TerrainWind::speed_m_per_s, {0.0F, 100.0F}, "m/s",
                     "Speed of the wind over the ground. The formulas of heights call this value `wind`. From "
                     "6 m/s on, sand drifts off crests.");
@@ -158,6 +158,10 @@ void set_by(const style::Table<Struct>& table, const Entry& entry, Struct& targe
             return;
         }
         known.push_back(parameter.key);
+    }
+    if (table.section() == "wind" && entry.key == "direction_deg") {
+        throw Error("this key of older files counted from +x", entry.key_where,
+                    "write towards_deg = 90 - direction_deg, which counts from +z like all bearings");
     }
     fail_unknown(entry.key, entry.key_where, known);
 }

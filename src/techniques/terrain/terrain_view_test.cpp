@@ -17,7 +17,7 @@ height = "swell + great"
 swell = "6 * fbm(600, octaves = 2)"
 great = "warp(dunes(85, 10, meander = 0.35, variation = 0.9, crest = 150), 14 * noise(260), 0)"
 [wind]
-direction_deg = 20
+towards_deg = 70
 )toml";
 
 glm::dvec3 sun_at(double azimuth_rad, double elevation_rad)

@@ -35,7 +35,7 @@ layout(binding = 4) uniform sampler2D light_image;
 layout(binding = 7) uniform sampler2D background_image;
 layout(binding = 8) uniform sampler2D screen_image;
 layout(binding = 9, rgba16f) writeonly uniform image2D out_wash;
-layout(binding = 10) uniform usamplerBuffer look_texels; // one per draw
+layout(binding = 10) uniform usamplerBuffer variant_texels; // one per draw
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -46,7 +46,7 @@ layout(constant_id = 0) const uint variant = 0u;
 const bool has_air = (variant & wash_has_air) != 0u;
 const bool has_screen = (variant & wash_has_screen) != 0u;
 const bool has_background = (variant & wash_has_background) != 0u;
-const bool is_of_one_look = (variant & wash_is_of_one_look) != 0u;
+const bool is_of_one_variant = (variant & wash_is_of_one_variant) != 0u;
 const bool keeps_cover = (variant & wash_keeps_cover) != 0u;
 
 float darkness_at(ivec2 pixel)
@@ -95,8 +95,8 @@ void main()
         return;
     }
     uint word = texelFetch(draw_image, pixel, 0).x;
-    if (is_of_one_look &&
-        (!sees_draw(word) || texelFetch(look_texels, int(draw_of(word))).x != constants.look)) {
+    if (is_of_one_variant &&
+        (!sees_draw(word) || texelFetch(variant_texels, int(draw_of(word))).x != constants.style_variant)) {
         return;
     }
     vec3 through = vec3(1.0);

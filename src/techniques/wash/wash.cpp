@@ -10,10 +10,10 @@ namespace estampe::wash {
 namespace {
 
 /// Paints the surfaces of one style variant over the wash of the variants before.
-gpu::ImageId add_look(gpu::Graph& graph, const WashInputs& in, const LookWash& look, uint32_t number,
-                      std::optional<gpu::ImageId> before)
+gpu::ImageId add_variant(gpu::Graph& graph, const WashInputs& in, const WashVariant& variant, uint32_t number,
+                         std::optional<gpu::ImageId> before)
 {
-    const WashStyle& style = look.style;
+    const WashStyle& style = variant.style;
     auto pass = graph.compute("wash", shaders::wash_comp);
     pass.uniform(in.frame).sample(in.draw).sample(in.depth).sample(in.color).sample(in.light);
     pass.sample(in.draws).sample(in.materials).sample(in.background).sample(in.screen);
@@ -22,12 +22,12 @@ gpu::ImageId add_look(gpu::Graph& graph, const WashInputs& in, const LookWash& l
             ? pass.modify(*before)
             : pass.write(graph.image(
                   "wash", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
-    pass.sample(in.look_of_draw.value_or(in.draws), gpu::Format::r32ui);
+    pass.sample(in.variant_of_draw.value_or(in.draws), gpu::Format::r32ui);
     pass.variant(
         (style.air > 0.0F ? shared::wash_has_air : 0U) | (in.has_screen ? shared::wash_has_screen : 0U) |
-        (in.has_background ? shared::wash_has_background : 0U) | (before ? shared::wash_is_of_one_look : 0U) |
-        (in.keeps_cover ? shared::wash_keeps_cover : 0U));
-    pass.push(shared::WashConstants{.tone = look.tone,
+        (in.has_background ? shared::wash_has_background : 0U) |
+        (before ? shared::wash_is_of_one_variant : 0U) | (in.keeps_cover ? shared::wash_keeps_cover : 0U));
+    pass.push(shared::WashConstants{.tone = variant.tone,
                                     .shadow_tint = style.shadow_tint,
                                     .shadow_from = style.shadow_from,
                                     .softness = style.softness,
@@ -40,18 +40,18 @@ gpu::ImageId add_look(gpu::Graph& graph, const WashInputs& in, const LookWash& l
                                     .air = style.air,
                                     .air_color = style.air_color,
                                     .air_distance_m = style.air_distance_m,
-                                    .look = number})
+                                    .style_variant = number})
         .dispatch_over_page(in.size_px.x, in.size_px.y);
     return wash;
 }
 
 } // namespace
 
-gpu::ImageId add_wash(gpu::Graph& graph, const WashInputs& in, const std::vector<LookWash>& looks)
+gpu::ImageId add_wash(gpu::Graph& graph, const WashInputs& in, const std::vector<WashVariant>& variants)
 {
     std::optional<gpu::ImageId> wash;
-    for (uint32_t look = 0; look < looks.size(); ++look) {
-        wash = add_look(graph, in, looks[look], look, wash);
+    for (uint32_t variant = 0; variant < variants.size(); ++variant) {
+        wash = add_variant(graph, in, variants[variant], variant, wash);
     }
     return wash.value();
 }

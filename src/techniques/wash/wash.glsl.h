@@ -13,8 +13,8 @@ namespace estampe::shared {
 SHARED_CONSTANT uint wash_has_air = 1U << 0U;    // colours turn pale with distance
 SHARED_CONSTANT uint wash_has_screen = 1U << 1U; // there are transparent surfaces
 SHARED_CONSTANT uint wash_has_background = 1U << 2U;
-SHARED_CONSTANT uint wash_is_of_one_look = 1U << 3U; // paint only the variant `look`
-SHARED_CONSTANT uint wash_keeps_cover = 1U << 4U;    // alpha is the coverage of objects
+SHARED_CONSTANT uint wash_is_of_one_variant = 1U << 3U; // paint only the variant `style_variant`
+SHARED_CONSTANT uint wash_keeps_cover = 1U << 4U;       // alpha is the coverage of objects
 
 struct WashConstants {
     ToneConstants tone;
@@ -30,7 +30,7 @@ struct WashConstants {
     float air;         // share of air_color at infinite distance
     vec3 air_color;
     float air_distance_m;
-    uint look; // style variant to paint
+    uint style_variant; // style variant to paint
 };
 
 #ifdef __cplusplus

@@ -41,11 +41,11 @@ struct WashInputs {
     bool has_background = true; ///< false means bare paper
     bool keeps_cover = false;   ///< alpha is the coverage of objects; bare ground covers nothing
     glm::uvec2 size_px{0};
-    std::optional<gpu::BufferId> look_of_draw; ///< r32ui texels; given if there are several style variants
+    std::optional<gpu::BufferId> variant_of_draw; ///< r32ui texels; given if there are several style variants
 };
 
 /// How the surfaces of one style variant are painted.
-struct LookWash {
+struct WashVariant {
     WashStyle style;
     shared::ToneConstants tone;
 };
@@ -56,6 +56,6 @@ struct LookWash {
 ///         `keeps_cover` it is the coverage of objects, transparent ones included
 /// Cost    one full-screen dispatch per style variant
 [[nodiscard]] gpu::ImageId add_wash(gpu::Graph& graph, const WashInputs& in,
-                                    const std::vector<LookWash>& looks);
+                                    const std::vector<WashVariant>& variants);
 
 } // namespace estampe::wash

@@ -81,8 +81,7 @@ TEST(ClothFlow, EvenAirInABoxIsAsEvenWind)
         const float turn_rad = 0.7F;
         Lab blown(sheet);
         blown.air.air_kg_m3 = 1.2F;
-        blown.air.wind = {
-            .speed_m_per_s = 3.0F, .direction_deg = 50.0F, .gustiness = 0.0F, .turbulence = 0.0F};
+        blown.air.wind = {.speed_m_per_s = 3.0F, .towards_deg = 40.0F, .gustiness = 0.0F, .turbulence = 0.0F};
         const float angle_rad = glm::radians(50.0F);
         const glm::vec3 wind_m_per_s(3.0F * std::cos(angle_rad), 0.0F, 3.0F * std::sin(angle_rad));
         const glm::mat3 turned_back(glm::rotate(glm::mat4(1.0F), -turn_rad, glm::vec3(0.0F, 1.0F, 0.0F)));

@@ -139,7 +139,7 @@ TEST(ClothSolids, HeightsFarBelowAreLeftOutToTheBit)
             lab.cloths().set_wide(test::shared_device(), is_wide);
             lab.cloths().set_grids(test::shared_device(), {&grid, 1});
             lab.air.air_kg_m3 = 1.2F;
-            lab.air.wind = {.speed_m_per_s = 3.0F, .direction_deg = 70.0F};
+            lab.air.wind = {.speed_m_per_s = 3.0F, .towards_deg = 20.0F};
             std::vector<std::vector<glm::dvec3>> places;
             for (int i = 0; i < 5; ++i) {
                 std::vector<Solid> solids(others, ball({90.0F, 0.0F, 0.0F}, 0.5F));
@@ -261,7 +261,7 @@ double least_gap_m(float self_m)
                              {.friction = 0.6F, .self_m = self_m});
     Lab lab(sheet);
     lab.air.air_kg_m3 = 1.2F;
-    lab.air.wind = {.speed_m_per_s = 0.3F, .direction_deg = 90.0F, .gustiness = 0.0F, .turbulence = 0.0F};
+    lab.air.wind = {.speed_m_per_s = 0.3F, .towards_deg = 0.0F, .gustiness = 0.0F, .turbulence = 0.0F};
     lab.cloths().set_solids(test::shared_device(), std::array{below({}, {0.0F, 1.0F, 0.0F})});
     const State state = lab.run(1.5);
     double least_m = 1.0;

@@ -131,7 +131,7 @@ std::vector<Reason> reasons()
         {"wind",
          [](Lab& lab) {
              lab.air.air_kg_m3 = 1.2F;
-             lab.air.wind = {.speed_m_per_s = 1.0F, .direction_deg = 90.0F};
+             lab.air.wind = {.speed_m_per_s = 1.0F, .towards_deg = 0.0F};
          }},
         {"a held edge",
          [](Lab& lab) { lab.move_to([](glm::vec3 rest) { return rest + glm::vec3(0.0F, 0.0F, 2e-3F); }); }},

@@ -130,7 +130,7 @@ TEST(ClothTear, NothingIsTornByLess)
             Lab falling(is_grid ? lying : out_of_rank(lying, 1e-3F));
             falling.air.air_kg_m3 = 1.2F;
             falling.air.effort = tear > 0.0F ? 1.0F : 4.0F; // as many small steps
-            falling.air.wind = {.speed_m_per_s = 3.0F};
+            falling.air.wind = {.speed_m_per_s = 3.0F, .towards_deg = 70.0F};
             falling.cloths().set_solids(test::shared_device(), std::array{ball({0.1F, -0.4F, 0.0F}, 0.2F)});
             return falling.run(0.22).places_m;
         };
@@ -162,7 +162,7 @@ Pulled pull(float side, ClothSolver solver)
     lab.cloths().set_solver(test::shared_device(), solver);
     lab.air.air_kg_m3 = 1.2F;
     lab.air.wind = {.speed_m_per_s = 3.0F,
-                    .direction_deg = side > 0.0F ? 50.0F : 130.0F,
+                    .towards_deg = side > 0.0F ? 40.0F : -40.0F,
                     .gustiness = 0.0F,
                     .turbulence = 0.0F};
     for (int i = 1; i <= 20; ++i) {

@@ -65,12 +65,12 @@ SHARED_CONSTANT uint shape_swells_in_turns = 1U << 7U;
 SHARED_CONSTANT uint shape_is_even_in_shade = 1U << 8U; // strokes do not get wider in the dark
 SHARED_CONSTANT uint shape_is_hidden = 1U << 9U;        // these are hidden lines
 SHARED_CONSTANT uint shape_stretches = 1U << 10U;       // brushes stretch over the whole stroke
-SHARED_CONSTANT uint shape_has_looks = 1U << 11U;       // surfaces have different style variants
+SHARED_CONSTANT uint shape_has_variants = 1U << 11U;    // surfaces have different style variants
 
 SHARED_CONSTANT uint joints_has_brushes = 1U << 0U; // their corners are not mitred
 
 SHARED_CONSTANT uint ink_layer_has_own_outlines = 1U << 0U; // some material has its own outline
-SHARED_CONSTANT uint ink_layer_has_looks = 1U << 1U;        // surfaces have different style variants
+SHARED_CONSTANT uint ink_layer_has_variants = 1U << 1U;     // surfaces have different style variants
 
 // Chains, and all lists from which they are made or that are made from them.
 
@@ -220,7 +220,7 @@ struct RecallConstants {
 struct LinePoint {
     vec2 page_px;
     float half_width_px;
-    uint ink; // see ink_of_look
+    uint ink; // see ink_of_variant
 };
 
 // Bits of LineTouch::uses.
@@ -330,7 +330,7 @@ struct PartConstants {
 };
 
 // Line widths and ink of a style variant (look), in four texels of 16 bytes.
-struct LineLook {
+struct VariantLines {
     float width_of_kind[line_kind_count]; // full widths in pixels or metres
     uint metre_kinds;                     // bit mask of the kinds whose width is in metres
     vec3 ink;
@@ -339,7 +339,7 @@ struct LineLook {
 
 // Ink of a LinePoint: 0 is the style's, a material's index + 1 that of the material; with this bit set, that
 // of a style variant.
-SHARED_CONSTANT uint ink_of_look = 0x8000U;
+SHARED_CONSTANT uint ink_of_variant = 0x8000U;
 
 struct InkConstants {
     uint width;
@@ -368,7 +368,7 @@ static_assert(sizeof(VertexBending) == 32);
 static_assert(sizeof(LineSample) == 32);
 static_assert(sizeof(Stroke) == 24);
 static_assert(sizeof(DrawnSample) == 28);
-static_assert(sizeof(LineLook) == 64);
+static_assert(sizeof(VariantLines) == 64);
 static_assert(sizeof(ShapeConstants) <= 128);
 static_assert(sizeof(BrushConstants) <= 128);
 } // namespace estampe::shared

@@ -104,12 +104,12 @@ bool goes_on(Spot a, Spot b, bool is_down, out Turn turn)
 }
 
 // Width in pixels of the line at number * half of 2^level; 0 if the pixel has no such line.
-float width_at(LineField field, LineLook look, DrawnLines drawn, float dark, int number, int level,
+float width_at(LineField field, HatchLineStyle style, DrawnLines drawn, float dark, int number, int level,
                uint identity)
 {
     int above = drawn.lines.level - level;
     bool is_there = dark > 0.0 && above < 31 && (number & ((1 << (above & 31)) - 1)) == 0;
-    float width = drawn_width(field, look, drawn, number >> (above & 31), identity);
+    float width = drawn_width(field, style, drawn, number >> (above & 31), identity);
     return is_there ? width / max(field.v_per_px, 1e-12) : 0.0;
 }
 
@@ -129,14 +129,14 @@ void list(uint edge, uint word, uint family, int number, int exponent, float alo
 // Finds a family's crossings between a and b; `part` limits the part of the way that counts.
 void trace_family(Spot a, Spot b, float dark_a, float dark_b, Turn turn, uint family, uint edge, vec2 part)
 {
-    LineLook look = line_look();
+    HatchLineStyle style = line_style();
     uint kind = strokes_of(a.word);
     towards_light = a.towards_light;
     LineField field_a = family_field(a.p, a.f, kind, family);
     LineField field_b = family_field(b.p, b.f, kind, family);
     LineField shifted = family_field(turn.sign * b.p + turn.shift, b.f, kind, family);
-    DrawnLines drawn_a = drawn_lines(field_a, look, dark_a);
-    DrawnLines drawn_b = drawn_lines(field_b, look, dark_b);
+    DrawnLines drawn_a = drawn_lines(field_a, style, dark_a);
+    DrawnLines drawn_b = drawn_lines(field_b, style, dark_b);
     Lines finest = drawn_a.lines;
     finest.level = dark_a <= 0.0   ? drawn_b.lines.level
                    : dark_b <= 0.0 ? drawn_a.lines.level
@@ -161,8 +161,8 @@ void trace_family(Spot a, Spot b, float dark_a, float dark_b, Turn turn, uint fa
         if ((off_a < 0.0) == (off_b < 0.0) || along < part.x || along > part.y) {
             continue;
         }
-        float width_a = width_at(field_a, look, drawn_a, dark_a, i, finest.level, identity_a);
-        float width_b = width_at(field_b, look, drawn_b, dark_b, i_b, finest.level, identity_b);
+        float width_a = width_at(field_a, style, drawn_a, dark_a, i, finest.level, identity_a);
+        float width_b = width_at(field_b, style, drawn_b, dark_b, i_b, finest.level, identity_b);
         float width_px = mix(width_a, width_b, along);
         if (width_px > least_width_px) {
             int count = 1 << clamp(1 - finest.level, 0, 30);

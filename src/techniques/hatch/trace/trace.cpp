@@ -190,12 +190,12 @@ gpu::BufferId add_crossings(gpu::Graph& graph, const HatchInputs& in, const Hatc
 
 } // namespace
 
-gpu::BufferId add_trace(gpu::Graph& graph, const HatchInputs& in, const std::vector<LookHatch>& looks,
+gpu::BufferId add_trace(gpu::Graph& graph, const HatchInputs& in, const std::vector<HatchVariant>& variants,
                         uint64_t most_bytes)
 {
-    float width_px = looks.front().style.width_mm * in.pixels_per_mm;
-    for (const LookHatch& look : looks) {
-        width_px = std::min(width_px, look.style.width_mm * in.pixels_per_mm);
+    float width_px = variants.front().style.width_mm * in.pixels_per_mm;
+    for (const HatchVariant& variant : variants) {
+        width_px = std::min(width_px, variant.style.width_mm * in.pixels_per_mm);
     }
     const double per_pixel = std::clamp(crossings_per_width / width_px, 2.0F, 64.0F);
     const uint64_t room = std::min(static_cast<uint64_t>(per_pixel * in.size_px.x * in.size_px.y),
@@ -207,10 +207,10 @@ gpu::BufferId add_trace(gpu::Graph& graph, const HatchInputs& in, const std::vec
     clear.execute([crossings](gpu::Recorder& recorder) {
         vkCmdFillBuffer(recorder.commands(), recorder.buffer(crossings).handle(), 0, sizeof(uint32_t), 0);
     });
-    for (uint32_t look = 0; look < looks.size(); ++look) {
-        if (looks[look].style.enabled) {
-            crossings =
-                add_crossings(graph, inputs_of_look(in, looks, look, {}), looks[look].style, crossings);
+    for (uint32_t variant = 0; variant < variants.size(); ++variant) {
+        if (variants[variant].style.enabled) {
+            crossings = add_crossings(graph, inputs_of_variant(in, variants, variant, {}),
+                                      variants[variant].style, crossings);
         }
     }
     return crossings;

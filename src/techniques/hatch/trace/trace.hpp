@@ -21,7 +21,7 @@ namespace estampe::hatch {
 ///         than a pixel, at most `most_bytes`
 /// Source  marching squares: Lorensen and Cline, "Marching Cubes", SIGGRAPH 1987
 [[nodiscard]] gpu::BufferId add_trace(gpu::Graph& graph, const HatchInputs& in,
-                                      const std::vector<LookHatch>& looks, uint64_t most_bytes);
+                                      const std::vector<HatchVariant>& variants, uint64_t most_bytes);
 
 struct TracedPoint {
     glm::vec2 page_px{0.0F};

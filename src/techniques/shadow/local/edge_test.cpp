@@ -107,7 +107,7 @@ TEST(Teeth, OnAWrappingCoordinateIgnoreWholeNumbersAndSign)
     }
 }
 
-TEST(EdgeLook, StrokesWithoutLinesAreWaves)
+TEST(EdgeProfile, StrokesWithoutLinesAreWaves)
 {
     const ShadowStyle strokes{.edge = Edge::strokes};
     EXPECT_EQ(shadow_variant({}, HatchedLines{}), 0U);
@@ -119,8 +119,8 @@ TEST(EdgeLook, StrokesWithoutLinesAreWaves)
     EXPECT_EQ(lamps_variant(std::vector(2, shared::LocalShadow{})), 0U);
     EXPECT_EQ(lamps_variant(std::vector{shared::LocalShadow{}, shared::LocalShadow{.radius_m = 0.1F}}),
               shared::light_has_soft_lamps);
-    EXPECT_FLOAT_EQ(edge_look(strokes, HatchedLines{.width_mm = 0.4F}, 10.0F).width_px, 4.0F);
-    EXPECT_FLOAT_EQ(edge_look(strokes, std::nullopt, 10.0F).amplitude_px, 10.0F);
+    EXPECT_FLOAT_EQ(edge_profile(strokes, HatchedLines{.width_mm = 0.4F}, 10.0F).width_px, 4.0F);
+    EXPECT_FLOAT_EQ(edge_profile(strokes, std::nullopt, 10.0F).amplitude_px, 10.0F);
 }
 
 } // namespace

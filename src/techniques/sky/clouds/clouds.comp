@@ -99,8 +99,8 @@ float streaks_along(StreakLayer layer, vec3 d, vec3 right, vec3 down)
     float pen = layer.width_px;
     float away_m = layer.base_m / max(d.y, 1e-3);
     float dark = density_at(layer, here) * (1.0 - smoothstep(0.8, 2.5, away_m / clouds.reach_m));
-    return line_ink(field, LineLook(pen, 0.6 * pen, 10.0 * pen, 90.0 * pen, 120.0 * pen, 0.6, 0.0), dark,
-                    91u);
+    return line_ink(field, HatchLineStyle(pen, 0.6 * pen, 10.0 * pen, 90.0 * pen, 120.0 * pen, 0.6, 0.0),
+                    dark, 91u);
 }
 
 #include "techniques/sky/vault.glsl"

@@ -42,10 +42,9 @@ const style::Table<CloudStyle>& cloud_table()
                     "Width of a bundle of white streaks in the sky (cirrus)")
             .number("streaks_mm", &CloudStyle::streaks_mm, {0.05F, 10.0F}, "mm",
                     "Width of a single white streak (cirrus) on the page")
-            .number("wind_m_per_s", &CloudStyle::wind_m_per_s, {0.0F, 1000.0F}, "m/s",
-                    "Speed at which all clouds drift")
-            .number("wind_deg", &CloudStyle::wind_deg, {-360.0F, 360.0F}, "deg",
-                    "Direction towards which clouds drift: 0 is +z, 90 is +x")
+            .number("wind_m_per_s", &CloudStyle::wind_m_per_s, {-1.0F, 1000.0F}, "m/s",
+                    "Speed at which all clouds drift with the wind (see wind.towards_deg). -1 takes the "
+                    "speed from wind.speed_m_per_s.")
             .number(
                 "change_s", &CloudStyle::change_s, {1.0F, 1000000.0F}, "s",
                 "Time in which clouds change their shape into another and back again: less changes faster")
@@ -138,9 +137,9 @@ struct Wind {
 
 Wind wind_of(const CloudStyle& style, double time_s)
 {
-    const double bearing = glm::radians(static_cast<double>(style.wind_deg));
+    const double bearing = glm::radians(static_cast<double>(style.wind.towards_deg));
     return {.along = {std::sin(bearing), std::cos(bearing)},
-            .drifted_m = static_cast<double>(style.wind_m_per_s) * time_s};
+            .drifted_m = static_cast<double>(wind::speed_m_per_s(style.wind, style.wind_m_per_s)) * time_s};
 }
 
 /// Appends lists of puffs; returns the index of their first cell.
@@ -242,10 +241,10 @@ void set_colors(shared::CloudGlobals& globals, const CloudStyle& style, const Cl
         const auto deg = static_cast<float>(glm::degrees(*view.follows_elevation_rad));
         const float low = 1.0F - glm::smoothstep(4.0F, 25.0F, deg);
         const float night = 1.0F - glm::smoothstep(-8.0F, 1.0F, deg);
-        lit = glm::mix(lit, view.look.horizon, 0.3F * low);
-        lit = glm::mix(lit, glm::mix(view.look.zenith, view.look.horizon, 0.8F), 0.85F * night);
-        shade = glm::mix(shade, view.look.zenith, 0.25F * low);
-        shade = glm::mix(shade, glm::mix(view.look.zenith, view.look.horizon, 0.4F), 0.85F * night);
+        lit = glm::mix(lit, view.colors.horizon, 0.3F * low);
+        lit = glm::mix(lit, glm::mix(view.colors.zenith, view.colors.horizon, 0.8F), 0.85F * night);
+        shade = glm::mix(shade, view.colors.zenith, 0.25F * low);
+        shade = glm::mix(shade, glm::mix(view.colors.zenith, view.colors.horizon, 0.4F), 0.85F * night);
     }
     globals.lit_color = lit;
     globals.shade_color = shade;

@@ -15,6 +15,7 @@
 #include "style/parameter.hpp"
 #include "techniques/sky/sky.glsl.h"
 #include "techniques/sky/sky.hpp"
+#include "techniques/wind/wind_style.hpp"
 
 namespace estampe::sky {
 
@@ -31,7 +32,7 @@ struct CloudStyle {
     float streaks_size_m = 9000.0F;
     float streaks_mm = 0.9F;
     float wind_m_per_s = 9.0F;
-    float wind_deg = 90.0F;
+    wind::Wind wind; ///< of the scene; no key of its own
     float change_s = 3600.0F;
     glm::vec3 color = style::srgb(0xffffff);
     glm::vec3 shade_color = style::srgb(0xc4cfd0);
@@ -57,7 +58,7 @@ struct CloudView {
     glm::vec3 towards_sun{0.0F, 1.0F, 0.0F};
     /// Elevation of the sun that colours follow; none: fixed colours.
     std::optional<double> follows_elevation_rad;
-    SkyLook look; ///< colours of the sky behind the clouds
+    SkyColors colors; ///< colours of the sky behind the clouds
     float pixels_per_mm = 1.0F;
 };
 

@@ -99,7 +99,7 @@ TEST(Clouds, DriftAsFastAsTheWindAndPassOverAnEyeThatMoves)
 {
     CloudStyle style = all_kinds;
     style.wind_m_per_s = 20.0F;
-    style.wind_deg = 60.0F;
+    style.wind.towards_deg = 60.0F;
     style.change_s = 1e6F;
     const View view{.camera = looking(14.0, 30.0, 0.7), .size_px = {160, 100}};
     View moved = view;
@@ -126,7 +126,7 @@ TEST(Clouds, LookTheSameInEveryBearing)
         camera.eye = glm::dvec3(0.0, 2.0, 0.0);
         camera.target += camera.eye;
         // Cameras count their bearings from -z.
-        style.wind_deg = static_cast<float>(180.0 - bearing_deg + 30.0);
+        style.wind.towards_deg = static_cast<float>(180.0 - bearing_deg + 30.0);
         return paint({.camera = camera, .size_px = {120, 80}}, style);
     };
     const Painted north = towards(0.0);
@@ -212,7 +212,8 @@ TEST(Clouds, CoverWhereARayMeetsAnyPuffOfAll)
     }
     const auto shapes = std::make_shared<CloudShapes>();
     const CloudShapes::Layer layer = shapes->add(puffs, cells);
-    CloudStyle style{.coverage = 0.5F, .size_m = 6.0F * cell_m, .wind_deg = 0.0F, .color = glm::vec3(1.0F)};
+    CloudStyle style{
+        .coverage = 0.5F, .size_m = 6.0F * cell_m, .wind = {.towards_deg = 0.0F}, .color = glm::vec3(1.0F)};
     style.tones = 1;
     style.outline_mm = 0.0F;
     style.reach_m = 2e5F;

@@ -44,7 +44,8 @@ public:
                                     .depth_m = 0.0F};
         gpu::Device& device = test::shared_device();
         auto light = test::Layer::color(glm::uvec2(size), paint);
-        auto looks = gpu::upload_buffer(device, "looks", std::vector{look_of(style)});
+        auto parameters =
+            gpu::upload_buffer(device, "subsurface parameters", std::vector{parameters_of(style)});
         auto vertices = gpu::upload_buffer(device, "posed", posed);
         auto triangles = gpu::upload_buffer(device, "triangles", drawing.layout.triangles);
         auto draws = gpu::upload_buffer(device, "draws", drawing.pose.draws);
@@ -57,8 +58,8 @@ public:
                                .posed_vertices = gpu::import_whole(graph, "posed", vertices),
                                .draws = gpu::import_whole(graph, "draws", draws),
                                .materials = gpu::import_whole(graph, "materials", materials),
-                               .looks = gpu::import_whole(graph, "looks", looks),
-                               .look_of_draw = std::nullopt,
+                               .parameters = gpu::import_whole(graph, "subsurface parameters", parameters),
+                               .variant_of_draw = std::nullopt,
                                .size = size,
                                .most_spread_tx = scatter_tx};
         const TextureSurface surface = add_texture_surface(graph, in);

@@ -12,10 +12,10 @@ layout(binding = 0) uniform usampler2D draw_image;
 layout(binding = 1) uniform sampler2D point_image;
 layout(binding = 2) uniform sampler2D light_image;
 
-#define LOOKS_BINDING 3
-#define HAS_LOOKS ((variant & subsurface_has_looks) != 0u)
+#define PARAMETERS_BINDING 3
+#define HAS_VARIANTS ((variant & subsurface_has_variants) != 0u)
 layout(constant_id = 0) const uint variant = 0u;
-#include "techniques/subsurface/looks.glsl"
+#include "techniques/subsurface/parameters.glsl"
 
 layout(binding = 5, rgba32f) writeonly uniform image2D out_light; // light; alpha 1 where it spreads
 // Scattering distance per colour, in texels; texel size.
@@ -36,7 +36,7 @@ void main()
         return;
     }
     uint word = texelFetch(draw_image, texel, 0).x;
-    vec3 scatter_m = takes_light_in(word) ? look_scatter(look_of(word)).rgb : vec3(0.0);
+    vec3 scatter_m = takes_light_in(word) ? scatter_of(style_variant_of(word)).rgb : vec3(0.0);
     float is_there = scatter_m != vec3(0.0) ? 1.0 : 0.0;
     float texel_m = texelFetch(point_image, texel, 0).w;
     vec3 spread = min(scatter_m / max(texel_m, 1e-12), vec3(constants.most_tx));

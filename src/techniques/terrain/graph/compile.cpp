@@ -188,7 +188,10 @@ private:
         }
     }
 
-    [[nodiscard]] double wind_rad() const { return terrain_.wind.direction_deg * std::numbers::pi / 180.0; }
+    [[nodiscard]] double wind_rad() const
+    {
+        return (90.0F - terrain_.wind.towards_deg) * std::numbers::pi / 180.0;
+    }
 
     Frame inner_frame(const NodeKind& kind, const Arguments& arguments, const Frame& frame)
     {

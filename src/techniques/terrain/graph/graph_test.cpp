@@ -177,6 +177,9 @@ TEST(HeightGraph, SaysWhatIsWrong)
               "itself");
     EXPECT_EQ(problem_of("[terrain]\nheight = '1'\nheigth = 2\n"),
               "bad.toml:3:1: unknown key or section \"heigth\"; did you mean \"height\"?");
+    EXPECT_EQ(problem_of("[terrain]\nheight = '1'\n[wind]\ndirection_deg = 20\n"),
+              "bad.toml:4:1: this key of older files counted from +x; write towards_deg = 90 - "
+              "direction_deg, which counts from +z like all bearings");
     EXPECT_EQ(problem_of("[nodes]\na = '1'\n"),
               "bad.toml: no node \"height\"; say what the height is: height = \"6 * fbm(400)\"");
     EXPECT_EQ(problem_of("[terrain]\nheight = '1'\n[nodes]\nfbm = '1'\n"),
@@ -187,7 +190,7 @@ TEST(HeightGraph, IsSavedAsItWas)
 {
     const std::string toml =
         "[terrain]\nheight = \"swell + texture('a\\\\b.png', 3)\"\n[nodes]\nswell = \"4\"\n"
-        "[wind]\ndirection_deg = 30\n[mesh]\ncells = 64\n";
+        "[wind]\ntowards_deg = 60\n[mesh]\ncells = 64\n";
     const TerrainDescription once = parse_terrain(toml, "saved.toml");
     const TerrainDescription again = parse_terrain(terrain_toml(once), "saved.toml");
     ASSERT_EQ(again.nodes.size(), 2U);
@@ -244,8 +247,7 @@ TEST(HeightGraph, MasksArePainted)
 
 TEST(Dunes, SlipAtTheAngleOfReposeAndGoWithTheWind)
 {
-    const Terrain terrain =
-        made_of("dunes(80, 7, celerity = 2, repose = 32)", "[wind]\ndirection_deg = 20\n");
+    const Terrain terrain = made_of("dunes(80, 7, celerity = 2, repose = 32)", "[wind]\ntowards_deg = 70\n");
     int steep = 0, beyond = 0, slipping = 0;
     double steepest = 0.0;
     for (int i = 0; i < 40000; ++i) {

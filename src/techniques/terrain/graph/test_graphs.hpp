@@ -25,7 +25,7 @@ height = "3 * cellular(25) + 0.5 * smoothstep(0.2, 0.9, cellular(11, seed = 2))"
         {"frames", R"toml([terrain]
 height = "rotate(scale(5 * noise(10), 2, 4), 33) + translate(2 * sine(9), 3 * time, 1) + downwind(sine(21))"
 [wind]
-direction_deg = 77
+towards_deg = 13
 )toml"},
         {"warps", R"toml([terrain]
 height = "warp(rotate(4 * sine(30), 50), 6 * noise(40), 5 * noise(40, seed = 1)) + translate(sine(17), noise(50), 0)"
@@ -42,7 +42,7 @@ b = "noise(23, seed = 9)"
         {"dunes", R"toml([terrain]
 height = "dunes(70, 6, celerity = 0.5) + dunes(14, 0.5, celerity = 0.9, seed = 4) + 2 * fbm(300, octaves = 2)"
 [wind]
-direction_deg = 25
+towards_deg = 65
 )toml"},
     };
 }

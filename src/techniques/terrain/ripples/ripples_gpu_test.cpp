@@ -73,7 +73,7 @@ struct SeenPlane {
 TerrainDescription dunes()
 {
     TerrainDescription terrain;
-    terrain.wind.direction_deg = 20.0F;
+    terrain.wind.towards_deg = 70.0F;
     return terrain;
 }
 

@@ -91,7 +91,7 @@ TEST(Ripples, ForkTheMoreTheMoreTheyMeander)
 TEST(Ripples, GoWithTheWind)
 {
     TerrainDescription terrain;
-    terrain.wind.direction_deg = 90.0F;
+    terrain.wind.towards_deg = 0.0F;
     terrain.ripples.drift_m_per_s = 0.01F;
     const auto later = ripples_at(terrain, 1, {640.0, 0.0, 64.0}, 500.0);
     const auto upwind = ripples_at(terrain, 1, {640.0, 0.0, 59.0}, 0.0);
@@ -105,7 +105,7 @@ TEST(Ripples, GoWithTheWind)
 TEST(Ripples, KeepTheirPhaseAMillionMetresOut)
 {
     TerrainDescription terrain;
-    terrain.wind.direction_deg = 20.0F;
+    terrain.wind.towards_deg = 70.0F;
     for (const double out_m : {0.0, 1e6, -3e6}) {
         const glm::dvec3 anchor(64.0 * std::floor(out_m / 64.0), 0.0, 128.0);
         const auto here = ripples_at(terrain, 1, anchor, 12.0).value();

@@ -209,9 +209,9 @@ gpu::ImageId add_ink_layer(gpu::Graph& graph, const ContourInputs& in, const Sha
         .sample(in.materials)
         .read(inked.tiles)
         .variant((in.own_outlines ? shared::ink_layer_has_own_outlines : 0U) |
-                 (in.line_looks ? shared::ink_layer_has_looks : 0U));
+                 (in.variant_lines ? shared::ink_layer_has_variants : 0U));
     const gpu::ImageId ink = layer.modify(below);
-    layer.sample(in.line_looks.value_or(in.materials), gpu::Format::r32ui);
+    layer.sample(in.variant_lines.value_or(in.materials), gpu::Format::r32ui);
     layer.push(constants).dispatch_indirect(inked.tiles);
     return ink;
 }

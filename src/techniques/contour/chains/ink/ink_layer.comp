@@ -23,8 +23,8 @@ layout(scalar, binding = 0) readonly buffer Inked
 
 layout(binding = 3, rgba8) uniform image2D ink_image; // square root of linear colour; coverage
 
-#define LINE_LOOKS_BINDING 4
-#include "techniques/contour/chains/stroke/line_looks.glsl"
+#define VARIANT_LINES_BINDING 4
+#include "techniques/contour/chains/stroke/variant_lines.glsl"
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -33,7 +33,7 @@ layout(push_constant, scalar) uniform Constants
 
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_own_outlines = (variant & ink_layer_has_own_outlines) != 0u;
-const bool has_looks = (variant & ink_layer_has_looks) != 0u;
+const bool has_variants = (variant & ink_layer_has_variants) != 0u;
 
 void main()
 {
@@ -46,8 +46,8 @@ void main()
     uint word = inked[pixel.y * constants.width + pixel.x];
     vec3 color = constants.ink_color;
     uint ink = word & 0xffffu;
-    if (has_looks && (ink & ink_of_look) != 0u) {
-        color = ink_of(ink & ~ink_of_look);
+    if (has_variants && (ink & ink_of_variant) != 0u) {
+        color = ink_of(ink & ~ink_of_variant);
     } else if (has_own_outlines && ink != 0u) {
         color = outline_color_of(ink - 1u);
     }

@@ -69,10 +69,10 @@ layout(scalar, binding = 14) writeonly buffer LineTouches
     LineTouch touches[];
 };
 
-layout(binding = 15) uniform usamplerBuffer look_texels; // one per draw
+layout(binding = 15) uniform usamplerBuffer variant_texels; // one per draw
 
-#define LINE_LOOKS_BINDING 16
-#include "techniques/contour/chains/stroke/line_looks.glsl"
+#define VARIANT_LINES_BINDING 16
+#include "techniques/contour/chains/stroke/variant_lines.glsl"
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -91,7 +91,7 @@ const bool swells_in_turns = (variant & shape_swells_in_turns) != 0u;
 const bool swells_in_shade = (variant & shape_is_even_in_shade) == 0u;
 const bool is_hidden = (variant & shape_is_hidden) != 0u;
 const bool stretches = (variant & shape_stretches) != 0u;
-const bool has_looks = (variant & shape_has_looks) != 0u;
+const bool has_variants = (variant & shape_has_variants) != 0u;
 
 #include "techniques/contour/chains/stroke/stroke_places.glsl"
 
@@ -123,7 +123,7 @@ uint drawn_by(uint source)
 
 uint look_of(uint source)
 {
-    return texelFetch(look_texels, int(drawn_by(source))).x;
+    return texelFetch(variant_texels, int(drawn_by(source))).x;
 }
 
 float width_at(uint index)
@@ -132,11 +132,11 @@ float width_at(uint index)
     uint kind = kind_now(point.source);
     float width = constants.width_of_kind[kind];
     bool in_metres = (constants.metre_kinds >> kind & 1u) != 0u;
-    if (has_looks) {
-        uint look = look_of(point.source);
-        float own = look_width_of(look, kind);
+    if (has_variants) {
+        uint style_variant = look_of(point.source);
+        float own = variant_width_of(style_variant, kind);
         width = !is_hidden ? own : own > 0.0 ? width : 0.0;
-        in_metres = !is_hidden && is_in_metres(look, kind);
+        in_metres = !is_hidden && is_in_metres(style_variant, kind);
     }
     if (has_widths_m && in_metres) {
         // Distance has already thinned this width; dividing by the later thinning avoids applying it twice.
@@ -197,8 +197,8 @@ float full_width(uint index, Stroke stroke, out uint ink)
     vec2 outwards_px = page_position(outside) - point.page_px;
     float width = even_width(index, stroke) * pressure_at(index, stroke, -2.5 * outwards_px);
     ink = 0u;
-    if (has_looks) {
-        ink = ink_of_look | look_of(point.source);
+    if (has_variants) {
+        ink = ink_of_variant | look_of(point.source);
     }
     if (has_own_outlines) {
         uint material = draw_at(drawn_by(point.source)).material;

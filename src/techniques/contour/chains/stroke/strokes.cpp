@@ -208,7 +208,7 @@ uint32_t shape_variant(const ShapeInputs& in, const ContourStyle& style)
                            (is_remembered ? shared::shape_is_remembered : 0U) |
                            (in.page.brushes != nullptr ? shared::shape_has_brushes : 0U) |
                            (style.wobble_mm > 0.0F ? shared::shape_has_sway : 0U) |
-                           (in.page.look_of_draw ? shared::shape_has_looks : 0U);
+                           (in.page.variant_of_draw ? shared::shape_has_variants : 0U);
     if (is_hidden) {
         return basic | shared::shape_is_hidden;
     }
@@ -291,8 +291,8 @@ HandDrawn add_shape(gpu::Graph& graph, const ShapeInputs& in, const ContourStyle
     static_cast<void>(remembered);
     const gpu::BufferId touches = shape.write(graph.buffer(
         "contour/touches", list_of(page.brushes != nullptr ? points_most : 1, sizeof(shared::LineTouch))));
-    shape.sample(page.look_of_draw.value_or(page.draws), gpu::Format::r32ui);
-    shape.sample(page.line_looks.value_or(page.draws), gpu::Format::r32ui);
+    shape.sample(page.variant_of_draw.value_or(page.draws), gpu::Format::r32ui);
+    shape.sample(page.variant_lines.value_or(page.draws), gpu::Format::r32ui);
     shape.variant(shape_variant(in, style))
         .push(shape_constants(in, style))
         .dispatch_indirect(in.strokes.sizes, indirect_offset(shared::list_samples));
@@ -331,13 +331,13 @@ add_class(gpu::Graph& graph, const ContourInputs& page, const ChainInputs& mesh,
 
 } // namespace
 
-shared::LineLook line_look(const ContourStyle& style, float pixels_per_mm)
+shared::VariantLines line_look(const ContourStyle& style, float pixels_per_mm)
 {
-    shared::LineLook look{.ink = style.ink};
+    shared::VariantLines style_variant{.ink = style.ink};
     for (uint32_t kind = 0; kind < shared::line_kind_count && style.enabled; ++kind) {
-        set_width(style, kind, pixels_per_mm, look);
+        set_width(style, kind, pixels_per_mm, style_variant);
     }
-    return look;
+    return style_variant;
 }
 
 ShapedStrokes add_shaped_strokes(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,

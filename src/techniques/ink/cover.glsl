@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef ESTAMPE_INK_LOOK
-#define ESTAMPE_INK_LOOK
+#ifndef ESTAMPE_INK_COVER
+#define ESTAMPE_INK_COVER
 
 // The appearance of ink on the page. Define before: `globals`.
 

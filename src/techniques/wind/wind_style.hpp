@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The one wind of a scene. Hatching, cloth, smoke, clouds, particles and flowing ink read it.
+#pragma once
+
+#include "style/parameter.hpp"
+
+#include <cstdint>
+
+namespace estampe::wind {
+
+/// What the wind is taken from.
+enum class WindSource : uint8_t { automatic, style, smoke };
+
+/// Section [wind] of a style.
+struct WindStyle {
+    WindSource from = WindSource::automatic;
+    float speed_m_per_s = 4.0F;
+    float blown_m = -1.0F;
+    float towards_deg = 90.0F;
+    float gustiness = 0.35F;
+    float gust_m = 6.0F;
+    float turbulence = 0.5F;
+    float eddy_m = 1.2F;
+
+    bool operator==(const WindStyle&) const = default;
+};
+
+[[nodiscard]] const style::Table<WindStyle>& wind_table();
+
+/// The mean wind, as parts of a style that have no keys for it are told.
+struct Wind {
+    float speed_m_per_s = WindStyle().speed_m_per_s;
+    float towards_deg = WindStyle().towards_deg; ///< bearing: 0 is +z, 90 is +x
+
+    bool operator==(const Wind&) const = default;
+};
+
+/// Speed where a feature has a key of its own: `own_m_per_s`, or the wind's if that is negative.
+[[nodiscard]] inline float speed_m_per_s(const Wind& wind, float own_m_per_s)
+{
+    return own_m_per_s < 0.0F ? wind.speed_m_per_s : own_m_per_s;
+}
+
+} // namespace estampe::wind
