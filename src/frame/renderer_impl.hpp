@@ -9,7 +9,7 @@
 
 #include <estampe/renderer.hpp>
 
-#include "features/common/wind.hpp"
+#include "features/common/shared_sections.hpp"
 #include "frame/frame.hpp"
 #include "frame/loaded_scene.hpp"
 #include "gpu/graph/compile_ahead.hpp"
@@ -52,8 +52,8 @@ struct Renderer::Impl {
     [[nodiscard]] const features::StyleTables& tables_of(const Style& style)
     {
         static const std::optional<Terrain> none;
-        return features::with_wind(features::with_drawing(style.tables(), drawn_style),
-                                   loaded ? loaded->scene.terrain : none, drawn_style);
+        return features::with_shared_sections(features::with_drawing(style.tables(), drawn_style),
+                                              loaded ? loaded->scene.terrain : none, drawn_style);
     }
 
     void update_pose(const ScenePose& scene_pose);

@@ -304,7 +304,7 @@ void Renderer::Impl::upload_pixel_sizes(const frame::FramePlan& plan, const feat
     if (plan.variants.has_several()) {
         std::vector<shared::VariantLines> lines;
         for (const features::StyleTables& style : plan.variants.styles) {
-            lines.push_back(contour::line_look(style.contour, plan.page.pixels_per_mm));
+            lines.push_back(contour::variant_lines_of(style.contour, plan.page.pixels_per_mm));
         }
         gpu::upload_items(device, "variant lines", lines, features.lines.variants());
     }

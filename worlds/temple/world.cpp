@@ -401,7 +401,7 @@ estampe::Style World::style(const estampe::Style& base, const estampe::Camera& c
     };
     dusty("sky.horizon", 0.9 * dust);
     dusty("sky.zenith", 0.75 * dust);
-    dusty("wash.air_color", dust);
+    dusty("haze.tint_color", dust);
     if (base.text("light.metering") == "lights") {
         // Automatic exposure would darken the court because of its many lamps; this value keeps white marble
         // white in the sun.

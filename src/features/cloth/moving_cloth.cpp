@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "features/common/wind.hpp"
+#include "features/common/shared_sections.hpp"
 #include "shaders/scene.glsl.h"
 
 namespace estampe::features {

@@ -138,7 +138,7 @@ void change_color(StyleTables& style, Change& change, float color)
           &style.sky.night_horizon, &style.sky.night_zenith,   &style.sky.high_band,
           &style.sky.low_band,      &style.sky.sun_color,      &style.sky.moon_color,
           &style.clouds.color,      &style.clouds.shade_color, &style.wash.shadow_tint,
-          &style.wash.air_color,    &style.smoke.color,        &style.smoke.shade_color,
+          &style.haze.tint_color,   &style.smoke.color,        &style.smoke.shade_color,
           &style.smoke.deep_color,  &style.smoke.flame_color,  &style.particles.color}) {
         fade_to_grey(*each, color);
     }

@@ -10,10 +10,10 @@
 
 #include "gpu/graph/graph.hpp"
 #include "gpu/resources.hpp"
+#include "style/wind.hpp"
 #include "techniques/cloth/cloth_style.hpp"
 #include "techniques/cloth/sheet/sheet.hpp"
 #include "techniques/cloth/solids/solids.hpp"
-#include "techniques/wind/wind_style.hpp"
 
 namespace estampe::cloth {
 

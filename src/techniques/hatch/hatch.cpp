@@ -301,12 +301,6 @@ const style::Table<HatchStyle>& hatch_table()
             .number("overrun_mm", &HatchStyle::overrun_mm, {0.0F, 5.0F}, "mm",
                     "How far hatching strokes run past outlines onto bare paper: 0 stops strokes at the "
                     "outline. Not used when hatch.strokes is dots.")
-            .number("fade", &HatchStyle::fade, {0.0F, 1.0F}, "",
-                    "How much of the hatching's darkness is left in the far distance: 0 fades to white "
-                    "paper, 1 does not fade")
-            .number("fade_distance_m", &HatchStyle::fade_distance_m, {0.001F, 1e6F}, "m",
-                    "Distance from the eye at which hatching has faded by half: less fades nearer to the "
-                    "eye. Only used when hatch.fade is below 1.")
             .number("black_above", &HatchStyle::black_above, {0.1F, 2.0F}, "",
                     "Darkness above which an area is filled with solid ink: less fills more areas. Above 1, "
                     "no area is filled.")

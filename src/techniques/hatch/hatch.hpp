@@ -14,8 +14,8 @@
 #include "shaders/stroke_kind.glsl.h"
 #include "shaders/tone.glsl.h"
 #include "style/parameter.hpp"
+#include "style/wind.hpp"
 #include "techniques/hatch/hatch.glsl.h"
-#include "techniques/wind/wind_style.hpp"
 
 namespace estampe::hatch {
 
@@ -80,8 +80,8 @@ struct HatchStyle {
     float pressure = 0.28F;
     float growth = 0.0F;
     float overrun_mm = 0.0F;
-    float fade = 1.0F;
-    float fade_distance_m = 60.0F;
+    float fade = 1.0F;             ///< haze.hatching; no key of its own
+    float fade_distance_m = 60.0F; ///< haze.hatching_distance_m
     float black_above = 0.96F;
     std::string map;
     MapTone map_tone = MapTone::order;

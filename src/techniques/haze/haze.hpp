@@ -16,6 +16,11 @@ struct HazeStyle {
     float start_m = 80.0F;
     float reach_m = 700.0F;
     float ink = 3.0F;
+    float tint = 0.0F;
+    glm::vec3 tint_color = style::srgb(0xf0dca2);
+    float tint_distance_m = 120.0F;
+    float hatching = 1.0F;
+    float hatching_distance_m = 60.0F;
 };
 
 [[nodiscard]] const style::Table<HazeStyle>& haze_table();

@@ -35,12 +35,6 @@ struct MotionBlurConstants {
     vec3 line_ink; // linear
 };
 
-struct StretchConstants {
-    mat4 now_from_before; // moves previous positions to where this camera sees them alike
-    float share;          // part of its motion by which a vertex is displaced
-    uint vertex_count;
-};
-
 SHARED_CONSTANT uint smear_block_px = 64U;     // side of the blocks of the page that list their strokes
 SHARED_CONSTANT uint most_smear_strokes = 63U; // per block
 SHARED_CONSTANT float smear_bow = 0.03F;       // largest sideways bend of a stroke relative to its length
@@ -77,7 +71,6 @@ struct SmearConstants {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(StretchConstants) <= 128);
 static_assert(sizeof(SmearSeed) == 16);
 static_assert(sizeof(SmearStroke) == 32);
 static_assert(sizeof(SmearConstants) <= 128);

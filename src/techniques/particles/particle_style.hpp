@@ -4,7 +4,7 @@
 #include <string>
 
 #include "style/parameter.hpp"
-#include "techniques/wind/wind_style.hpp"
+#include "style/wind.hpp"
 
 namespace estampe::particles {
 

@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 
 #include "style/parameter.hpp"
-#include "techniques/wind/wind_style.hpp"
+#include "style/wind.hpp"
 
 namespace estampe::smoke {
 

@@ -128,8 +128,10 @@ void main()
         float shadow = smoothstep(constants.shadow_from - constants.softness,
                                   constants.shadow_from + constants.softness, dark.here + waver);
         vec3 hue = (light.rgb + 1e-3) / (light.a + 1e-3); // darkness has none
+        // Paint that is to be nearly grey takes no hue from coloured light either.
+        float hue_share = 0.5 * smoothstep(0.0, 0.2, constants.saturation);
         color *= mix(vec3(1.0), constants.shadow_tint * shade_color_of(material), shadow) *
-                 mix(vec3(1.0), hue, 0.5) * mix(vec3(1.0), light_tint(light.rgb), constants.light_tint);
+                 mix(vec3(1.0), hue, hue_share) * mix(vec3(1.0), light_tint(light.rgb), constants.light_tint);
         if (is_paper(word)) {
             color = mix(vec3(1.0), mix(vec3(1.0), constants.shadow_tint, 0.6), shadow);
         }

@@ -84,14 +84,6 @@ const style::Table<WashStyle>& wash_table()
             .number("light_tint", &WashStyle::light_tint, {0.0F, 1.0F}, "",
                     "How much the colour of light changes the painted colours: 0 treats all light as white, "
                     "1 takes on the full colour of the light")
-            .number("air", &WashStyle::air, {0.0F, 1.0F}, "",
-                    "How much far objects take on the colour of the air: 0 keeps their own colour, 1 gives "
-                    "them the colour of the air in the far distance")
-            .color("air_color", &WashStyle::air_color,
-                   "Colour of the air that tints far objects. Only used when wash.air is above 0.")
-            .number("air_distance_m", &WashStyle::air_distance_m, {0.001F, 1e6F}, "m",
-                    "Distance at which objects have taken on half of the air's colour. Only used when "
-                    "wash.air is above 0.")
             .by_surface_but({});
     return table;
 }

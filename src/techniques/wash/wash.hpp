@@ -20,9 +20,9 @@ struct WashStyle {
     float shadow_from = 0.40F;
     float softness = 0.03F;
     float light_tint = 0.0F;
-    float air = 0.0F;
-    glm::vec3 air_color = style::srgb(0xf0dca2);
-    float air_distance_m = 120.0F;
+    float air = 0.0F;                            ///< haze.tint; no key of its own
+    glm::vec3 air_color = style::srgb(0xf0dca2); ///< haze.tint_color
+    float air_distance_m = 120.0F;               ///< haze.tint_distance_m
 };
 
 [[nodiscard]] const style::Table<WashStyle>& wash_table();

@@ -265,6 +265,18 @@ TEST(Wash, PaintsGreysWeakly)
     expect_everywhere(paint(page, style), glm::vec3(1.0F), 0.0F);
 }
 
+TEST(Wash, GreyPaintStaysGreyUnderColouredLight)
+{
+    Page page;
+    page.light = [](glm::uvec2) { return glm::vec4(1.0F, 0.8F, 0.4F, 1.0F); };
+    WashStyle style = strong();
+    style.saturation = 0.0F;
+    for (const glm::vec4& wash : paint(page, style)) {
+        EXPECT_NEAR(wash.x, wash.y, 1e-3F);
+        EXPECT_NEAR(wash.x, wash.z, 1e-3F);
+    }
+}
+
 TEST(Wash, PalesWithDistance)
 {
     Page page;

@@ -329,7 +329,7 @@ struct PartConstants {
     uint has_touches;
 };
 
-// Line widths and ink of a style variant (look), in four texels of 16 bytes.
+// Line widths and ink of a style variant, in four texels of 16 bytes.
 struct VariantLines {
     float width_of_kind[line_kind_count]; // full widths in pixels or metres
     uint metre_kinds;                     // bit mask of the kinds whose width is in metres

@@ -222,7 +222,7 @@ struct ChainInputs {
                                        glm::uvec2 size_px, LineClass wanted = LineClass::seen);
 
 /// Widths and ink of a style variant, for ContourInputs::variant_lines.
-[[nodiscard]] shared::VariantLines line_look(const ContourStyle& style, float pixels_per_mm);
+[[nodiscard]] shared::VariantLines variant_lines_of(const ContourStyle& style, float pixels_per_mm);
 
 /// Links lines and shapes their strokes: all steps before the ink. With a `history`, strokes continue from
 /// the frame it holds and are stored for the next; it must outlive the graph's run.

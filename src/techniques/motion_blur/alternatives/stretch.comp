@@ -8,7 +8,7 @@
 #include "shaders/loops.glsl"
 #include "shaders/scene.glsl.h"
 #include "shaders/unit.glsl"
-#include "techniques/motion_blur/motion_blur.glsl.h"
+#include "techniques/motion_blur/alternatives/stretch.glsl.h"
 
 layout(local_size_x = 64) in;
 

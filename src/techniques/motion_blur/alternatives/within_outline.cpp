@@ -9,6 +9,7 @@
 #include "shaders/blur_own_comp.hpp"
 #include "shaders/scene.glsl.h"
 #include "shaders/stretch_comp.hpp"
+#include "techniques/motion_blur/alternatives/stretch.glsl.h"
 
 namespace estampe::motion_blur {
 

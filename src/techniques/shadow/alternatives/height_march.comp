@@ -5,7 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "techniques/shadow/heightfield/height_shadow.glsl.h"
+#include "techniques/shadow/alternatives/march.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

@@ -7,6 +7,7 @@
 
 #include "shaders/height_march_comp.hpp"
 #include "shaders/height_soften_comp.hpp"
+#include "techniques/shadow/alternatives/march.glsl.h"
 
 namespace estampe::shadow {
 

@@ -52,15 +52,6 @@ struct PyramidConstants {
     FieldSector wanted; // texels whose result is needed
 };
 
-struct MarchConstants {
-    uvec2 size;    // in texels
-    vec2 sunwards; // one step, in texels
-    float rise_m;  // rise of the ray per step
-    uint step_count;
-    uint blur_radius; // in texels
-    float blur_falloff;
-};
-
 #ifdef __cplusplus
 static_assert(sizeof(ResolveConstants) == 64);
 static_assert(sizeof(PyramidConstants) == 120);

@@ -13,9 +13,9 @@
 
 #include "gpu/graph/graph.hpp"
 #include "style/parameter.hpp"
+#include "style/wind.hpp"
 #include "techniques/sky/sky.glsl.h"
 #include "techniques/sky/sky.hpp"
-#include "techniques/wind/wind_style.hpp"
 
 namespace estampe::sky {
 

@@ -87,15 +87,15 @@ void main()
     uint first = is_stroke ? strokes[own].first : 0u;
     uint steps = is_stroke ? strokes[own].last - first : 0u;
     bool of_page = is_stroke && is_of_page(sample_at(first).source);
-    uint style_variants = min(steps, most_steps);
+    uint sample_steps = min(steps, most_steps);
     uint turn = gl_LocalInvocationID.x % threads;
     if (turn == 0u) {
         beside[lane] = 0u;
     }
     barrier();
     uint found = 0u;
-    for (uint i = turn; is_stroke && i <= style_variants; i += threads) {
-        uint at = first + (of_page ? steps * i / max(style_variants, 1u) : i);
+    for (uint i = turn; is_stroke && i <= sample_steps; i += threads) {
+        uint at = first + (of_page ? steps * i / max(sample_steps, 1u) : i);
         found += is_beside_longer(at, own, steps, of_page) ? 1u : 0u;
     }
     if (found > 0u) {
@@ -106,7 +106,7 @@ void main()
         return;
     }
     bool is_dropped =
-        (steps <= most_steps || of_page) && float(beside[lane]) > most_share * float(style_variants + 1u);
+        (steps <= most_steps || of_page) && float(beside[lane]) > most_share * float(sample_steps + 1u);
     is_dropped = is_dropped || (of_page && steps < least_page_steps);
     strokes[own].ends = is_dropped ? stroke_is_dropped : 0u;
     strokes[own].recalled = no_sample;

@@ -121,7 +121,7 @@ uint drawn_by(uint source)
     return texelFetch(triangle_texels, int((source & 0x0fffffffu) >> 2)).w & triangle_draw_mask;
 }
 
-uint look_of(uint source)
+uint style_variant_of(uint source)
 {
     return texelFetch(variant_texels, int(drawn_by(source))).x;
 }
@@ -133,7 +133,7 @@ float width_at(uint index)
     float width = constants.width_of_kind[kind];
     bool in_metres = (constants.metre_kinds >> kind & 1u) != 0u;
     if (has_variants) {
-        uint style_variant = look_of(point.source);
+        uint style_variant = style_variant_of(point.source);
         float own = variant_width_of(style_variant, kind);
         width = !is_hidden ? own : own > 0.0 ? width : 0.0;
         in_metres = !is_hidden && is_in_metres(style_variant, kind);
@@ -198,7 +198,7 @@ float full_width(uint index, Stroke stroke, out uint ink)
     float width = even_width(index, stroke) * pressure_at(index, stroke, -2.5 * outwards_px);
     ink = 0u;
     if (has_variants) {
-        ink = ink_of_variant | look_of(point.source);
+        ink = ink_of_variant | style_variant_of(point.source);
     }
     if (has_own_outlines) {
         uint material = draw_at(drawn_by(point.source)).material;

@@ -331,7 +331,7 @@ add_class(gpu::Graph& graph, const ContourInputs& page, const ChainInputs& mesh,
 
 } // namespace
 
-shared::VariantLines line_look(const ContourStyle& style, float pixels_per_mm)
+shared::VariantLines variant_lines_of(const ContourStyle& style, float pixels_per_mm)
 {
     shared::VariantLines style_variant{.ink = style.ink};
     for (uint32_t kind = 0; kind < shared::line_kind_count && style.enabled; ++kind) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The one wind of a scene. Hatching, cloth, smoke, clouds, particles and flowing ink read it.
+// The one wind of a scene, below the techniques because several of them read it: hatching, cloth, smoke,
+// clouds, particles and flowing ink.
 #pragma once
 
 #include "style/parameter.hpp"

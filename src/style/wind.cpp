@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/wind/wind_style.hpp"
+#include "style/wind.hpp"
 
 namespace estampe::wind {
 

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_STRETCH_GLSL_H
+#define ESTAMPE_STRETCH_GLSL_H
+#ifdef __cplusplus
+#include "shaders/shared.hpp"
+namespace estampe::shared {
+#endif
+
+struct StretchConstants {
+    mat4 now_from_before; // moves previous positions to where this camera sees them alike
+    float share;          // part of its motion by which a vertex is displaced
+    uint vertex_count;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(StretchConstants) <= 128);
+} // namespace estampe::shared
+#endif
+
+#endif
