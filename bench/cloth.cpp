@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a frame of cloth costs: a sixtieth of a second with everything, from steps to normals.
+// Measures the cost of a frame of cloth: a sixtieth of a second, from simulation steps to normals.
 // estampe_bench_cloth --help
 
 #include <algorithm>
@@ -85,7 +85,8 @@ void choose_solver(gpu::Device& device, cloth::Cloths& cloths, const Options& op
     }
 }
 
-/// Takes steps, in as many graphs as they need. `finish` adds to the last graph. Returns all passes.
+/// Simulates `steps` steps, in as many graphs as needed. `finish` adds to the last graph. Returns the timings
+/// of all passes.
 template <class Finish>
 std::vector<PassTiming> take_steps(bench::Machine& machine, cloth::Cloths& cloths,
                                    cloth::Surroundings& surroundings, uint32_t steps, const Finish& finish)
@@ -105,8 +106,8 @@ std::vector<PassTiming> take_steps(bench::Machine& machine, cloth::Cloths& cloth
     return passes;
 }
 
-/// How much longer or shorter the edges of a square metre are, let go where it lay and held by two corners,
-/// 5 s later.
+/// Measures the strain of a square metre of cloth that is held by two corners: how much longer or shorter its
+/// edges are 5 s after it was released.
 void measure_strain(const Options& options)
 {
     bench::Machine machine(options.device);
@@ -158,7 +159,7 @@ void measure(const Options& options)
     take_steps(machine, cloths, surroundings, static_cast<uint32_t>(options.before_s / options.step_s),
                [](gpu::Graph&, const cloth::Cloths::Handles&) {});
     const auto steps = static_cast<uint32_t>(std::max(1.0F, std::round(1.0F / 60.0F / options.step_s)));
-    constexpr uint32_t compiling = 2; ///< first frames, which compile shaders
+    constexpr uint32_t compiling = 2; ///< number of first frames, in which shaders are compiled
     bench::Rounds by_passes;
     bench::Rounds by_wall;
     for (uint32_t round = 0; round < options.rounds + compiling; ++round) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the processor does before and between frames, by growing work: reading a scene, laying out its meshes,
-// finding what meets at its edges, posing it, drawing a tonal art map, reading styles.
+// Measures CPU work before and between frames, for growing amounts: importing a scene, building its meshes,
+// matching edges, posing, drawing a tonal art map, and reading styles.
 // estampe_bench_cpu --benchmark_filter=Import
 
 #include <array>
@@ -25,7 +25,7 @@ namespace {
 
 using namespace estampe; // NOLINT(google-build-using-namespace): a program of one file
 
-/// A ball of about so many triangles.
+/// A ball of about this number of triangles.
 Primitive ball(double triangles)
 {
     const auto rings = static_cast<uint32_t>(std::lround(std::sqrt(triangles / 4.0)));
@@ -46,7 +46,7 @@ void append(std::string& bytes, const void* data, size_t size)
     bytes.append(static_cast<const char*>(data), size);
 }
 
-/// The ball as a binary glTF file: places and indices.
+/// The ball as a binary glTF file that holds positions and indices.
 std::filesystem::path glb_of(const Primitive& primitive)
 {
     const size_t places_bytes = primitive.positions.size() * sizeof(primitive.positions[0]);
@@ -90,7 +90,7 @@ std::filesystem::path glb_of(const Primitive& primitive)
     return path;
 }
 
-/// Arguments are triangles, and so is the complexity that is fitted.
+/// The arguments are numbers of triangles. The fitted complexity is also in triangles.
 void by_triangles(benchmark::internal::Benchmark* bench)
 {
     bench->RangeMultiplier(10)->Range(10000, 1000000)->Unit(benchmark::kMillisecond)->Complexity();
@@ -136,7 +136,7 @@ void find_adjacency(benchmark::State& state)
 
 BENCHMARK(find_adjacency)->Apply(by_triangles);
 
-/// Nodes that are each the parent of ten.
+/// Adds nodes in a tree in which each parent has ten children.
 void pose_nodes(benchmark::State& state)
 {
     Scene scene = scene_of(100);

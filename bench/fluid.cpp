@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What fluids cost and how right they are: the time of a step, pass by pass; how long each solver takes to a
-// given divergence; the lid-driven cavity against Ghia, Ghia and Shin; smoke as a picture.
+// Measures the cost and the accuracy of fluids: the time of a step, pass by pass; the time that each solver
+// needs to reach a given divergence; the lid-driven cavity compared with Ghia, Ghia and Shin; smoke as a
+// picture.
 // estampe_bench_fluid --help
 
 #include <algorithm>
@@ -29,14 +30,14 @@ namespace {
 
 using namespace estampe; // NOLINT(google-build-using-namespace): a program of one file
 
-/// Of "steps" and "solvers".
+/// Options of the commands "steps" and "solvers".
 struct CostOptions {
     std::string device = "auto";
     std::vector<uint32_t> sizes{256, 512, 1024, 2048, 4096};
     uint32_t depth = 1;
     bool periodic = false;
-    uint32_t rounds = 40;            ///< of "steps"
-    uint32_t most_projections = 100; ///< of "solvers"
+    uint32_t rounds = 40;            ///< only for "steps"
+    uint32_t most_projections = 100; ///< only for "solvers"
 };
 
 fluid::Grid grid_of(const CostOptions& options, uint32_t side)
@@ -65,7 +66,7 @@ std::vector<float> over_faces(const fluid::Grid& grid, const std::function<glm::
     return numbers;
 }
 
-/// A gust 8 % of the grid wide: all of its divergence is large.
+/// A gust as wide as 8 % of the grid, so that all of its divergence has a large scale.
 glm::dvec3 gust(glm::dvec3 place)
 {
     const glm::dvec2 off = (glm::dvec2(place) - 0.5) / 0.08;
@@ -135,7 +136,7 @@ double divergence_of(bench::Machine& machine, const fluid::Grid& grid, gpu::Grap
     return norm(gpu::items_of<float>(host));
 }
 
-/// Divergence that the next step's last projection leaves, over what it was given.
+/// Ratio of the divergence after the next step's last projection to the divergence before the projection.
 double divergence_left(bench::Machine& machine, fluid::Fluid& flow, const fluid::FluidStyle& style)
 {
     gpu::Graph before;
@@ -194,7 +195,7 @@ bench::Job add_steps(CLI::App& command)
     };
 }
 
-/// A velocity that is projected again and again.
+/// A velocity field that is projected repeatedly.
 class Projecting {
 public:
     Projecting(bench::Machine& machine, const fluid::Grid& grid, const std::vector<float>& start)
@@ -212,7 +213,7 @@ public:
         }
     }
 
-    /// Milliseconds.
+    /// Projects once. Returns milliseconds.
     double project(const fluid::ProjectionStyle& style)
     {
         gpu::Graph graph;
@@ -254,7 +255,7 @@ void measure_solver(bench::Machine& machine, const CostOptions& options, const f
 {
     constexpr std::array<double, 5> goals{1e-1, 1e-2, 1e-3, 1e-4, 1e-5};
     const fluid::ProjectionStyle style{.solver = solver, .projections = 1};
-    Projecting(machine, grid, start).project(style); // compiles
+    Projecting(machine, grid, start).project(style); // the first run compiles the shaders
     Projecting projecting(machine, grid, start);
     const double all = projecting.divergence();
     double spent_ms = 0.0;
@@ -440,7 +441,7 @@ void draw_smoke(const SmokeOptions& options)
     bench::save_gray_picture(
         grid.cells.x, grid.cells.y,
         [&](uint32_t x, uint32_t y) {
-            const uint32_t row = grid.cells.y - 1 - y; // y of the grid is up
+            const uint32_t row = grid.cells.y - 1 - y; // the grid's y points up
             return gray_of(density[row * grid.cells.x + x]);
         },
         options.picture);

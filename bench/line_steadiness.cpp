@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How steady lines are: a mesh turns before the camera, and every pixel of line that has no line within a few
-// pixels in the frame before or after counts. estampe_bench_line_steadiness --help
+// Measures how steady lines are. A mesh turns before the camera. A line pixel counts as unsteady if the frame
+// before or after has no line within a few pixels. estampe_bench_line_steadiness --help
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +56,7 @@ size_t triangle_count(const Scene& scene)
     return count;
 }
 
-/// Black lines on white, no tone, no grain, but for what --set says.
+/// Black lines on white, without tone and grain, unless --set changes this.
 Style line_style(const bench::FilmOptions& film)
 {
     bench::FilmOptions plain = film;
@@ -76,7 +76,7 @@ std::vector<uint8_t> lines_in(const Image& image)
     return lines;
 }
 
-/// What lies within `reach_px` of a line.
+/// The pixels within `reach_px` of a line.
 std::vector<uint8_t> grown(const std::vector<uint8_t>& lines, uint32_t width, uint32_t height,
                            double reach_px)
 {
@@ -123,7 +123,7 @@ Camera turned(const Camera& camera, double angle_deg)
     return result;
 }
 
-/// The passes that draw lines.
+/// Finds the passes that draw lines.
 std::vector<PassTiming> line_passes(const Renderer& renderer)
 {
     std::vector<PassTiming> passes = renderer.timings();

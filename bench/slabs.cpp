@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a step of slabs costs, and what grows: a picture of the field from above in a low sun.
+// Measures the cost of a step of sand slabs, and draws the resulting dunes from above in a low sun.
 // estampe_bench_slabs --help
 
 #include <algorithm>
@@ -29,7 +29,7 @@ struct Options {
     double sun_elevation_deg = 20.0;
 };
 
-/// Heights in metres of a field that repeats.
+/// Heights in metres of a field that repeats at its edges.
 struct Ground {
     uint32_t side = 0;
     double cell_m = 1.0;
@@ -41,7 +41,7 @@ struct Ground {
         return static_cast<double>(heights_m[wrapped(y) * side + wrapped(x)]);
     }
 
-    /// Linear between cells.
+    /// Interpolates linearly between cells.
     [[nodiscard]] double at(glm::dvec2 cell) const
     {
         const glm::ivec2 near(glm::floor(cell));
@@ -77,7 +77,8 @@ void save_picture(const Ground& ground, const Options& options)
         [&](uint32_t x, uint32_t y) { return shade(ground, glm::ivec2(x, y), sun); }, options.picture);
 }
 
-/// Share of the cells steeper than the angle of repose allows, and of those between 30 and 34 degrees.
+/// Share of the cells that are steeper than the angle of repose, and share of the cells between 30 and 34
+/// degrees.
 void tell_slopes(const Ground& ground)
 {
     std::vector<uint32_t> cells_at_deg(91);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What smoke costs, pass by pass: a step of its fluid, its shape and light, and its drawing on a page that it
-// fills. estampe_bench_smoke --help
+// Measures the cost of smoke, pass by pass: a step of its fluid simulation, its shape and lighting, and its
+// drawing on a page that the smoke fills. estampe_bench_smoke --help
 
 #include <string>
 #include <vector>
@@ -29,7 +29,7 @@ struct Options {
     bool puffs = true;
 };
 
-/// Runs graphs of one kind, and prints what they took.
+/// Runs graphs of one kind, and prints their times.
 class Measured {
 public:
     explicit Measured(bench::Machine& machine) : machine_(machine) {}
@@ -50,7 +50,7 @@ private:
     bench::Rounds rounds_;
 };
 
-/// A box of two metres about the origin.
+/// A smoke box with sides of two metres, centred at the origin.
 smoke::Box box_of(uint32_t cells)
 {
     glm::dmat4 anchor_from_grid = glm::dmat4(2.0 / cells);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What frames of the temple cost. "walk": a walker goes from the dunes to the last hall and back, and is
-// drawn as it goes; each frame's time, and memory on the way. "film": stretches of the film, between whose
-// frames the device is kept busy with another picture, as a device with little to do lowers its clocks.
+// Measures the cost of frames of the temple. "walk": a walker goes from the dunes to the last hall and back;
+// measures each frame's time, and the memory. "film": draws parts of the film. Between two frames the device
+// draws another picture, because an idle device lowers its clock rate.
 // estampe_bench_temple --help
 
 #include <algorithm>
@@ -37,7 +37,7 @@ struct WalkOptions {
     double frames_per_s = 1.0;
 };
 
-/// What the program itself has of the machine's memory.
+/// Resident memory of this program, in megabytes.
 double resident_mb()
 {
     std::ifstream file("/proc/self/statm");
@@ -51,7 +51,7 @@ struct Frame {
     double at_s = 0.0;
     double wall_ms = 0.0;
     double gpu_ms = 0.0;
-    double cpu_ms = 0.0; ///< of all threads: what a processor that draws spends, however busy it is
+    double cpu_ms = 0.0; ///< time of all threads: the cost of drawing on a CPU, even if other programs use it
     double resident_mb = 0.0;
     double device_mb = 0.0;
     glm::dvec3 eye_m{0.0};
@@ -125,9 +125,9 @@ public:
     }
 
 private:
-    static constexpr int first = 4; ///< frames in which shaders are still compiled
+    static constexpr int first = 4; ///< number of first frames, in which shaders are still compiled
 
-    /// A walker looks where it goes.
+    /// The walker looks in the direction of the walk.
     void turn_head()
     {
         const glm::dvec3& v = visit_.walker().velocity_m_per_s();
@@ -179,7 +179,7 @@ private:
     glm::dvec3 look_{0.0, 0.0, -1.0};
     double time_s_ = 0.0;
     std::vector<Frame> frames_;
-    bench::Rounds by_passes_; ///< frames that count
+    bench::Rounds by_passes_; ///< passes of the frames that count
 };
 
 bench::Job add_walk(CLI::App& command)
@@ -206,9 +206,9 @@ struct StretchOptions {
 };
 
 constexpr double frames_per_s = 24.0;
-constexpr int uncounted = 6; ///< frames of a stretch, in which shaders are compiled and memory is found
+constexpr int uncounted = 6; ///< number of first frames, which compile shaders and allocate memory
 
-/// Holds a device's clocks up.
+/// Draws another picture, so that the device keeps its clock rate.
 class Warmer {
 public:
     explicit Warmer(const bench::FilmOptions& film)
@@ -236,7 +236,7 @@ private:
     uint32_t height_;
 };
 
-/// A stretch of the film, begun where it begins.
+/// A part of the film, simulated from the part's beginning.
 class Stretch {
 public:
     Stretch(const StretchOptions& options, int start) : options_(options), start_(start), world_(options.seed)
@@ -286,7 +286,7 @@ private:
         world_.go_to(time_s, camera);
         world_.show(*renderer_);
         world_.press(*renderer_);
-        constexpr double half_shutter = 0.25; // of 180 degrees, in frames
+        constexpr double half_shutter = 0.25; // half of a 180 degree shutter, in frames
         const double opened_s = moment_s(number + (is_first ? half_shutter : -half_shutter));
         return renderer_->render(camera, world_.style(base_, camera),
                                  {.width = options_.film.width,

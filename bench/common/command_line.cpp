@@ -33,7 +33,7 @@ std::string help_of(const CLI::App& app)
     return typed + " --help";
 }
 
-/// Without a description, which --help would append to the type of the value.
+/// A validator without a description, because --help would append the description to the value's type.
 CLI::Validator quiet(const std::function<std::string(const std::string&)>& complaint_about)
 {
     return {[complaint_about](std::string& value) { return complaint_about(value); }, ""};

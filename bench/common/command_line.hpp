@@ -20,14 +20,15 @@ namespace estampe::bench {
 /// for options that contradict each other.
 int run(CLI::App& app, int argc, char** argv, const std::function<void()>& measure);
 
-/// What a command does once the command line is parsed.
+/// The measurement that a command runs after the command line is parsed.
 using Job = std::function<void()>;
 
-/// Adds a command, with options that `add_options` adds. If it is typed, `job` becomes what that returned.
+/// Adds a command, with the options that `add_options` adds. If the user types this command, `job` becomes
+/// the result of `add_options`.
 void add_command(CLI::App& app, const std::string& name, const std::string& about,
                  Job (*add_options)(CLI::App&), Job& job);
 
-/// Width and height in pixels, typed as 1280x720.
+/// Width and height in pixels, typed like 1280x720.
 struct Size {
     uint32_t width = 1280;
     uint32_t height = 720;

@@ -19,13 +19,13 @@ struct FilmOptions {
     std::string pictures;                 ///< folder that frames are written to; empty: none
     uint32_t width = 1920;
     uint32_t height = 1080;
-    bool passes = false; ///< each pass is timed, which makes a frame take longer
+    bool passes = false; ///< times each pass, which makes frames slower
 
     /// Adds --device, --style, --set, --width, --height, --pictures and --passes. This object must outlive
     /// the parsing.
     void add_to(CLI::App& app);
 
-    /// The style that --style names, with what --set changes. Throws Error as Style does.
+    /// The style named by --style, with the changes of --set. Throws Error as Style does.
     [[nodiscard]] Style load_style() const;
 
     /// Writes the frame as a PNG file if --pictures was given.

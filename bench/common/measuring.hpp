@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What measures: rounds and their times, a device that runs graphs, and a picture of what came out.
+// Tools for measuring: rounds and their times, a device that runs graphs, and pictures of results.
 
 #include <algorithm>
 #include <chrono>
@@ -34,10 +34,10 @@ private:
 /// GPU time of all passes together.
 [[nodiscard]] double sum_ms(const std::vector<PassTiming>& passes);
 
-/// What repeated measurements of one thing took.
+/// Times of repeated measurements of one thing.
 class Rounds {
 public:
-    /// One round, and the passes that it consists of if they were timed.
+    /// Adds one round, and the passes of the round if they were timed.
     void add(double ms, const std::vector<PassTiming>& passes = {});
 
     [[nodiscard]] const std::vector<double>& times_ms() const { return times_ms_; }
@@ -55,17 +55,17 @@ public:
 
 private:
     std::vector<double> times_ms_;
-    std::map<std::string, double> passes_ms_;  ///< of all rounds
-    std::map<std::string, double> slowest_ms_; ///< of the slowest round
+    std::map<std::string, double> passes_ms_;  ///< sums over all rounds
+    std::map<std::string, double> slowest_ms_; ///< times in the slowest round
 };
 
-/// A device, and what runs graphs on it.
+/// A device with the executor that runs graphs on this device.
 class Machine {
 public:
     explicit Machine(const std::string& device_name);
 
-    /// Runs the graph. Returns milliseconds: the sum of its passes' GPU times, or wall time on a processor,
-    /// whose own clock is wrong for short passes.
+    /// Runs the graph. Returns milliseconds: the sum of the passes' GPU times. On a CPU device returns wall
+    /// time, because the device's own clock is wrong for short passes.
     double run(const gpu::Graph& graph);
 
     /// The passes of the last run.
@@ -77,7 +77,8 @@ public:
     gpu::Executor executor;
 };
 
-/// Takes `total` steps, at most `most` of them per graph: calls step(count, is_last).
+/// Divides `total` steps among graphs of at most `most` steps each. Calls step(count, is_last) for each
+/// graph.
 template <class Step>
 void in_batches(uint32_t total, uint32_t most, const Step& step)
 {

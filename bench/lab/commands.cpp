@@ -58,9 +58,9 @@ void add_drawing_options(CLI::App& command, bench::Size& size, uint32_t& frames,
 namespace {
 
 struct SeriesOptions {
-    std::vector<std::string> names;    ///< of series; empty: all
-    std::vector<std::string> compared; ///< two .json; empty: measure
-    std::string plots;                 ///< folder; empty: none
+    std::vector<std::string> names;    ///< names of series; empty: all
+    std::vector<std::string> compared; ///< two .json files to compare; empty: measure
+    std::string plots;                 ///< folder for plots; empty: no plots
     ResultFiles files;
     BenchPlan plan;
     bench::Size size;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The commands of estampe_lab. Each function adds the options of one to `command` and returns what runs it
-// once the command line is parsed. That throws Error when something cannot be measured or written.
+// The commands of estampe_lab. Each function adds the options of one command to `command`. It returns the job
+// that runs the command after the command line is parsed. The job throws Error when something cannot be
+// measured or written.
 
 #include <algorithm>
 #include <functional>
@@ -24,17 +25,17 @@ using bench::Job;
 /// Measures what lights cost.
 [[nodiscard]] Job add_lights(CLI::App& command);
 
-/// Runs the kernels that show what makes a shader quick or slow.
+/// Runs the kernels that show which constructs make a shader fast or slow.
 [[nodiscard]] Job add_kernels(CLI::App& command);
 
-/// Holds each pass against what the device can copy and compute.
+/// Compares each pass with the copy and arithmetic speed of the device.
 [[nodiscard]] Job add_roofline(CLI::App& command);
 
-/// Adds what all commands that draw pictures ask for: their size, the number of frames, and the device's
-/// options.
+/// Adds the options of all commands that draw pictures: the pictures' size, the number of frames, and the
+/// device's options.
 void add_drawing_options(CLI::App& command, bench::Size& size, uint32_t& frames, RendererOptions& device);
 
-/// Files that a result is written to besides standard output.
+/// Files that receive the result in addition to standard output.
 class ResultFiles {
 public:
     /// Adds --json and --csv. This object must outlive the job.
@@ -42,10 +43,10 @@ public:
 
     [[nodiscard]] bool is_any() const { return !json_.empty() || !csv_.empty(); }
 
-    /// Throws Error when a file cannot be written, which is known before anything is measured.
+    /// Throws Error if a file cannot be written. Called before anything is measured.
     void check() const;
 
-    /// Writes json_of(result) and csv_of(result) to the files that were asked for.
+    /// Writes json_of(result) and csv_of(result) to the requested files.
     template <class Result>
     void write(const Result& result) const
     {
@@ -87,7 +88,7 @@ template <class Entry>
     return result;
 }
 
-/// A line for each entry: its name, and what it is about.
+/// One line per entry: the entry's name and its description.
 template <class Entries>
 [[nodiscard]] std::string list_of(const Entries& entries)
 {

@@ -17,7 +17,7 @@
 namespace estampe::lab {
 namespace {
 
-constexpr int shadow_texels = 512; // side of a spot's map, and of each of a lamp's six
+constexpr int shadow_texels = 512; // side in texels of a spot's shadow map, and of each of a lamp's six maps
 
 constexpr const char* lights_footer = R"(Examples:
   estampe_lab lights -o lights.svg
@@ -28,17 +28,17 @@ on how busy the machine is.)";
 
 struct LightsOptions {
     std::vector<uint32_t> counts{1, 3, 10, 30, 100, 300, 1000};
-    uint32_t shadowed = 0; ///< how many lights throw shadows: spots and points in turn
-    bool million = false;  ///< a million triangles, not some ten thousand
+    uint32_t shadowed = 0; ///< number of lights that cast shadows: spots alternate with points
+    bool million = false;  ///< the scene has a million triangles instead of ten thousand
     bool moving = false;   ///< shadowed lights move from frame to frame
     bench::Size size;
     uint32_t frames = 9;
     RendererOptions device;
-    std::string output; ///< .svg; empty: no plot
+    std::string output; ///< an .svg file for the plot; empty: no plot
     bool json = false;
 };
 
-/// GPU time of a frame, by what it is for.
+/// GPU time of a frame, divided by purpose.
 struct Cost {
     double light_ms = 0.0;
     double shadow_ms = 0.0;
@@ -48,7 +48,7 @@ struct Cost {
 struct Row {
     uint32_t lights = 0;
     Cost with;
-    Cost without; ///< no local light
+    Cost without; ///< cost without local lights
 };
 
 Cost cost_of(const std::vector<PassTiming>& passes, const std::vector<double>& frames_ms)
@@ -64,7 +64,8 @@ Cost cost_of(const std::vector<PassTiming>& passes, const std::vector<double>& f
     return cost;
 }
 
-/// Frames of one scene; the first one, which compiles and uploads, does not count.
+/// Draws frames of one scene. The first frame does not count, because it compiles shaders and uploads the
+/// scene.
 class Measured {
 public:
     Measured(const LightsOptions& options, const Scene& scene) : options_(options), renderer_(options.device)
@@ -75,7 +76,7 @@ public:
         frames_ms_.clear();
     }
 
-    /// Either what passes cost is asked for, or what the frame does, as it takes longer by that.
+    /// Measures either the passes or the whole frame, because timing the passes makes a frame slower.
     void draw(double time_s, bool by_passes)
     {
         const RenderSettings settings{.width = options_.size.width,
@@ -156,7 +157,8 @@ std::string json_of(const LightsOptions& options, const std::vector<Row>& rows, 
     return json.dump(2) + "\n";
 }
 
-/// Milliseconds of the light passes over the logarithm of the number of lights, with and without them.
+/// Plots milliseconds of the light passes over the logarithm of the number of lights, with and without the
+/// local lights.
 std::string plot(const std::vector<Row>& rows)
 {
     constexpr double width = 480.0;

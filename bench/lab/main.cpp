@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What drawing costs on this device: series of growing work, lights, single kernels, and each pass against
-// what the device can do. estampe_lab --help
+// Measures the cost of drawing on this device: series of growing work, lights, single kernels, and each pass
+// compared with the device's limits. estampe_lab --help
 
 #include "common/command_line.hpp"
 #include "lab/commands.hpp"

@@ -18,7 +18,7 @@
 namespace estampe::lab {
 namespace {
 
-/// The side of its floor.
+/// Side of the field's floor.
 constexpr double field_m = 40.0;
 
 Index add_mesh(Scene& scene, Primitive primitive)
@@ -27,7 +27,7 @@ Index add_mesh(Scene& scene, Primitive primitive)
     return static_cast<Index>(scene.meshes.size() - 1);
 }
 
-/// Without a parent.
+/// Adds a node that has no parent.
 void add_root(Scene& scene, Node node)
 {
     scene.roots.push_back(static_cast<Index>(scene.nodes.size()));
@@ -124,7 +124,7 @@ BenchPicture field(double triangles, uint32_t width, uint32_t height)
             .height = height};
 }
 
-/// As wide as 16 to 9.
+/// A picture of this many pixels, with the aspect ratio 16:9.
 BenchPicture of_pixels(double pixels, uint32_t /*width*/, uint32_t /*height*/)
 {
     const auto height = static_cast<uint32_t>(std::lround(std::sqrt(pixels * 9.0 / 16.0)));
@@ -153,7 +153,7 @@ BenchPicture of_shadows(double lamps, uint32_t width, uint32_t height)
     return picture;
 }
 
-/// All of the page in shade, by strokes that are the thinner the more there are to a centimetre.
+/// A page that is entirely in shade, hatched. The more strokes per centimetre, the thinner the strokes.
 BenchPicture of_strokes(double strokes_per_cm, uint32_t width, uint32_t height)
 {
     BenchPicture picture = field(usual_triangles, width, height);
@@ -278,17 +278,17 @@ const std::vector<Series>& all_series()
 
 namespace {
 
-/// Draws one picture again and again.
+/// Draws one picture repeatedly.
 class Drawn {
 public:
     Drawn(const RendererOptions& device, BenchPicture picture)
         : picture_(std::move(picture)), renderer_(device)
     {
         renderer_.set_scene(picture_.scene);
-        draw(); // compiles and uploads
+        draw(); // the first frame compiles shaders and uploads the scene
     }
 
-    /// What was drawn so far does not count.
+    /// Discards the times of the frames drawn so far.
     void forget()
     {
         passes_.forget();
@@ -356,8 +356,8 @@ private:
     int frame_ = 0;
 };
 
-/// A GPU raises its clock only when it has had something to do for a while. What passes cost is asked in the
-/// end, as a frame takes longer by that.
+/// A GPU raises its clock rate only after some time under load. The passes are timed last, because timing
+/// passes makes a frame slower.
 void draw_in_turn(Drawn& base, Drawn* other, uint32_t frames)
 {
     const uint32_t warm_up = base.device().software ? 1 : 12;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What estampe_lab measures: scenes of its own, each by growing amounts of one kind of work.
+// The measurements of estampe_lab: scenes made for this program, each with growing amounts of one kind of
+// work.
 
 #include <cstdint>
 #include <functional>
@@ -14,57 +15,58 @@
 
 namespace estampe::lab {
 
-/// A picture to draw again and again.
+/// A picture that is drawn repeatedly.
 struct BenchPicture {
     Scene scene;
     Camera camera;
     Style style;
     uint32_t width = 0;
     uint32_t height = 0;
-    bool moves = false; ///< frames of a film, a sixtieth of a second apart, not stills
+    bool moves = false; ///< true: frames of a film, a sixtieth of a second apart; false: stills
 };
 
-/// A kind of work.
+/// A kind of work whose amount grows.
 struct Series {
     const char* name;
     const char* about;
-    const char* work;            ///< what is counted, in the plural
-    std::vector<double> amounts; ///< ascending; the first is what the others are compared with
-    double most_on_processor;    ///< amounts beyond take a processor minutes
+    const char* work;            ///< unit of the work, in the plural
+    std::vector<double> amounts; ///< ascending; all others are compared with the first
+    double most_on_processor;    ///< larger amounts take minutes on a CPU
     BenchPicture (*picture)(double amount, uint32_t width, uint32_t height);
 };
 
-/// All there are, in the order in which they are measured.
+/// All series, in the order in which they are measured.
 [[nodiscard]] const std::vector<Series>& all_series();
 
-/// A floor with balls on it, 8 by 8, of about so many triangles together, under a weak light from everywhere,
-/// so that the program adds none of its own.
+/// A floor with 8 by 8 balls of about `triangles` triangles together. A weak uniform light keeps the program
+/// from adding a default light.
 [[nodiscard]] Scene field_of_balls(double triangles);
 
-/// From where all of it is seen.
+/// A camera that sees the whole field.
 [[nodiscard]] Camera view_of_field();
 
-/// Lights spread over the field at random, the same at each call; the first of them throw shadows. Their
-/// reach is such that a point gets light of three of them, however many there are, down to a reach of 1 m.
+/// Adds lights at random positions over the field, identical at each call. The first `shadowed` lights cast
+/// shadows. For any number of lights, the range of each light is set so that three lights reach a point; it
+/// is at least 1 m.
 void add_lights(Scene& scene, uint32_t count, uint32_t shadowed);
 
-/// The lights that throw shadows circle once in a second.
+/// Makes the lights that cast shadows circle once per second.
 void animate_shadowed(Scene& scene, uint32_t shadowed);
 
-/// What one technique took of a frame.
+/// GPU time of one technique in a frame.
 struct TechniqueCost {
-    std::string name; ///< of its passes, up to the first slash
+    std::string name; ///< common part of its passes' names, up to the first slash
     double gpu_ms = 0.0;
 };
 
-/// One amount of work.
+/// The measured cost of one amount of work.
 struct BenchPoint {
     double amount = 0.0;
-    Spread gpu_ms;      ///< a frame, its passes side by side
-    Spread wall_ms;     ///< the frame as who asks for it sees it, with the way back to the host
-    double ratio = 1.0; ///< cost by that of the first amount, frame by frame in turn
+    Spread gpu_ms;      ///< time of a frame whose passes may overlap
+    Spread wall_ms;     ///< time until the caller has the frame, including the copy to the host
+    double ratio = 1.0; ///< ratio to the cost of the first amount, with alternating frames
     uint64_t memory_bytes = 0;
-    std::vector<TechniqueCost> techniques; ///< medians, one pass after another, dearest first
+    std::vector<TechniqueCost> techniques; ///< medians of passes that run alone, most expensive first
 };
 
 struct BenchSeries {
@@ -76,7 +78,7 @@ struct BenchSeries {
 struct BenchResult {
     std::string device;
     std::string driver;
-    bool software = false; ///< a processor, whose clock of passes is wrong: wall time is the cost
+    bool software = false; ///< the device is a CPU, whose pass times are wrong: wall time is the cost
     uint32_t width = 0;
     uint32_t height = 0;
     uint32_t frames = 0;
@@ -85,8 +87,8 @@ struct BenchResult {
 
 [[nodiscard]] const Spread& cost_of(const BenchPoint& point, bool software);
 
-/// Power of the amount that the cost grows by from one point to the next: 1 where twice the work costs twice
-/// as much. 0 for the first.
+/// Exponent of the growth of cost with the amount, from the previous point to this one: 1 if twice the work
+/// costs twice as much. 0 for the first point.
 [[nodiscard]] double growth(const BenchSeries& series, size_t point, bool software);
 
 struct BenchPlan {
@@ -94,11 +96,11 @@ struct BenchPlan {
     uint32_t width = 1280;
     uint32_t height = 720;
     uint32_t frames = 9;
-    double most_share = 1.0; ///< amounts above so much of a series' greatest are left out
+    double most_share = 1.0; ///< leaves out amounts above this share of a series' largest
 };
 
-/// Draws each amount in turn with the series' first, so that their ratio does not depend on how busy the
-/// machine is. `on_point` is told what is about to be measured. Throws Error as Renderer does.
+/// Draws each amount alternately with the series' first amount, so that their ratio does not depend on other
+/// load on the machine. Calls `on_point` before each measurement. Throws Error as Renderer does.
 [[nodiscard]] BenchResult measure(const std::vector<const Series*>& series, const BenchPlan& plan,
                                   const std::function<void(const Series&, double amount)>& on_point);
 

@@ -93,7 +93,7 @@ BenchResult result_from(const nlohmann::ordered_json& json)
     return result;
 }
 
-/// Half of what lies between the quartiles, as a share of the median.
+/// Half of the interquartile range, as a share of the median.
 double noise_of(const Spread& cost)
 {
     return 0.5 * (cost.high - cost.low) / std::max(cost.median, 1e-9);
@@ -218,7 +218,7 @@ constexpr double plot_width = 480.0;
 constexpr double plot_height = 320.0;
 constexpr double plot_margin = 56.0;
 
-/// A logarithmic axis of whole decades.
+/// A logarithmic axis of whole powers of ten.
 class Axis {
 public:
     Axis(double least, double most, double from_px, double to_px)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What was measured, for people and for programs.
+// Writes measured results as tables, JSON and plots.
 
 #include <string>
 
@@ -16,14 +16,14 @@ namespace estampe::lab {
 [[nodiscard]] std::string csv_of(const BenchResult& result);
 [[nodiscard]] std::string json_of(const BenchResult& result);
 
-/// What json_of() wrote. Throws Error, naming the file, when it is nothing of the kind.
+/// Reads the output of json_of(). Throws Error that names the file if the file has another format.
 [[nodiscard]] BenchResult read_bench_json(const std::string& path);
 
-/// Cost over work on logarithmic axes, beside a line that rises as the work does.
+/// Plots cost over work on logarithmic axes, with a reference line of cost proportional to work.
 [[nodiscard]] std::string plot_of(const BenchSeries& series, const BenchResult& result);
 
-/// Cost of the second by that of the first, point by point, with how far it may be off by the quartiles of
-/// both. Throws Error when they have no point in common.
+/// Ratio of the second result's cost to the first's, point by point, with an error range from the quartiles
+/// of both. Throws Error if the results have no point in common.
 [[nodiscard]] std::string comparison_of(const BenchResult& before, const BenchResult& after);
 
 [[nodiscard]] inline nlohmann::ordered_json spread_json(const Spread& spread)

@@ -31,7 +31,7 @@ AfterglowPlan Afterglow::plan(gpu::Device& device, glm::uvec2 size_px, double ti
         plan.kept =
             static_cast<float>(std::exp2((*time_s_ - time_s) / static_cast<double>(style.half_life_s)));
     }
-    time_s_.reset(); // until it has been drawn
+    time_s_.reset(); // no previous picture until this picture has been drawn
     return plan;
 }
 

@@ -8,7 +8,7 @@ namespace estampe::shared {
 
 struct AfterglowConstants {
     uvec2 size_px;
-    float kept; // share of the ink before that is still there; 0 where there is none
+    float kept; // share of the previous ink that remains; 0 without a previous picture
 };
 
 #ifdef __cplusplus

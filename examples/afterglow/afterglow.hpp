@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Ink that fades: what was drawn in the pictures before is still there, paler with time.
+// Ink that fades: the ink of earlier pictures remains visible, paler with time.
 
 #include <optional>
 
@@ -13,28 +13,28 @@
 namespace estampe::features {
 
 struct AfterglowStyle {
-    float half_life_s = 0.25F; ///< after which half of the ink is left
+    float half_life_s = 0.25F; ///< time in which the ink fades to half
 };
 
-/// What is decided on the processor before the frame.
+/// Values that are computed on the CPU before the frame.
 struct AfterglowPlan {
     glm::uvec2 size_px{0};
     double time_s = 0.0;
-    float kept = 0.0F; ///< share of the ink before that is still there; 0 where the picture goes on from none
+    float kept = 0.0F; ///< share of the previous ink that remains; 0 without a previous picture
 };
 
 class Afterglow final : public Feature {
 public:
-    /// Plans a picture at a moment of the scene, and makes room for it. It goes on from the picture before
-    /// when `follows`, the page is as large, and time did not go back.
+    /// Plans a picture at a moment of the scene, and allocates its memory. The ink of the previous picture
+    /// continues if `follows` is true, the page size is unchanged, and time did not go back.
     [[nodiscard]] AfterglowPlan plan(gpu::Device& device, glm::uvec2 size_px, double time_s, bool follows,
                                      const AfterglowStyle& style);
 
-    /// Writes  r16f: `ink`, or what is left of the picture before where that is more
+    /// Writes  r16f: the larger of `ink` and the faded ink of the previous pictures
     /// Cost    one full-screen dispatch
     [[nodiscard]] gpu::ImageId record(gpu::Graph& graph, const AfterglowPlan& plan, gpu::ImageId ink);
 
-    /// To be called when the graph has run.
+    /// Must be called after the graph has run.
     void drawn(const AfterglowPlan& plan);
 
     void invalidate(Event event) override;
@@ -50,7 +50,7 @@ public:
 private:
     gpu::Buffer ink_; ///< one float per pixel
     glm::uvec2 size_px_{0};
-    std::optional<double> time_s_; ///< of the picture that `ink_` is of; none where it is of no use
+    std::optional<double> time_s_; ///< time of the picture that `ink_` holds; none if `ink_` is not usable
 };
 
 } // namespace estampe::features

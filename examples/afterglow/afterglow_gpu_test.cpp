@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is left of the pictures before.
+// Tests how much ink of the previous pictures remains.
 #include "afterglow.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr glm::uvec2 size_px(24, 16);
 
-/// Ink of a picture in which one column is black; the number of the column goes along with time.
+/// Ink of a picture in which one column is black. The column's number increases with time.
 std::vector<float> picture(Afterglow& afterglow, uint32_t column, bool follows = true,
                            glm::uvec2 page_px = size_px)
 {
@@ -58,9 +58,9 @@ TEST(Afterglow, GoesOnFromNothingElse)
     expect_trail(picture(afterglow, 2), {0.0F, 0.5F, 1.0F});
     afterglow.invalidate(Event::scene_replaced);
     expect_trail(picture(afterglow, 3), {0.0F, 0.0F, 0.0F, 1.0F});
-    expect_trail(picture(afterglow, 1), {0.0F, 1.0F}); // earlier
+    expect_trail(picture(afterglow, 1), {0.0F, 1.0F}); // time goes back
     static_cast<void>(picture(afterglow, 2, true, size_px + 8U));
-    expect_trail(picture(afterglow, 3), {0.0F, 0.0F, 0.0F, 1.0F}); // another page
+    expect_trail(picture(afterglow, 3), {0.0F, 0.0F, 0.0F, 1.0F}); // the page has another size
 }
 
 TEST(Afterglow, AnotherRunGoesOnFromItsMemory)

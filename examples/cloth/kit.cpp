@@ -6,7 +6,7 @@
 
 namespace kit {
 
-using namespace estampe; // NOLINT(google-build-using-namespace): all of it is about one library
+using namespace estampe; // NOLINT(google-build-using-namespace): this whole file uses one library
 
 Primitive turned(const std::vector<glm::vec2>& rings, uint32_t segments)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Draws cloth that a program made, through the public headers alone: cloth SET-UP PICTURE.png [FRAMES]
-// With FRAMES that many pictures follow one another, 24 a second, PICTURE.png-0000.png and so on.
+// Draws cloth that a program made, using only the public headers: cloth SET-UP PICTURE.png [FRAMES]
+// With FRAMES, writes that many pictures, 24 per second of scene time: PICTURE.png-0000.png and so on.
 
 #include <cstdio>
 #include <cstdlib>

@@ -12,7 +12,7 @@
 
 namespace {
 
-using namespace estampe; // NOLINT(google-build-using-namespace): all of it is about one library
+using namespace estampe; // NOLINT(google-build-using-namespace): this whole file uses one library
 
 struct Making {
     ClothScene set_up;
@@ -47,7 +47,7 @@ float held_above(glm::vec2 share)
     return share.y == 0.0F ? 1.0F : 0.0F;
 }
 
-/// By so many hooks along the upper edge.
+/// Holds a sheet by `count` hooks along its upper edge.
 kit::Hold hooks(float count, float particles)
 {
     return [=](glm::vec2 share) {
@@ -100,11 +100,11 @@ void curtain(Making& m)
     for (const double x : {-1.2, 1.2}) {
         kit::add(m.scene(), "post", kit::turned({{0.04F, 0.0F}, {0.04F, 2.55F}}, 14), {x, 0.0, 0.0});
     }
-    // Its hooks stand nearer to each other than it is wide: it falls in folds.
+    // The cloth between two hooks is wider than their distance, so the cloth falls in folds.
     const auto node = kit::add_sheet(m.scene(), m.particles(65, 49), {-1.05, 2.47, 0.0}, {2.1F, 0.0F, 0.0F},
                                      {0.0F, -2.3F, 0.0F}, hooks(9.0F, m.finer * 64.0F + 1.0F));
     auto& positions = m.scene().meshes[m.scene().nodes[node].mesh].primitives[0].positions;
-    for (glm::vec3& place : positions) { // laid in waves
+    for (glm::vec3& place : positions) { // the cloth starts in waves
         place.z += 0.07F * std::sin(place.x * 8.0F * std::numbers::pi_v<float> / 2.1F * 2.0F);
     }
     m.wind(1.2F, 10.0F);
@@ -176,7 +176,7 @@ void spinning_ball(Making& m)
     kit::add(m.scene(), "post", kit::turned({{0.3F, 0.0F}, {0.08F, 0.1F}, {0.06F, 0.5F}}, 20), {});
     AnimationChannel turn{.node = node, .path = AnimatedPath::rotation};
     for (int i = 0; i <= 64; ++i) {
-        const float angle = 0.5F * static_cast<float>(i) * 0.7F; // half of the turn
+        const float angle = 0.5F * static_cast<float>(i) * 0.7F; // half of the rotation, for a quaternion
         turn.times_s.push_back(static_cast<float>(i) * 0.1F);
         for (const float part : {0.0F, std::sin(angle), 0.0F, std::cos(angle)}) {
             turn.values.push_back(part);
@@ -219,7 +219,8 @@ void hammock(Making& m)
     const Index sling = kit::add_sheet(
         m.scene(), m.particles(61, 25), {-1.42, 1.55, -0.45}, {2.84F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.9F},
         [](glm::vec2 share) { return share.x == 0.0F || share.x == 1.0F ? 1.0F : 0.0F; });
-    // As long as the way about the ball: what is drawn tight from post to post cannot give way to it.
+    // The sling is as long as the path around the ball. A sling pulled straight between the posts could not
+    // yield.
     for (glm::vec3& place : m.scene().meshes[m.scene().nodes[sling].mesh].primitives[0].positions) {
         const float along = place.x / 1.42F - 1.0F;
         place.y -= 0.52F * (1.0F - along * along);
@@ -282,7 +283,7 @@ void veil(Making& m)
 
 void swing(Making& m)
 {
-    // A rod that goes to and fro, and what hangs from it.
+    // A rod that moves back and forth, and the cloth that hangs from it.
     const Index rod = kit::add(m.scene(), "rod", kit::block({0.8F, 0.03F, 0.03F}), {0.0, 2.4, 0.0});
     for (const double x : {-1.4, 1.4}) {
         kit::add(m.scene(), "post", kit::turned({{0.05F, 0.0F}, {0.05F, 2.5F}}, 14), {x, 0.0, -0.3});
@@ -309,7 +310,7 @@ void swing(Making& m)
 void cape(Making& m)
 {
     const kit::Walker walker = kit::add_walker(m.scene(), {0.0, 0.0, -1.6});
-    // Round the shoulders, and wider below: half a cone.
+    // The cape starts as half a cone: narrow around the shoulders, wider below.
     const glm::uvec2 particles = m.particles(41, 45);
     Primitive sheet = cloth_sheet(particles.x, particles.y, {}, {1.0F, 0.0F, 0.0F}, {0.0F, -1.0F, 0.0F});
     for (uint32_t i = 0; i < sheet.positions.size(); ++i) {
@@ -383,7 +384,7 @@ ClothScene make_set_up(const std::string& name, float finer)
         throw Error("there is no set-up of that name", name);
     }
     Making making{.set_up = {.name = name, .scene = kit::empty_scene()}, .finer = finer};
-    // A low sun from the left, as for all that hangs and lies.
+    // All these scenes have a low sun from the left.
     making.set_up.style = {"light.source=sun", "light.sun_azimuth_deg=-52", "light.sun_elevation_deg=24"};
     found->second(making);
     return making.set_up;

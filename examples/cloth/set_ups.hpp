@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Sheets of cloth in small scenes, made by the public headers alone.
+// Cloth sheets in small scenes, made with only the public headers.
 
 #include <string>
 #include <vector>
@@ -12,11 +12,12 @@ struct ClothScene {
     std::string name;
     estampe::Scene scene;
     estampe::Camera camera;
-    std::vector<std::string> style; ///< assignments
+    std::vector<std::string> style; ///< assignments to style keys
 };
 
 /// "flag", "banner", "curtain" and more.
 [[nodiscard]] std::vector<std::string> set_up_names();
 
-/// Throws estampe::Error for a name that is none of those. `finer` has so many times the particles a side.
+/// Makes the scene of that name. Throws estampe::Error for an unknown name. `finer` multiplies the number of
+/// particles per side.
 [[nodiscard]] ClothScene make_set_up(const std::string& name, float finer = 1.0F);

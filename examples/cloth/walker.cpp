@@ -11,7 +11,7 @@
 namespace kit {
 namespace {
 
-using namespace estampe; // NOLINT(google-build-using-namespace): all of it is about one library
+using namespace estampe; // NOLINT(google-build-using-namespace): this whole file uses one library
 
 constexpr float pi = std::numbers::pi_v<float>;
 
@@ -39,7 +39,7 @@ struct Bind {
     glm::vec3 place_m;
 };
 
-/// The first is its own parent: the root.
+/// The first joint is the root, which is its own parent.
 constexpr std::array<Bind, joint_count> binds{{{hips, {0.0F, 0.95F, 0.0F}},
                                                {hips, {0.0F, 1.38F, 0.0F}},
                                                {chest, {0.0F, 1.66F, 0.0F}},
@@ -75,7 +75,7 @@ constexpr std::array<Limb, 12> limbs{{{hips, chest, 0.15F},
                                       {right_hip, right_knee, 0.085F},
                                       {right_knee, right_foot, 0.065F}}};
 
-/// A capsule about a bone, that goes with the joint it begins at.
+/// Adds a capsule around a bone. The capsule moves with the joint at which the bone begins.
 void add_limb(Primitive& body, const Limb& limb)
 {
     const glm::vec3 from = binds.at(limb.from).place_m;
@@ -84,7 +84,7 @@ void add_limb(Primitive& body, const Limb& limb)
     const glm::vec3 aside = glm::normalize(glm::cross(along, glm::vec3(0.0F, 0.0F, 1.0F)));
     const glm::vec3 across = glm::cross(along, aside);
     constexpr uint32_t segments = 16;
-    constexpr uint32_t rings = 12; // of both round ends
+    constexpr uint32_t rings = 12; // rings of both round ends together
     for (uint32_t ring = 0; ring <= rings; ++ring) {
         const float polar = pi * static_cast<float>(ring) / rings;
         const glm::vec3 end = 2 * ring < rings ? from : to;
@@ -106,7 +106,7 @@ void add_limb(Primitive& body, const Limb& limb)
     }
 }
 
-/// To and fro about x, `lead` of a stride ahead; knees and elbows bend one way only.
+/// Swings a joint about x, `lead` of a stride ahead. Knees and elbows bend in one direction only.
 AnimationChannel swing(Index node, float most_rad, float middle_rad, float lead)
 {
     AnimationChannel channel{.node = node, .path = AnimatedPath::rotation};

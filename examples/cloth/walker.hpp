@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A figure that walks, and wears what is bound to its chest.
+// A figure that walks and wears meshes that are bound to its chest.
 
 #include <estampe/scene.hpp>
 
@@ -9,13 +9,13 @@ namespace kit {
 
 struct Walker {
     estampe::Index skin = 0;
-    uint16_t chest = 0; ///< among the skin's joints
+    uint16_t chest = 0; ///< index among the skin's joints
 };
 
-/// Adds a figure of 1.75 m that walks along +z from `foot_m` on, 1.2 m/s, and begins anew after 4 s.
+/// Adds a figure of 1.75 m that walks from `foot_m` along +z at 1.2 m/s and starts again after 4 s.
 Walker add_walker(estampe::Scene& scene, glm::dvec3 foot_m);
 
-/// Binds a primitive, in the figure's own space, to one of its joints.
+/// Binds a primitive, given in the figure's object space, to one of the figure's joints.
 void bind(estampe::Primitive& primitive, uint16_t joint);
 
 } // namespace kit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws a scene and saves the picture, through the public headers alone: embed SCENE PICTURE.png
+// Draws a scene and saves the picture, using only the public headers: embed SCENE PICTURE.png
 
 #include <cstdio>
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What an application that draws by Vulkan has anyway: a device, and an image on it.
+// The Vulkan objects that a host application already has: a device, and an image on the device.
 
 #include <cstdint>
 #include <vector>
 
 #include <estampe/vulkan.hpp>
 
-/// An instance, a device that Estampe can draw on, and one queue. Throws std::runtime_error.
+/// An instance, a device that Estampe can draw on, and one queue. The constructor throws std::runtime_error.
 class Host {
 public:
     Host();
@@ -18,7 +18,7 @@ public:
 
     [[nodiscard]] const estampe::VulkanHost& vulkan() const { return vulkan_; }
 
-    /// Memory of a buffer or an image, of a type with these properties.
+    /// Allocates memory for a buffer or an image, of a type with these properties.
     [[nodiscard]] VkDeviceMemory allocate(const VkMemoryRequirements& needs,
                                           VkMemoryPropertyFlags wanted) const;
 
@@ -26,7 +26,7 @@ private:
     estampe::VulkanHost vulkan_;
 };
 
-/// An image that shaders of the host's could sample.
+/// An image that the host's shaders could sample.
 class Texture {
 public:
     Texture(const Host& host, uint32_t width, uint32_t height);
@@ -36,7 +36,8 @@ public:
 
     [[nodiscard]] VkImage image() const { return image_; }
 
-    /// Its texels, four bytes each, row by row. It has to be in VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL.
+    /// The image's texels, four bytes each, row by row. The image must be in
+    /// VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL.
     [[nodiscard]] std::vector<uint8_t> read() const;
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Draws a scene into an image of this application's own Vulkan device, and saves what came to lie there:
-// host_device SCENE PICTURE.png
+// Draws a scene into an image of this application's own Vulkan device, and saves the image: host_device SCENE
+// PICTURE.png
 
 #include <cstdio>
 #include <exception>

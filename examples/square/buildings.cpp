@@ -16,7 +16,8 @@ namespace shapes = estampe::shapes;
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-/// The stones of an arch, standing out from the wall so that each is drawn; keystone longest.
+/// The stones of an arch. They stand out from the wall, so that each stone is drawn; the keystone is the
+/// longest.
 void add_arch_stones(Kit& kit, float radius, float springing, const glm::mat4& placed)
 {
     constexpr int stones = 11;
@@ -34,7 +35,7 @@ void add_arch_stones(Kit& kit, float radius, float springing, const glm::mat4& p
     }
 }
 
-/// Courses that run the whole length: a string above the arches and a cornice in two steps.
+/// Mouldings along the whole length: a string course above the arches and a cornice in two steps.
 void add_courses(Kit& kit, const Arcade& arcade, float string_height)
 {
     const float length = length_of(arcade);
@@ -66,7 +67,7 @@ void add_bay(Kit& kit, const Arcade& arcade, float x, bool door)
         kit.add(Stuff::shutter, shapes::box({1.7F, 3.1F, 0.1F}), at({x, 0.0F, 0.42F - arcade.depth}));
 }
 
-/// The walk behind the arches: back wall, ceiling and two ends. No two faces lie in one plane.
+/// The walk behind the arches: back wall, ceiling and two ends. No two faces are in one plane.
 void add_walk(Kit& kit, const Arcade& arcade, float ceiling)
 {
     constexpr float back = 0.4F;

@@ -22,7 +22,7 @@ constexpr int component_f32 = 5126;
 constexpr int target_vertices = 34962;
 constexpr int target_indices = 34963;
 
-/// The binary chunk, and the views and accessors into it.
+/// The binary chunk of the file, with its buffer views and accessors.
 class Buffers {
 public:
     template <typename Value>
@@ -71,7 +71,8 @@ private:
 
 json describe_primitive(const Primitive& primitive, Buffers& buffers)
 {
-    // glTF's texture coordinates run downwards, ours are metres: either way is fine, none is turned over.
+    // glTF's texture coordinates run downwards, these run in metres. They are not flipped: both directions
+    // work.
     const json attributes = {
         {"POSITION", buffers.add_positions(primitive.positions)},
         {"NORMAL", buffers.add(primitive.normals, "VEC3", component_f32, target_vertices)},

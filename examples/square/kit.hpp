@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How the square's things are put together: shapes, each of one stuff, gathered into meshes.
+// Shapes and materials of the objects on the square. Each shape has one material and is added to a mesh.
 
 #include <vector>
 
@@ -16,7 +16,7 @@ using estampe::shapes::rod;
 
 enum class Stuff : estampe::Index { sand, stone, plaster, marble, shutter, red, iron, brick, steam };
 
-/// The materials, in the order of Stuff.
+/// The materials, in the order of the enum Stuff.
 [[nodiscard]] std::vector<estampe::Material> materials();
 
 } // namespace square

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes Estampe's own scene, a square after de Chirico, or one thing of it, as binary glTF.
+// Writes Estampe's own scene, a square after de Chirico, or one object of this scene, as binary glTF.
 #include <cstdio>
 #include <exception>
 

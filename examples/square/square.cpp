@@ -14,7 +14,7 @@ namespace shapes = estampe::shapes;
 using estampe::Index;
 using estampe::Scene;
 
-/// Collects the nodes: one mesh and one node a thing.
+/// Collects the scene's nodes: one mesh and one node per object.
 class Stage {
 public:
     void put(const std::string& name, const Kit& kit, const glm::vec3& place, double turn_degrees = 0.0)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The things that stand on the square, each on y = 0 at the origin, and the square itself.
+// The objects on the square, each on y = 0 at the origin, and the square itself.
 
 #include <filesystem>
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace square {
 
-/// A building of arches along x whose front faces +z at z = 0.
+/// A building with arches along x. Its front faces +z at z = 0.
 struct Arcade {
     uint32_t arches = 9;
     float opening = 3.8F;
@@ -20,40 +20,40 @@ struct Arcade {
     float springing = 3.4F;
     float height = 8.6F;
     float thickness = 1.0F;
-    float depth = 5.5F;  ///< of the walk behind the arches; 0: a wall that stands alone
-    bool windows = true; ///< in the storey above
+    float depth = 5.5F;  ///< depth of the walk behind the arches; 0: a free-standing wall
+    bool windows = true; ///< the storey above the arches has windows
 };
 
 [[nodiscard]] float length_of(const Arcade& arcade);
 [[nodiscard]] Kit build_arcade(const Arcade& arcade);
 
-/// A square tower under a ring of columns, with flags.
+/// A square tower with a ring of columns and flags on top.
 [[nodiscard]] Kit build_tower();
 
 /// A fluted column on its block, with a capital, 7.6 m high.
 [[nodiscard]] Kit build_column();
 
-/// A piece of a broken column, lying along x.
+/// A piece of a broken column that lies along x.
 [[nodiscard]] Kit build_drum();
 
-/// A plinth with a figure lying on it, along x.
+/// A plinth with a lying figure, along x.
 [[nodiscard]] Kit build_statue();
 
 /// A person, 1.75 m.
 [[nodiscard]] Kit build_person(bool cloak);
 
-/// An engine with its tender, along x, chimney towards -x, under steam.
+/// A steam engine with its tender, along x, chimney towards -x, with steam.
 [[nodiscard]] Kit build_train();
 
-/// The whole picture: things, sun and the camera "square".
+/// The whole scene: objects, sun and the camera "square".
 [[nodiscard]] estampe::Scene build_square();
 
-/// One of its things by itself, without light or camera: "statue", "engine", "tower". Throws estampe::Error
-/// for a name of none.
+/// One object of the scene, without light or camera: "statue", "engine", "tower". Throws estampe::Error for
+/// an unknown name.
 [[nodiscard]] estampe::Scene build_thing(const std::string& name);
 
-/// Writes the meshes, materials, nodes, lights and cameras of `scene` as binary glTF, the same bytes for the
-/// same scene. Throws estampe::Error when the file cannot be written.
+/// Writes the meshes, materials, nodes, lights and cameras of `scene` as binary glTF. Equal scenes give equal
+/// bytes. Throws estampe::Error when the file cannot be written.
 void write_glb(const estampe::Scene& scene, const std::filesystem::path& path);
 
 } // namespace square

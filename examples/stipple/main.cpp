@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Draws a scene in dots: stipple SCENE PICTURE.png [KEY=VALUE...], as stipple.spacing_mm=0.6
 //
-// The scene's tone comes from the renderer, as a picture without strokes; the dots from a graph of their own.
+// The renderer draws the scene's tone, as a picture without strokes. A separate graph draws the dots.
 
 #include <algorithm>
 #include <cstdio>
@@ -22,7 +22,7 @@ namespace {
 constexpr glm::uvec2 size_px(960, 720);
 constexpr float page_height_mm = 100.0F;
 
-/// One minus the lightness of each pixel, as halves.
+/// Darkness of each pixel (1 minus its lightness), as half floats.
 std::vector<std::byte> darkness_of(const estampe::Image& picture)
 {
     std::vector<uint16_t> halves;
@@ -35,7 +35,7 @@ std::vector<std::byte> darkness_of(const estampe::Image& picture)
     return {bytes.begin(), bytes.end()};
 }
 
-/// What add_stipple() makes of it, on the same kind of device.
+/// Draws `picture` in dots with add_stipple(), on a device of the same kind.
 estampe::Image dotted(const estampe::Image& picture, const estampe::stipple::StippleStyle& style)
 {
     namespace gpu = estampe::gpu;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel: ink of the dots whose cells are about it.
+// One thread per pixel: ink of the dots in the cells around the pixel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -17,7 +17,7 @@ layout(push_constant, scalar) uniform Constants
     StippleConstants constants;
 };
 
-// Two numbers of 0 to 1 for a cell.
+// Two random numbers, 0 to 1, of a cell.
 vec2 random_of(ivec2 cell)
 {
     uint bits = hash(uint(cell.x), uint(cell.y), constants.seed);
@@ -40,8 +40,8 @@ void main()
                 (vec2(cell) + 0.5 + constants.jitter * (2.0 * random_of(cell) - 1.0)) * constants.cell_px;
             ivec2 at = clamp(ivec2(middle), ivec2(0), ivec2(constants.size_px) - 1);
             float darkness = clamp(texelFetch(darkness_image, at, 0).x, 0.0, 1.0);
-            // Its ink is its share of the cell: with an edge one pixel wide, a radius r shows pi (r^2 +
-            // 1/12). What is too small for that is pale.
+            // The dot's ink equals its share of the cell: with an edge one pixel wide, a radius r shows pi
+            // (r^2 + 1/12). A dot that is too small for this is drawn paler.
             float ink_px = constants.cell_px * constants.cell_px * darkness / 3.14159265;
             float radius_px = sqrt(max(ink_px - 1.0 / 12.0, 0.25));
             float pale = min(ink_px / (0.25 + 1.0 / 12.0), 1.0);

@@ -10,7 +10,7 @@ namespace estampe::stipple {
 
 gpu::ImageId add_stipple(gpu::Graph& graph, const StippleInputs& in, const StippleStyle& style)
 {
-    constexpr float least_cell_px = 2.0F; // or a dot would reach beyond the cells about it
+    constexpr float least_cell_px = 2.0F; // in smaller cells a dot would reach beyond the neighbouring cells
     auto pass = graph.compute("stipple", shaders::stipple_comp);
     pass.sample(in.darkness);
     const gpu::ImageId ink = pass.write(graph.image(

@@ -8,8 +8,8 @@ namespace estampe::shared {
 
 struct StippleConstants {
     uvec2 size_px;
-    float cell_px; // a dot has a square cell
-    float jitter;  // how far from its middle a dot may be, in cells
+    float cell_px; // side of the square cell that each dot has
+    float jitter;  // largest offset of a dot from its cell's middle, in cells
     uint seed;
 };
 

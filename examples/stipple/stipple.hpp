@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Dots that carry the tone: the darker, the larger.
+// Draws tone as dots: the darker the tone, the larger the dots.
 
 #include "gpu/graph/graph.hpp"
 #include "shaders/shared.hpp"
@@ -30,11 +30,11 @@ struct StippleInputs {
     glm::uvec2 size_px{0};
 };
 
-/// Draws dots whose mean ink is the darkness asked for, up to about a half; over that they overlap, and are
-/// paler.
+/// Draws dots whose mean ink equals `darkness`, up to about a half. Above that, dots overlap, so the mean ink
+/// is less.
 ///
 /// Writes  r16f: ink of the dots
-/// Cost    one full-screen dispatch of 9 texels a pixel
+/// Cost    one full-screen dispatch with 9 texel reads per pixel
 [[nodiscard]] gpu::ImageId add_stipple(gpu::Graph& graph, const StippleInputs& in, const StippleStyle& style);
 
 } // namespace estampe::stipple

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ink of dots against the darkness asked for.
+// Compares the dots' ink with the requested darkness.
 #include "stipple.hpp"
 
 #include <algorithm>
@@ -53,7 +53,7 @@ TEST(Stipple, EachHalfOfThePageHasItsOwnTone)
     for (size_t i = 0; i < ink.size(); ++i) {
         const size_t x = i % size_px.x;
         left += x < size_px.x / 2 ? ink[i] : 0.0;
-        right += x > size_px.x / 2 + 4 ? ink[i] : 0.0; // dots of the edge reach over it
+        right += x > size_px.x / 2 + 4 ? ink[i] : 0.0; // dots at the edge extend over the edge
     }
     EXPECT_GT(left, 1000.0);
     EXPECT_EQ(right, 0.0);

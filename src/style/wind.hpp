@@ -9,7 +9,7 @@
 
 namespace estampe::wind {
 
-/// What the wind is taken from.
+/// The source of the wind.
 enum class WindSource : uint8_t { automatic, style, smoke };
 
 /// Section [wind] of a style.
@@ -28,7 +28,7 @@ struct WindStyle {
 
 [[nodiscard]] const style::Table<WindStyle>& wind_table();
 
-/// The mean wind, as parts of a style that have no keys for it are told.
+/// The mean wind, as it is copied to the parts of a style that have no keys for wind.
 struct Wind {
     float speed_m_per_s = WindStyle().speed_m_per_s;
     float towards_deg = WindStyle().towards_deg; ///< bearing: 0 is +z, 90 is +x
@@ -36,7 +36,8 @@ struct Wind {
     bool operator==(const Wind&) const = default;
 };
 
-/// Speed where a feature has a key of its own: `own_m_per_s`, or the wind's if that is negative.
+/// The wind speed of a feature with its own key: `own_m_per_s`, or the wind's speed if `own_m_per_s` is
+/// negative.
 [[nodiscard]] inline float speed_m_per_s(const Wind& wind, float own_m_per_s)
 {
     return own_m_per_s < 0.0F ? wind.speed_m_per_s : own_m_per_s;

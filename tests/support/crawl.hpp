@@ -8,8 +8,8 @@
 
 namespace estampe::test {
 
-/// Share of the page where the light at the same point of the world is another half a step later. `Lit` has
-/// for each pixel the `share` of light that arrives and the `point` in world space; `later` drew `now`.
+/// Share of the page where the light at a world position changes in half a step. For each pixel, `Lit` holds
+/// the `share` of light that arrives and the visible `point` in world space. `later` drew `now`.
 template <class Lit>
 [[nodiscard]] double crawl(const Lit& before, const Lit& now, const Drawing& later)
 {
@@ -25,7 +25,8 @@ template <class Lit>
         }
         const size_t there = static_cast<size_t>(at.y) * size_px.x + static_cast<size_t>(at.x);
         ++seen;
-        // Between two pixels the edge may pass: what counts is light that no neighbour has.
+        // The shadow edge may pass between two pixels, so only light that no neighbouring pixel has counts as
+        // changed.
         bool found = false;
         for (const int step : {0, -1, 1, -static_cast<int>(size_px.x), static_cast<int>(size_px.x)}) {
             const auto other = static_cast<size_t>(

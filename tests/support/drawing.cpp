@@ -12,7 +12,7 @@
 namespace estampe::test {
 namespace {
 
-/// Linear colour of what holds its root, alpha as it is.
+/// Converts square roots of linear colour to linear colour. Alpha is unchanged.
 std::vector<glm::vec4> unpack_roots(const std::vector<uint32_t>& packed)
 {
     std::vector<glm::vec4> colors;
@@ -62,7 +62,7 @@ frame::FrameContext Drawing::context(gpu::Graph& graph)
     sample_.size_px = size_px;
     sample_.clip_from_anchor = globals.clip_from_anchor;
     features->hatching.ensure_strokes(shared_device(), layout, plan_.strokes);
-    loaded->cluster_boxes.forget(); // tests change the layout and the pose in between
+    loaded->cluster_boxes.forget(); // tests change the layout and the pose between drawings
     features->invalidate(features::Event::pose_changed);
     return {.graph = graph,
             .device = shared_device(),
@@ -133,7 +133,7 @@ void Drawing::prepare_light(const LightSetup& setup)
         shared_device(), plan_.sun.map,
         features::sun_casters(layout, loaded->layout_number, lighting.sun_casters, path));
     shadows.sun().drawn(plan_.sun.map);
-    // Pages of such fine pixels ask for maps as large as may be.
+    // Such tiny pixels make every light request the largest map.
     features::LocalMapScene local{.page = {.pixel = {.at_one_m = 1e-12F}},
                                   .style = setup.shadow,
                                   .casters = features::caster_kinds(layout)};
@@ -179,7 +179,7 @@ std::vector<uint64_t> Drawing::visibility()
     gpu::Graph graph;
     const frame::FrameContext in = context(graph);
     auto words = run_and_read_as<uint64_t>(graph, frame::add_visibility(in, frame::add_posed_scene(in)));
-    words.resize(static_cast<size_t>(size_px.x) * size_px.y); // the buffer is whole groups of 16 bytes
+    words.resize(static_cast<size_t>(size_px.x) * size_px.y); // the buffer's size is a multiple of 16 bytes
     return words;
 }
 

@@ -12,7 +12,7 @@ namespace estampe::test {
 
 void Drawing::prepare_lines(const contour::ContourStyle& style, float pixels_per_mm)
 {
-    features->lines.invalidate(features::Event::layout_replaced); // features may be another drawing's
+    features->lines.invalidate(features::Event::layout_replaced); // `features` may come from another drawing
     features->lines.ensure(shared_device(), layout, style);
     plan_.page.pixels_per_mm = pixels_per_mm;
     plan_.variants.lines = style;

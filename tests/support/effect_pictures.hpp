@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What tests of effects in whole pictures share.
+// Functions shared by tests of effects in whole pictures.
 
 #include <algorithm>
 #include <cstdlib>
@@ -15,7 +15,7 @@
 
 namespace estampe::test {
 
-/// Paper without grain, nothing on the page but the scene, without lines; then `more`, then `assignments`.
+/// A style with paper without grain, and without ground and lines. `more` and then `assignments` change it.
 [[nodiscard]] inline Style effect_style(std::initializer_list<const char*> more,
                                         const std::vector<std::string>& assignments)
 {
@@ -33,13 +33,13 @@ namespace estampe::test {
     return style;
 }
 
-/// Whether a pass of the last picture has `name` in its own.
+/// Whether the name of a pass of the last picture contains `name`.
 [[nodiscard]] inline bool has_pass(const char* name)
 {
     return shared_renderer().graph_dot().find(name) != std::string::npos;
 }
 
-/// How many pixels differ.
+/// Number of pixels that differ between two pictures.
 [[nodiscard]] inline size_t changed_pixels(const Image& a, const Image& b)
 {
     size_t count = 0;
@@ -49,7 +49,7 @@ namespace estampe::test {
     return count;
 }
 
-/// Most that a byte of a picture of 240 x 180 pixels differs when it is drawn in tiles.
+/// Largest difference of any byte between a picture of 240 x 180 pixels and this picture drawn in tiles.
 [[nodiscard]] inline int most_between_tiles(const Camera& camera, const Style& style, uint32_t tile_px)
 {
     RenderSettings settings{.width = 240, .height = 180};

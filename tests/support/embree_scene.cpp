@@ -15,7 +15,7 @@ struct EmbreeScene::Impl {
 
     Impl() : device(rtcNewDevice("threads=1")), scene(rtcNewScene(device))
     {
-        // Without it rays slip through between neighbours.
+        // Without the robust flag, rays slip through between neighbouring triangles.
         rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     }
 
@@ -32,7 +32,7 @@ struct EmbreeScene::Impl {
 
     RTCDevice device;
     RTCScene scene;
-    std::vector<Source> sources; ///< one a geometry, in the order of their numbers
+    std::vector<Source> sources; ///< one per geometry, in the order of the geometries' numbers
 };
 
 namespace {

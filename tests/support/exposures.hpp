@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Pictures that are the mean of many, to measure effects of the lens and of the shutter by.
+// Means of many pictures, as references for effects of the lens and of the shutter.
 
 #include <algorithm>
 #include <cmath>
@@ -34,8 +34,8 @@ struct Exposure {
     return exposure;
 }
 
-/// A camera that is turned by part of a pixel, another for each number, as samples of a picture are: pictures
-/// of many have smooth edges then, as they have.
+/// The camera turned by part of a pixel. Each number gives another direction, like the samples of a picture.
+/// A mean of many such pictures has smooth edges, like a picture of many samples.
 [[nodiscard]] inline Camera shifted_in_pixel(const Camera& camera, int number, uint32_t height_px)
 {
     const auto radical = [](int index, int base) {
@@ -83,8 +83,8 @@ struct Exposure {
     return -10.0 * std::log10(std::max(sum / static_cast<double>(a.pixels.size()), 1e-12));
 }
 
-/// The side of the largest square all of whose pixels are off by more than `tolerance`: what is wrong along
-/// an edge is as wide.
+/// The side in pixels of the largest square in which all pixels differ by more than `tolerance`. An error
+/// along an edge is as wide as this square.
 [[nodiscard]] inline int widest_error_px(const Exposure& a, const Exposure& b, double tolerance)
 {
     std::vector<int> side(a.pixels.size(), 0);

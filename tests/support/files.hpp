@@ -8,10 +8,10 @@ namespace estampe::test {
 /// The root of the source tree.
 [[nodiscard]] std::filesystem::path source_folder();
 
-/// Where golden pictures lie.
+/// The folder of the golden pictures.
 [[nodiscard]] std::filesystem::path golden_folder();
 
-/// The scene of the demo, as the build makes it.
+/// The scene of the demo, which the build generates.
 [[nodiscard]] std::filesystem::path square_scene();
 
 } // namespace estampe::test

@@ -7,7 +7,7 @@
 
 namespace estampe::test {
 
-/// A folder that goes when the test ends.
+/// A temporary folder that is deleted when the test ends.
 class Folder {
 public:
     Folder()

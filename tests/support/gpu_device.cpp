@@ -21,7 +21,7 @@ Messages& messages()
     return held;
 }
 
-/// In order of making: each goes before what it stands on.
+/// In the order of creation. Each object is destroyed before the objects that it uses.
 struct Shared {
     std::optional<gpu::Device> device;
     std::optional<gpu::Executor> executor;

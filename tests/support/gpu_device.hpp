@@ -2,8 +2,8 @@
 #pragma once
 
 // The device that tests draw on: lavapipe, with validation and synchronization validation. A validation
-// message fails the test that caused it (see validation_gate.hpp); a missing device or layer fails
-// everything.
+// message fails the test that caused it (see validation_gate.hpp). Without the device or the layer, all tests
+// fail.
 
 #include <cstring>
 #include <span>
@@ -16,7 +16,7 @@
 
 namespace estampe::test {
 
-/// What the validation layer said since the last call.
+/// Returns the messages of the validation layer since the last call.
 [[nodiscard]] std::vector<std::string> take_validation_messages();
 
 /// Options for a renderer on lavapipe whose validation messages fail the running test.
@@ -28,8 +28,8 @@ namespace estampe::test {
 /// A renderer shared by all tests of the program.
 [[nodiscard]] Renderer& shared_renderer();
 
-/// Takes down device and renderer, so that the layer can say what was left behind. Nothing of theirs may live
-/// on.
+/// Destroys device and renderer, so that the layer can report leaked objects. No object of the device may
+/// exist after this call.
 void destroy_shared();
 
 template <class T>
@@ -40,11 +40,11 @@ template <class T>
     return items;
 }
 
-/// Runs `graph` on the shared device, and hands back the bytes of each of `buffers`, which it must produce.
+/// Runs `graph` on the shared device. Returns the bytes of each of `buffers`, which the graph must produce.
 [[nodiscard]] std::vector<std::vector<std::byte>> run_and_read(gpu::Graph& graph,
                                                                std::span<const gpu::BufferId> buffers);
 
-/// The same for one.
+/// Runs `graph` on the shared device. Returns the bytes of one buffer.
 [[nodiscard]] std::vector<std::byte> run_and_read(gpu::Graph& graph, gpu::BufferId buffer);
 
 template <class T>
@@ -53,7 +53,7 @@ template <class T>
     return items_of<T>(run_and_read(graph, buffer));
 }
 
-/// The same for an image of `bytes_per_texel`, tightly packed.
+/// Runs `graph` on the shared device. Returns an image of `bytes_per_texel`, tightly packed.
 [[nodiscard]] std::vector<std::byte> run_and_read(gpu::Graph& graph, gpu::ImageId image,
                                                   uint32_t bytes_per_texel);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs the tests that draw. A validation message fails the test that caused it; so does the lack of a device.
-// What the layer says when the device is taken down, such as about objects that were never destroyed, fails
-// the program.
+// Runs the tests that draw. A validation message fails the test that caused it, and so does a missing device.
+// Messages at the destruction of the device, such as about leaked objects, fail the program.
 #include <cstdio>
 
 #include <gtest/gtest.h>

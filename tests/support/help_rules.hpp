@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What every line of help must be: a clause that stands alone, since it is also a tooltip and a schema's
-// hint.
+// Rules for every help line: it is a clause that stands alone, because it is also shown as a tooltip and as a
+// schema's description.
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace estampe::test {
 
-/// The line on one line, without the default value in brackets at its end.
+/// The help text joined into one line, without the default value in brackets at its end.
 inline std::string clause_of(std::string_view line)
 {
     std::istringstream words{std::string(line)};
@@ -28,8 +28,8 @@ inline std::string clause_of(std::string_view line)
     return clause;
 }
 
-/// What is wrong with a line of help; empty if nothing is. A single sentence ends without a full stop,
-/// several end with one.
+/// The fault of a help line; empty if there is none. A single sentence must end without a full stop, several
+/// sentences with a full stop.
 inline std::string fault_of_help(std::string_view line, size_t least_words = 4)
 {
     const std::string clause = clause_of(line);

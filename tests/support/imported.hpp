@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What tests of importers look at in a scene that was read.
+// Functions for tests of importers, which inspect the imported scene.
 
 #include <string>
 
@@ -9,7 +9,7 @@
 
 namespace estampe::test {
 
-/// All warnings of the scene, each on a line of its own.
+/// All warnings of the scene, one per line.
 inline std::string all_warnings(const Scene& scene)
 {
     std::string all;

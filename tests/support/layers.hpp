@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Images that a test fills pixel by pixel, for a technique to read in place of what others would hand it.
+// Images that a test fills pixel by pixel, as inputs of a technique in place of other techniques' outputs.
 
 #include <cstdint>
 #include <functional>
@@ -18,7 +18,7 @@ namespace estampe::test {
 template <class Texel>
 using Painter = std::function<Texel(glm::uvec2)>;
 
-/// An image on the shared device. Must outlive the run of every graph that it is put into.
+/// An image on the shared device. Must outlive the run of every graph that uses the image.
 class Layer {
 public:
     [[nodiscard]] gpu::ImageId in(gpu::Graph& graph);
@@ -31,7 +31,7 @@ public:
     static Layer places(glm::uvec2 size_px, const Painter<glm::vec4>& paint);     ///< rgba32f
     static Layer normals(glm::uvec2 size_px, const Painter<glm::vec3>& paint);    ///< rg32ui, packed twice
 
-    /// rgba32ui: changes of a coordinate over one pixel to the right and down, packed as the surface does.
+    /// rgba32ui: changes of a coordinate per pixel to the right and down, packed as by the surface pass.
     static Layer footprints(glm::uvec2 size_px, const Painter<std::pair<glm::vec3, glm::vec3>>& paint);
 
 private:
@@ -42,10 +42,10 @@ private:
     gpu::Image image_;
 };
 
-/// Runs `graph`, and hands back an rgba16f image, row by row.
+/// Runs `graph`. Returns the texels of an rgba16f image, row by row.
 [[nodiscard]] std::vector<glm::vec4> run_and_read_colors(gpu::Graph& graph, gpu::ImageId image);
 
-/// The same for r16f.
+/// Runs `graph`. Returns the texels of an r16f image, row by row.
 [[nodiscard]] std::vector<float> run_and_read_coverage(gpu::Graph& graph, gpu::ImageId image);
 
 } // namespace estampe::test

@@ -29,7 +29,7 @@ std::vector<std::byte> entry_of(zip_t* archive, const std::string& name)
     return bytes;
 }
 
-/// Layers come from the top down; these from the bottom up.
+/// The file lists layers from the top down. They are read backwards, so `layers` runs from the bottom up.
 void read_stack(const pugi::xml_node& stack, const std::string& group, zip_t* archive,
                 std::vector<RasterLayer>& layers)
 {

@@ -13,7 +13,7 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-/// Far beyond any page, so that whole numbers of 64 bits suffice for the renderer.
+/// Far beyond any page. Within this limit, 64-bit integers suffice for the renderer.
 constexpr float guard_px = 2097152.0F;
 
 struct Corner {
@@ -32,7 +32,7 @@ Corner snap(const glm::vec4& clip, glm::uvec2 size_px)
             static_cast<double>(clip.z) / static_cast<double>(clip.w)};
 }
 
-/// The part before the near plane: three or four corners, or none.
+/// The polygon in front of the near plane: three or four corners, or none.
 std::vector<glm::vec4> before_near(const ClipTriangle& triangle)
 {
     std::vector<glm::vec4> result;
@@ -71,7 +71,7 @@ bool is_top_or_left(const Corner& from, const Corner& to)
 struct Placed {
     std::array<Corner, 3> p;
     double area = 0.0;
-    double slope = 0.0; ///< what depth changes over a pixel, to the right and down together
+    double slope = 0.0; ///< change of depth over one pixel, to the right and down together
 };
 
 Placed place(std::array<Corner, 3> p, Wide signed_area)
@@ -91,7 +91,7 @@ Placed place(std::array<Corner, 3> p, Wide signed_area)
     return {p, area, std::abs(right) + std::abs(down)};
 }
 
-/// How the triangle meets a pixel's centre: nothing when it cannot, even with slack.
+/// The hit of a triangle at a pixel's centre; none if there is no hit even with slack.
 std::optional<PageHit> meet(const Placed& t, int64_t x, int64_t y, int64_t slack)
 {
     PageHit hit;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Under the address sanitizer: leaks of the graphics driver and the validation layer are theirs. They are
-// told apart by the library they come from, so libraries must still be loaded when leaks are looked for.
+// Under the address sanitizer, leaks of the graphics driver and of the validation layer are ignored. The
+// sanitizer recognises these leaks by their library, so libraries must still be loaded when it looks for
+// leaks.
 #if defined(__SANITIZE_ADDRESS__)
 
 extern "C" {
 
-// Keeps every library loaded to the end of the program, by standing in for the C library's function.
+// Keeps every library loaded until the program ends, by replacing the C library's function.
 int dlclose(void* /*library*/);
 const char* __lsan_default_suppressions();
 

@@ -10,7 +10,7 @@
 
 namespace estampe::test {
 
-/// Fails the test that caused a validation message and did not take it.
+/// Fails the test that caused a validation message, unless the test itself took the message.
 class ValidationGate : public testing::EmptyTestEventListener {
 public:
     void OnTestStart(const testing::TestInfo& /*test*/) override { std::ignore = take_validation_messages(); }

@@ -24,7 +24,7 @@ public:
         return static_cast<float>(desert_.sample(place.x, place.y).height_m);
     }
 
-    /// Adds a viewpoint outside; the eye is `over_m` above the sand.
+    /// Adds a viewpoint outside, with the eye `over_m` above the sand.
     void outside(const char* name, const glm::vec2& eye, float over_m, const glm::vec3& target, float fov_deg)
     {
         all_.push_back({name, {eye.x, ground_m(eye) + over_m, eye.y}, target, fov_deg});
@@ -121,7 +121,7 @@ constexpr double spacing_m = 0.25;
 constexpr double keys_a_s = 10.0;
 constexpr double held_s = 6.5; ///< seconds of the minute that the camera stands in the last hall
 
-/// Smooths values with a Gaussian-like kernel; the values at both ends are kept.
+/// Smooths values with a Gaussian-like kernel. The values at both ends are unchanged.
 template <typename Value>
 std::vector<Value> smoothed(const std::vector<Value>& values, double width)
 {
@@ -206,9 +206,9 @@ glm::dvec3 turned(const glm::dvec3& look, double yaw_rad)
     return {c * look.x - s * look.z, look.y, s * look.x + c * look.z};
 }
 
-/// Turns each view direction aside by at most 50 degrees, in steps of 2.5 degrees, to where there is
-/// something to see between the walls. Dynamic programming (Bellman) finds the directions of least total
-/// cost; near obstacles in view, looking aside and turning have costs.
+/// Turns each view direction sideways by at most 50 degrees, in steps of 2.5 degrees, to where something is
+/// visible between the walls. Dynamic programming (Bellman) finds the directions of least total cost. Near
+/// obstacles in view, looking sideways and turning have costs.
 void look_into_the_open(const std::vector<glm::dvec3>& eyes, std::vector<glm::dvec3>& looks,
                         const walk::Solids& solids)
 {
@@ -293,7 +293,7 @@ Flight::Flight(const estampe::Scene& scene, uint64_t seed)
                                    glm::dvec2(-14.0, 93.0), glm::dvec2(-1.0, 78.0)}) {
         way.emplace_back(past.x, sand_m(past.x, past.y) + 0.9, past.y);
     }
-    // A wide body keeps the eye away from what it passes.
+    // A wide body keeps the eye away from the obstacles that it passes.
     const walk::Body body{.radius_m = 0.42F, .height_m = 2.05F};
     const walk::Chart chart(place, body, {avenue_m.x, sand_m(avenue_m.x, avenue_m.y), avenue_m.y},
                             {.low_m = {-34.0, -66.0}, .high_m = {32.0, 68.0}, .square_m = 0.25});
@@ -353,8 +353,8 @@ Flight::Flight(const estampe::Scene& scene, uint64_t seed)
         const double part = (time_s - passed_s[k - 1]) / std::max(passed_s[k] - passed_s[k - 1], 1e-9);
         return glm::mix(way[k - 1], way[k], glm::clamp(part, 0.0, 1.0));
     };
-    // The camera looks at a point ahead on its path; from afar at the temple, and at the end up to the
-    // opening for light.
+    // The camera looks at a point ahead on its path. From afar it looks at the temple, and at the end up to
+    // the opening for light.
     const int count = static_cast<int>(length_s * keys_a_s) + 1;
     std::vector<glm::dvec3> eyes;
     std::vector<glm::dvec3> looks;

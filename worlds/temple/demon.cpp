@@ -96,7 +96,8 @@ void Demon::choose_mood(const glm::vec3& walker_m)
         return;
     }
     const float away_m = glm::distance(walker_m, glm::vec3(place_m_.x, height_m_, place_m_.y));
-    // Hysteresis: a demon that is afraid, or watches somebody, stays so a little farther away.
+    // Hysteresis: a demon that is afraid, or watches a visitor, stays so until the visitor is a little
+    // farther away.
     const float fear_m = shies_m * (mood_ == Mood::shy ? 1.35F : 1.0F);
     const float sight_m = sees_m * (mood_ == Mood::watch ? 1.2F : 1.0F);
     mood_ = away_m < fear_m ? Mood::shy : away_m < sight_m ? Mood::watch : Mood::wander;
@@ -115,8 +116,7 @@ void Demon::choose_goal(const glm::vec3& walker_m)
         goal_m_ = place_m_;
         rests_s_ = 0.5F;
     } else if (mood_ == Mood::shy) {
-        // Goes to the farthest of some places nearby, so that it slips past the visitor when it stands
-        // against a wall.
+        // Goes to the farthest of some places nearby, so that a demon against a wall slips past the visitor.
         const glm::vec2 walker(walker_m.x, walker_m.z);
         float best = -1e9F;
         for (int i = 0; i < 12; ++i) {
@@ -161,7 +161,7 @@ void Demon::move(float most_m_per_s)
 
 void Demon::keep_in_haunt()
 {
-    // Repeats, because pushing it out of a pillar may push it into a wall and the other way round.
+    // Repeats, because pushing the demon out of a pillar may push it into a wall, and vice versa.
     for (int round = 0; round < 4; ++round) {
         for (const glm::vec3& pillar : haunt_.pillars) {
             const glm::vec2 off = place_m_ - glm::vec2(pillar);
@@ -170,7 +170,7 @@ void Demon::keep_in_haunt()
                 const glm::vec2 out = near_m > 1e-3F ? off / near_m : glm::vec2(1.0F, 0.0F);
                 place_m_ = glm::vec2(pillar) + (pillar.z + 1e-3F) * out;
                 velocity_m_s_ -= std::min(glm::dot(velocity_m_s_, out), 0.0F) * out;
-                // Moves it around the pillar instead of against it.
+                // Moves the demon around the pillar instead of against it.
                 velocity_m_s_ += 0.6F * dt * glm::vec2(-out.y, out.x);
             }
         }

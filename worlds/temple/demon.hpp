@@ -53,8 +53,8 @@ class Demon {
 public:
     static constexpr double step_s = 1.0 / 60.0;
     static constexpr float sees_m = 15.0F;       ///< a visitor nearer than this is watched
-    static constexpr float shies_m = 5.5F;       ///< a visitor nearer than this makes it retreat
-    static constexpr float despairs_m = 2.2F;    ///< a visitor who stays nearer than this makes it dissolve
+    static constexpr float shies_m = 5.5F;       ///< a demon retreats from a visitor nearer than this
+    static constexpr float despairs_m = 2.2F;    ///< a demon dissolves if a visitor stays nearer than this
     static constexpr float despairs_s = 2.5F;    ///< how long the visitor must stay that near
     static constexpr float dissolves_s = 4.5F;   ///< duration of the dissolving
     static constexpr float half_width_m = 0.75F; ///< distance kept from walls, for a size of 1
@@ -79,7 +79,7 @@ public:
 
     [[nodiscard]] glm::vec3 head() const { return joints_[0][0]; }
 
-    /// Direction that it faces, from +z towards +x.
+    /// Direction that the demon faces, from +z towards +x.
     [[nodiscard]] float yaw_rad() const { return yaw_rad_; }
 
     [[nodiscard]] float pitch_rad() const { return pitch_rad_; }
@@ -90,16 +90,16 @@ public:
         return joints_[static_cast<size_t>(strand)];
     }
 
-    /// Opening of the eyes: 0 shut, 1 normal, more when it is afraid.
+    /// Opening of the eyes: 0 shut, 1 normal, above 1 when the demon is afraid.
     [[nodiscard]] float eyes() const { return eyes_; }
 
-    /// Share of its ink that has flowed out.
+    /// Share of the demon's ink that has flowed out.
     [[nodiscard]] float spilled() const { return spilled_; }
 
-    /// Share of its ink that is still in the body.
+    /// Share of the demon's ink that is still in the body.
     [[nodiscard]] float body() const { return 1.0F - spilled_; }
 
-    /// Radius of the stain around its foot; 0 when it is gone.
+    /// Radius of the stain around the demon's foot; 0 after the demon is gone.
     [[nodiscard]] float stain_m() const;
 
 private:
@@ -125,7 +125,7 @@ private:
     float eyes_ = 1.0F;
     float until_blink_s_ = 2.0F;
     float rests_s_ = 0.0F;
-    float goes_s_ = 0.0F; ///< time since it chose its goal
+    float goes_s_ = 0.0F; ///< time since the demon chose its goal
     float despair_s_ = 0.0F;
     float dissolving_s_ = 0.0F;
     float spilled_ = 0.0F;

@@ -22,8 +22,8 @@ using estampe::Primitive;
 
 constexpr float full_turn = 2.0F * std::numbers::pi_v<float>;
 
-/// The joints of a demon's body in the rest pose, relative to the head: those of its strands one after the
-/// other, from the head down, then its two eyes.
+/// The joints of a demon's body in the rest pose, relative to the head: the joints of one strand after
+/// another, each from the head down, then the two eyes.
 const std::vector<glm::vec3>& rest_joints()
 {
     static const std::vector<glm::vec3> all = [] {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How the temple's things are put together: chance, and shapes, each of one stuff, gathered into meshes.
+// Random numbers, and shapes with one material each, which are collected into meshes.
 
 #include <cstdint>
 #include <span>
@@ -18,11 +18,12 @@ namespace temple {
 using estampe::shapes::at;
 using estampe::shapes::rod;
 
-/// Chance that is the same on every machine: SplitMix64 (Steele et al., "Fast splittable pseudorandom number
-/// generators", 2014). The standard's distributions are each library's own.
+/// Random numbers that are equal on every machine: SplitMix64 (Steele et al., "Fast splittable pseudorandom
+/// number generators", 2014). The standard library's distributions differ between implementations.
 class Dice {
 public:
-    /// Each `part` of a seed has throws of its own: what one part takes changes no other.
+    /// Each `part` of a seed has its own random numbers, so that changing one part leaves the others
+    /// unchanged.
     explicit Dice(uint64_t seed, uint64_t part = 0) : state_(mixed(seed) ^ mixed(~part)) {}
 
     [[nodiscard]] uint64_t number()
@@ -31,12 +32,12 @@ public:
         return mixed(state_);
     }
 
-    /// 0 up to, and without, 1.
+    /// Uniform from 0 inclusive to 1 exclusive.
     [[nodiscard]] float share() { return static_cast<float>(number() >> 40U) * 0x1p-24F; }
 
     [[nodiscard]] float between(float low, float high) { return low + (high - low) * share(); }
 
-    /// 0 to count - 1.
+    /// Uniform whole number from 0 to count - 1.
     [[nodiscard]] int below(int count) { return static_cast<int>(share() * static_cast<float>(count)); }
 
     [[nodiscard]] bool chance(float of_one) { return share() < of_one; }
@@ -54,26 +55,27 @@ private:
 
 enum class Stuff : estampe::Index { stone, paving, marble, dark, iron, flame, red };
 
-/// The materials, in the order of Stuff.
+/// The materials, in the order of the enum Stuff.
 [[nodiscard]] std::vector<estampe::Material> materials();
 
-/// The way strokes run over a flat face: along `along`, with `up` to their left, both unit.
+/// Direction of strokes on a flat face: along `along`, with `up` to the left of the strokes; both unit
+/// vectors.
 struct Grain {
     glm::vec3 along{1.0F, 0.0F, 0.0F};
     glm::vec3 up{0.0F, 1.0F, 0.0F};
-    glm::vec2 offset_m{0.0F}; ///< strokes of two stones begin at two places
+    glm::vec2 offset_m{0.0F}; ///< differs between stones, so that their strokes begin at different places
 };
 
-/// Gathers shapes of one thing. Of some faces it says which edges a pen would draw.
+/// Collects the shapes of one object. For some faces it stores which edges a pen would draw.
 class Kit : public estampe::shapes::MeshBuilder {
 public:
-    /// A convex flat face, counter-clockwise from outside, of which the edges from corner k to the next are
-    /// drawn where bit k of `drawn` is set, and no others. Its shading may lean away from its plane.
+    /// Adds a convex flat face, counter-clockwise from outside. Draws the edge from corner k to the next
+    /// corner exactly if bit k of `drawn` is set. The shading normal may differ from the face's normal.
     void add_face(Stuff stuff, std::span<const glm::vec3> corners, const glm::vec3& normal,
                   const Grain& grain, uint32_t drawn);
 };
 
-/// A block whose strokes run level, with all its edges drawn, or only those on which the light breaks.
+/// Adds the block between the corners `low` and `high`.
 void add_block(Kit& kit, Stuff stuff, const glm::vec3& low, const glm::vec3& high);
 
 } // namespace temple

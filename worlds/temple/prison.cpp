@@ -247,10 +247,10 @@ std::vector<Thing> build_prison(const Plan& plan, uint64_t seed)
 
 namespace {
 
-constexpr float wider_m = 0.8F;   ///< by which a door counts as wider than it is
+constexpr float wider_m = 0.8F;   ///< widening of a door, on either side, in visibility tests
 constexpr float within_m = 1.2F;  ///< distance from a door within which an eye counts as in both rooms
 constexpr float above_m = 5.0F;   ///< height above the floor from which roofs are visible from above
-constexpr float around_m = 60.0F; ///< distance within which holes in them are visible
+constexpr float around_m = 60.0F; ///< distance within which holes in roofs are visible
 
 float cross(const glm::vec2& a, const glm::vec2& b)
 {

@@ -106,7 +106,7 @@ float tongue_m(const Plan& plan, const Waves& waves, const glm::vec2& place)
     return 0.42F - run - 0.16F * std::abs(in.x + 0.35F * in.y) + 0.06F * waves.at(place, 3.0F);
 }
 
-/// 0 in a doorway, 1 where high sand blocks none; falls off no steeper than one can walk.
+/// 0 in a doorway, 1 where high sand blocks no door. Changes no more steeply than a person can walk.
 float clear_of_doors(const Plan& plan, const glm::vec2& place)
 {
     float nearest_m = 100.0F;
@@ -145,8 +145,8 @@ std::string decimal(float value)
     return {text.data(), end};
 }
 
-/// Nodes for a bowl, whose volume forms a rim. A hollow without depth keeps the same graph: it is too small
-/// to see.
+/// Nodes for a bowl with a rim of the displaced volume. A hollow without depth keeps the graph unchanged in
+/// form: it becomes too small to see.
 std::string hollow_nodes(const std::string& number, const Hollow& hollow)
 {
     constexpr float least_m = 0.0002F;

@@ -227,8 +227,8 @@ double joint_share(int joint)
     return static_cast<double>(joint) / (ring_count - 1);
 }
 
-/// Distance of the skin from the axis relative to the radius: strands of sand wind around it and fray its
-/// upper end.
+/// Distance of the skin from the axis, as a multiple of the radius. Strands of sand wind around the skin and
+/// fray its upper end.
 double strands_at(double share, double angle)
 {
     return 1.0 + 0.17 * std::sin(3.0 * angle - 9.0 * share) +
@@ -366,8 +366,8 @@ double chance_of(int64_t x, int64_t z, uint64_t which)
 estampe::NodePlace sand_at(estampe::Index node, int column, int row, const Weather& weather,
                            const AirView& view)
 {
-    // Each emitter takes, among the cells with its own number (modulo the grid's side), the one nearest to
-    // the eye: when the eye moves on, cells that fall behind reappear in front.
+    // Each emitter chooses, among the cells with its own number (modulo the grid's side), the cell nearest to
+    // the eye. When the eye moves on, cells that fall behind reappear in front.
     const auto nearest = [](double eye_m, int number) {
         const double cell = eye_m / sand_cell_m;
         return number + sand_side * static_cast<int64_t>(std::llround((cell - number) / sand_side));
@@ -394,7 +394,7 @@ estampe::NodePlace sand_at(estampe::Index node, int column, int row, const Weath
              .scale = glm::dvec3(is_none ? 0.0 : size)}};
 }
 
-/// Transform of an emitter beside the funnel's skin, at the distance `off_m`, turning with it.
+/// Transform of an emitter that rotates with the funnel, at the distance `off_m` from the funnel's skin.
 estampe::NodePlace whirl_at(estampe::Index node, double share, double angle, double off_m, double size,
                             const Weather& weather, const AirView& view)
 {

@@ -2,8 +2,8 @@
 #pragma once
 
 // The temple's weather and time of day, as a random timeline: one wind for sand, flags and ink, gusts,
-// sandstorms that rise, hide the view and pass, tornadoes that wander by, clouds, and a moving sun. Also what
-// the wind carries: sand over the ground and in storms, and the funnel of a tornado.
+// sandstorms that rise, hide the view and pass, tornadoes that wander by, clouds, and a moving sun. Also the
+// nodes that the wind moves: sand over the ground and in storms, and the funnel of a tornado.
 
 #include <cstddef>
 #include <cstdint>
@@ -55,7 +55,7 @@ inline constexpr float strongest_m_per_s = 19.0F;
 
 /// The weather that the user asked for.
 struct WeatherChoice {
-    std::optional<WeatherKind> kind; ///< nothing: it changes over time
+    std::optional<WeatherKind> kind; ///< none: the kind of weather changes over time
     std::optional<float> hour;   ///< hour of the sun; nothing: it moves, or stands still in single pictures
     float hours_a_minute = 0.0F; ///< speed of the sun, starting from `hour` or from the scene's own
 };

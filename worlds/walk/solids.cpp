@@ -38,7 +38,7 @@ std::optional<float> meets(const glm::vec3& from, const glm::vec3& way, const Tr
     const glm::vec3 q = glm::cross(off, ab);
     const float v = glm::dot(way, q) / det;
     const float t = glm::dot(ac, q) / det;
-    constexpr float edge = 1e-5F; // tolerance, so that no ray slips between two triangles
+    constexpr float edge = 1e-5F; // tolerance, so that no ray passes between two adjacent triangles
     const bool is_met = u >= -edge && v >= -edge && u + v <= 1.0F + edge && t >= 0.0F && t <= 1.0F;
     return is_met ? std::optional(t) : std::nullopt;
 }

@@ -61,7 +61,7 @@ std::optional<Footing> Place::footing(const glm::dvec3& place_m, const Body& bod
 
 std::optional<glm::dvec3> Place::pushed_out(const glm::dvec3& feet_m, const Body& body) const
 {
-    // Obstacles lower than a step are left to the feet.
+    // The feet handle obstacles that are lower than a step.
     const float low_m = body.step_m + body.radius_m;
     const float high_m = std::max(low_m, body.height_m - body.radius_m);
     const float around_m = 2.0F * body.radius_m;
@@ -170,7 +170,7 @@ void Walker::step(const Intent& intent)
             break;
         }
     }
-    // Obstacles take speed, and never add any.
+    // Obstacles only reduce the speed.
     const glm::dvec2 gone_m = level(feet_m_ - from_m);
     const double speed = glm::length(level(velocity_m_s_));
     const glm::dvec2 real = gone_m / step_s;
@@ -207,7 +207,7 @@ void Walker::steer(const Intent& intent)
             is_sliding_ = true;
             const glm::dvec2 up = slope / steep;
             wanted -= up * std::max(0.0, glm::dot(wanted, up)); // across and down, never up
-            // On a slope the ground slides with the walker; sand adds drag.
+            // On a steep slope, the ground slides with the walker, and sand adds drag.
             constexpr double drag_a_s = 1.6;
             const double sine = steep / std::sqrt(1.0 + steep * steep);
             const double over = sine - 0.8 * limit / std::sqrt(1.0 + steep * steep);

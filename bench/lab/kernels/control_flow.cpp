@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Experiments with branches, loops, early ends, and what a compiler leaves out.
+// Experiments with branches, loops, early exits, and code that a compiler removes.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -33,8 +33,8 @@ uint32_t worked_on(uint32_t thread, uint32_t block, uint32_t steps)
 
 } // namespace
 
-/// Half of the threads do one thing and half the other, by turns of so many; in the first kernel so many that
-/// no group of any device holds both.
+/// Half of the threads do one thing and half do another, in alternating blocks of threads. In the first
+/// kernel the blocks are so large that no subgroup of any device contains both.
 Experiment branches(gpu::Device& /*device*/, Effort effort)
 {
     constexpr uint32_t coherent = 4096;
@@ -77,7 +77,7 @@ constexpr uint32_t most = 15;
 
 } // namespace
 
-/// Eight turns, or from 1 to 15 that are 8 on average.
+/// Loops of eight rounds, or of 1 to 15 rounds, which are 8 on average.
 Experiment loops(gpu::Device& /*device*/, Effort effort)
 {
     const uint32_t threads = by_effort(effort, 1U << 12U, 1U << 18U, 1U << 23U);
@@ -117,7 +117,7 @@ uint32_t left_at(uint32_t index, uint32_t side, uint32_t block, uint32_t rounds)
 
 } // namespace
 
-/// One square of pixels in ten has work to do. Squares of 1: pixels that stay lie scattered.
+/// One square of pixels in ten has work to do. In squares of 1 pixel, the pixels with work are scattered.
 Experiment leaving(gpu::Device& /*device*/, Effort effort)
 {
     const uint32_t side = by_effort(effort, 128U, 512U, 4096U);
@@ -155,7 +155,7 @@ Experiment leaving(gpu::Device& /*device*/, Effort effort)
 
 namespace {
 
-constexpr uint32_t limit = 0xc0000000U; // a quarter of all numbers is above
+constexpr uint32_t limit = 0xc0000000U; // a quarter of all numbers is greater
 
 uint32_t limited(uint32_t x, uint32_t rounds)
 {
@@ -190,7 +190,7 @@ Experiment minima(gpu::Device& /*device*/, Effort effort)
     return made;
 }
 
-/// Every kernel leaves a 1, but for what 16 numbers below 1 add when they are multiplied by 1e-8.
+/// Every kernel writes a 1, plus at most the sum of 16 numbers below 1 times 1e-8.
 Experiment dead_code(gpu::Device& device, Effort effort)
 {
     const uint32_t log_side = by_effort(effort, 8U, 10U, 12U);
@@ -200,7 +200,7 @@ Experiment dead_code(gpu::Device& device, Effort effort)
         return std::bit_cast<uint32_t>(static_cast<float>(p % 251U) / 251.0F);
     }));
     const Numbers numbers{.threads = by_effort(effort, 1U << 12U, 1U << 16U, 1U << 22U),
-                          .rounds = 0, // the zero that no compiler knows
+                          .rounds = 0, // a zero that the compiler cannot know
                           .a = mask,
                           .b = log_side};
     uint32_t variant = 0;

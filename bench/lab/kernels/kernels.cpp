@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char* measured_pass = "kernel";
 
-/// What a kernel leaves.
+/// The output of a kernel.
 struct Left {
     std::optional<gpu::BufferId> words;
     std::optional<gpu::ImageId> picture;
@@ -102,13 +102,13 @@ void check(gpu::Executor& executor, gpu::Device& device, const Entry& entry, con
     }
 }
 
-/// A kernel, ready to be run again and again.
+/// A kernel with its graph, ready to be run repeatedly.
 struct Ready {
     gpu::Graph graph;
     std::vector<double> took_ms;
 };
 
-/// Of all threads of this process.
+/// CPU time of all threads of this process.
 double processor_ms()
 {
     timespec now{};
@@ -149,7 +149,7 @@ ExperimentResult run_experiment(gpu::Device& device, const Entry& entry, Effort 
             ready[i].graph.export_image(*left.picture);
         }
     }
-    // A GPU raises its clock only when it has had something to do for a while.
+    // A GPU raises its clock rate only after some time under load.
     const uint32_t warm_up = device.info().software ? 1 : 5;
     for (uint32_t round = 0; round < warm_up + rounds; ++round) {
         for (Ready& one : ready) {
@@ -306,7 +306,7 @@ namespace estampe::lab {
 namespace {
 
 struct KernelsOptions {
-    std::vector<std::string> names; ///< of experiments; empty: all
+    std::vector<std::string> names; ///< names of experiments; empty: all
     uint32_t rounds = 9;
     std::string device = "auto";
     ResultFiles files;

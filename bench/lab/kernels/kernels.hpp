@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Small kernels that show what makes a shader quick or slow on the device at hand. Each experiment does one
-// thing in several ways, which are run in turn, so that their ratio does not depend on how busy the machine
-// is; what each leaves is held against what the processor finds.
+// Small kernels that show which constructs make a shader fast or slow on a device. Each experiment does one
+// thing in several ways. These kernels are run alternately, so that their ratio does not depend on other load
+// on the machine. Each kernel's output is compared with the CPU's.
 
 #include <cstdint>
 #include <functional>
@@ -19,15 +19,15 @@
 
 namespace estampe::lab::kernels {
 
-/// What every kernel is given, as lab.glsl has it; `a` and `b` are each kernel's own.
+/// The constants that every kernel gets, as in lab.glsl. Each kernel gives `a` and `b` its own meaning.
 struct Numbers {
-    uint32_t threads = 0; ///< and words that the kernel leaves
+    uint32_t threads = 0; ///< also the number of words that the kernel writes
     uint32_t rounds = 0;
     uint32_t a = 0;
     uint32_t b = 0;
 };
 
-/// One way of doing it: a compute shader, or a vertex and a fragment shader that draw a picture.
+/// One variant of an experiment: a compute shader, or a vertex and a fragment shader that draw a picture.
 struct Kernel {
     std::string name;
     const gpu::Shader* compute = nullptr;
@@ -35,35 +35,35 @@ struct Kernel {
     const gpu::Shader* fragment = nullptr;
     uint32_t variant = 0;
     Numbers numbers;
-    glm::uvec2 size_px{0}; ///< of compute shaders in squares of 8 x 8 threads; of pictures
+    glm::uvec2 size_px{0}; ///< for compute shaders in squares of 8 x 8 threads, and for pictures
     gpu::Format picture = gpu::Format::r32ui;
     uint32_t vertex_count = 3;
-    bool leaves_picture = false;   ///< a compute shader's too
-    gpu::Image* texture = nullptr; ///< that it samples, where it does
-    gpu::Buffer* words = nullptr;  ///< that it reads, where it does
-    size_t against = 0;            ///< number of the kernel that it is compared with
-    /// Whether it left what it should, at `index`.
+    bool leaves_picture = false;   ///< true: also a compute shader writes a picture
+    gpu::Image* texture = nullptr; ///< texture that the kernel samples; may be null
+    gpu::Buffer* words = nullptr;  ///< buffer that the kernel reads; may be null
+    size_t against = 0;            ///< index of the kernel whose time this kernel is compared with
+    /// Whether the word that the kernel wrote at `index` is correct.
     std::function<bool(uint32_t index, uint32_t word)> is_right;
 };
 
-/// How much is done: for a processor, for a GPU, or only enough to see that the results are right.
+/// Amount of work: for a CPU, for a GPU, or only enough to check the results.
 enum class Effort : uint8_t { check, processor, gpu };
 
-/// Kernels and what they read. Move-only.
+/// Kernels, and the images and buffers that they read. Move-only.
 struct Experiment {
     std::vector<Kernel> kernels;
     std::vector<std::unique_ptr<gpu::Image>> images;
     std::vector<std::unique_ptr<gpu::Buffer>> buffers;
 };
 
-/// What there is to be tried.
+/// An experiment that can be run.
 struct Entry {
     const char* name;
     const char* about;
     Experiment (*make)(gpu::Device&, Effort);
 };
 
-/// In the order of docs/laboratory.md.
+/// All experiments, in the order of docs/laboratory.md.
 [[nodiscard]] const std::vector<Entry>& all_experiments();
 
 Experiment reads(gpu::Device& device, Effort effort);
@@ -79,9 +79,9 @@ Experiment occupancy(gpu::Device& device, Effort effort);
 
 struct KernelResult {
     std::string name;
-    std::string against; ///< name of what it is compared with; its own where that is itself
-    Spread ms;           ///< GPU time; on a processor what all of its threads took together
-    Spread ratio;        ///< to the other's in the same round
+    std::string against; ///< name of the reference kernel; the kernel's own name if it is the reference
+    Spread ms;           ///< GPU time; on a CPU device, the time of all threads together
+    Spread ratio;        ///< ratio to the reference kernel's time in the same round
 };
 
 struct ExperimentResult {
@@ -98,8 +98,8 @@ struct KernelsResult {
     std::vector<ExperimentResult> experiments;
 };
 
-/// Runs each kernel once and checks what it left, then all of an experiment in turn, `rounds` times. Throws
-/// Error when a kernel left anything else than it should: what was measured would not be what its name says.
+/// Runs each kernel once and checks its output, then runs all kernels of an experiment alternately, `rounds`
+/// times. Throws Error if an output is wrong, because then the kernel did not do the work that its name says.
 [[nodiscard]] ExperimentResult run_experiment(gpu::Device& device, const Entry& entry, Effort effort,
                                               uint32_t rounds);
 
@@ -108,12 +108,12 @@ struct KernelsResult {
                                             const std::vector<const Entry*>& entries, uint32_t rounds,
                                             const std::function<void(const Entry&)>& on_experiment);
 
-/// As a table, as JSON, and as a row for each kernel.
+/// Writes the result as a table, as JSON, and as CSV with one row per kernel.
 [[nodiscard]] std::string text_of(const KernelsResult& result);
 [[nodiscard]] std::string json_of(const KernelsResult& result);
 [[nodiscard]] std::string csv_of(const KernelsResult& result);
 
-// The functions of lab.glsl.
+// C++ versions of the functions of lab.glsl.
 
 [[nodiscard]] constexpr uint32_t stir(uint32_t x)
 {
@@ -135,7 +135,7 @@ struct KernelsResult {
     return x * 1664525U + 1013904223U;
 }
 
-/// stir(), so many times.
+/// Applies stir() `times` times.
 [[nodiscard]] constexpr uint32_t stirred(uint32_t x, uint32_t times)
 {
     for (uint32_t i = 0; i < times; ++i) {
@@ -144,15 +144,15 @@ struct KernelsResult {
     return x;
 }
 
-/// A square texture of words, `side` a power of two, texel p of which is `word_of(p)`.
+/// A square texture of words. `side` is a power of two. Texel p holds `word_of(p)`.
 [[nodiscard]] std::unique_ptr<gpu::Image> texture_of(gpu::Device& device, uint32_t side, gpu::Format format,
                                                      const std::function<uint32_t(uint32_t)>& word_of);
 
-/// So many words.
+/// A buffer of `count` words. Word p is `word_of(p)`.
 [[nodiscard]] std::unique_ptr<gpu::Buffer> words_of(gpu::Device& device, uint32_t count,
                                                     const std::function<uint32_t(uint32_t)>& word_of);
 
-/// By how much work is done.
+/// Chooses one of three values by the amount of work.
 template <class T>
 [[nodiscard]] T by_effort(Effort effort, T for_check, T for_processor, T for_gpu)
 {

@@ -54,7 +54,7 @@ TEST(Laboratory, ThrowsWhenAKernelLeavesAnythingElse)
     Entry wrong = entry_of("min");
     wrong.make = [](gpu::Device& device, Effort effort) {
         Experiment made = minima(device, effort);
-        made.kernels[1].numbers.a -= 1; // what it is held against has not heard of it
+        made.kernels[1].numbers.a -= 1; // the expected output does not use this changed number
         return made;
     };
     try {

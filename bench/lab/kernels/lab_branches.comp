@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two kinds of work, of which blocks of threads do one or the other.
+// Two kinds of work. Each block of threads does one kind.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -8,8 +8,8 @@ layout(constant_id = 0) const uint variant = 0u;
 
 #include "lab_compute.glsl"
 
-const uint does_both = 1u; // and chooses
-const uint in_a_line = 2u; // no loop: 32 steps written out
+const uint does_both = 1u; // does both kinds of work, then selects a result
+const uint in_a_line = 2u; // without a loop: 32 steps written out
 
 #define FOUR(STEP) STEP STEP STEP STEP
 #define THIRTY_TWO(STEP) FOUR(FOUR(STEP)) FOUR(FOUR(STEP))

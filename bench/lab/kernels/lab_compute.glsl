@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_LAB_COMPUTE
 #define ESTAMPE_LAB_COMPUTE
 
-// A kernel of one thread an item, that leaves one word each.
+// A kernel with one thread per item. Each thread writes one word.
 
 #include "lab.glsl"
 #include "shaders/loops.glsl"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sixteen reads of a texture that hardly matter, do not matter, or only seem not to.
+// Sixteen texture reads whose results hardly matter, do not matter, or only seem not to matter.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -15,7 +15,7 @@ const uint times_zero = 1u;
 const uint times_unknown_zero = 2u;
 const uint not_used = 3u;
 const uint used_if_never = 4u;
-const uint one_place = 5u; // sixteen times
+const uint one_place = 5u; // reads one place sixteen times
 
 float sum_of_reads(uint i)
 {

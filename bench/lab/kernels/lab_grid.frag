@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Takes what the corners have made, or does their work.
+// Uses the values that the vertex shader computed, or computes them per pixel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A page cut into `a` by `a` squares of two triangles, without an index buffer.
+// A page divided into `a` by `a` squares of two triangles each, without an index buffer.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads that wait for one another, in threads that keep KEPT numbers: 4, 32 or 128. ALL(M) calls M with a
-// name for every four of them.
+// Dependent reads, in threads that keep KEPT numbers alive: 4, 32 or 128. ALL(M) calls M with a name for
+// every four numbers.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -38,7 +38,7 @@ void main()
     for (uint r = 0u; r < rounds; ++r) {
         p = words[p];
         sum += p;
-        if (p > a) { // never: but the compiler cannot know, and has to keep them
+        if (p > a) { // never true, but the compiler cannot know this and must keep the numbers
             ALL(TOUCHED)
         }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Eight steps, by loops of all kinds.
+// Eight steps, in loops of several kinds.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -9,10 +9,10 @@ layout(constant_id = 0) const uint variant = 0u;
 #include "lab_compute.glsl"
 
 const uint by_hand = 0u;
-const uint known = 1u;          // to the compiler
-const uint uniform_count = 2u;  // known when the frame is drawn
-const uint own_count = 3u;      // each thread's
-const uint as_long_as_any = 4u; // each thread's, but all take as many turns as the longest might
+const uint known = 1u;          // the number of rounds is known to the compiler
+const uint uniform_count = 2u;  // the number of rounds is known when the frame is drawn
+const uint own_count = 3u;      // each thread has its own number of rounds
+const uint as_long_as_any = 4u; // as own_count, but all threads run the largest possible number of rounds
 
 const uint most = 15u;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sixteen words of a buffer, found in an order that memory likes or not.
+// Reads sixteen words of a buffer, in an order that is fast or slow for memory.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -13,8 +13,8 @@ layout(scalar, binding = 1) readonly buffer Words
     uint words[];
 };
 
-const uint side_by_side = 0u; // neighbours read neighbours
-const uint own_run = 1u;      // each thread reads on where it began
+const uint side_by_side = 0u; // neighbouring threads read neighbouring words
+const uint own_run = 1u;      // each thread reads consecutive words
 const uint anywhere = 2u;
 
 uint place(uint i, uint k)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The smaller of two numbers, said in four ways.
+// The minimum of two numbers, written in four ways.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -11,7 +11,7 @@ layout(constant_id = 0) const uint variant = 0u;
 const uint by_min = 0u;
 const uint by_if = 1u;
 const uint by_choice = 2u;  // c ? x : y
-const uint by_numbers = 3u; // weighed with 0 and 1
+const uint by_numbers = 3u; // weights 0 and 1
 
 uint at_most(uint x)
 {

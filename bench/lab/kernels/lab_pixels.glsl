@@ -2,11 +2,11 @@
 #ifndef ESTAMPE_LAB_PIXELS
 #define ESTAMPE_LAB_PIXELS
 
-// What the kernels that draw a page do at each of its pixels.
+// The per-pixel work of the kernels that draw a page.
 
 #include "lab.glsl"
 
-// Work whose outcome is linear, so that it may be done at corners and interpolated: it comes to x in the end.
+// Work whose result is linear, so that it may be computed at vertices and interpolated. The result is x.
 
 const uint at_corners = 1u;
 
@@ -19,7 +19,7 @@ float worked_on(float x)
     return y;
 }
 
-// A pixel that is copied, or worked on.
+// Copies a pixel, or computes it.
 
 uint made_of(uint x)
 {
@@ -29,7 +29,7 @@ uint made_of(uint x)
     return x;
 }
 
-// One in ten squares of `a` by `a` pixels has anything to do.
+// Only one in ten squares of `a` by `a` pixels has work to do.
 
 const uint leaves_early = 1u;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two or eight reads of a texture, at the same places, of which each needs the one before or none does.
+// Two or eight texture reads at identical places. Either each read depends on the previous read, or none
+// does.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

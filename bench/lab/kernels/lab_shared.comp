@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads that wait for one another, in workgroups that hold more or less of the shared memory.
+// Dependent reads, in workgroups that use more or less shared memory.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

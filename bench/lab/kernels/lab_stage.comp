@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A page by a compute shader.
+// Draws a page with a compute shader.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

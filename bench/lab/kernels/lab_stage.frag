@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same page by a fragment shader.
+// Draws the page of lab_stage.comp with a fragment shader.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

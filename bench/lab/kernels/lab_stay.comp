@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pixels of which one in ten has anything to do: the others leave, or work for nothing.
+// One in ten pixels has work to do. The other pixels return early, or compute for nothing.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same by a fragment shader, whose pixels leave by discard.
+// Does the work of lab_stay.comp in a fragment shader. Pixels without work use discard.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

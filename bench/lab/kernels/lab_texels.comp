@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sixteen texels about a pixel, or anywhere.
+// Reads sixteen texels around a pixel, or at random places.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

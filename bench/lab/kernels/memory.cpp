@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Experiments with reads: whether they wait for one another, in what order they come, and what hides the
-// waiting.
+// Experiments with reads: whether reads depend on each other, in which order they come, and what hides their
+// latency.
 #include <array>
 
 #include <fmt/format.h>
@@ -33,8 +33,8 @@ uint32_t sum_of_reads(uint32_t thread, const Numbers& numbers, uint32_t count)
 
 } // namespace
 
-/// The texture holds at each texel the number of the next, which the shader can also work out: so the same
-/// places are read, with the same outcome, whether a read waits for the one before or not.
+/// Each texel holds the number of the next texel. The shader can also compute this number. So dependent and
+/// independent reads read the same texels and give the same result.
 Experiment reads(gpu::Device& device, Effort effort)
 {
     const uint32_t log_side = by_effort(effort, 8U, 10U, 12U);
@@ -196,8 +196,8 @@ uint32_t live_sum(uint32_t index, const Numbers& numbers, uint32_t live)
 
 } // namespace
 
-/// Chases of pointers through memory, in which a thread does little but wait: what hides the waiting are
-/// other threads, of which fewer fit the more each holds.
+/// Dependent reads through memory, in which a thread does little but wait. Other threads hide the latency;
+/// the more each thread keeps in registers, the fewer threads fit.
 Experiment occupancy(gpu::Device& device, Effort effort)
 {
     const uint32_t count = by_effort(effort, 1U << 16U, 1U << 22U, 1U << 26U);
@@ -212,7 +212,7 @@ Experiment occupancy(gpu::Device& device, Effort effort)
     const std::array<std::pair<uint32_t, const gpu::Shader*>, 3> lives{{{4U, &shaders::lab_live_4_comp},
                                                                         {32U, &shaders::lab_live_32_comp},
                                                                         {128U, &shaders::lab_live_128_comp}}};
-    numbers.rounds = by_effort(effort, 16U, 64U, 128U); // so many that loading what is kept weighs little
+    numbers.rounds = by_effort(effort, 16U, 64U, 128U); // so many that loading the kept numbers costs little
     for (const auto& [live, shader] : lives) {
         made.kernels.push_back({.name = fmt::format("a thread keeps {} numbers", live),
                                 .compute = shader,

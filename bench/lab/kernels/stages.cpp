@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Experiments with where work is done: by compute or by fragments, at corners or at pixels.
+// Experiments with the stage that does the work: compute or fragment shader, vertices or pixels.
 #include <bit>
 #include <cmath>
 
@@ -45,7 +45,7 @@ Experiment stages(gpu::Device& device, Effort effort)
     return made;
 }
 
-/// A page in two triangles, in some, and in more than it has pixels.
+/// A page of two triangles, of some triangles, and of more triangles than pixels.
 Experiment corners(gpu::Device& /*device*/, Effort effort)
 {
     constexpr uint32_t at_corners = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Multiply-adds: 32 sums a thread, so that none waits for the one before.
+// Multiply-adds on 32 sums per thread, so that no multiply-add waits for the previous one.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

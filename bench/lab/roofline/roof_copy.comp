@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Copies 16 bytes a thread.
+// Copies 16 bytes per thread.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

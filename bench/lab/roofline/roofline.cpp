@@ -25,7 +25,7 @@
 namespace estampe::lab::roofline {
 namespace {
 
-/// Seconds of the quickest run; the first makes the pipeline.
+/// Seconds of the fastest run. The first run creates the pipeline and does not count.
 double least_s(gpu::Executor& executor, bool software, const gpu::Graph& graph, uint32_t rounds)
 {
     double least = std::numeric_limits<double>::max();
@@ -41,7 +41,7 @@ double least_s(gpu::Executor& executor, bool software, const gpu::Graph& graph, 
     return std::max(least, 1e-9);
 }
 
-/// Pages that nobody has written are one page on some systems, which a cache holds.
+/// On some systems all unwritten pages of memory share one physical page, which stays in the cache.
 void write_all(gpu::Executor& executor, gpu::Buffer& buffer)
 {
     gpu::Graph graph;
@@ -110,7 +110,7 @@ BenchPicture of_series(std::string_view name, double amount, uint32_t width, uin
     return found->picture(amount, width, height);
 }
 
-/// Triangles, lights, shadows, hatching, contours, occlusion and a lens.
+/// A picture with triangles, lights, shadows, hatching, contours, occlusion and a lens.
 BenchPicture field(bool software, uint32_t width, uint32_t height)
 {
     BenchPicture picture{.scene = field_of_balls(software ? 70e3 : 1e6),
@@ -161,7 +161,7 @@ const std::vector<Entry>& all_pictures()
 
 namespace {
 
-/// What was found of all passes of one name in one frame.
+/// The summed cost of all passes with one name in one frame.
 struct FrameCost {
     double ms = 0.0;
     uint64_t bytes = 0;
@@ -179,7 +179,7 @@ void add(Frame& frame, const gpu::PassWork& pass)
                                                          : std::nullopt;
 }
 
-/// Watches all runs for as long as it lives.
+/// Records all runs during its lifetime.
 class Watch {
 public:
     explicit Watch(Frame& frame)
@@ -368,7 +368,7 @@ namespace estampe::lab {
 namespace {
 
 struct RooflineOptions {
-    std::vector<std::string> names; ///< of pictures; empty: all
+    std::vector<std::string> names; ///< names of pictures; empty: all
     roofline::Plan plan;
     bench::Size size;
     ResultFiles files;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Each pass of a frame, held against what the device can copy and compute, which kernels of its own measure.
+// Compares each pass of a frame with the device's copy and arithmetic speed, which separate kernels measure.
 
 #include <cstdint>
 #include <functional>
@@ -15,17 +15,17 @@
 
 namespace estampe::lab::roofline {
 
-/// What the device can do at most.
+/// The largest throughput of the device.
 struct Ceilings {
-    double bytes_a_s = 0.0;      ///< read and written by a copy, together
-    double operations_a_s = 0.0; ///< on 32-bit floats; a fused multiply-add is two
+    double bytes_a_s = 0.0;      ///< bytes read plus bytes written by a copy, per second
+    double operations_a_s = 0.0; ///< per second, on 32-bit floats; a fused multiply-add counts as two
 };
 
-/// Best of `rounds` of a copy, and of multiply-adds that wait for nothing. Cost: some 0.1 s on a GPU, 1 s on
-/// a processor; memory for the copy, 512 MiB on a GPU and 64 on a processor.
+/// Best of `rounds` runs of a copy, and of independent multiply-adds. Cost: some 0.1 s on a GPU, 1 s on a
+/// CPU; memory for the copy, 512 MiB on a GPU and 64 MiB on a CPU.
 [[nodiscard]] Ceilings measure_ceilings(gpu::Device& device, uint32_t rounds);
 
-/// A picture whose passes are looked at.
+/// A picture whose passes are measured.
 struct Entry {
     const char* name;
     const char* about;
@@ -34,20 +34,20 @@ struct Entry {
 
 [[nodiscard]] const std::vector<Entry>& all_pictures();
 
-/// One pass of a picture, by its name: all that have it are added up.
+/// Sum of all passes of a picture that have one name.
 struct PassCost {
     std::string name;
     Spread ms;
-    double share = 0.0;                 ///< of the picture's time
-    uint64_t bytes = 0;                 ///< as gpu::PassWork has them
-    std::optional<uint64_t> operations; ///< likewise
+    double share = 0.0;                 ///< share of the picture's time
+    uint64_t bytes = 0;                 ///< as gpu::PassWork counts bytes
+    std::optional<uint64_t> operations; ///< as gpu::PassWork counts operations
 };
 
 struct PictureCost {
     std::string name;
     std::string about;
     double ms = 0.0;              ///< sum of the passes' medians
-    std::vector<PassCost> passes; ///< dearest first; those that are hardly anything left out
+    std::vector<PassCost> passes; ///< most expensive first; very small passes are left out
 };
 
 struct Result {
@@ -66,19 +66,18 @@ struct Plan {
     uint32_t width = 1280;
     uint32_t height = 720;
     uint32_t frames = 9;
-    double least_share = 0.02; ///< of a picture's time, below which a pass is left out
+    double least_share = 0.02; ///< passes below this share of a picture's time are left out
 };
 
-/// Draws the pictures pass by pass. `on_picture` is told what is about to be drawn. Throws Error as Renderer
-/// does.
+/// Draws the pictures pass by pass. Calls `on_picture` before each picture. Throws Error as Renderer does.
 [[nodiscard]] Result measure(const std::vector<const Entry*>& entries, const Plan& plan,
                              const std::function<void(const Entry&)>& on_picture);
 
-/// What a pass comes to of a ceiling: 1 where it is all that the device can do.
+/// The speed of a pass as a share of a ceiling: 1 if the pass is as fast as the device can be.
 [[nodiscard]] double share_of_copy(const PassCost& pass, const Ceilings& ceilings);
 [[nodiscard]] std::optional<double> share_of_arithmetic(const PassCost& pass, const Ceilings& ceilings);
 
-/// As a table, as JSON, and as a row for each pass.
+/// Writes the result as a table, as JSON, and as CSV with one row per pass.
 [[nodiscard]] std::string text_of(const Result& result);
 [[nodiscard]] std::string json_of(const Result& result);
 [[nodiscard]] std::string csv_of(const Result& result);

@@ -10,7 +10,7 @@ const std::optional<Terrain> no_ground;
 
 Terrain windy_ground()
 {
-    TerrainDescription ground;
+    TerrainDescription ground = parse_terrain("[terrain]\nheight = 0\n", "flat.toml");
     ground.wind = {.towards_deg = 30.0F, .speed_m_per_s = 11.0F};
     return Terrain(ground);
 }

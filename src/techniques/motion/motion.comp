@@ -53,7 +53,7 @@ Point seen_point(uvec2 seen, vec2 position_px)
                      weight);
 }
 
-// The background is infinitely far away, or on the far plane of a parallel view.
+// The background is infinitely far away. In a parallel view the background is on the far plane.
 Point far_point(vec2 position_px)
 {
     vec4 far = frame.anchor_from_clip * vec4(ndc_at(position_px, frame.size_px), 0.0, 1.0);

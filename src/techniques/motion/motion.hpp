@@ -20,7 +20,7 @@ struct MotionInputs {
 };
 
 /// The exact motion of the surface at each pixel: interpolates the visible triangle's vertices as posed at
-/// the other moment. The background moves as if infinitely far away.
+/// the other moment. The background moves as if the background were infinitely far away.
 ///
 /// Writes  rgba32f: motion in pixels to the right and down; reversed depth of the point at the other moment,
 ///         0 at infinity; and 1, or 0 if the point was behind the eye. If the picture of the other moment

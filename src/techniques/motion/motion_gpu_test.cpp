@@ -44,7 +44,7 @@ glm::dmat3 axes_of(const Camera& camera)
     return {right, glm::cross(forward, right), forward};
 }
 
-/// Page position in pixels of a direction from the eye.
+/// Page position in pixels of the point that the eye sees in a direction.
 glm::dvec2 page_of(const Camera& camera, const glm::dvec3& from_eye)
 {
     const glm::dvec3 view = glm::transpose(axes_of(camera)) * from_eye;
@@ -71,7 +71,7 @@ RenderSettings settings_at(double time_s, const std::optional<Moment>& since, gl
     return {.width = size_px.x, .height = size_px.y, .time_s = time_s, .motion_since = since};
 }
 
-/// Motion from one moment to another.
+/// Motion vectors on the page from one moment to another.
 const Motion& draw_motion(const Moment& since, const Moment& now)
 {
     Style bare;
@@ -200,7 +200,7 @@ Scene bodies()
     return scene;
 }
 
-/// The vertices of each node at a moment.
+/// The posed vertices of each node at a given time.
 std::map<Index, std::vector<glm::dvec3>> posed_at(const Scene& scene, double time_s)
 {
     std::map<Index, std::vector<glm::dvec3>> result;

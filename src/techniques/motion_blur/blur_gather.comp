@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// For one pixel of the listed tiles, one thread computes what passes it during the exposure, and what is
-// visible there when nothing does. Other pixels are read from their packed copy, so that layers can be
-// modified in place.
+// For one pixel of the listed tiles, one thread computes the surfaces that pass over the pixel during the
+// exposure, and the surface that is visible when nothing passes. All other pixels are read from a packed
+// copy, so that the layers can be modified in place.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -52,7 +52,7 @@ float is_before(float depth, float other)
 }
 
 struct Passing {
-    LayerSample before; // surfaces in front of the pixel's own, weighted by their time there
+    LayerSample before; // surfaces in front of the pixel's own surface, weighted by their time at the pixel
     float before_time;
     LayerSample there; // the pixel's own surface and those behind it
     float there_time;
@@ -118,8 +118,8 @@ void main()
     float own_depth = texelFetch(owner_depth_image, pixel, 0).x;
     bool is_moving = own_way != vec2(0.0);
     Passing passing = Passing(no_sample, 0.0, no_sample, 0.0);
-    // Other surfaces reach the pixel along the longest motion in its tile; its own surface moves along its
-    // own.
+    // Other surfaces reach the pixel along the longest motion in the pixel's tile. The pixel's own surface
+    // moves along its own motion.
     bool is_same = length_of(longest - own_way) < 0.05 * length_of(longest);
     int most = is_same || !is_moving ? most_taps : most_taps_of_two;
     pass_along(pixel, longest, most, own_way, own_depth, passing);

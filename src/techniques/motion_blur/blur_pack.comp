@@ -51,7 +51,8 @@ void main()
     LineOwner owner = owner_of(pixel, layers.lines.a, constants.line_reach_px, ivec2(constants.size_px) - 1);
     vec2 way = half_way(texelFetch(motion_image, owner.pixel, 0));
     if (is_stretched && way == vec2(0.0)) {
-        // Pixels that a stretched shape has left still blur by their own motion, instead of staying sharp.
+        // A pixel that a stretched shape has left is still blurred by its own motion. Otherwise it would stay
+        // sharp.
         way = half_way(texelFetch(own_motion_image, owner.pixel, 0));
     }
     imageStore(out_texel, pixel,

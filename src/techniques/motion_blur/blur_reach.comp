@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread finds the longest displacement that reaches a tile, from itself or other tiles, and lists the
-// tile if it must be drawn.
+// One thread finds the longest displacement that reaches a tile, from this tile or from other tiles, and
+// lists the tile if it must be drawn.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

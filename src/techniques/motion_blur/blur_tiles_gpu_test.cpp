@@ -25,7 +25,7 @@ glm::vec4 check_at(glm::uvec2 pixel)
     return {glm::vec3((pixel.x / 3 + pixel.y / 3) % 2 == 0 ? 0.1F : 0.9F), 1.0F};
 }
 
-/// A painted checkerboard with patches that move in different directions, some equally far.
+/// A painted checkerboard with patches that move in different directions; some move equally far.
 std::vector<glm::vec4> blurred(bool by_groups, const Window& window = {})
 {
     const auto way = [](glm::uvec2 pixel) {

@@ -95,8 +95,8 @@ const style::Table<MotionBlurStyle>& motion_blur_table()
     return table;
 }
 
-// Strokes are thinned out like a hard-core point process: Matérn, "Spatial Variation", 1960, his second
-// method, in which each point only depends on the points around it.
+// Strokes are thinned out like a hard-core point process: Matérn, "Spatial Variation", 1960, second method.
+// In this method each point only depends on the points around it.
 
 namespace {
 
@@ -108,7 +108,7 @@ float unit_float(uint32_t bits)
     return static_cast<float>(bits >> 8U) / 16777216.0F;
 }
 
-/// Adds `count` seeds, one in each equal part of the area of a draw; `of_draw` lists its triangles.
+/// Adds `count` seeds, one in each equal part of the area of a draw call. `of_draw` lists its triangles.
 void spread_over(std::span<const uint32_t> of_draw, std::span<const glm::uvec4> triangles,
                  std::span<const glm::vec3> places, uint32_t count, std::vector<shared::SmearSeed>& seeds)
 {
@@ -282,7 +282,7 @@ Reach add_reach(gpu::Graph& graph, const MotionBlurInputs& in, gpu::ImageId page
     return {.ways = ways, .tiles = passed};
 }
 
-/// Blurs `layers` in place in the tiles that are passed by motion.
+/// Blurs `layers` in place, in the tiles that a moving surface passes over.
 void blur_in_place(gpu::Graph& graph, const MotionBlurInputs& in, const Packed& packed, uint32_t variant,
                    const shared::MotionBlurConstants& constants, MotionBlurLayers& layers)
 {

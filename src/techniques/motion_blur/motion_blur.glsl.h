@@ -27,7 +27,7 @@ struct MotionBlurConstants {
     float most_px;       // upper limit of that displacement
     float line_reach_px; // largest distance of a line's pixel from the edge that it follows
     float cell_px;       // side of a cell of the page that has one speed line
-    float line_length;   // length of speed lines relative to the displacement
+    float line_length;   // length of speed lines, as a multiple of the displacement
     float line_most_px;  // longest speed line
     float line_half_px;  // half width at its start
     float line_from_px;  // least displacement that gets speed lines
@@ -61,7 +61,7 @@ struct SmearConstants {
     uvec2 size_px;
     float scale;        // from motion to the displacement in half the exposure
     float most_px;      // upper limit of that displacement
-    float length_share; // length of strokes relative to the displacement
+    float length_share; // length of strokes, as a multiple of the displacement
     float spacing_px;   // distance between strokes, across the motion
     float width_px;     // width of the widest stroke
     float from_px;      // least displacement that gets strokes

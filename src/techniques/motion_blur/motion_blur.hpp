@@ -42,8 +42,8 @@ struct MotionBlurStyle {
 
 [[nodiscard]] const style::Table<MotionBlurStyle>& motion_blur_table();
 
-/// Approximate number of seeds of a scene, divided equally between its draws. Each draw has at least four, so
-/// a scene may have up to four times this number.
+/// Approximate number of seeds of a scene, divided equally between its draw calls. Each draw call has at
+/// least four seeds, so a scene may have up to four times this number.
 inline constexpr uint32_t smear_seed_count = 2048;
 
 /// Spreads seeds over each draw of a scene by area, in the pose `places`. `of` lists the triangles to use
@@ -83,8 +83,8 @@ struct SmearPage {
 [[nodiscard]] shared::SmearConstants smear_constants_of(const MotionBlurStyle& style, float scale,
                                                         float most_px, float pixels_per_mm);
 
-/// Draws smear strokes into `lines`. If nothing moves, or the scene has nothing that can move, the lines keep
-/// their bits.
+/// Draws smear strokes into `lines`. `lines` stays bit-identical if nothing moves, or if the scene has
+/// nothing that can move.
 ///
 /// Cost    one thread per seed, which walks to the edge of its body; one per stroke, which is compared with
 ///         all others; lists for blocks of 64 x 64 pixels; one pass over the page with at most 63 strokes
@@ -106,8 +106,8 @@ struct SmearPage {
 struct VelocityShapeInputs {
     gpu::BufferId posed_vertices;
     gpu::BufferId posed_vertices_before;
-    glm::mat4 now_from_before{1.0F}; ///< moves previous positions to where this camera sees them alike
-    float share = 0.0F;              ///< from motion to the displacement in half the exposure
+    glm::mat4 now_from_before{1.0F}; ///< moves a previous position to its former place in this camera's view
+    float share = 0.0F;              ///< factor from motion to the displacement in half the exposure
 };
 
 /// A shape that is drawn only for its velocities: its current and its previous vertices.
@@ -173,14 +173,14 @@ struct MotionBlurLayers {
     bool holds_sky = true; ///< `hatch` contains the sky's ink where no surface is visible
 };
 
-/// Blurs the layers by the motion during the exposure, all together, so that composed on paper they look like
-/// the blurred picture. Then draws speed lines and smear strokes over them.
+/// Blurs all layers together by the motion during the exposure, so that the layers composed on paper look
+/// like the blurred picture. Then draws speed lines and smear strokes over the layers.
 ///
-/// Writes  the layers in place, or new ones; pixels that stand still and are not passed by anything keep
-///         their bits
-/// Cost    one pass over the page for packing, two over its tiles, one over the tiles that are passed by
-///         motion with at most 64 texels per pixel; speed lines three more passes with at most 16 lines per
-///         pixel; smear strokes those of add_smear()
+/// Writes  the layers in place, or new ones; pixels that stand still and that nothing passes over stay
+///         bit-identical
+/// Cost    one pass over the page for packing, two over its tiles, one over the tiles that a moving surface
+///         passes over, with at most 64 texels per pixel; speed lines: three more passes with at most 16
+///         lines per pixel; smear strokes: the cost of add_smear()
 [[nodiscard]] MotionBlurLayers add_motion_blur(gpu::Graph& graph, const MotionBlurInputs& in,
                                                const MotionBlurStyle& style,
                                                shared::MotionBlurConstants constants,

@@ -63,8 +63,8 @@ bool goes_along(vec2 way, vec2 own_way)
     return dot(way, own_way) > 0.5 * dot(own_way, own_way);
 }
 
-// Position of a seed on the page and its displacement in half the exposure; the displacement is 0 if the seed
-// is behind the eye.
+// Position of a seed on the page, and its displacement in half the exposure. The displacement is 0 if the
+// seed is behind the eye.
 vec4 place_and_way(uvec4 seed)
 {
     uvec4 corners = triangle_at(seed.x);
@@ -97,7 +97,7 @@ void main()
     vec2 back = -way / max(length_of(way), 1e-6);
     ivec2 last = ivec2(constants.size_px) - 1;
     ivec2 first = ivec2(floor(clamp(moving.xy, vec2(-1.0), vec2(constants.size_px))));
-    // The pixel must show the seed's own surface, or one that moves in the same way.
+    // The pixel must show the seed's own surface, or a surface that moves in the same way.
     vec2 off = way_at(clamp(first, ivec2(0), last)) - way;
     bool is_its = length_of(off) < 0.05 * length_of(way) + 0.25;
     bool goes_on = is_on_page(first) && is_its && length_of(way) > max(constants.from_px, blur_still_px);

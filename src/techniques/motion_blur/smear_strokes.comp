@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread draws the smear strokes that cover a pixel. Strokes are hidden by the body that they come from.
+// One thread draws the smear strokes that cover a pixel. The body that a stroke comes from hides the stroke.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -24,8 +24,8 @@ layout(push_constant, scalar) uniform Constants
 const float hair_px = 1.5; // approximate distance between the hairs of the brush
 const float most_hairs = 7.0;
 
-// A dry brush that is set down at the edge and pulled away: full at first, then its hairs separate, run dry
-// in places and lift off one by one.
+// A stroke looks like a dry brush that is set down at the edge and pulled away. The stroke is full at first.
+// Then the brush's hairs separate, run dry in places and lift off one by one.
 float stroke_cover(SmearStroke stroke, vec2 place)
 {
     float length_px = max(sqrt(dot(stroke.way_px, stroke.way_px)), 1e-6);

@@ -9,7 +9,7 @@
 namespace estampe::motion_blur {
 namespace {
 
-/// Two triangles of one draw, whose areas are 3 to 1, and a far smaller one of another draw.
+/// One draw call of two triangles with areas of 3 to 1, and another draw call of one far smaller triangle.
 const std::vector<glm::vec3> places{{0, 0, 0}, {3, 0, 0}, {0, 1, 0},     {5, 0, 0},    {6, 0, 0},
                                     {5, 1, 0}, {9, 0, 0}, {9.01F, 0, 0}, {9, 0.01F, 0}};
 const std::vector<glm::uvec4> triangles{{0, 1, 2, 0}, {3, 4, 5, 0}, {6, 7, 8, 1}};

@@ -37,7 +37,7 @@ void main()
         ivec2 at = clamp(ivec2((vec2(cell) + part) * constants.cell_px), ivec2(0), last);
         vec2 way = unpackHalf2x16(texelFetch(page_image, at, 0).w);
         float length_px = sqrt(dot(way, way));
-        // The place that the body has just left shows a farther surface, which does not move along.
+        // The place that the body has just left must show a farther surface that does not move with the body.
         vec2 back = -way / max(length_px, 1e-6);
         ivec2 left = clamp(ivec2(floor(vec2(at) + 3.0 * back + 0.5)), ivec2(0), last);
         vec2 left_way = unpackHalf2x16(texelFetch(page_image, left, 0).w);

@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_HALF_PAGE
 #define ESTAMPE_HALF_PAGE
 
-// The half page has every second pixel each way; depth planes tell whether two pixels lie on one surface.
+// The half page has every second pixel in x and y. Depth planes tell whether two pixels are on one surface.
 // Define before: `frame`, a FrameGlobals, and `constants` with `from_half`.
 
 #include "shaders/camera.glsl"
@@ -25,7 +25,7 @@ DepthPlane depth_plane(ivec2 pixel, float depth, vec3 normal, float tolerance_m)
 {
     vec3 point = anchor_at(frame, vec2(pixel) + 0.5, depth);
     vec4 plane = vec4(normal, -dot(normal, point)) * frame.anchor_from_clip;
-    // An edge-on plane has no defined slope: the depth is then taken as constant.
+    // The slope of an edge-on plane is undefined. The depth is then taken as constant.
     float facing = abs(plane.z) > 1e-12 ? 1.0 / plane.z : 0.0;
     vec4 nearer = frame.clip_from_anchor * vec4(point - frame.view_forward * tolerance_m, 1.0);
     vec4 farther = frame.clip_from_anchor * vec4(point + frame.view_forward * tolerance_m, 1.0);
@@ -34,7 +34,7 @@ DepthPlane depth_plane(ivec2 pixel, float depth, vec3 normal, float tolerance_m)
                       max(max(tolerance, depth - farther.z / farther.w), 1e-12));
 }
 
-// 1 if `depth` at this offset lies on the plane, falling to 0 when it is off by the tolerance.
+// 1 if `depth` at this offset is on the plane. Falls to 0 at a distance of `tolerance` from the plane.
 float on_plane(DepthPlane plane, vec2 offset_px, float depth)
 {
     float off = abs(depth - plane.depth - dot(plane.slope, offset_px)) / plane.tolerance;

@@ -16,8 +16,8 @@
 
 namespace estampe::occlusion {
 
-/// How occlusion is computed: from depth on the page, between discs at all vertices, from these discs per
-/// pixel or per texel, or by depth darkening.
+/// The method of computing occlusion: from depth on the page; between discs at all vertices; from these discs
+/// per pixel or per texel; or by depth darkening.
 enum class Method : uint8_t { horizon, discs, splats, uv, unsharp };
 
 /// What occlusion darkens: ambient light, all light, or nothing but its own layer.
@@ -44,12 +44,12 @@ struct SurfaceMap {
     uint32_t size = 0;     ///< texels per side
 };
 
-/// The scene's posed surfaces, for methods that also use invisible ones.
+/// The scene's posed surfaces, for methods in which invisible surfaces also occlude.
 struct PosedSurfaces {
     gpu::BufferId visibility;
     gpu::BufferId triangles;
     gpu::BufferId posed_vertices;
-    std::optional<SurfaceMap> map; ///< of map_texels() per side, if the style's method needs a map
+    std::optional<SurfaceMap> map; ///< has map_texels() per side; none if the style's method needs no map
 };
 
 struct OcclusionInputs {

@@ -112,7 +112,7 @@ TEST_F(OcclusionInPictures, OcclusionIsAMaskOfItsOwn)
 
 TEST_F(OcclusionInPictures, UnsharpDepthsLeavePlanesAlone)
 {
-    // Depth darkening appears behind a box's edges, and never on a slanted floor alone, at any strength.
+    // Depth darkening appears behind a box's edges. It never appears on a slanted floor, at any strength.
     const std::vector<std::string> unsharp{"occlusion.enabled=true", "occlusion.method=unsharp",
                                            "occlusion.feeds=layer", "occlusion.strength=8"};
     EXPECT_GT(std::ranges::max(mask_of(unsharp)), 0.2F);
@@ -139,7 +139,8 @@ TEST_F(OcclusionInPictures, DiscsThrowTheirColorOnWhatIsBeside)
         }
         return shares;
     };
-    // The same renderer draws both: results without colours must not be reused for a picture with colours.
+    // One renderer draws both pictures. Results without colours must not be reused for a picture with
+    // colours.
     for (const char* method : {"occlusion.method=discs", "occlusion.method=splats", "occlusion.method=uv"}) {
         const std::vector<float> plain = redness_of(method, "occlusion.bleeding=0");
         const std::vector<float> tinted = redness_of(method, "occlusion.bleeding=4");

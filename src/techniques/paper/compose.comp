@@ -11,7 +11,7 @@
 #include "shaders/loops.glsl"
 #include "techniques/paper/paper.glsl.h"
 
-// With this workgroup size a warp writes a whole line of memory, which suits the bus to the host.
+// With this workgroup size one warp writes one whole line of memory, which is fast over the bus to the host.
 layout(local_size_x = 32, local_size_y = 8) in;
 
 layout(scalar, binding = 0) uniform Frame
@@ -75,7 +75,7 @@ struct Paper {
     float stray;  // mean about 0; deviation of a ruled line
 };
 
-// All noises but the finest come from one loop, which CPU drivers compile only once.
+// One loop computes all noises but the finest, because CPU drivers compile this loop only once.
 Paper paper_at(vec2 page_mm, int loop_count)
 {
     vec2 tooth_at = page_mm * 3.1;
@@ -106,8 +106,8 @@ Paper paper_at(vec2 page_mm, int loop_count)
     return Paper(0.72 * tooth + 0.28 * fibre - 0.5, tooth, pooled - 0.5, stray);
 }
 
-// Share of a dry stroke that the paper takes at a place: high spots take it, hollows stay bare. The mean
-// equals the stroke's, whatever the grain.
+// Share of a dry stroke that reaches the paper at a place: high spots get ink, hollows stay bare. The mean
+// equals the stroke's coverage, for any grain.
 float caught(float stroke, float tooth)
 {
     float bare = smoothstep(0.4, 0.68, 1.0 - tooth);
@@ -130,9 +130,9 @@ float things_at(ivec2 pixel, float wash_alpha)
     return clamp(has_cover ? texelFetch(cover_image, pixel, 0).r : wash_alpha, 0.0, 1.0);
 }
 
-// Paint on paper: linear colour and alpha. Transparent paper has no relief, which would tint the backdrop;
-// covered pixels get the smallest alpha that can show their colour. Source: "colour to alpha" of painting
-// programs.
+// Paint on paper: linear colour and alpha. Transparent paper has no relief, because a relief would tint the
+// backdrop. Covered pixels get the smallest alpha that can show their colour. Source: "colour to alpha" of
+// painting programs.
 vec4 painted(vec3 bare, vec3 paint, float cover)
 {
     if (!is_transparent) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per pixel copies the objects' coverage from the wash's alpha, and the ink, into new layers.
-// Depth of field or motion blur then blurs the coverage like the picture.
+// One thread per pixel copies the objects' coverage from the wash's alpha into a new wash, and copies the
+// ink. Depth of field or motion blur then blurs the coverage like the picture.
 #version 460
 
 layout(local_size_x = 8, local_size_y = 32) in;

@@ -21,7 +21,7 @@ Window window_of(const PaperStyle& style, float width_mm)
 
 namespace {
 
-/// Only the wanted output has the page's size; the others are placeholders.
+/// Only the output that is used has the page's size; the others are placeholders.
 struct Composed {
     gpu::ImageId picture;
     gpu::ImageId stage;
@@ -55,7 +55,7 @@ Composed compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& s
 {
     auto pass = graph.compute("compose", shaders::compose_comp);
     pass.uniform(in.frame).sample(in.wash).sample(in.hatch).sample(in.lines).sample(in.sky_ink);
-    // Unless it is needed, the light image is not read here, so that its memory can be reused.
+    // If the light image is not needed, it is not read here, so that its memory can be reused.
     pass.sample(style.ink_tint > 0.0F ? in.light : in.wash);
     pass.sample(in.ink.value_or(in.wash));
     pass.sample(in.smoke_paint.value_or(in.wash)).sample(in.smoke_ink.value_or(in.wash));

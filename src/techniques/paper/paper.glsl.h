@@ -42,7 +42,7 @@ struct PaperConstants {
     float ink_break;   // how far ink skips the high spots
     float ink_tint;    // how far coloured light tints the strokes' ink
     uint seed;
-    float ink_grain; // how far strokes catch only on the tooth
+    float ink_grain; // how far strokes get ink only on the paper's tooth
     float border_mm; // width of the line around the window
     vec2 window_min_mm;
     vec2 window_max_mm;

@@ -113,7 +113,7 @@ struct Developed {
     gpu::BufferId pixels;
 };
 
-/// Imports the sums of earlier samples; the first sample ignores the image's content.
+/// Imports the sums of earlier samples. The first sample ignores the content of the images.
 [[nodiscard]] gpu::ImageId import_sums(gpu::Graph& graph, gpu::Image& sums, const Accumulation& accumulation);
 
 /// Adds a frame to `sums` (rgba32f, as large as the picture if it has several samples). The last frame writes
@@ -126,7 +126,7 @@ struct Developed {
                                     const Accumulation& accumulation, PixelForm form = PixelForm::srgb_bytes,
                                     const std::optional<glm::vec3>& transparent = {});
 
-/// The layers whose colours depth of field and motion blur process. add_cover() makes copies whose wash holds
+/// The layers that depth of field and motion blur process. add_cover() copies these layers. Its wash holds
 /// the objects' coverage in red, green and blue, so that the coverage is blurred like the wash.
 struct CoverLayers {
     gpu::ImageId wash;  ///< rgba16f

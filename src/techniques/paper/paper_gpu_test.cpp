@@ -57,7 +57,7 @@ auto made_of(const Layers& layers, glm::uvec2 size_px, float pixels_per_mm, cons
     return add(graph, inputs);
 }
 
-/// The picture, or one of its stages.
+/// Returns the whole picture, or the picture composed up to a stage.
 std::vector<glm::vec4> compose(const Layers& layers, const PaperStyle& style, glm::uvec2 size_px,
                                float pixels_per_mm = 3.0F, std::optional<Stage> stage = std::nullopt)
 {
@@ -68,7 +68,7 @@ std::vector<glm::vec4> compose(const Layers& layers, const PaperStyle& style, gl
     });
 }
 
-/// Paper without relief: layers stay as they were painted.
+/// Paper without relief, so that each layer has the same coverage as it was painted.
 PaperStyle smooth()
 {
     return {.margin_mm = 0.0F, .grain = 0.0F, .granulation = 0.0F, .ink_break = 0.0F};

@@ -118,8 +118,8 @@ bool is_near(SpriteOver over)
     return max(uv.x, uv.y) < 1.0 + (constants.outline_px + 2.0) / over.sprite.radius_px;
 }
 
-// Index of the next sprite in the list that is near any place of the subgroup; `last` without one. This small
-// loop lets CPUs skip sprites cheaply.
+// Index of the next sprite in the list that is near any place of the subgroup; `last` if there is none. This
+// small loop skips sprites at low cost on CPUs.
 int find_sprite(vec2 place, int i, int last)
 {
     bool is_far;
@@ -134,7 +134,7 @@ int find_sprite(vec2 place, int i, int last)
 
 void add_sprite(inout Mass mass, SpriteOver over, float opacity, float surface_m, bool is_crisp)
 {
-    const float edge = 0.6; // in radii: edge of the part that hides sprites behind
+    const float edge = 0.6; // in radii: sprites behind are hidden within this distance from the centre
     Sprite sprite = over.sprite;
     vec2 away = over.away;
     vec2 uv = turned(sprite, away);
@@ -190,7 +190,7 @@ shared vec4 held[3 * read_at_once];
 void read_sprites(int first, int last)
 {
     int own = int(gl_LocalInvocationIndex);
-    barrier(); // all threads have finished with the sprites before
+    barrier(); // all threads have finished with the previous sprites
     if (first + own < last) {
         int sprite = 3 * int(texelFetch(listed_texels, first + own).x);
         for (int k = 0; k < 3; ++k) {

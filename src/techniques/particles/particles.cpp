@@ -102,8 +102,8 @@ Particle fly(const ParticleStyle& style, const Emitter& emitter, uint32_t number
     return particle;
 }
 
-/// The emitter as it was `ago_s` seconds ago: interpolated linearly between known states; before the oldest,
-/// that one.
+/// The emitter as it was `ago_s` seconds ago, interpolated linearly between known states. Before the oldest
+/// known state, returns the oldest.
 Emitter stood(const Emitter& emitter, double ago_s)
 {
     if (emitter.before.empty() || emitter.step_s <= 0.0) {

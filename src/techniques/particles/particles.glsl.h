@@ -16,7 +16,7 @@ SHARED_CONSTANT uint particles_blots = 2U;
 SHARED_CONSTANT uint particles_strokes = 3U;
 
 // Variant bits.
-SHARED_CONSTANT uint particles_by_groups = 1U; // a workgroup's pixels read one list together
+SHARED_CONSTANT uint particles_by_groups = 1U; // the pixels of a workgroup read one sprite list together
 
 // A particle on the page: three texels of four floats.
 struct Sprite {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Particles: each leaves an emitter, drifts in wind and swirls while it ages, and is drawn as a soft sprite.
+// Particles: each particle leaves an emitter, drifts in wind and swirls, and is drawn as a soft sprite.
 
 #include <functional>
 #include <span>
@@ -20,7 +20,7 @@ struct Emitter {
     glm::dvec3 place{0.0};
     glm::dvec3 direction{0.0, 1.0, 0.0}; ///< unit vector; 0: the emitter gives no particles
     double size = 1.0;                   ///< factor on the style's particle size
-    std::vector<Emitter> before; ///< earlier states, at equal steps back from now; empty: always as now
+    std::vector<Emitter> before; ///< earlier states at equal time steps; empty: the emitter never changed
     double step_s = 0.0;         ///< time between two states of `before`
 };
 
@@ -78,8 +78,8 @@ struct SheetImage {
 /// The style's sprite sheet, loaded again when the style changes it.
 class Sheet {
 public:
-    /// Loads the sheet from a picture, or from `simulate` for the built-in smoke. Throws Error naming the
-    /// file when it is no picture, or smaller than its rows and columns.
+    /// Loads the sheet from a picture file, or from `simulate` for the built-in smoke. Throws Error that
+    /// names the file if the file is no picture, or has fewer pixels than rows or columns.
     void ensure(gpu::Device& device, const ParticleStyle& style, const std::function<SheetImage()>& simulate);
 
     [[nodiscard]] glm::uvec2 size_px() const { return size_px_; }

@@ -243,7 +243,8 @@ TEST(ParticlePictures, FadeIntoTheSkyByHowFarTheyAre)
     const size_t middle = size_t{size_px.y / 2} * size_px.x + size_px.x / 2;
     const double covered = 1.0 - static_cast<double>(clear.wash[middle].y);
     ASSERT_GT(covered, 0.5);
-    // Six metres lie beyond 4 m; haze halves three times there, so an eighth of the red is left.
+    // The sprite is 6 m beyond the haze's start at 4 m. Haze halves it three times: an eighth of the red is
+    // left.
     EXPECT_NEAR(1.0 - static_cast<double>(hazy.wash[middle].x), covered * (1.0 - 0.125), 0.01);
     EXPECT_NEAR(1.0 - static_cast<double>(hazy.wash[middle].y), covered * 0.125, 0.01);
     EXPECT_NEAR(hazy.hatch[middle], clear.hatch[middle], 1e-6F) << "what is behind is hidden all the same";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All primitive modes of glTF: what is visible where, and the ink that it leaves.
+// All primitive modes of glTF: tests what is visible where, and the ink that the lines draw.
 #include <algorithm>
 #include <cmath>
 #include <limits>

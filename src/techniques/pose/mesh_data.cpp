@@ -116,8 +116,8 @@ private:
         return range;
     }
 
-    /// Appends triangles sorted by their shadow groups, larger group masks first, and static before moving
-    /// ones.
+    /// Appends triangles sorted by their shadow groups: larger group masks first, and within a group static
+    /// triangles before moving ones.
     Range append_solid(std::vector<glm::uvec4>& triangles, bool masked)
     {
         const auto kind_of = [this](const glm::uvec4& triangle) {

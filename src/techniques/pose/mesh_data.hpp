@@ -30,7 +30,7 @@ struct CasterRun {
     bool moves = false; ///< may move by an animation, a skin or morph targets; false: never moves
 };
 
-/// The origin of a draw call in the scene, for posing.
+/// The node, primitive and instance of a draw call, for posing.
 struct DrawSource {
     Index node = 0;
     uint32_t primitive = 0; ///< index in the node's mesh

@@ -241,7 +241,7 @@ bool weighs_otherwise(const shared::DrawRecord& draw, const PoseData& before, co
     return draw.morph_target_count > 0 && !std::ranges::equal(weights(before), weights(now));
 }
 
-/// Collects runs in ascending order; when full, it merges the two with the smallest gap.
+/// Collects runs in ascending order. When the list is full, merges the two runs with the smallest gap.
 class Collector {
 public:
     void add(const VertexRun& run)

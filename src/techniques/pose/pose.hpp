@@ -22,9 +22,9 @@ struct VertexRun {
 
 using VertexRuns = InlineVector<VertexRun, shared::most_pose_runs>;
 
-/// The vertices whose pose differs between `before` and `now` (all of them if `before` is null), and those of
-/// the draw calls `written_over`, which must be in ascending order. Too many runs are merged, with the
-/// vertices between them. Cost: linear in draws, joints and weights.
+/// The vertices whose pose differs between `before` and `now` (all vertices if `before` is null), and the
+/// vertices of the draw calls `written_over`, which must be in ascending order. Too many runs are merged; the
+/// merged run also contains the vertices between them. Cost: linear in draw calls, joints and weights.
 [[nodiscard]] VertexRuns runs_to_pose(const MeshData& meshes, const PoseData* before, const PoseData& now,
                                       std::span<const uint32_t> written_over);
 

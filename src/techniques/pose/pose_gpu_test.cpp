@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Posed vertices against the CPU's, and the front side of posed triangles.
+// Compares posed vertices with the CPU's, and tests the front side of posed triangles.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -203,7 +203,7 @@ TEST(PosedMeshes, SkinsWithEightInfluences)
 
 TEST(PosedMeshes, OfWhatMovedIsThatOfAll)
 {
-    // Boxes that stand still, rise, each at its own time, and stand still again.
+    // Boxes that stand still, then rise, each at its own time, and then stand still again.
     Scene scene = morphing_scene();
     for (uint32_t i = 0; i < 12; ++i) {
         const Index box =

@@ -144,7 +144,7 @@ uint32_t root_of(std::vector<uint32_t>& parents, uint32_t vertex)
     return vertex;
 }
 
-/// The connected parts of a primitive, as lists of corners, three per triangle.
+/// The connected parts of a primitive; each part is a list of corners, three per triangle.
 std::vector<std::vector<uint32_t>> parts_of(const Primitive& primitive)
 {
     const std::vector<uint32_t> welded = weld(primitive.positions);
@@ -231,7 +231,7 @@ uint32_t most_sheets(const Primitive& primitive, bool two_sided, uint32_t enough
 
 namespace {
 
-/// An edge of a triangle, stored under the lower number of its two positions.
+/// An edge of a triangle, stored under the lower position number of its two ends.
 struct Side {
     uint32_t higher = 0;    ///< the higher position number
     uint32_t corner = 0;    ///< its first corner, an index into Primitive::indices
@@ -257,7 +257,7 @@ uint32_t end_of(uint32_t corner)
     return corner % 3 == 2 ? corner - 2 : corner + 1;
 }
 
-/// Total length of inner edges, and of those on texture seams.
+/// Total length of inner edges, and total length of inner edges on texture seams.
 struct EdgeLengths {
     double inner = 0.0;
     double seams = 0.0;
@@ -285,7 +285,7 @@ public:
 private:
     [[nodiscard]] uint32_t place(uint32_t corner) const { return places_[primitive_.indices[corner]]; }
 
-    /// Sorts edges by the lower position; edges of one position stay in the triangles' order.
+    /// Sorts edges by the lower position number. Edges with equal numbers stay in the triangles' order.
     void file_sides()
     {
         const auto count = static_cast<uint32_t>(primitive_.indices.size() / 3 * 3);

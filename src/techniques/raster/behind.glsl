@@ -6,9 +6,9 @@
 
 layout(binding = BEHIND_BINDING) uniform usamplerBuffer peeled;
 
-// Variant for pictures of every second pixel. Their depths are not bit-identical to the full picture's, and
-// beside an edge they may see the surface itself again. A tolerance from its slope excludes triangles that
-// face the eye, as the peeled surface does.
+// Variant for pictures of every second pixel. Depths of such pictures are not bit-identical to those of the
+// full picture. Beside an edge such a picture may see the peeled surface again. A tolerance from the
+// surface's slope excludes triangles that face the eye, as the peeled surface does.
 bool lies_clearly_behind(uint index, float depth, float change, uint triangle, bool faces_eye)
 {
     uvec2 word = texelFetch(peeled, int(index)).xy;

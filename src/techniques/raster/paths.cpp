@@ -69,7 +69,7 @@ void bind_masks(gpu::Pass& pass, const RasterInputs& in)
 
 namespace {
 
-/// Shader bits of the pixels that a peel draws, see draws_second.
+/// Shader variant bits that select the pixels a peel draws, see draws_second.
 uint32_t second_bits(const View& view)
 {
     return view.second_from ? shared::draws_second | view.second_from->x << 1U | view.second_from->y << 2U
@@ -292,7 +292,7 @@ gpu::Pass begin_listed_draw(gpu::Graph& graph, const gpu::Name& name, bool depth
                         depth_only ? shaders::draw_depth_frag : shaders::draw_ids_frag);
 }
 
-/// Culls a batch of many triangles without masks, and draws the rest from a list.
+/// Culls a batch of many triangles without masks, and draws the remaining triangles from a list.
 void add_culled_batch(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in, const Batch& batch,
                       const View& view, bool depth_only, Attachments& to)
 {

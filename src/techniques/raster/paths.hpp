@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The compute and the hardware raster path, what both need, and the choice between them. Callers that draw
-// use raster.hpp.
+// The compute raster path, the hardware raster path, their common functions, and the choice between them. To
+// draw, include raster.hpp instead.
 
 #include <optional>
 
@@ -51,10 +51,10 @@ struct PageWork {
 };
 
 /// The paths of a picture for the requested path `wanted` and choose_path()'s result `chosen`. Both are
-/// `chosen`, with one exception: a CPU device with `automatic` draws a page by compute if it has at least one
-/// triangle per eight pixels, because all cores draw small triangles while the driver sets them up on one.
-/// With masks it stays with hardware, because compiling the many masked shaders would delay the first
-/// picture.
+/// `chosen`, with one exception. On a CPU device with `automatic`, a page with at least one triangle per
+/// eight pixels is drawn by compute: all cores draw small triangles, while the driver sets triangles up on
+/// one core. With masks the path is always hardware, because compiling the many masked shaders would delay
+/// the first picture.
 [[nodiscard]] Paths paths_of(const DeviceInfo& device, RasterPath wanted, RasterPath chosen,
                              const PageWork& work);
 

@@ -114,8 +114,8 @@ struct View {
                                                     View view, uint32_t count);
 
 /// Lists the tiles of 8 x 8 pixels in which a visibility buffer of `size_px` sees a surface, see
-/// shaders/tiles.glsl.h. On CPU devices empty pixels cost as much as others. Cost: a small clear and a
-/// dispatch with one thread per tile.
+/// shaders/tiles.glsl.h. On CPU devices empty pixels cost as much as covered pixels. Cost: a small clear and
+/// a dispatch with one thread per tile.
 [[nodiscard]] gpu::BufferId add_seen_tiles(gpu::Graph& graph, const gpu::Name& name, gpu::BufferId visibility,
                                            glm::uvec2 size_px);
 
@@ -139,7 +139,7 @@ struct DepthPart {
 
 // Clusters of 64 consecutive triangles with bounding boxes, by which a view skips what it cannot show.
 
-/// Size of the bounding boxes of all clusters of a list of `triangle_count`.
+/// Size in bytes of the bounding boxes of all clusters of a list of `triangle_count` triangles.
 [[nodiscard]] uint64_t cluster_bounds_bytes(uint64_t triangle_count);
 
 /// Computes the boxes again after vertices have moved.
@@ -156,7 +156,8 @@ public:
     /// To be called after vertices have moved or triangles have changed.
     void forget() { are_found_ = false; }
 
-    /// Computes the boxes if they are not known. Cost: nothing, or that of add_cluster_bounds().
+    /// Computes the boxes if they are not known. Costs nothing if they are, otherwise as
+    /// add_cluster_bounds().
     [[nodiscard]] gpu::BufferId add(gpu::Graph& graph, gpu::Device& device, const RasterInputs& in,
                                     uint32_t triangle_count, const Tuning& tuning = {});
 

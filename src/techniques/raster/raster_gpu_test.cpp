@@ -131,7 +131,7 @@ TEST_P(RasterPaths, AGridCoversEachPixelOnce)
     std::vector<glm::vec4> corners;
     for (int y = 0; y <= rows; ++y) {
         for (int x = 0; x <= columns; ++x) {
-            // The border is outside the page; an inner corner may be exactly at a pixel's centre.
+            // The border is outside the page. An inner corner may be exactly at a pixel's centre.
             const bool inner = x > 0 && x < columns && y > 0 && y < rows;
             const glm::vec2 px = glm::vec2(x * 18 - 15, y * 16 - 8) +
                                  (inner ? glm::vec2(random.between(-6.0F, 6.0F), random.between(-6.0F, 6.0F))

@@ -41,7 +41,7 @@ inline std::string path_name(const testing::TestParamInfo<RasterPath>& info)
     return name_of(info.param);
 }
 
-/// Vertices and triangles on the device.
+/// Buffers of vertices and triangles on the device.
 struct SoupBuffers {
     gpu::Buffer vertices;
     gpu::Buffer triangles;
@@ -137,7 +137,7 @@ public:
 
     float between(float low, float high) { return std::uniform_real_distribution<float>(low, high)(random_); }
 
-    /// A corner at a place of the page (-1 to 1), seen at distance w.
+    /// A vertex at the page position `ndc` (-1 to 1), with `w` as its clip-space w.
     static glm::vec4 at(glm::vec2 ndc, float w) { return {ndc.x * w, ndc.y * w, near_z, w}; }
 
     ClipTriangle around(float spread, float size)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One thread per tile of 8 x 8 pixels: lists the tile if any surface is visible in it. On a CPU device each
-// lane scans one tile, pixel by pixel, until all lanes have an answer.
+// lane scans one tile pixel by pixel, until all lanes have an answer.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_vote : require

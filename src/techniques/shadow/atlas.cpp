@@ -9,9 +9,10 @@
 namespace estampe::shadow {
 namespace {
 
-// A size is kept until the wanted size is this many doublings away; 0.5 would be plain rounding and flicker.
+// A light keeps its map size until the wanted size differs by this many doublings. 0.5 is rounding and
+// flickers.
 constexpr float patience = 0.8F;
-// Factor on the importance of lights that have a map, so that equal lights do not take turns.
+// Factor on the importance of lights that already have a map, so that equal lights do not alternate.
 constexpr float loyalty = 1.25F;
 
 uint32_t next_size(const AtlasRequest& request, uint32_t held)
@@ -51,7 +52,8 @@ void Atlas::choose_sizes(std::span<const AtlasRequest> requests, const AtlasBudg
         sizes_[order_.front()] = 0;
         order_.erase(order_.begin());
     }
-    // Halve the largest maps, the least important first, until all fit; then drop the least important lights.
+    // Halve the largest maps, the least important first, until all maps fit. Then drop the least important
+    // lights.
     while (total > budget.texels && !order_.empty()) {
         const size_t largest =
             *std::ranges::max_element(order_, [&](size_t a, size_t b) { return sizes_[a] < sizes_[b]; });
@@ -135,8 +137,8 @@ struct Axes {
     glm::vec3 right, down, along;
 };
 
-/// Axes of a cube's face, as in local_shadow.glsl. Their handedness does not matter, because triangles are
-/// drawn from both sides.
+/// Axes of a cube's face, as in local_shadow.glsl. Left-handed axes work too, because triangles are drawn
+/// from both sides.
 Axes face_axes(uint32_t face)
 {
     const auto axis = static_cast<int>(face / 2);

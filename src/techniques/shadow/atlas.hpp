@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Shadow maps of local lights: how many texels each light gets in the shared buffer, and where; and the views
-// of the maps: one along a spot's beam, six along the axes for an omnidirectional light.
+// Shadow maps of local lights: how many texels each light gets in the shared buffer, and where these texels
+// are; and the views of the maps. A spot has one view along its beam, an omnidirectional light has six views
+// along the axes.
 
 #include <array>
 #include <cstdint>
@@ -17,16 +18,16 @@ namespace estampe::shadow {
 
 inline constexpr uint32_t smallest_map = 64;
 
-/// What a light requests. With `map_count` 0 it requests nothing.
+/// The shadow map that a light requests. A light with `map_count` 0 requests none.
 struct AtlasRequest {
     uint32_t map_count = 0;
     float wanted_size = 0.0F; ///< texels per side at which a texel is about as large as a pixel
     uint32_t largest_size = 512;
-    float importance = 0.0F; ///< priority if texels are short; only ratios between lights matter
+    float importance = 0.0F; ///< priority when texels are scarce; only ratios between lights matter
 };
 
-/// The texels that a light gets: its maps of `size` texels per side, a power of two, one after another. Size
-/// 0 means no map.
+/// The texels that a light gets. Its maps have `size` texels per side, a power of two, and are stored one
+/// after another. Size 0 means no map.
 struct Allotment {
     uint32_t size = 0;
     uint32_t first_texel = 0;
@@ -38,14 +39,15 @@ struct AtlasBudget {
     size_t lights = SIZE_MAX; ///< at most this many lights get maps
 };
 
-/// Shares texels out among lights in each frame. Sizes change only if the wanted size has changed clearly,
-/// and a light keeps its place, so that its maps can be kept.
+/// Divides texels among lights in each frame. A light's size changes only if the wanted size has changed
+/// clearly. The light also keeps its place in the buffer, so that its maps can be reused.
 class Atlas {
 public:
-    /// Shares the budget out among the lights of a frame. A light must keep its index from frame to frame.
-    /// The most important lights get the power of two next to their wanted size. If that is too much, the
-    /// largest maps are halved, the least important first; at `smallest_map` the least important lights get
-    /// none. Cost: a sort, and linear in lights for each halving. The result is valid until the next call.
+    /// Divides the texel budget among the lights of a frame. A light must keep its index from frame to frame.
+    /// The most important lights get the power of two nearest to their wanted size. If the maps do not fit,
+    /// the largest maps are halved, the least important first. At `smallest_map` the least important lights
+    /// get no map. Cost: a sort, and linear in lights for each halving. The result is valid until the next
+    /// call.
     [[nodiscard]] const std::vector<Allotment>& allot(std::span<const AtlasRequest> requests,
                                                       const AtlasBudget& budget);
 
@@ -93,7 +95,7 @@ struct LocalLight {
     bool operator==(const LocalLight&) const = default;
 };
 
-/// Margin of texels around each map, so that lookups near its border find neighbours.
+/// Width in texels of the margin around each map, so that lookups near its border find neighbours.
 inline constexpr uint32_t rim_texels = 2;
 
 /// Record for shader lookups: the maps have `size` texels per side and start at `first_texel`. `radius_m` is

@@ -49,7 +49,7 @@ TEST(Atlas, DoesNotFlicker)
     Atlas atlas;
     std::vector<AtlasRequest> requests{{6, 256.0F, 1024, 1.0F}, {1, 256.0F, 1024, 1.0F}};
     const auto first = atlas.allot(requests, {plenty});
-    // Back and forth across the threshold where a choice without hysteresis would change.
+    // Moves the size back and forth across the threshold at which a choice without hysteresis would change.
     for (const float wanted : {350.0F, 380.0F, 350.0F, 180.0F, 160.0F, 400.0F}) {
         requests[0].wanted_size = wanted;
         EXPECT_EQ(atlas.allot(requests, {plenty}), first) << wanted;
@@ -85,7 +85,7 @@ TEST(Atlas, ServesNoMoreLightsThanItMay)
     auto lots = atlas.allot(requests, {plenty, 2});
     EXPECT_EQ(lots[0].size, 0U);
     EXPECT_EQ(lots[1].size, 64U);
-    // A light that has a map keeps it against a light that is slightly more important.
+    // A light that has a map does not lose the map to a light that is slightly more important.
     requests[0].importance = 1.2F;
     lots = atlas.allot(requests, {plenty, 2});
     EXPECT_EQ(lots[0].size, 0U);

@@ -2,15 +2,15 @@
 #ifndef ESTAMPE_SHADOW_SHARE
 #define ESTAMPE_SHADOW_SHARE
 
-// Share of a light that shadows leave, with toothed edges and the light's size. The including shader declares
-// what the lookups need, `EdgeProfile edge_profile`, `coordinate_image` and `footprint_image`, and the
+// Share of a light that shadows leave, with toothed edges and penumbrae. The including shader declares the
+// names that the lookups need, `EdgeProfile edge_profile`, `coordinate_image` and `footprint_image`, and the
 // constants has_edges, has_stroke_edges, has_wave_edges, has_soft_sun and has_soft_lamps.
 //
-// Edges have teeth, as illustrators draw them. The lookup point is moved along the surface, back and forth
-// across a coordinate v that is fixed to the world, so that the edge breaks up into strokes that stay in
+// Shadow edges have teeth, as illustrators draw them. The lookup point is moved along the surface, back and
+// forth across a coordinate v that is fixed to the world. The edge thus breaks up into strokes that stay in
 // place when the eye moves. After Zanuttini, "Recherches en rendu non realiste temps reel", 2008, who moves
-// it along the world's axes. Amplitude and density are measured on the page. Where v follows the hatching
-// lines, each tooth is the end of a stroke.
+// the point along the world's axes. Amplitude and density are measured on the page. Where v follows the
+// hatching lines, each tooth is the end of a stroke.
 
 #include "shaders/camera.glsl"
 #include "shaders/stroke_field.glsl"
@@ -32,11 +32,11 @@ struct Teeth {
     uint seed;
 };
 
-// Two points at which to look the light up instead of at the surface point.
+// Two points at which the light is looked up, instead of at the surface point.
 struct EdgePoints {
     vec3 first;
     vec3 second;
-    float lean; // 0: use the mean of both; positive: the darker; negative: the lighter
+    float lean; // 0: the mean of both points; positive: the darker point; negative: the lighter point
 };
 
 // Intersection of the view ray at `at_px` with the plane through `point`; limited at grazing angles. `depth`
@@ -71,7 +71,7 @@ Teeth teeth_across(float v, vec2 v_rate, PageRates rates, bool wraps, uint seed)
     return teeth;
 }
 
-// Teeth across slices of the world by parallel planes.
+// Teeth along parallel planes that cut the world into slices.
 Teeth wave_teeth(vec3 axis, vec3 point, PageRates rates, uint seed)
 {
     return teeth_across(dot(axis, point), vec2(dot(axis, rates.dx), dot(axis, rates.dy)), rates, false, seed);
@@ -96,7 +96,7 @@ float edge_tooth(Teeth teeth, EdgeProfile profile, float penumbra_px)
                  profile.variety);
 }
 
-// Strokes extend past the edge on the lit side and leave gaps of light on the other.
+// On the lit side, strokes extend past the edge. On the dark side, they leave gaps of light.
 EdgePoints stroke_edge(Teeth teeth, EdgeProfile profile, vec3 point, float penumbra_px)
 {
     float lean = edge_tooth(teeth, profile, penumbra_px);
@@ -104,7 +104,7 @@ EdgePoints stroke_edge(Teeth teeth, EdgeProfile profile, vec3 point, float penum
     return EdgePoints(point + shift, point - shift, lean);
 }
 
-// One sample along each of two axes; their mean counts.
+// Takes one sample along each of two axes, and returns their mean.
 EdgePoints wave_edge(Teeth first, Teeth second, EdgeProfile profile, vec3 point, float penumbra_px)
 {
     float reach_px = profile.amplitude_px + 0.5f * penumbra_px;
@@ -135,8 +135,8 @@ vec3 third_wave_point(Edge edge, EdgeProfile profile, vec3 point, float penumbra
     return point + edge.third.step_m * (reach_px * edge_tooth(edge.third, profile, penumbra_px));
 }
 
-// A point that was moved into shadow is raised towards the light: the plane in which it moves may cut into a
-// curved or folded surface, which would then shadow itself.
+// A point that was moved into shadow is raised towards the light. Otherwise the plane in which the point
+// moves could cut into a curved or folded surface, which would then shadow itself.
 vec3 raised(vec3 moved, EdgePoints points, vec3 point, vec3 towards_light)
 {
     return points.lean < 0.0f ? moved : moved + towards_light * (0.7f * distance(moved, point));
@@ -186,7 +186,7 @@ float sun_share(vec3 point, vec3 normal, vec3 towards_sun, Edge edge)
     return edge_blend(points, first, second);
 }
 
-// Uses only `part` of the light's radius.
+// Uses only the share `part` of the light's radius.
 float local_lookup(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal, Penumbra penumbra,
                    float part)
 {
@@ -213,7 +213,7 @@ float local_share(LocalShadow shadow, vec3 light_position, vec3 point, vec3 norm
     float second = local_lookup(shadow, light_position, raised_second, normal, penumbra, 0.5);
     float share = edge_blend(points, first, second);
     if (has_wave_edges) {
-        // A lamp's shadows run in all directions, so it has a third axis.
+        // A lamp's shadows run in all directions, so a lamp has a third axis of teeth.
         vec3 point_3 = third_wave_point(edge, edge_profile, point, penumbra.mean_m);
         float third = local_lookup(shadow, light_position, point_3, normal, penumbra, 0.5);
         share = shadow.is_cube != 0u ? mix(share, third, 1.0 / 3.0) : share;

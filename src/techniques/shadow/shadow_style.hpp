@@ -50,11 +50,11 @@ struct HatchedLines {
 [[nodiscard]] shared::EdgeProfile edge_profile(const ShadowStyle& style,
                                                const std::optional<HatchedLines>& lines, float pixels_per_mm);
 
-/// Variant bits of the lighting shader (shaders/light_variant.glsl.h) that the style needs. The caller that
+/// Variant bits of the lighting shader (shaders/light_variant.glsl.h) that the style needs. The code that
 /// fits the sun's map adds the bits for clipmaps and perspective maps.
 [[nodiscard]] uint32_t shadow_variant(const ShadowStyle& style, const std::optional<HatchedLines>& lines);
 
-/// Additional variant bits that these lamps and spots need.
+/// Variant bits that these lamps and spots need in addition.
 [[nodiscard]] uint32_t lamps_variant(std::span<const shared::LocalShadow> lamps);
 
 } // namespace estampe::shadow

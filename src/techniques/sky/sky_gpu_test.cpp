@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sky against its equations, direction by direction; its strokes by their mean ink.
+// Compares the sky with its equations, direction by direction. Tests the strokes by their mean ink.
 #include "techniques/sky/sky.hpp"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ double smoothstep(double low, double high, double x)
     return t * t * (3.0 - 2.0 * t);
 }
 
-/// Share of the zenith's colour in the wash.
+/// Share of the zenith's colour in the sky's wash.
 double zenith_share(const glm::vec4& wash)
 {
     return static_cast<double>((wash.x - horizon.x) / (zenith.x - horizon.x));
@@ -247,7 +247,7 @@ TEST(Sky, DiscStandsWhereTheSunDoesAndIsAsWide)
     const auto cover = [&](const glm::vec4& color, const glm::vec3& disc) {
         const float share =
             glm::dot(glm::vec3(color) - horizon, disc - horizon) / glm::dot(disc - horizon, disc - horizon);
-        // Ignores what rounding to half floats leaves.
+        // Ignores differences that rounding to half floats leaves.
         return share > 0.01F ? static_cast<double>(share) : 0.0;
     };
     const auto expect_disc = [&](const glm::dvec3& towards, const glm::vec3& color, double lit) {

@@ -2,12 +2,13 @@
 #ifndef ESTAMPE_VAULT
 #define ESTAMPE_VAULT
 
-// Strokes on the sky. Define before: `frame`.
+// Strokes on the sky. The including shader defines `frame` before this file.
 
 #include "shaders/camera.glsl"
 #include "shaders/lines.glsl"
 
-// Uses a distant point: near the eye, the difference of two positions would lose its digits to cancellation.
+// Uses a distant point, because near the eye the difference of two positions would lose its digits to
+// cancellation.
 vec3 direction_at(vec2 position_px)
 {
     return -towards_eye(frame, anchor_at(frame, position_px, 1e-5));
@@ -26,15 +27,15 @@ vec2 vault(vec3 d)
     return vec2(atan(d.x, -d.z), d.y / (0.35 + length(d.xz)));
 }
 
-// Coordinate along the strokes: the bearing, which must jump by a full turn somewhere. The jump lies behind
-// the viewer, at a different bearing for each height, so that strokes do not all break at one bearing.
+// Coordinate along the strokes: the bearing, which must jump by a full turn somewhere. The jump is behind the
+// viewer. Its bearing differs with the height, so that strokes do not all break at one bearing.
 float along_strokes(vec2 here)
 {
     float middle = 1.2 * sin(53.0 * here.y);
     return here.x + 6.2831853 * round((middle - here.x) / 6.2831853);
 }
 
-// Horizontal strokes in direction `d`, which belongs to `position_px`.
+// Horizontal strokes in direction `d`, which is the direction of pixel position `position_px`.
 LineField level_strokes(vec3 d, vec2 position_px)
 {
     vec2 here = vault(d);

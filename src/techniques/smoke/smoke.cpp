@@ -160,7 +160,7 @@ Seen add_seen(gpu::Graph& graph, const shared::SmokeBox& box, const SmokeStyle& 
     return {.density = density, .fire = is_burning(style) ? std::optional(fire) : std::nullopt};
 }
 
-/// Several boxes write to one image one after another: the first writes, others modify.
+/// Several boxes write to one image one after another: the first box writes, the others modify.
 template <class Handle>
 Handle write_turn(gpu::Pass& pass, Handle into, bool is_first)
 {

@@ -47,8 +47,8 @@ struct SmokeLight {
     uint shadow;
 };
 
-// A box and its contents. The fields of all boxes share images of one size; each box's layers begin at a
-// whole brick.
+// A box and its contents. The fields of all boxes are stored in images of one common size. Each box's layers
+// begin at a whole brick.
 struct SmokeBox {
     mat4 grid_from_anchor; // in cells, from the low corner
     mat4 anchor_from_grid;

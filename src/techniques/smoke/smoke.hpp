@@ -69,7 +69,7 @@ private:
     friend Volume add_volume(gpu::Graph& graph, VolumeMemory& memory, const SmokeStyle& style,
                              const struct Fields& in);
 
-    shared::SmokeGlobals globals_{}; ///< of the boxes that memory is allocated for
+    shared::SmokeGlobals globals_{}; ///< globals of the boxes that memory is allocated for
     gpu::Image packed_;
     gpu::Buffer bricks_;
 };
@@ -106,15 +106,15 @@ struct ViewInputs {
 };
 
 /// Marches rays through the smoke. Writes rgba32f: opacity; mean light of the visible smoke, as a share of
-/// all light; distance at which the edge opacity is reached, 0 if it is not; orientation towards the light
-/// there, 0 to 1, plus 2 times the index of the densest box there. Rays pass all boxes at once, with the
-/// shortest step of those that they are in. Cost: a full-screen dispatch, a texel read per step in boxes and
-/// per empty brick.
+/// all light; distance at which the edge opacity is reached, 0 if it is not reached; and the orientation
+/// towards the light there, 0 to 1, plus 2 times the index of the densest box there. A ray passes all boxes
+/// at once. Its step is the shortest of the steps of the boxes around the sample. Cost: a full-screen
+/// dispatch, a texel read per step in boxes and per empty brick.
 [[nodiscard]] gpu::ImageId add_march(gpu::Graph& graph, const Volume& volume, const SmokeStyle& style,
                                      const ViewInputs& in);
 
-/// Share of sunlight at visible surfaces, r16f, multiplied by `share` if given. Cost: a full-screen dispatch,
-/// a texel read per cell between the surface and the sun within boxes.
+/// Share of sunlight that the smoke lets through to visible surfaces, r16f, multiplied by `share` if given.
+/// Cost: a full-screen dispatch, a texel read per cell between the surface and the sun within boxes.
 struct ThrownInputs {
     ViewInputs view;
     std::optional<gpu::ImageId> share; ///< page-sized
@@ -147,11 +147,11 @@ struct InkInputs {
     std::optional<Haze> haze = {};
 };
 
-/// Draws the result of add_march(). Cost: a full-screen dispatch; in smoke a dozen texel reads per pixel of a
-/// line's width.
+/// Draws the result of add_march(). Cost: a full-screen dispatch. Pixels with smoke read a dozen texels per
+/// pixel of the line width.
 [[nodiscard]] Layer add_ink(gpu::Graph& graph, const SmokeStyle& style, const InkInputs& in);
 
-/// How many pixels away other pixels may affect a pixel's ink.
+/// The distance in pixels within which other pixels may affect a pixel's ink.
 [[nodiscard]] uint32_t reach_px(const SmokeStyle& style, float pixels_per_mm);
 
 } // namespace estampe::smoke

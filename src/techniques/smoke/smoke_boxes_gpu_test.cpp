@@ -12,8 +12,8 @@
 namespace estampe::smoke {
 namespace {
 
-/// Boxes that differ from the first in size, cells and rotation; the second overlaps it, the third stands
-/// apart.
+/// Boxes that differ from the first in size, cells and rotation. The second box overlaps the first, the third
+/// box does not.
 Box smaller_box(const glm::dvec3& middle, const glm::uvec3& cells, double box_cell_m, double turn_rad)
 {
     glm::dmat4 anchor_from_grid = glm::translate(glm::dmat4(1.0), middle);

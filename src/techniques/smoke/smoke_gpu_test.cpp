@@ -87,7 +87,7 @@ TEST(Smoke, ThreeWaysOfLookingUpAgreeWithABallsChord)
 
 TEST(Smoke, PlanesOfTheGridStandFast)
 {
-    // Smoke lies between planes four cells apart, so no plane samples it at any slant.
+    // The smoke is between planes that are four cells apart, so no plane samples it at any slant.
     const Density between = [](glm::vec3 place) {
         const auto layer = static_cast<uint32_t>(place.z / cell_m) % 4;
         return layer == 1 || layer == 2 ? 1.0F : 0.0F;

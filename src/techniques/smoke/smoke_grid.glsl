@@ -40,8 +40,8 @@ int brick_index(uint box, uvec3 brick)
     return int((layer * counts.y + brick.y) * counts.x + brick.x);
 }
 
-// Distances at which a ray enters and leaves the box, in lengths of `direction`; if it misses the box, it
-// leaves before it enters.
+// Distances at which a ray enters and leaves the box, in lengths of `direction`. If the ray misses the box,
+// the second distance is less than the first.
 vec2 range_in_box(vec3 cells, vec3 origin, vec3 direction)
 {
     vec3 safe = mix(direction, vec3(1e-9), lessThan(abs(direction), vec3(1e-9)));

@@ -68,8 +68,8 @@ float cover_at(ivec2 pixel, float opacity)
     return clamp(0.5 + (opacity - smoke.edge) / max(length(slope), 0.02), 0.0, 1.0);
 }
 
-// Distance in pixels to the nearest place where the smoke ends, or where it lies farther away by `gap_m` more
-// than a steep slope allows. Places that the scene hides do not count.
+// Distance in pixels to the nearest place where the smoke ends, or where the smoke is farther away by `gap_m`
+// more than a steep slope allows. Places that the scene hides do not count.
 float distance_to_end(ivec2 pixel, float surface_m, float own_depth, float pixel_m, float gap_m)
 {
     const float steep = 3.0;
@@ -122,7 +122,7 @@ float strokes_at(ivec2 pixel, vec3 point, float surface_m, float dark, uint box)
     vec3 side = unit(cross(axis, abs(axis.y) < 0.7 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0)));
     vec3 risen = vec3(0.0, smoke.boxes[box].stroke_rise_m, 0.0);
     LineField field = field_along(axis, side, cross(axis, side), point - risen, f);
-    // On a puff's turning edge, lines would crowd into black.
+    // On a puff's edge, where its surface turns away from the eye, lines would crowd into black.
     float pixel_m = pixel_size_m(frame, point);
     field.v_per_px = clamp(field.v_per_px, 0.2 * pixel_m, 3.0 * pixel_m);
     float pen = ink.stroke_px;

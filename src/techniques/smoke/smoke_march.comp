@@ -79,7 +79,7 @@ vec3 facing(uint box, vec3 place)
     return slope * inversesqrt(max(dot(slope, slope), 1e-12));
 }
 
-// A part of a ray, in metres, that lies in the same boxes from end to end: one bit per box.
+// A part of a ray, in metres, that lies within a constant set of boxes: one bit per box.
 struct Stretch {
     float from;
     float until;

@@ -71,7 +71,7 @@ void main()
         if (all(lessThan(cell, ivec3(smoke.boxes[turn.box].cells)))) {
             imageStore(out_packed, cell + ivec3(0, 0, smoke.boxes[turn.box].first_layer), vec4(here, there));
         }
-        // Interpolation between the brick's cells and the next ones never exceeds their maximum.
+        // An interpolation between the brick's cells and the next cells never exceeds the cells' maximum.
         float beside = max(max(shape_at(cell + ivec3(1, 0, 0)), shape_at(cell + ivec3(0, 1, 0))),
                            shape_at(cell + ivec3(1, 1, 0)));
         float beyond = max(max(shape_at(cell + ivec3(1, 0, 1)), shape_at(cell + ivec3(0, 1, 1))),

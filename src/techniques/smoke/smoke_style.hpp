@@ -33,7 +33,7 @@ struct SmokeStyle {
     float amount_per_s = 6.0F;
     float rise_s = 3.0F;
     float wind_m_per_s = 0.0F;
-    wind::Wind wind; ///< of the scene; no key of its own
+    wind::Wind wind; ///< the scene's [wind]; this section has no key for it
     float curl = 1.0F;
     bool obstacles = false;
     Solver solver = Solver::automatic;

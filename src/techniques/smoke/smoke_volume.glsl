@@ -28,7 +28,7 @@ vec2 smoke_at(uint box, vec3 place)
     return mix(both.xy, both.zw, z - low);
 }
 
-// Distance, in lengths of `direction`, that a ray stays in an empty brick; 0 in others.
+// Distance, in lengths of `direction`, that a ray stays in an empty brick; 0 in a brick with smoke.
 float empty_way(uint box, vec3 place, vec3 direction)
 {
     uvec3 cells = smoke.boxes[box].cells;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One thread per pixel blends the background seen through a body with the body's own paint. The background is
-// blurred by a cubic spline over a level of its halved images that matches the blur's width.
+// blurred by a cubic spline over one of its halved images, which is chosen to match the blur's width.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

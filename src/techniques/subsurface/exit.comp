@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One thread per half-page pixel finds where the view ray leaves the body that it entered: the next surface
-// behind, if it is a back face; else the body is a thin sheet with its exit at the same place. It lists the
-// tiles whose exits need lighting; bodies that let almost nothing through need none.
+// One thread per half-page pixel finds where the view ray leaves the body that it entered: at the next
+// surface behind, if that surface is a back face. Otherwise the body is a thin sheet, and the ray leaves at
+// the entry point. The thread lists the tiles whose exits need lighting. Bodies that let almost no light
+// through need none.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -29,13 +29,13 @@ float deviation_tx(int level)
     return sqrt(blurred + between_texels_variance);
 }
 
-// Gaussians of a larger deviation read the map; smaller ones use the light on the page.
+// Gaussians of a larger deviation read the map. Smaller Gaussians use the light on the page.
 float kept_below_tx()
 {
     return 0.5 * deviation_tx(-1);
 }
 
-// Gaussians of a larger deviation read this level; smaller ones read the level before.
+// Gaussians of a larger deviation read this level. Smaller Gaussians read the previous level.
 float level_from_tx(int level)
 {
     return sqrt(deviation_tx(level - 1) * deviation_tx(level));

@@ -17,7 +17,7 @@ float thickness_m(vec2 middle_px, float near_side, float far_side, float sheet_m
     return far_side == near_side ? sheet_m : distance(front, back);
 }
 
-// Variance of the blur from going to the half page and back.
+// Variance of the blur that resampling to the half page and back adds.
 const float half_page_variance_px2 = 0.85;
 
 const float nowhere_m = 1e30; // distance of pixels whose surface scatters no light
@@ -47,8 +47,9 @@ bool is_on_half_page(ivec2 half_pixel)
     return all(greaterThanEqual(half_pixel, ivec2(0))) && all(lessThan(uvec2(half_pixel), constants.half_px));
 }
 
-// Number of workgroups of a blur. It works on tiles of pixels that are as far apart as its taps, so that all
-// taps lie in the tile but for two pixels at each side. Interleaved tiles have consecutive numbers.
+// Number of workgroups of a blur. A workgroup processes a tile of pixels that are as far apart as the blur's
+// taps, so that all taps are in the tile except for two pixels at each side. Interleaved tiles have
+// consecutive numbers.
 const uint blur_tile_side = 16u;
 
 uvec2 blur_groups(uint level)
@@ -97,13 +98,13 @@ float deviation_px(int level)
     return sqrt(blurred + half_page_variance_px2);
 }
 
-// Gaussians of a larger deviation read the half page; smaller ones use the light on the page.
+// Gaussians of a larger deviation read the half page. Smaller Gaussians use the light on the page.
 float kept_below_px()
 {
     return 0.5 * deviation_px(-1);
 }
 
-// Gaussians of a larger deviation read this level; smaller ones read the level before.
+// Gaussians of a larger deviation read this level. Smaller Gaussians read the previous level.
 float level_from_px(int level)
 {
     return sqrt(deviation_px(level - 1) * deviation_px(level));
@@ -125,7 +126,7 @@ vec3 change_by(vec4 own, vec4 other, int steps, float falloff)
     return (steps == 2 ? 0.0625 : 0.25) * near * (other.rgb - own.rgb);
 }
 
-// Beyond this multiple of d lies a thousandth of a pixel's light, which is invisible.
+// Beyond this multiple of d is a thousandth of a pixel's light, which is invisible.
 const float held_deviations = 9.6;
 
 bool holds_all(float deviation, float spread_px)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread per half-page pixel spreads light along rows or columns, by five taps of a B-spline. Pixels too
-// far apart along the view exchange no light; their share stays. For CPUs, whose threads share memory slowly;
-// scatter_blur_tile.comp does both directions at once.
+// far apart along the view exchange no light; a pixel keeps their share. This shader is for CPUs, whose
+// threads share memory slowly; scatter_blur_tile.comp does both directions at once.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

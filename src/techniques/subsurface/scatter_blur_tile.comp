@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One workgroup spreads light in a tile of pixels that are as far apart as the taps, along rows and then
-// along columns, by five taps of a B-spline each. Pixels too far apart along the view exchange no light;
-// their share stays.
+// One workgroup spreads light in a tile of pixels that are as far apart as the taps. It blurs along rows and
+// then along columns, by five taps of a B-spline each. Pixels too far apart along the view exchange no light;
+// a pixel keeps their share.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -35,8 +35,8 @@ const int in_rows = wide * wide; // start of the light that has spread along row
 
 shared vec4 held[wide * wide + side * wide]; // light, and distance along the view
 
-// Change of a pixel's light, stored at `at`; its neighbours are `stride` apart there, and `along` apart on
-// the half page.
+// Change of a pixel's light, stored at `at`. The pixel's neighbours are `stride` apart in shared memory, and
+// `along` apart on the half page.
 vec3 change_along(int at, int stride, ivec2 half_pixel, ivec2 along)
 {
     vec4 own = held[at];
@@ -59,7 +59,7 @@ void main()
     int thread = int(gl_LocalInvocationIndex);
     ivec2 local = ivec2(gl_LocalInvocationID.xy);
     ivec2 half_pixel = first + apart * local;
-    // These reads start early, because their results are needed last.
+    // These reads start early, because the shader needs their results last.
     vec3 spread_px = texelFetch(spread_image, min(half_pixel, last_of_page), 0).rgb;
     vec4 sum = imageLoad(sum_image, min(half_pixel, last_of_page));
     for (int i = thread; i < wide * wide; i += side * side) {

@@ -163,8 +163,8 @@ void main()
         imageStore(out_through, half_pixel, vec4(through, takes));
     }
     barrier();
-    // One thread per blur level requests its dispatch, unless another workgroup already did: atomics on one
-    // address are serialized.
+    // One thread per blur level requests the level's dispatch, unless another workgroup already did. Atomics
+    // on one address are slow, because they are serialized.
     uint item = gl_LocalInvocationIndex;
     uint need = needs_word(item);
     if (item < uint(constants.level) &&

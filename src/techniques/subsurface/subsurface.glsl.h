@@ -18,14 +18,15 @@ struct SubsurfaceParameters {
     vec3 absorbed_per_m; // absorption coefficient per colour
     float strength;      // factor on transmitted light; 0: none
     vec3 scatter_m;      // scattering distance d per colour; 0: none
-    float sheet_m;       // assumed thickness without a far side
+    float sheet_m;       // assumed thickness of a body without a far side
     float behind;        // visible share of the background
     float behind_blur;   // standard deviation of the background's blur per thickness
     float behind_tint;   // weight of the surface's own colour in the background's tint
     float unused;
 };
 
-// The half page: every second pixel each way, at even positions. Pixel `i` is page pixel 2 * (from_half + i).
+// The half page has every second pixel in x and y, at even positions. Pixel `i` is page pixel 2 * (from_half
+// + i).
 struct ScatterConstants {
     uvec2 from_half;
     uvec2 half_px;
@@ -48,7 +49,8 @@ SHARED_CONSTANT uint subsurface_has_variants = 1U; // there are several paramete
 SHARED_CONSTANT uint subsurface_is_upright = 2U;
 SHARED_CONSTANT uint subsurface_shines = 4U;  // light is transmitted from the far side
 SHARED_CONSTANT uint subsurface_spreads = 8U; // light spreads below the surface
-// Reads neighbours only where they count, for CPUs. GPUs read all, so that no load waits for another.
+// Reads neighbours only where they affect the result, for CPUs. GPUs read all neighbours, so that no load
+// waits for another.
 SHARED_CONSTANT uint subsurface_looks_less = 16U;
 SHARED_CONSTANT uint subsurface_in_perspective = 32U;
 

@@ -29,7 +29,7 @@ struct SubsurfaceStyle {
     float sheet_m = 0.0F;
     float behind = 0.0F;
     float behind_blur = 0.5F;
-    float behind_tint = 0.0F; ///< tint by the surface's own colour, for the file's transmission
+    float behind_tint = 0.0F; ///< how far the surface's own colour tints; for the file's transmission
     bool transmission = true;
     float reach_mm = 20.0F;
     Space space = Space::page;
@@ -57,7 +57,7 @@ struct SubsurfaceStyle {
 /// fade, so a nearly opaque body hides them.
 [[nodiscard]] bool shows_lines(const SubsurfaceStyle& style);
 
-/// How many pixels beyond the page a pixel depends on.
+/// The distance in pixels beyond the page on which a pixel depends.
 [[nodiscard]] uint32_t reach_px(const SubsurfaceStyle& style, float pixels_per_mm);
 
 /// The visible surfaces, and their subsurface parameters.
@@ -75,7 +75,7 @@ struct SubsurfaceInputs {
     gpu::ExecutionProfile execution;
     bool in_perspective = false; ///< perspective projection: depth alone gives the distance along the view
 
-    /// The half page: first pixel of the tile at even page positions, and the number of pixels.
+    /// The half page: first pixel of the tile at even page positions, and the number of half-page pixels.
     [[nodiscard]] glm::uvec2 second_from() const { return from_px & 1U; }
 
     [[nodiscard]] glm::uvec2 half_px() const
@@ -173,7 +173,7 @@ struct TextureLight {
     gpu::ImageId sum;    ///< rgba32f: light scattered from other texels; alpha 1 where the surface scatters
 };
 
-/// Spreads `light`, which falls on the map's texels, between them, with the same profile as add_scatter().
+/// Spreads `light`, which falls on the map's texels, between texels. Uses the profile of add_scatter().
 ///
 /// Cost    two dispatches per doubling of the reach in texels, and one more, over the map
 /// Source  d'Eon, Luebke and Enderton, "Efficient Rendering of Human Skin", 2007, and as add_scatter()

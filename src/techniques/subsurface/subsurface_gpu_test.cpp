@@ -145,7 +145,7 @@ TEST_F(SeenBehind, IsTintedByTheThickness)
     const LinearImage bare = draw(0.01F, {"object.*.subsurface.enabled=false", "picture.ground=false"});
     const double gray = std::pow((128.0 / 255.0 + 0.055) / 1.055, 2.4);
     const LinearImage thin = draw(0.001F, clear);
-    // The paper adds the same offset to all three.
+    // The paper adds one common offset to all three pictures.
     const auto left = [&](double thickness_m) { return std::pow(gray, (thickness_m - 0.001) / 0.2); };
     const LinearImage thicker = draw(0.1F, clear);
     const LinearImage thickest = draw(0.4F, clear);
@@ -208,7 +208,7 @@ protected:
 
 TEST_F(SeenThroughGlass, IsWhatTheFileSays)
 {
-    // The same slab, with glass parameters from the style alone.
+    // The slab of the previous scene, with glass parameters from the style alone.
     Scene plain = glass_before_halves({});
     plain.materials.front().transmission.reset();
     const LinearImage by_style =

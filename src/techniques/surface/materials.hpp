@@ -45,8 +45,8 @@ struct TexturePlan {
                                                                    const TexturePlan& plan);
 
 /// Uploads materials, and textures resized to their class with all mip levels. `plan` must respect the layer
-/// limit of `device`. Throws Error when memory runs out. Cost: about 30 ms for a texture of 2048 x 2048, on
-/// two threads.
+/// limit of `device`. Throws Error when memory runs out. Cost: about 30 ms for a texture of 2048 x 2048
+/// texels, on two threads.
 [[nodiscard]] MaterialBuffers upload_materials(gpu::Device& device, const Scene& scene,
                                                const TexturePlan& plan);
 

@@ -102,8 +102,8 @@ struct Texels {
     vec4 occlusion;
 };
 
-// One loop with a single lookup, which is expensive to compile. CPUs skip a texture that no pixel of a
-// subgroup needs.
+// One loop has a single texture lookup, because lookups are expensive to compile. CPUs skip a texture that no
+// pixel of a subgroup needs.
 Texels texels_at(uint material, uvec3 rest, Barycentric b)
 {
     Texels texels = Texels(vec4(1.0), vec4(1.0), vec4(1.0));

@@ -35,7 +35,7 @@ struct ResolveInputs {
     gpu::BufferId materials;
     std::array<gpu::ImageId, 5> textures;
     SceneNeeds needs;
-    uint32_t strokes_present = 0; ///< one bit for each kind of stroke in `stroke_kinds`
+    uint32_t strokes_present = 0; ///< one bit for each kind of strokes in `stroke_kinds`
     float strokes_per_m = 1.0F;   ///< stroke coordinates per metre
     glm::uvec2 size_px{0};
 };
@@ -65,9 +65,9 @@ struct FarInputs {
     glm::uvec2 size_px{0};
 };
 
-/// Lists the tiles of 8 x 8 pixels that may show sky: those with any pixel of background, or of a surface
-/// `from_m` or farther from the eye. No unlisted tile has such a pixel. In parallel projection all are
-/// listed.
+/// Lists the tiles of 8 x 8 pixels that may show sky: tiles with any pixel of background, or of a surface
+/// that is `from_m` or farther from the eye. No unlisted tile has such a pixel. In parallel projection all
+/// tiles are listed.
 ///
 /// Writes  a list of tiles, see shaders/tiles.glsl.h
 /// Cost    one thread per tile, which stops at the first such pixel

@@ -21,7 +21,7 @@ namespace {
 constexpr uint32_t full = 65535;
 constexpr uint32_t half = full / 2; ///< a texel with more than this is ink
 
-/// Ink that a mark adds to a texel.
+/// The ink that a mark adds to a texel.
 uint32_t added(uint32_t ink, uint32_t mark)
 {
     return (full - ink) * mark / full;
@@ -198,7 +198,7 @@ glm::vec2 direction_of(float degrees)
     return {static_cast<float>(x / length), static_cast<float>(y / length)};
 }
 
-/// One level: its picture, and the positions of the strokes of each layer.
+/// One mip level: its picture, and the positions of the strokes of each layer.
 struct Level {
     Canvas canvas;
     std::vector<Spacing> spacing_of_layer;
@@ -251,7 +251,7 @@ private:
         return Brush(style);
     }
 
-    /// The layer that is farthest behind its share of ink, among those that this tone draws.
+    /// Among the layers that this tone draws, the layer that lacks most of its share of ink.
     [[nodiscard]] size_t next_layer(const Level& level) const
     {
         constexpr std::array<double, most_layers> share{1.0, 0.75, 0.5};
@@ -405,8 +405,9 @@ private:
         return true;
     }
 
-    /// Brings the mean of a coarse level to `target` with dots too faint to count as ink; finer levels do not
-    /// get them. A few texels cannot hold a tone otherwise. In fine levels the missing ink is negligible.
+    /// Brings the mean of a coarse level to `target` with dots too faint to count as ink. Finer levels do not
+    /// get these dots. A few texels cannot hold a tone otherwise. In fine levels the missing ink is
+    /// negligible.
     void tint(size_t index, double target)
     {
         constexpr uint32_t finest_px = 128;

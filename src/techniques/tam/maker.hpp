@@ -44,7 +44,8 @@ struct PlacedStroke {
 /// The nib of a style at a level of `size_px`, narrowed if it would fill a tiny level.
 [[nodiscard]] Nib nib_at(const TamStyle& style, uint32_t size_px);
 
-/// One level while it is drawn. Ink only grows: a mark covers its share of the remaining paper.
+/// One mip level while it is drawn. Ink only increases: a mark covers its share of the paper that is still
+/// bare.
 class Canvas {
 public:
     explicit Canvas(uint32_t size_px);
@@ -54,7 +55,7 @@ public:
     /// Mean coverage, 0 to 1.
     [[nodiscard]] double mean() const;
 
-    /// Growth of the mean if `marks` were drawn.
+    /// Growth of the mean coverage if `marks` were drawn.
     [[nodiscard]] double gain(std::span<const Mark> marks) const;
 
     /// Draws `marks`, and records the order in which texels turn to ink.
@@ -65,8 +66,9 @@ public:
 
     [[nodiscard]] Gray8 coverage() const;
 
-    /// Threshold of each texel: the share of all texels, times 255, that were ink when it turned to ink; T /
-    /// 255 of all texels have T or less. Texels that never turned follow, those with more ink first.
+    /// Threshold of each texel: the share of all texels, times 255, that were ink when the texel turned to
+    /// ink. A share of T / 255 of all texels has threshold T or less. Texels that never turned to ink follow,
+    /// in the order of decreasing ink.
     [[nodiscard]] Gray8 thresholds() const;
 
 private:
@@ -77,10 +79,11 @@ private:
     Gray8 turned_;
 };
 
-/// Positions of the strokes of one direction, at several scales; each scale is half as fine as the one
-/// before. A stroke is well spaced if at every scale it runs through little ink. Each scale stores a picture,
-/// in which strokes have the same pixel width as on the level and so keep others farther away, and the mean
-/// ink around each place, which still differs from place to place when the picture is full of ink.
+/// Positions of the strokes of one direction, at several scales; each scale is half as fine as the previous
+/// scale. A stroke is well spaced if at every scale it crosses little ink. Each scale stores a picture and
+/// the mean ink around each place. In the picture, strokes have the pixel width of the level and so keep
+/// other strokes farther away. The mean ink still differs from place to place when the picture is full of
+/// ink.
 ///
 /// Source  Praun et al., "Real-Time Hatching", SIGGRAPH 2001, section 3.2, for the pictures
 class Spacing {
@@ -88,11 +91,11 @@ public:
     /// For a level of `size_px`.
     explicit Spacing(uint32_t size_px);
 
-    /// Adds a stroke. Calls `draw` once per scale, finest first; it fills in the marks of the stroke on a
-    /// level of that size.
+    /// Adds a stroke. Calls `draw` once per scale, finest first. `draw` fills in the marks of the stroke on a
+    /// level of the given size.
     void add(const std::function<void(uint32_t size_px, std::vector<Mark>& marks)>& draw);
 
-    /// Free room along `points` (unit square, not wrapped): higher is better; without a unit.
+    /// Free space along `points` (unit square, not wrapped): higher is better; has no unit.
     [[nodiscard]] float room(std::span<const glm::vec2> points) const;
 
 private:

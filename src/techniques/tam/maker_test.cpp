@@ -83,8 +83,8 @@ TEST_P(EachTool, KeepsTheInkOfATonesInAllDarkerOnes)
     }
 }
 
-/// Samples the centre of every stroke, two samples per texel of the finer level: of those that are ink in the
-/// coarser level, most must be ink in the finer one at the same place.
+/// Samples the centre of every stroke, two samples per texel of the finer level. Most samples that are ink in
+/// the coarser level must also be ink in the finer level.
 TEST_P(EachTool, KeepsTheStrokesOfALevelInAllFinerOnes)
 {
     const Drawn& drawn = EachTool::drawn();

@@ -22,7 +22,7 @@ float smooth(float from, float to, float x)
     return t * t * (3.0F - 2.0F * t);
 }
 
-/// Share of a pixel's width that a line covers whose edge is `half_px` from its centre.
+/// Share of a pixel's width that a line covers, if the line's edge is `half_px` from the pixel's centre.
 float line_coverage(const Touch& touch)
 {
     const float reach = touch.half_px + 0.5F - std::abs(touch.across_px);

@@ -39,7 +39,7 @@ struct Nib {
     float tip = 0.4F;
 };
 
-/// Share of the ink that one stroke leaves on one texel.
+/// The share of ink that one stroke leaves on one texel.
 struct Mark {
     uint32_t texel = 0; ///< index into the image
     uint16_t ink = 0;   ///< 0 to 65535
@@ -51,7 +51,7 @@ struct Touch {
     float across_px = 0.0F; ///< from the centre line, signed
     float half_px = 1.0F;   ///< half the width here
     float tooth = 0.0F;     ///< height of the paper, 0 to 1
-    float hairs = 1.0F;     ///< fineness of a brush's hairs, relative to the usual
+    float hairs = 1.0F;     ///< fineness of a brush's hairs, as a multiple of the usual fineness
     bool on_middle = false; ///< the centre line runs through this texel
 };
 

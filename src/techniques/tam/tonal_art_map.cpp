@@ -177,7 +177,8 @@ Image preview_sheet(const TonalArtMap& map, const glm::vec3& paper, const glm::v
             if (level == 1) {
                 corner.y += map.size_px + margin_px;
             }
-            // Skips the last few levels, too small to distinguish, if they do not fit into the column.
+            // Skips the last few levels if they do not fit into the column; they are too small to
+            // distinguish.
             if (level < 2 || corner.x + size_px <= margin_px + (tone + 1) * (map.size_px + margin_px)) {
                 paste(sheet, map.level_of_tone[tone][level], size_px, corner, colors);
             }

@@ -21,7 +21,8 @@ inline constexpr uint32_t min_size_px = 32;
 inline constexpr uint32_t max_size_px = 2048;
 inline constexpr size_t min_tones = 1;
 inline constexpr size_t max_tones = 16;
-/// Levels smaller than this are averaged from this one, because a stroke would be as wide as the level.
+/// Levels smaller than this are averaged from the level of this size. In them a stroke would be as wide as
+/// the level.
 inline constexpr uint32_t least_drawn_px = 8;
 
 /// Number of levels from `size_px` down to 1 px.
@@ -49,8 +50,8 @@ void check_map(const TonalArtMap& map, const std::string& where);
 /// The thresholds of one level, interpolated from its tones only.
 [[nodiscard]] Gray8 interpolated_thresholds(const TonalArtMap& map, size_t level);
 
-/// All images of a map on one sheet: one column per tone, the lightest at the left; the finest level on top,
-/// the coarser ones below it from left to right. Colours are linear.
+/// All images of a map on one sheet: one column per tone, the lightest tone at the left. The finest level is
+/// on top, and the coarser levels are below it from left to right. Colours are linear.
 [[nodiscard]] Image preview_sheet(const TonalArtMap& map, const glm::vec3& paper, const glm::vec3& ink);
 
 } // namespace estampe::tam

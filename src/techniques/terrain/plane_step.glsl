@@ -4,7 +4,7 @@
 
 #include "shaders/camera.glsl"
 
-// The vector from a place on a plane to the place on it that is seen `aside_px` away.
+// The vector from a place on a plane to the place that is seen `aside_px` away on that plane.
 vec3 step_on_plane(FrameGlobals frame, vec2 position_px, float depth, vec3 place, vec3 normal, vec2 aside_px)
 {
     vec3 there = anchor_at(frame, position_px + aside_px, depth);

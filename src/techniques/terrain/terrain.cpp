@@ -103,7 +103,7 @@ void Terrain::paint_mask(std::string_view mask, const std::vector<float>& height
     program_ = std::move(painted);
 }
 
-// The automatic camera for a terrain without objects: it chooses a view in which light and shade divide the
+// The automatic camera for a terrain without objects. It chooses a view in which light and shade divide the
 // page as a draughtsman would choose.
 
 namespace {
@@ -171,7 +171,7 @@ private:
     std::vector<double> heights_m_;
 };
 
-/// Eye positions at a rider's height above the highest places, at a distance from each other.
+/// Eye positions at a rider's height above the highest places, with a minimum distance between the positions.
 std::vector<glm::dvec3> lookouts(const Relief& relief)
 {
     constexpr size_t most = 8;

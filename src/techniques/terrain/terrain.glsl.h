@@ -11,7 +11,7 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-// The vertices of a terrain: their place in the grid of a level, and the levels' positions.
+// The vertices of a terrain: their column and row in the grid of a level, and the levels' positions.
 
 // A vertex is one word: column in bits 0-12, row in 13-25, part in 26-27, level in 28-31. The trim fills the
 // gap between a level and the finer level inside it; its columns and rows count from its own corner.
@@ -145,7 +145,7 @@ struct SlabConstants {
     int hop_y;
     int mean;     // height in slabs at which hops have that length
     int gain;     // growth of a hop's length per slab of height, times 65536
-    uint lift;    // of 65536 cells, how many the wind tries per step
+    uint lift;    // number of cells, of 65536, at which the wind tries to lift a slab per step
     uint on_sand; // of 65536 slabs that land on sand, how many stay
     uint on_rock;
 };
@@ -155,8 +155,8 @@ struct SlideConstants {
     uint side;
     uint first_x; // 0 or 1: offset of the blocks
     uint first_y;
-    int beside; // slabs by which a cell may be higher than a neighbour
-    int aslant; // slabs by which a cell may be higher than a diagonal neighbour
+    int beside; // height difference in slabs that is allowed between side neighbours
+    int aslant; // height difference in slabs that is allowed between diagonal neighbours
 };
 
 struct SlabHeightConstants {
@@ -185,8 +185,8 @@ struct RippleConstants {
 
 // Trails.
 
-// A square window of texels on the ground. Texel number n of the ground is stored at n modulo the side, so
-// that moving the window copies nothing.
+// A square window of texels on the ground. Texel number n of the ground is stored at index n modulo the side,
+// so moving the window copies no texel.
 struct TrailWindow {
     uint side;    // texels, a power of two
     uint first_x; // where the window's first texel is stored
@@ -211,15 +211,15 @@ struct TrailPress {
     float steepness; // slope of the sole's edge
     int moved_x;     // movement of the window; a known stamp leaves the texels unchanged that the window kept
     int moved_y;
-    uint is_known; // 1: pressed earlier and now repeated on new texels, on level ground
+    uint is_known; // 1: pressed earlier, repeated now on new texels, on level ground
 };
 
 struct TrailSlump {
     TrailWindow window;
     uint skip_x; // 0 or 1: offset of the 2 x 2 blocks in the window
     uint skip_y;
-    float beside_m; // metres by which a texel may be higher than a neighbour
-    float aslant_m; // metres by which a texel may be higher than a diagonal neighbour
+    float beside_m; // height difference in metres that is allowed between side neighbours
+    float aslant_m; // height difference in metres that is allowed between diagonal neighbours
 };
 
 struct TrailFill {
@@ -247,7 +247,7 @@ struct TrailRelief {
 SHARED_CONSTANT uint drift_streaks_a_cell = 6U;
 SHARED_CONSTANT float drift_life_s = 2.4F; // lifetime of a streak
 
-// Cells are the texels of a field of heights. They are numbered on the ground, so that a streak does not
+// Cells are the texels of a field of heights. Cells are numbered on the ground, so that a streak does not
 // depend on the field's position.
 struct DriftConstants {
     vec2 corner_m; // centre of the field's first texel, from the anchor

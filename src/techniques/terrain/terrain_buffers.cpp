@@ -181,7 +181,7 @@ const gpu::Shader& compiled_with(const Program& program, const std::string& shad
     return known.try_emplace(std::move(text), std::move(made)).first->second->shader;
 }
 
-/// Steps of sand that a picture's own graph may simulate; add_catching_up() must simulate the others before.
+/// Steps of sand that a picture's own graph may simulate. Other steps need add_catching_up() before.
 constexpr uint32_t steps_a_frame = 4;
 
 template <class T>
@@ -306,7 +306,8 @@ gpu::BufferId TerrainBuffers::add_texels(gpu::Graph& graph)
 void TerrainBuffers::set_source(HeightSource source)
 {
     source_ = source;
-    // A running compilation is not waited for; finish_compiling() checks which terrain it was for.
+    // Does not wait for a running compilation. finish_compiling() checks which terrain the compilation was
+    // for.
     if (source == HeightSource::compiled_meanwhile && !compiled_ && !compiling_.valid()) {
         begin_compiling();
     }

@@ -72,12 +72,12 @@ public:
     /// call.
     bool prepare(gpu::Device& device, const TerrainMoment& moment);
 
-    /// Updates the texels of sand to the moment, and returns those of textures, masks and sand, which
+    /// Updates the texels of sand to the moment. Returns the texels of textures, masks and sand, which
     /// add_vertices() and add_heights() read. Call once per graph.
     [[nodiscard]] gpu::BufferId add_texels(gpu::Graph& graph);
 
     /// Returns whether sand is more steps behind its moment than one graph can simulate. If so, first run
-    /// graphs that only have add_catching_up().
+    ///         graphs that contain only add_catching_up().
     [[nodiscard]] bool is_behind() const;
     void add_catching_up(gpu::Graph& graph);
 
@@ -95,8 +95,8 @@ public:
 
     [[nodiscard]] Posed add_vertices(gpu::Graph& graph, const Posed& meshes, gpu::BufferId texels);
 
-    /// Computes heights above the anchor on lattices, r32f, of `size` texels each, stacked vertically. Forms
-    /// that are too fine for a lattice are left out. Texels outside `wanted` are set to a very low height.
+    /// Computes heights above the anchor on lattices, r32f, of `size` texels each, stacked vertically. Leaves
+    /// out forms that are too fine for a lattice. Texels outside `wanted` are set to a very low height.
     ///
     /// Cost    one dispatch, one thread per texel
     [[nodiscard]] gpu::ImageId add_heights(gpu::Graph& graph, const HeightFields& fields, glm::uvec2 size,

@@ -101,7 +101,7 @@ TEST(HeightGraphGpu, AgreesWithTheProcessor)
 {
     const TerrainMeshing meshing{.method = TerrainMesh::grid, .cell_m = 0.25F, .cells = 32};
     for (const auto& [name, toml] : test::all_graphs()) {
-        // A form around a point is only precise near that point.
+        // A form around a point is precise only near that point.
         const glm::dvec3 anchor_m = name == "polar" ? glm::dvec3(0.0) : far_anchor_m;
         const TerrainMoment moment{.eye = {.eye_m = {anchor_m.x + 6.0, anchor_m.z + 12.0}},
                                    .anchor_m = anchor_m,
@@ -137,8 +137,8 @@ TEST(HeightGraphGpu, AgreesWithTheProcessor)
     }
 }
 
-/// Vertices of neighbouring rings at the same place are equal bit for bit, and a vertex outside of all blend
-/// zones does not move when the eye does.
+/// Vertices of neighbouring rings at one place are bit-identical. A vertex outside of all blend zones does
+/// not move when the eye moves.
 TEST(RingsGpu, LieOnOneGroundAndStandStill)
 {
     const TerrainMeshing meshing{.cell_m = 0.5F, .cells = 32, .reach_m = 50.0F};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per pixel blends a transparent surface, painted like solid surfaces, over what lies behind it.
+// One thread per pixel blends a transparent surface, painted like solid surfaces, over the picture behind it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -41,7 +41,7 @@ layout(binding = 9) uniform sampler2DArray texture_class_2;
 layout(binding = 10) uniform sampler2DArray texture_class_3;
 layout(binding = 11) uniform sampler2DArray texture_class_4;
 
-// Layers in depth order, each behind the one before; a binding without a layer repeats another.
+// Layers in depth order, nearest first. A binding without a layer repeats the buffer of another layer.
 layout(binding = 12) uniform usamplerBuffer layer_0;
 layout(binding = 13) uniform usamplerBuffer layer_1;
 layout(binding = 14) uniform usamplerBuffer layer_2;
@@ -89,8 +89,8 @@ void sort_ties(inout Layer layers[LAYERS])
     }
 }
 
-// An identifier of the draw calls in depth order, each at its first occurrence, so that borders between
-// layers' objects appear in it. A single draw call is its own identifier.
+// An identifier of the draw calls in depth order, each at its first occurrence. Borders between the layers'
+// objects thus appear as changes of the identifier. A single draw call is its own identifier.
 uint name_of(Layer layers[LAYERS])
 {
     uint name = 0u;
@@ -126,7 +126,7 @@ void main()
     for (int i = 0; i < LAYERS; ++i) {
         layers[i] = Layer(0u, 0u, vec4(0.0));
     }
-    // A loop with one body for all layers, which all lanes leave together, is fastest on CPUs.
+    // On CPUs, a loop with one body for all layers, which all lanes leave together, is fastest.
     int round_index = 0;
     do {
         uvec2 word = seen[0];

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Transparent surfaces (glTF's BLEND). As screened ink, the surfaces in front of solid ones are composited,
-// tint the wash, pull the darkness of strokes behind them towards their own by their coverage, and are
-// outlined. As sorted surfaces, each is lit and painted like a solid one, in depth order.
+// Transparent surfaces (glTF's BLEND). As screened ink, the surfaces in front of solid ones are composited
+// and outlined. They tint the wash, and pull the darkness of the strokes behind them towards their own
+// darkness, in proportion to their coverage. As sorted surfaces, each surface is lit and painted like a solid
+// one, in depth order.
 
 #include <array>
 #include <optional>
@@ -63,7 +64,7 @@ struct Transparency {
 [[nodiscard]] gpu::ImageId add_sheet(gpu::Graph& graph, const TransparencyInputs& in, gpu::BufferId layer,
                                      gpu::ImageId painted, gpu::ImageId wash);
 
-/// Blank result for scenes without transparent surfaces. Cost: next to nothing.
+/// The blank result for scenes without transparent surfaces. Costs next to nothing.
 [[nodiscard]] Transparency add_no_transparency(gpu::Graph& graph);
 
 } // namespace estampe::transparency

@@ -266,7 +266,7 @@ TEST(Transparency, AClearPaneLeavesThePictureAsItWas)
 
 TEST(Transparency, CoverPalesWhatIsBehindAndHidesItsPaintAtLast)
 {
-    Style paint; // without ink, what lies behind shows in the wash alone
+    Style paint; // without ink, the picture behind is visible only in the wash
     for (const char* assignment :
          {"hatch.enabled=false", "contour.enabled=false", "wash.strength=1", "paper.grain=0",
           "paper.granulation=0", "paper.color=#ffffff", "sky.enabled=false"}) {

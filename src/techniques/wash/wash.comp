@@ -65,8 +65,9 @@ bool is_near_edge(float dark)
     return abs(dark - constants.shadow_from) < constants.softness + 0.026;
 }
 
-// Takes the smaller difference of each axis, since the other side may be another surface. One loop covers
-// the pixel and its neighbours; most subgroups leave it after the first iteration.
+// Takes the smaller difference of each axis, because the pixel on the other side may belong to another
+// surface. One loop covers the pixel and its neighbours; most subgroups leave the loop after the first
+// iteration.
 Darkness darkness_around(ivec2 pixel)
 {
     ivec2 last = ivec2(frame.size_px) - 1;
@@ -117,8 +118,8 @@ void main()
         color = mix(vec3(1.0), color, mix(constants.neutral, 1.0, smoothstep(0.0, 0.3, saturation)));
         vec4 light = texelFetch(light_image, pixel, 0);
         Darkness dark = darkness_around(pixel);
-        // The shadow's edge wavers a little, like one of a loaded brush, but not so far that it breaks into
-        // spots where light falls off slowly.
+        // The shadow's edge wavers a little, like an edge that a loaded brush paints. Where light falls off
+        // slowly, the waver is limited, so that the edge does not break into spots.
         float waver = 0.0;
         if (is_near_edge(dark.here)) {
             float grain_px = 0.9 * frame.pixels_per_mm;
@@ -127,7 +128,7 @@ void main()
         }
         float shadow = smoothstep(constants.shadow_from - constants.softness,
                                   constants.shadow_from + constants.softness, dark.here + waver);
-        vec3 hue = (light.rgb + 1e-3) / (light.a + 1e-3); // darkness has none
+        vec3 hue = (light.rgb + 1e-3) / (light.a + 1e-3); // black light has no hue
         // Paint that is to be nearly grey takes no hue from coloured light either.
         float hue_share = 0.5 * smoothstep(0.0, 0.2, constants.saturation);
         color *= mix(vec3(1.0), constants.shadow_tint * shade_color_of(material), shadow) *

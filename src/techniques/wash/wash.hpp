@@ -37,7 +37,7 @@ struct WashInputs {
     gpu::BufferId materials;
     gpu::ImageId screen; ///< colour and coverage of transparent surfaces; one texel if there are none
     bool has_screen = false;
-    gpu::ImageId background;    ///< the wash where there is no surface
+    gpu::ImageId background;    ///< the wash of the background, where no surface is visible
     bool has_background = true; ///< false means bare paper
     bool keeps_cover = false;   ///< alpha is the coverage of objects; bare ground covers nothing
     glm::uvec2 size_px{0};

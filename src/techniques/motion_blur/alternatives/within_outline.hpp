@@ -13,7 +13,8 @@
 
 namespace estampe::motion_blur {
 
-/// Blurs each pixel along its own path, from velocity to velocity. Objects do not blur over their background.
+/// Blurs each pixel along its own path, following the velocities found there. No object blurs over its
+/// background.
 ///
 /// Reads   `page`: packed layers with the displacement in half the exposure
 /// Writes  new layers
@@ -21,8 +22,8 @@ namespace estampe::motion_blur {
 [[nodiscard]] MotionBlurLayers add_own_blur(gpu::Graph& graph, const MotionBlurInputs& in, gpu::ImageId page,
                                             const shared::MotionBlurConstants& constants);
 
-/// Vertices at the same position in one draw, which move together even if their normals differ. Holds the
-/// start and length of each vertex's list, then the lists.
+/// Vertices at the same position in one draw call. Such vertices move together even if their normals differ.
+/// Holds the start and length of each vertex's list, then the lists.
 struct CoincidentList {
     std::vector<glm::uvec2> of_vertex;
     std::vector<uint32_t> members;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Occlusion by discs at the texels of a map: against the formula summed in double precision, when it is kept,
-// and on the page.
+// Occlusion by discs at the texels of a map. Compares the sum with the formula in double precision, and tests
+// when a result is reused and how it appears on the page.
 #include "techniques/occlusion/alternatives/discs.hpp"
 
 #include <algorithm>

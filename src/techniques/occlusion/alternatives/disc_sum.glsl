@@ -57,8 +57,8 @@ struct DiscSum {
     vec3 bounced;
 };
 
-// Traverses the tree: distant nodes count as one disc, near nodes are opened. All lanes of a subgroup must
-// call this together.
+// Traverses the tree: a distant node counts as one disc, and near nodes are opened. All lanes of a subgroup
+// must call this function together.
 DiscSum sum_of_discs(vec3 place, vec3 normal, bool is_there)
 {
     uint top = constants.level_count - 1u;
@@ -67,7 +67,7 @@ DiscSum sum_of_discs(vec3 place, vec3 normal, bool is_there)
     uint first = first_of(top);
     DiscSum sum = DiscSum(0.0, vec3(0.0));
     bool goes_on = is_there;
-    // All lanes leave together, because a finished lane would be computed along anyway.
+    // All lanes end together. A subgroup would compute a finished lane anyway.
     do {
         Disc disc = disc_at(first + node);
         vec3 way = disc.place - place;
@@ -79,7 +79,7 @@ DiscSum sum_of_discs(vec3 place, vec3 normal, bool is_there)
         if (DISCS_BOUNCE) {
             sum.bounced += hidden * texelFetch(disc_colors, int(first + node)).rgb;
         }
-        // Goes down to the first child, or on to the next node, and up after a parent's last child.
+        // Moves to the first child, or to the next node. After a parent's last child, moves up.
         bool goes_down = goes_on && !is_whole;
         bool goes_past = goes_on && is_whole;
         level -= goes_down ? 1u : 0u;
@@ -94,7 +94,7 @@ DiscSum sum_of_discs(vec3 place, vec3 normal, bool is_there)
         }
         goes_on = goes_on && !(level == top && node >= constants.counts[top]);
     } while (subgroupAny(goes_on));
-    // Occlusion above 1 is impossible, so the bounced light is scaled down with it.
+    // Occlusion above 1 is impossible. The bounced light is scaled down together with such an occlusion.
     sum.bounced /= max(sum.hidden, 1.0);
     return sum;
 }

@@ -18,8 +18,8 @@
 namespace estampe::occlusion {
 namespace {
 
-/// Sorts vertices so that neighbours in space are neighbours in the list: splits along the longest side, at
-/// whole nodes of the tree.
+/// Sorts vertices so that neighbours in space are neighbours in the list. Splits the list along the longest
+/// side of its bounding box, at multiples of whole tree nodes.
 void sort_by_place(std::span<uint32_t> vertices, std::span<const glm::vec3> places)
 {
     if (vertices.size() <= shared::disc_children) {

@@ -33,7 +33,7 @@ struct DiscList {
 [[nodiscard]] DiscList list_discs(std::span<const glm::vec3> places, float unit_m,
                                   std::span<const glm::uvec4> triangles);
 
-/// Colours the discs by vertex colours, and each node by the area-weighted mean of its children.
+/// Colours the discs by vertex colours. Each node gets the area-weighted mean of its children's colours.
 void color_discs(DiscList& list, std::span<const glm::vec3> color_of_vertex);
 
 /// The disc list and its last result, kept from frame to frame.
@@ -44,7 +44,7 @@ struct DiscBuffers {
     gpu::Buffer bounced;    ///< four floats per posed vertex
     uint32_t disc_count = 0;
     uint32_t vertex_count = 0;
-    bool is_found = false;    ///< the result fits the current pose and style
+    bool is_found = false;    ///< true: the result is valid for the current pose and style
     float radius_m = 0.0F;    ///< radius of the result
     bool has_bounced = false; ///< the result includes bounced light
 
@@ -70,8 +70,8 @@ struct VertexOcclusion {
 };
 
 /// Computes each vertex's ambient visibility: 1 minus the sum of A cos cos / (pi r^2 + A) over all discs that
-/// face it, faded with distance up to the radius. Bounced light is the same sum with each disc in its colour;
-/// a list without colours must not bounce.
+/// face the vertex. Each term fades to 0 at the radius. Bounced light is the same sum, with each term
+/// multiplied by its disc's colour. Requires disc colours for bounced light.
 ///
 /// Returns one float per posed vertex; 1 for vertices without a disc
 /// Cost    about n log n, and a small dispatch for each level of the tree; n^2 if `apart` is 0, which
@@ -81,7 +81,7 @@ struct VertexOcclusion {
 [[nodiscard]] VertexOcclusion add_discs(gpu::Graph& graph, DiscBuffers& buffers, gpu::BufferId posed_vertices,
                                         const DiscSettings& settings);
 
-/// Sums the discs per pixel: the result of splatting every disc over all pixels in its reach.
+/// Sums the discs per pixel. The result equals splatting every disc over all pixels within its radius.
 ///
 /// Cost    one full-screen dispatch, proportional to the logarithm of the discs: 40 ms and more on a CPU
 /// Source  as add_discs()
@@ -94,7 +94,7 @@ struct DiscMapBuffers {
     /// Four floats per texel: bounced light, and visibility; -1 where the map has no surface.
     gpu::Buffer found;
     uint32_t size = 0;     ///< texels per side
-    bool is_found = false; ///< the result fits the current pose and style
+    bool is_found = false; ///< true: the result is valid for the current pose and style
     float radius_m = 0.0F; ///< radius of the result
     bool has_bounced = false;
 };
@@ -119,7 +119,7 @@ struct DiscMapInputs {
 /// Computes occlusion by one of the three disc methods, as the style says, for the page's pixels; none
 /// without discs.
 ///
-/// Cost    the sum's, and one full-screen dispatch that interpolates between vertices or texels
+/// Cost    the sum over discs, and one full-screen dispatch that interpolates between vertices or texels
 [[nodiscard]] std::optional<AmbientOcclusion> add_disc_occlusion(gpu::Graph& graph, DiscBuffers& discs,
                                                                  DiscMapBuffers& map,
                                                                  const OcclusionInputs& in,

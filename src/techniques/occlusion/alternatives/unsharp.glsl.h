@@ -13,7 +13,7 @@ SHARED_CONSTANT uint unsharp_taps = 8U; // taps of the Gaussian to either side
 // `from_half` and `half_px` are as in HorizonConstants.
 struct UnsharpConstants {
     float reach_px; // two standard deviations of the Gaussian on the page
-    float radius_m; // parallel projection: depth behind the mean at which a place turns black
+    float radius_m; // parallel projection: depth behind the mean at which a point turns black
     float strength;
     uint unused;
     uvec2 from_half;

@@ -31,7 +31,7 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/occlusion/half_page.glsl"
 
-// A 4 x 4 pattern in an order in which neighbours differ most.
+// A 4 x 4 pattern, ordered so that neighbours differ most.
 const uint pattern_order[16] = uint[](0u, 8u, 2u, 10u, 12u, 4u, 14u, 6u, 3u, 11u, 1u, 9u, 15u, 7u, 13u, 5u);
 
 // Part of a slice that an occluder blocks, front and back, as positions over the hemisphere: 0 is the horizon
@@ -109,7 +109,7 @@ void main()
         float weight = share * (slice_light_whole(n, up / share, aside / share) +
                                 slice_light_whole(-n, up / share, -aside / share));
         uvec4 hidden = uvec4(0u);
-        vec2 fronts = vec2(1.0); // front of the step before, on both sides; 1 is the surface's own horizon
+        vec2 fronts = vec2(1.0); // previous step's front, on both sides; 1 is the surface's own horizon
         for (int i = 0; i < loop_rounds(2 * int(horizon_steps), pixel.x); ++i) {
             float side = (i & 1) == 0 ? 1.0 : -1.0;
             float way = (float(i >> 1) + ahead) / float(horizon_steps);

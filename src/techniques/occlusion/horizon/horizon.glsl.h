@@ -10,7 +10,7 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint horizon_slices = 2U;      // planes through the view ray, per pixel
 SHARED_CONSTANT uint horizon_steps = 5U;       // steps per slice to either side
-SHARED_CONSTANT uint horizon_pattern = 4U;     // pixels per side of the pattern of directions
+SHARED_CONSTANT uint horizon_pattern = 4U;     // width and height in pixels of the pattern of directions
 SHARED_CONSTANT float horizon_least_px = 2.0F; // no occlusion if the radius on the page is smaller
 
 // Occlusion is computed at every second pixel each way: pixel `i` of the half page is pixel 2 * (from_half +

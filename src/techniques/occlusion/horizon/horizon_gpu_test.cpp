@@ -144,7 +144,7 @@ TEST(Occlusion, IsInTilesWhatItIsOnTheWholePage)
     }
 }
 
-/// Variation of visibility along an edge that runs across or up the page, and from frame to frame.
+/// Variation of visibility along a horizontal or vertical edge, and from frame to frame.
 struct Grain {
     double deviation = 0.0;
     double most = 0.0;

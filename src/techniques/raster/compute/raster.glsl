@@ -64,7 +64,7 @@ layout(push_constant, scalar) uniform Constants
 #define PICTURE_PX constants.size_px
 #endif
 
-// Encoding of views and tiles in the lists, see LargeTriangle and TriangleTile.
+// Encoding of views and tiles in the lists of LargeTriangle and TriangleTile.
 #ifdef RASTER_VIEWS
 void select_view(uint index)
 {
@@ -294,8 +294,8 @@ void write_pixel(ivec2 pixel, float depth, uint triangle)
 #endif
 }
 
-// Depth at edge functions `edges`. All code paths give identical bits, because the path depends on where the
-// picture begins.
+// Depth at edge functions `edges`. All code paths must give identical bits, because the picture's first pixel
+// decides which code path draws a triangle.
 float depth_of(vec3 edges, float inverse_area, vec3 depth)
 {
     precise vec3 weights = edges * inverse_area;
@@ -410,7 +410,8 @@ void list_tile(PageTriangle t, ivec2 low, ivec2 high, ivec2 tile, uint part, uin
     }
 }
 
-// One thread draws one small triangle, lists the tiles of one that touches few, or lists a large one.
+// One thread draws one small triangle, lists the tiles of a triangle that touches few tiles, or lists a large
+// triangle.
 
 #ifndef RASTER_MASKED
 layout(constant_id = 0) const uint variant = 0u;

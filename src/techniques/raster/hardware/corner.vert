@@ -12,7 +12,7 @@ layout(location = 1) flat out uint triangle_flags;
 
 layout(constant_id = 0) const uint variant = 0u;
 
-invariant gl_Position; // different pipelines must agree on exact depth, for depth peeling
+invariant gl_Position; // pipelines must agree on depth bit by bit, for depth peeling
 
 void draw_corner(uint triangle, uint corner)
 {

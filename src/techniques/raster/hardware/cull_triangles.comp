@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread tests 32 triangles and sets a bit for each that may be visible. Rasterisers on CPU devices are
-// slow to reject the others.
+// One thread tests 32 triangles and sets a bit for each triangle that may be visible. Rasterisers on CPU
+// devices are slow to reject invisible triangles.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

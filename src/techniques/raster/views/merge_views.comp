@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread merges four texels of one view: of two depths the nearer one stays.
+// One thread merges four texels of one view: each texel keeps the nearer of the two depths.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

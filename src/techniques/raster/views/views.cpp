@@ -25,8 +25,8 @@ namespace estampe::raster {
 namespace {
 
 constexpr uint64_t most_large = 1ULL << 19U;
-/// All levels of a sun's clipmap together need more than a page. Tiles that do not fit are drawn by single
-/// threads.
+/// All clipmap levels of a sun together need more tiles than a page. Tiles that do not fit into the list are
+/// drawn by single threads.
 constexpr uint64_t most_tiles_of_views = 1ULL << 20U;
 constexpr uint32_t most_pixels_a_thread = 32768;
 // Most pairs of cluster and view that are listed for one batch.

@@ -45,8 +45,9 @@ void place_views(std::vector<shared::RasterView>& views);
                                             std::span<const Batch> batches, const DepthViews& views,
                                             gpu::BufferId target);
 
-/// Merges the views of `source` into the same texels of `target`: the nearer depth stays, bit-identical to
-/// drawing everything into one map. Both hold the bits of depths of at most 1.
+/// Merges the views of `source` into the texels of `target` at the same positions. Each texel keeps the
+/// nearer depth, bit-identical to drawing everything into one map. Both buffers hold the bits of depths of at
+/// most 1.
 ///
 /// Cost    one dispatch; three accesses per texel
 [[nodiscard]] gpu::BufferId add_merged_views(gpu::Graph& graph, const gpu::Name& name,

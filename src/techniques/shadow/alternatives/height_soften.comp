@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per texel: a blur along one axis of the field.
+// One thread per texel: blurs the field along one axis.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -44,7 +44,7 @@ bool is_within(const shared::FieldSector& sector, size_t field, const glm::vec2&
 
 TEST(GroundSector, HoldsWhatIsLookedUpForWhateverIsSeen)
 {
-    std::mt19937 random(1); // NOLINT(cert-msc32-c,cert-msc51-cpp): the same places each time
+    std::mt19937 random(1); // NOLINT(cert-msc32-c,cert-msc51-cpp): identical places in each run
     const auto between = [&](double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random);
     };

@@ -71,7 +71,8 @@ shared::FieldSector seen_sector(const GroundSight& sight, const GroundLevels& le
         least = std::min(least, share);
         most = std::max(most, share);
     }
-    // Points above the ground look it up as far away from the sun as their shadow reaches.
+    // A point above the ground looks up the ground where the point's shadow falls, on the side away from the
+    // sun.
     const glm::dvec2 shadow_m = -sight.relief_m / std::max(sight.towards_sun.y, 0.01) *
                                 glm::dvec2(sight.towards_sun.x, sight.towards_sun.z);
     shared::FieldSector sector{};
@@ -94,7 +95,7 @@ shared::FieldSector sunward_of(const shared::FieldSector& sector, const glm::dve
 {
     shared::FieldSector sunward = sector;
     for (int line = 0; line < 2; ++line) {
-        // The line does not bound the texels in the sun's direction.
+        // The line does not limit the texels in the sun's direction.
         const bool leaves = glm::dot(sector.sides[line], glm::vec2(towards_sun.x, towards_sun.z)) < 0.0F;
         sunward.sides[line] = leaves ? glm::vec2(0.0F) : sector.sides[line];
         for (glm::vec2& offset : sunward.offsets) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_GROUND_SHADOW_GLSL_H
 #define ESTAMPE_GROUND_SHADOW_GLSL_H
-// Fields of heights and horizons around the eye; each is four times as coarse as the one before.
+// Fields of heights and horizons around the eye. Each field is four times as coarse as the previous field.
 #ifdef __cplusplus
 #include "shaders/field_sector.glsl.h"
 namespace estampe::shared {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The sun's shadow of an endless ground on itself and on objects that stand on it: height fields around the
-// eye, with the horizon of each texel in the sun's direction.
+// The sun's shadow of an endless ground on itself and on objects on the ground: height fields around the eye,
+// with the horizon of each texel in the sun's direction.
 
 #include <array>
 
@@ -15,9 +15,9 @@ namespace estampe::shadow {
 /// Position and texel size of all fields.
 using GroundLevels = std::array<shared::GroundLevel, shared::ground_levels>;
 
-/// Fields of `size` texels per side around an eye. The finest has texels of `texel_m`; each next one is four
-/// times as coarse. Fields are shifted towards the sun, where shadows come from, and follow the eye in steps
-/// of 16 texels.
+/// Fields of `size` texels per side around an eye. The finest field has texels of `texel_m`; each next field
+/// is four times as coarse. Fields are shifted towards the sun, because shadows come from there. Fields
+/// follow the eye in steps of 16 texels.
 [[nodiscard]] GroundLevels ground_levels_about(const glm::dvec2& eye_m, const glm::dvec2& anchor_m,
                                                const glm::dvec3& towards_sun, uint32_t size, double texel_m);
 
@@ -31,7 +31,7 @@ struct GroundSight {
 };
 
 /// The texels of fields `numbers` that lookups for visible points can reach: a sector between two lines near
-/// the eye. All texels if the eye looks steeply up or down.
+/// the eye. If the eye looks steeply up or down, all texels.
 [[nodiscard]] shared::FieldSector seen_sector(const GroundSight& sight, const GroundLevels& levels,
                                               const LevelNumbers& numbers);
 

@@ -45,7 +45,7 @@ float horizon_slope(ivec2 texel)
     float best = pyramid.slopes.x;
     float along = 0.0;
     uint level = 0u;
-    // The bound exceeds the longest walk over the largest field.
+    // The bound exceeds the number of steps of the longest walk over the largest field.
     for (uint i = 0u; i < 60000u && best < pyramid.slopes.y; ++i) {
         vec2 place = vec2(texel) + (along + past_the_edge) * pyramid.sunwards;
         ivec2 cell = ivec2(floor(place / float(1u << level)));

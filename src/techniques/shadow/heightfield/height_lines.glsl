@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_SWEEP_LINES
 #define ESTAMPE_SWEEP_LINES
 
-// Positions where the lines of a sweep cross the field; see height_shadow.glsl.h. Integer arithmetic ensures
-// that all shaders compute the same positions, in this thread's field. Needs `sweep`, a SweepConstants, and
+// Positions where the lines of a sweep cross the field, see height_shadow.glsl.h. Integer arithmetic gives
+// identical positions in all shaders. Applies to this thread's field. Needs `sweep`, a SweepConstants, and
 // height_image.
 
 // Number of steps in the field.

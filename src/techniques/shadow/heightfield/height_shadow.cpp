@@ -47,8 +47,8 @@ namespace {
 /// What is written per texel.
 enum class Written : uint32_t { visibility, horizon };
 
-/// Limits the rounds of a line's loop, including those that pop its hull, because lavapipe stops a thread
-/// after 65535 rounds.
+/// Limits the number of loop rounds per line, including rounds that pop its hull, because lavapipe stops a
+/// thread after 65535 rounds.
 constexpr uint32_t steps_a_dispatch = 2048;
 
 shared::SweepConstants sweep_constants(const HeightFields& fields)
@@ -99,7 +99,7 @@ glm::vec2 slopes_that_matter(const HeightFields& fields, double radius_rad, Writ
         return rad < 1.57 ? std::clamp(static_cast<float>(std::tan(rad)), 0.0F, steepest_slope)
                           : steepest_slope;
     };
-    // A shadow edge lies between a texel whose horizon is below the sun and one whose horizon is above.
+    // A shadow edge runs between a texel whose horizon is below the sun and a texel whose horizon is above.
     // Horizons far from the sun hardly move the edge.
     const double reach_rad = written == Written::horizon ? std::max(0.15, 16.0 * radius_rad) : radius_rad;
     return {slope(std::max(fields.elevation_rad - reach_rad, 0.0)),

@@ -15,13 +15,14 @@ SHARED_CONSTANT uint height_no_step = 0xffffffffU;
 SHARED_CONSTANT uint height_fields_most = 5U;
 
 // Lines that run away from the sun, one texel per step along one side of the field. Step t is a row or
-// column, counted from the sun's side. At step t every line has moved across by slope * t, so all lines cross
-// it at the same fraction of a texel, and one line more than the field has texels covers the step.
+// column, counted from the sun's side. At step t every line has moved sideways by slope * t, so all lines
+// cross the row at one common fraction of a texel. The number of lines across a step is the field's number of
+// texels plus one.
 struct SweepConstants {
     uvec2 size;         // size of a field in texels
     uint steps_along_y; // 1: steps are rows; 0: steps are columns
     uint from_far_end;  // 1: the sun is on the side of the largest coordinate
-    int slope;          // texels across per step, times 65536
+    int slope;          // texels sideways per step, times 65536
     float step_texels;  // length of a step along a line
     uint first_step;
     uint end_step;
@@ -39,8 +40,9 @@ struct ResolveConstants {
     float texel_m[5]; // texel size of each field
 };
 
-// Pyramid of maximum heights in one image. A cell of level 0 lies between four texels. Level 1 is to the
-// right of level 0, and each further level k is below level k - 1. The next field starts `rows` further down.
+// Pyramid of maximum heights in one image. A cell of level 0 covers the square between four texels. Level 1
+// is to the right of level 0, and each further level k is below level k - 1. The next field starts `rows`
+// further down.
 struct PyramidConstants {
     uvec2 cells;      // number of cells of level 0
     uint level;       // level to compute, or the topmost level

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The sun's shadow of a height field on itself, with the penumbra of a sun disc. Exact at any distance, where
-// a shadow map would run out of texels.
+// The sun's shadow of a height field on itself, with the penumbra of a sun disc. The shadow is exact at any
+// distance, where a shadow map would have too few texels.
 
 #include <glm/glm.hpp>
 
@@ -13,9 +13,9 @@
 namespace estampe::shadow {
 
 enum class HeightMethod : uint8_t {
-    sweep,   ///< lines that walk away from the sun; constant cost per texel over the whole field
-    pyramid, ///< a search per texel towards the sun over a pyramid of maximum heights
-    march    ///< a ray per texel to the sun's centre, then a blur
+    sweep,   ///< steps along lines away from the sun; constant cost per texel over the whole field
+    pyramid, ///< searches from each texel towards the sun, over a pyramid of maximum heights
+    march    ///< traces a ray from each texel to the sun's centre, then blurs
 };
 
 struct HeightShadowStyle {
@@ -35,8 +35,8 @@ struct HeightShadowInputs {
     shared::FieldSector wanted{};    ///< only for pyramid: texels outside are not written
 };
 
-/// Share of the sun's disc that each texel sees: 1 all of it, 0 none. The ground is linear between texels.
-/// Beyond the field it is flat and low, so a sun below the horizon lights nothing.
+/// Share of the sun's disc that each texel sees: 1 all of the disc, 0 none. The ground is linear between
+/// texels. Beyond the field the ground is flat and low, so a sun below the horizon lights nothing.
 ///
 /// Writes  r16f of the size of `height`
 /// Throws  std::logic_error for fields of less than 2 x 2 or more than 16384 x 16384 texels, for no

@@ -176,7 +176,7 @@ TEST(HeightShadow, WallThrowsTheSameShadowUnderEveryAzimuthWithoutStreaks)
             for (uint32_t i = 0; i < side * side; ++i) {
                 const glm::dvec2 p = field.place({i % side, i / side});
                 const double to_crest = 20.0 - towards(p);
-                // Only where the crest that shades a place is inside the field and is not the place's own.
+                // Only where the crest that shades a place is inside the field and is not at this place.
                 const glm::dvec2 crest = p + to_crest * sky.sunwards();
                 if (to_crest > 11.0 && std::max(std::abs(crest.x), std::abs(crest.y)) < 0.25 * side - 2.0) {
                     const double expected =
@@ -223,8 +223,8 @@ TEST(HeightShadow, CosineHillsAreShadedAsMuchAsAMarchOf100000StepsSays)
     }
 }
 
-/// Mean difference from the march away from the field's edge, and the largest difference from the nearest of
-/// the march's values within one texel ahead, behind and aside.
+/// Mean difference from the march, away from the field's edge. Also the largest difference from the nearest
+/// of the march's values within one texel ahead, behind and sideways.
 std::pair<double, double> difference(const Field& field, const Sky& sky, const HeightShadowStyle& style)
 {
     const std::vector<float> seen = shadow_of(field, sky, style);
@@ -290,7 +290,7 @@ TEST(HeightShadow, TurningTheFieldWithTheSunTurnsTheShadow)
 
 TEST(HeightShadow, LongFieldsGoOnWhereADispatchEnds)
 {
-    // More steps than two dispatches take.
+    // This field has more steps than two dispatches process.
     Field field{.size = {5000, 7}, .texel_m = 1.0};
     const Sky sky{.azimuth_rad = pi + 0.0003, .elevation_rad = 0.02, .radius_rad = 0.0005};
     const double edge = field.place({100, 0}).x;
@@ -402,7 +402,8 @@ TEST(HeightShadow, HorizonsOfASectorAreThoseOfTheWholeFieldAndTakeNoHeightsBesid
 {
     for (const double azimuth : {0.4, 1.9, 3.3, 5.6}) {
         const Sky sky{.azimuth_rad = azimuth, .elevation_rad = 0.25};
-        // To the right of one line and to the left of another line through a place in the field.
+        // Tests a sector to the right of one line and to the left of another line, through a place in the
+        // field.
         shared::FieldSector wanted{.sides = {{0.6F, 0.8F}, {0.8F, -0.6F}}, .offsets = {{-50.0F, -3.0F}}};
         const auto is_within = [&](const shared::FieldSector& sector, glm::uvec2 texel) {
             return glm::dot(sector.sides[0], glm::vec2(texel)) + sector.offsets[0].x >= 0.0F &&

@@ -50,7 +50,7 @@ TEST(Teeth, AddAsMuchAsTheyTakeAway)
                 highest = std::max(highest, height);
                 lowest = std::min(lowest, height);
             }
-            // All teeth are whole, except for those cut at both ends of the thousand.
+            // Teeth are complete, except for the teeth at both ends of the thousand.
             EXPECT_NEAR(sum, 0.0, 0.001);
             EXPECT_LE(highest, 1.0F);
             EXPECT_GE(lowest, -1.0F);

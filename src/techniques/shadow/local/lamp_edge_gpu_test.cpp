@@ -24,7 +24,7 @@ struct GlowingLamp {
     glm::dvec3 position{0.0};
     double radius_m = 0.0;
     uint32_t map_texels = 512;        ///< per side
-    std::optional<glm::dvec3> target; ///< of a spot with a half angle of 40 degrees
+    std::optional<glm::dvec3> target; ///< the spot's target, if it is a spot; its half angle is 40 degrees
 };
 
 shared::LightRecord record_of_glow(const GlowingLamp& lamp, const glm::dvec3& anchor)
@@ -105,7 +105,7 @@ Scene furnished_room()
     return scene;
 }
 
-/// From above, where shadows fall.
+/// A camera above the floor on which the shadows fall.
 const Camera room_from_above{.eye = {0.6, 6.5, 5.0}, .target = {0.0, 0.4, -0.2}, .vertical_fov_rad = 0.6};
 
 TEST(LampPenumbra, AgreesWithRaysOverTheBall)
@@ -259,7 +259,7 @@ TEST(LampEdge, TeethStayInPlaceWhileTheEyeMoves)
     for (const LampTeeth& teeth : all_lamp_teeth()) {
         double worst = 0.0;
         LampLit before = lit_by_lamp(scene, under_board(6.0), teeth.lamp, teeth.style, teeth.lines);
-        // Teeth cover only a small part of the page; the share of their pixels that change must be small.
+        // Teeth cover only a small part of the page. The share of tooth pixels that change must be small.
         const size_t moved = raggedness(lit_by_lamp(scene, under_board(6.0), teeth.lamp), before).moved;
         const double of_teeth = static_cast<double>(moved) / static_cast<double>(before.share.size());
         for (int step = 1; step <= 3; ++step) {

@@ -56,7 +56,7 @@ struct LampVerdict {
     }
 };
 
-/// Whether rays from places within `radius_m` around the point, on its plane, agree about the lamp.
+/// Whether rays from places within `radius_m` around the point, on the point's plane, agree about the lamp.
 bool is_inside(const test::EmbreeScene& rays, const glm::dvec3& point, const glm::dvec3& normal,
                const Lamp& lamp, double radius_m)
 {
@@ -106,7 +106,7 @@ LampVerdict compare_lamp(const Scene& scene, const Camera& camera, const Lamp& l
         if (facing < 0.03) {
             continue;
         }
-        // On a slanted surface a texel is as long as seen from the lamp.
+        // On a slanted surface, a texel's footprint is longer than the lamp sees it.
         const double texel_m = 2.0 * half_side * glm::length(way) / lamp_map_size;
         point += normal * (0.05 * texel_m);
         if (!is_inside(rays, point, normal, lamp, 2.0 * texel_m / std::max(facing, 0.2))) {
@@ -208,7 +208,7 @@ TEST(LocalShadow, FacesOfACubeMeetWithoutASeam)
 
 TEST(LocalShadow, NoLightLeaksBetweenFacesOfACube)
 {
-    // The lamp is in a closed sphere inside a larger one, which is completely dark.
+    // The lamp is inside a closed sphere inside a larger sphere. The larger sphere is completely dark.
     Scene scene = test::scene_of(shapes::sphere(2.0F, 128, 64));
     test::add_object(scene, shapes::sphere(0.25F, 64, 32), glm::vec3(1.0F), {0.05, -0.1, 0.02});
     test::Drawing drawing(scene, {.eye = {0.3, 0.2, 0.1}, .target = {1.5, 0.9, 1.4}, .vertical_fov_rad = 2.2},

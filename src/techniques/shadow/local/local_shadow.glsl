@@ -54,9 +54,10 @@ float local_depth_at(LocalShadow shadow, uint first_texel, ivec2 texel)
     return texelFetch(local_maps, int(first_texel + uint(inside.y) * shadow.size + uint(inside.x))).x;
 }
 
-// Distance by which a receiver is lifted along its normal. All texels of a lookup are within one texel of it
-// in either direction. Over them the depth of the receiver's own plane varies by as much as a lift of texel *
-// (|n.right| + |n.down|) makes up for. The rest allows for rounding and smoothed normals.
+// Distance by which a receiver is lifted along its normal. All texels of a lookup are at most one texel away
+// from the receiver in either direction. Over these texels the depth of the receiver's plane varies by at
+// most what a lift of texel * (|n.right| + |n.down|) compensates. The rest allows for rounding and smoothed
+// normals.
 float lift_m(MapPlace place, LocalShadow shadow, vec3 normal)
 {
     float texel_m = texel_width(shadow) * max(place.along_m, 0.0);
@@ -84,7 +85,8 @@ float compare_at(LocalShadow shadow, MapPlace place)
 }
 
 // Position in the map of a point that is lifted off its plane. The lift goes towards the light, so that texel
-// and shadow stay in place, but by at most a fifth of the way; the rest goes along the normal.
+// and shadow stay in place, but at most a fifth of the way to the light. The rest of the lift goes along the
+// normal.
 MapPlace lifted_place(LocalShadow shadow, vec3 from_light, vec3 normal)
 {
     float lift = lift_m(map_place(shadow, from_light), shadow, normal);
@@ -102,7 +104,7 @@ float local_visibility(LocalShadow shadow, vec3 light_position, vec3 point, vec3
 }
 
 // A disc around a receiver, perpendicular to the light's direction. A tap compares with the receiver's plane,
-// but never farther from the light than the disc: what lies behind the disc cannot block the light.
+// but never farther from the light than the disc: an object behind the disc cannot block the light.
 struct LampDisc {
     vec3 from_light;
     vec3 right;
@@ -124,14 +126,14 @@ float nearer_by(LampDisc disc, vec3 on_disc)
     return height / min(dot(disc.normal, on_disc), height);
 }
 
-// Result of one tap: distance of the blocker as a share of the distance from light to disc, and whether it is
-// in front of the receiver's plane.
+// Result of one tap: distance of the blocker as a share of the distance from light to disc, and whether the
+// blocker is in front of the receiver's plane.
 struct Blocker {
     float share;
     bool blocks;
 };
 
-// `aside` is a place on the disc; the texel is the nearest to a place `shift` texels beside it.
+// `aside` is a place on the disc. The texel read is the nearest to a place `shift` texels beside `aside`.
 Blocker blocker_at(LocalShadow shadow, LampDisc disc, vec2 aside, vec2 shift)
 {
     vec3 on_disc = disc.from_light + disc.right * aside.x + disc.down * aside.y;
@@ -150,15 +152,15 @@ Blocker blocker_at(LocalShadow shadow, LampDisc disc, vec2 aside, vec2 shift)
                    inside && depth > 0.0 && blocker_m < lifted_m * (1.0 - 0.5 * texel_width(shadow)));
 }
 
-// Half widths in metres, on the disc, of penumbrae that contain the point or are next to it; 0 if there are
-// none.
+// Half widths in metres, on the disc, of penumbrae that contain the point or are next to the point; 0 if
+// there are no such penumbrae.
 struct Penumbra {
     float mean_m;
     float widest_m;
 };
 
 // Searches for blockers of some part of the light (Fernando, "Percentage-Closer Soft Shadows", 2005). Misses
-// blockers nearer to the light's centre than twice its radius.
+// blockers whose distance from the light's centre is less than twice the light's radius.
 Penumbra local_penumbra(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal)
 {
     const uint most_taps = 40u;
@@ -195,10 +197,10 @@ uint rings_within(float radius)
 const uint lamp_directions = 24u;
 
 // Rings of the light that are hidden along one direction from its centre. A blocker at share s of the
-// distance, seen through a place on the disc, hides the light on the opposite side at s / (1 - s) of that
-// place's distance from the centre. A continuous blocker between two places hides everything between the two.
-// After Guennebaud, Barthe and Paulin, "Real-Time Soft Shadow Mapping by Backprojection", 2006; bit masks
-// after Schwarz and Stamminger, "Bitmask Soft Shadows", 2007.
+// distance, seen through a place on the disc, hides the opposite side of the light, at s / (1 - s) times the
+// place's distance from the centre. A continuous blocker between two places hides everything between the two
+// points. After Guennebaud, Barthe and Paulin, "Real-Time Soft Shadow Mapping by Backprojection", 2006; bit
+// masks after Schwarz and Stamminger, "Bitmask Soft Shadows", 2007.
 uint hidden_rings(LocalShadow shadow, LampDisc disc, float radius_m, float widest_m, uint direction)
 {
     const uint count = 6u;

@@ -212,8 +212,8 @@ TEST(SunClipmap, HasATexelForEachPixel)
         if (seen.share[i] < 0.0) {
             continue;
         }
-        // Repeats the shader's choice of level: the finest that contains the point and is not finer than the
-        // page.
+        // Repeats the shader's choice of level: the finest level that contains the point and is not finer
+        // than the page.
         const double pixel_m = seen.away_m[i] * seen.pixel_m;
         const glm::dvec3 point = seen.point[i] - drawing.layout.anchor;
         const auto holds = [&](uint32_t level) {

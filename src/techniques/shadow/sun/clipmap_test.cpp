@@ -199,7 +199,7 @@ private:
 
 TEST(Clipmap, ListsTheTilesOfAllThatMoves)
 {
-    const Clipmap clipmap = clipmap_over(300.0, 512); // its windows move by half a tile
+    const Clipmap clipmap = clipmap_over(300.0, 512); // the clipmap's windows move by half a tile
     const std::vector<std::vector<Bounds>> cases{
         {cube_at({1.0, 1.0, 0.5}, 0.3)},
         {cube_at({-2.0, 1.0, 0.5}, 0.3), cube_at({2.5, 2.0, -2.0}, 0.2), cube_at({150.0, 3.0, -80.0}, 4.0)},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One workgroup merges one tile of a level's square: moving objects, drawn into a picture of their own, with
-// static ones. Of two depths the one nearer to the sun stays.
+// One workgroup merges one tile of a level's square: the depths of moving objects, drawn into a separate
+// picture, with the depths of static objects. Keeps the depth nearer to the sun.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

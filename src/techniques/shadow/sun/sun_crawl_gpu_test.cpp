@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sun stands still and the eye walks through a long square: tests what the clipmap keeps, and that
-// shadows do not crawl.
+// The sun stands still and the eye walks through a long square. Tests which texels the clipmap keeps, and
+// that shadows do not crawl.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -38,7 +38,7 @@ struct Seen {
     glm::dvec3 anchor{0.0};
 };
 
-/// A walk that keeps its map from step to step.
+/// A walk that reuses the sun's map from step to step.
 class Walk {
 public:
     Walk(const Scene& scene, const test::EmbreeScene& rays, const ShadowStyle& style,
@@ -120,7 +120,7 @@ std::optional<size_t> found_again(const Seen& before, size_t pixel, const Seen& 
 }
 
 /// Number of pixels whose shadow differs from the previous step: no pixel next to the point's new position
-/// has the old light. Edges may pass between two pixels.
+/// has the previous light. Edges may pass between two pixels.
 struct Change {
     size_t seen = 0;
     size_t changed = 0;
@@ -147,8 +147,8 @@ Change tone_change(const Seen& before, const Seen& now)
     return change;
 }
 
-/// Whether a pixel's surface faces the sun and continues around it, and rays from the point and from places
-/// two texels aside agree.
+/// Whether a pixel's surface faces the sun and continues around the pixel, and whether rays from the point
+/// and from places two texels aside agree.
 bool is_apart_from_edges(const test::EmbreeScene& rays, const Seen& seen, size_t pixel,
                          const Clipmap& clipmap)
 {
@@ -212,7 +212,7 @@ TEST(SunCrawl, AMapThatCameAlongIsTheMapDrawnAfresh)
         Walk walk(scene, rays, {}, std::nullopt);
         Walk other(scene, rays, {}, std::nullopt);
         walk.path = other.path = path;
-        // Single strips, several at once, a leap that keeps nothing, and back.
+        // Moves by single strips, by several strips at once, by a jump that keeps no texel, and back.
         for (const double along_m : {0.0, 0.7, 3.1, 60.0, 58.0, 57.3}) {
             (void)walk.look(along_m);
         }
@@ -235,7 +235,7 @@ TEST(SunCrawl, AMapThatCameAlongIsTheMapDrawnAfresh)
                    name_of(path), covered, bits, depths);
         EXPECT_GT(covered, 50000U);
         EXPECT_EQ(outlines, 0U) << name_of(path);
-        // The device's own rasteriser computes depths from its picture's corner, and is inaccurate for
+        // The device's own rasteriser computes depths from its picture's corner. It is inaccurate for
         // slivers.
         EXPECT_LE(bits, path == RasterPath::compute ? 0U : covered) << name_of(path);
         EXPECT_LE(depths, covered / 100000) << name_of(path);

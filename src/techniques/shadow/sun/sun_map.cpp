@@ -70,7 +70,7 @@ shared::SunShadow sun_shadow(const SunView& view, uint32_t size, const ShadowSty
 
 namespace {
 
-constexpr uint32_t steps_a_window = 16; // size of a window over the step by which it moves
+constexpr uint32_t steps_a_window = 16; // side of a window divided by the step by which the window moves
 
 double texel_m(const Clipmap& clipmap, uint32_t level)
 {
@@ -181,7 +181,7 @@ private:
 Clipmap fit_clipmap(const SunView& view, uint32_t size, double finest_m, double radius_m)
 {
     Clipmap clipmap{.view = view, .size = size};
-    // Texels that a window covers on each side of the eye at least.
+    // Least number of texels that a window covers on each side of the eye.
     const double covered_texels = static_cast<double>(size) * (0.5 - 1.0 / steps_a_window) - 2.0;
     const double coarsest_m = std::max(2.0 * radius_m / covered_texels, 1e-9);
     int finest = static_cast<int>(std::floor(std::log2(std::max(finest_m, 1e-9))));
@@ -329,7 +329,7 @@ shared::SunShadow sun_shadow(const Clipmap& clipmap, const Windows& windows, flo
 
 namespace {
 
-/// A single map gives way to a clipmap if its texels are larger than this many pixels near the eye.
+/// A clipmap replaces a single map whose texels are larger than this many pixels near the eye.
 constexpr double coarse_texel_px = 48.0;
 
 /// Side of a level: a power of two such that `levels` of them fit into `most_bytes`.

@@ -41,10 +41,10 @@ struct SunView {
 
 inline constexpr uint32_t most_levels = shared::sun_levels;
 
-/// Depth maps of the sun's view around the eye. Each is twice as wide as the one before and has as many
-/// texels: the clipmap of Tanner et al., "The Clipmap: A Virtual Mipmap", 1998, for depth. Texels lie on
-/// lattices that are fixed to the world, so a level that moves with the eye keeps the part it still covers. A
-/// level stores texel (x, y) at (x mod size, y mod size).
+/// Depth maps of the sun's view around the eye. Each level is twice as wide as the previous level and has as
+/// many texels: the clipmap of Tanner et al., "The Clipmap: A Virtual Mipmap", 1998, for depth. Texels are on
+/// lattices that are fixed to the world, so a level that moves with the eye keeps the part that it still
+/// covers. A level stores texel (x, y) at (x mod size, y mod size).
 struct Clipmap {
     SunView view; ///< defines direction and depth range
     double finest_m = 0.0;
@@ -72,12 +72,12 @@ struct Piece {
 /// around any place among the casters. If `most_levels` do not suffice, all levels are coarser.
 [[nodiscard]] Clipmap fit_clipmap(const SunView& view, uint32_t size, double finest_m, double radius_m);
 
-/// Windows around the eye, or around the point of the casters' box that is nearest to it, in steps of a
-/// sixteenth of their size.
+/// Windows around the eye, or around the point of the casters' box that is nearest to the eye. A window moves
+/// in steps of a sixteenth of its size.
 [[nodiscard]] Windows windows_about(const Clipmap& clipmap, const glm::dvec3& eye_anchor);
 
-/// Pieces to draw after the windows moved: the strips that were uncovered, widened to powers of two. All of
-/// every level if `before` is empty.
+/// Pieces to draw after the windows moved: the strips that were uncovered, widened to powers of two. If
+/// `before` is empty, all of every level.
 [[nodiscard]] std::vector<Piece> uncovered(const Clipmap& clipmap, const Windows& before, const Windows& now);
 
 /// Squares, at most one per level, that contain the visible parts of `places` (anchor space) in the windows.
@@ -99,8 +99,8 @@ struct PieceHome {
     uint32_t texel = 0; ///< index of the first texel in the map; rows are one level size apart
 };
 
-/// Where a piece is stored in the map: at most four rectangles, because a level wraps around in both
-/// directions.
+/// The places in the map where a piece is stored: at most four rectangles, because a level wraps around in
+/// both directions.
 [[nodiscard]] std::vector<PieceHome> homes(const Clipmap& clipmap, const Piece& piece);
 
 /// Projection of a piece, for the vertices of add_sun_vertices().
@@ -114,7 +114,7 @@ struct PieceHome {
 /// The scene to which a sun map is fitted.
 struct SunMapScene {
     Bounds casters;   ///< world space; not empty
-    Bounds still_box; ///< a box around the casters that stays constant while some of them move
+    Bounds still_box; ///< contains the casters; stays constant while some casters move
     glm::dvec3 anchor{0.0};
     glm::dvec3 towards_sun{0.0, 1.0, 0.0}; ///< unit vector
     double floor_m = 0.0;                  ///< height in world space below which no surface is lit
@@ -146,8 +146,8 @@ struct MixInputs {
     uint32_t tile_count = 0;
 };
 
-/// Writes to `map`, in each listed tile, the depth nearer to the sun of `pictures` and `still`. Cost: one
-/// dispatch, three accesses per texel of the tiles.
+/// Writes to `map`, in each listed tile, the nearer to the sun of the two depths in `pictures` and `still`.
+/// Cost: one dispatch, three accesses per texel of the tiles.
 [[nodiscard]] gpu::BufferId add_mixed_levels(gpu::Graph& graph, const Clipmap& clipmap, const MixInputs& in,
                                              gpu::BufferId map);
 

@@ -33,7 +33,7 @@ float sun_depth_at(ivec2 texel, uint level)
     ivec2 inside = clamp(texel, ivec2(0), ivec2(sun_shadow.size) - 1);
     float depth = texelFetch(sun_map, inside.y * int(sun_shadow.size) + inside.x).x;
     if (has_sun_warp) {
-        // Depths of a row were all divided by the same w.
+        // The depths of a row were all divided by one common w.
         float y = (2.0 * float(inside.y) + 1.0) / float(sun_shadow.size) - 1.0;
         depth *= sun_shadow.warp.y / (sun_shadow.warp.x - y);
     }
@@ -72,7 +72,7 @@ float sun_fade(vec3 point)
     return 1.0 - sun_shadow.fade * smoothstep(0.3, 0.42, max(away.x, away.y) / reach);
 }
 
-// `lift` raises the point along the normal, in texels, in proportion to the slant of the surface.
+// `lift` raises the point along the normal, in texels; the lift is proportional to the surface's slant.
 SunPlace sun_place(vec3 point, vec3 normal, vec3 towards_sun, float lift, float margin_m)
 {
     SunPlace place;
@@ -130,7 +130,7 @@ float sun_visibility(vec3 point, vec3 normal, vec3 towards_sun)
     return has_sun_levels ? mix(1.0, share, sun_fade(point)) : share;
 }
 
-// Outside a map of all casters there is no shadow; outside other maps nothing is known.
+// Outside a map of all casters there is no shadow. Outside other maps the shadow is unknown.
 bool place_counts(SunPlace place)
 {
     return (!has_sun_levels && !has_sun_warp) || place.inside;
@@ -143,8 +143,8 @@ float sun_reach_m(vec3 point)
     return max(1.0 - depth, 0.0) * sun_shadow.depth_m * sun_shadow.sun_slope;
 }
 
-// Half width in metres, perpendicular to the sun, of the penumbra at `point`, from the mean distance of
-// blockers of some part of the sun (Fernando, "Percentage-Closer Soft Shadows", 2005). 0 if there are none.
+// Half width in metres, perpendicular to the sun, of the penumbra at `point`. Computed from the mean distance
+// of blockers of some part of the sun (Fernando, "Percentage-Closer Soft Shadows", 2005). 0 without blockers.
 float sun_penumbra_m(vec3 point, vec3 normal, vec3 towards_sun)
 {
     const uint count = 48u;

@@ -48,7 +48,7 @@ const bool have_tiles = (variant & clouds_have_tiles) != 0u;
 const bool have_depth = (variant & clouds_have_depth) != 0u;
 const bool by_groups = (variant & clouds_by_groups) != 0u;
 
-const float lowest_way = 0.012; // lower directions see no clouds: they are too far away
+const float lowest_way = 0.012; // clouds in lower directions are too far away to be drawn
 
 #include "techniques/sky/clouds/puffs.glsl"
 #include "techniques/sky/clouds/puffs_of_group.glsl"
@@ -57,7 +57,7 @@ const float lowest_way = 0.012; // lower directions see no clouds: they are too 
 
 #include "shaders/lines.glsl"
 
-// Where a ray meets the plane, in cells: along the strokes, which bend slightly, and across them.
+// Where a ray hits the plane, in cells: along the strokes, which bend slightly, and across the strokes.
 vec2 streak_place(StreakLayer layer, vec3 d)
 {
     vec2 at = layer.eye + d.xz * (layer.base_m / (max(d.y, 1e-3) * layer.cell_m));

@@ -160,7 +160,7 @@ glm::vec2 on_tile(const glm::dvec2& place, double tile)
     return glm::vec2(place - tile * glm::floor(place / tile));
 }
 
-/// Rounds to steps too small to be visible, yet so large that many frames of a film share one.
+/// Rounds to steps that are too small to see, but so large that many frames of a film have one common value.
 float turn_of(const CloudStyle& style, double time_s)
 {
     constexpr double steps = 32768.0;

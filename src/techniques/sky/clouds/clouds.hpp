@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Clouds and their style section: cumulus made of round puffs on a flat base, flocks of small flat clouds
-// (altocumulus) above, and streaks (cirrus) above all. The layers are fixed in the world and drift with the
-// wind.
+// Clouds and their style section. There are three layers: cumulus made of round puffs on a flat base, small
+// flat clouds (altocumulus) above, and streaks (cirrus) above all. The layers are fixed in the world and
+// drift with the wind.
 
 #include <array>
 #include <memory>
@@ -32,7 +32,7 @@ struct CloudStyle {
     float streaks_size_m = 9000.0F;
     float streaks_mm = 0.9F;
     float wind_m_per_s = 9.0F;
-    wind::Wind wind; ///< of the scene; no key of its own
+    wind::Wind wind; ///< the scene's [wind]; this section has no key for it
     float change_s = 3600.0F;
     glm::vec3 color = style::srgb(0xffffff);
     glm::vec3 shade_color = style::srgb(0xc4cfd0);
@@ -56,7 +56,7 @@ struct CloudView {
     glm::dvec3 eye_m{0.0}; ///< in world space
     double time_s = 0.0;
     glm::vec3 towards_sun{0.0F, 1.0F, 0.0F};
-    /// Elevation of the sun that colours follow; none: fixed colours.
+    /// Elevation of the sun from which the colours are computed; none: the colours are fixed.
     std::optional<double> follows_elevation_rad;
     SkyColors colors; ///< colours of the sky behind the clouds
     float pixels_per_mm = 1.0F;
@@ -67,7 +67,7 @@ struct CloudShapes {
     /// One layer of puffs.
     struct Layer {
         uint32_t first_cell = 0;
-        uint32_t first_home = 0; ///< first cell of the lists that hold each puff once
+        uint32_t first_home = 0; ///< first cell of the lists that contain each puff once
         float top = 0.0F;        ///< height in cells; 0 without puffs
         float reach = 0.0F;      ///< largest radius of a puff, with its outline
     };
@@ -84,8 +84,8 @@ struct CloudShapes {
 /// Cloud shapes, cached between pictures because clouds change slowly.
 class CloudMemory {
 public:
-    /// The shapes of `style` at phase `turn` (0 to 1) of their change. Cost: nothing if both are unchanged;
-    /// else some milliseconds per layer.
+    /// The shapes of `style` at phase `turn` (0 to 1) of their change. Costs nothing if `style` and `turn`
+    /// are unchanged, else some milliseconds per layer.
     [[nodiscard]] std::shared_ptr<const CloudShapes> shapes(const CloudStyle& style, float turn);
 
 private:
@@ -101,9 +101,9 @@ struct CloudPlan {
     std::shared_ptr<const CloudShapes> shapes;
 };
 
-/// Plans the clouds of a picture; none if the style has no clouds, or if the eye is above all of them. Clouds
-/// change in small steps, 32,768 in `clouds.change_s`. The result does not depend on the content of `memory`.
-/// Cost: that of memory.shapes().
+/// Plans the clouds of a picture. Returns none if the style has no clouds, or if the eye is above all clouds.
+/// Clouds change in small steps, 32,768 in `clouds.change_s`. The result does not depend on the content of
+/// `memory`. Cost: that of memory.shapes().
 [[nodiscard]] std::optional<CloudPlan> plan_clouds(const CloudStyle& style, const CloudView& view,
                                                    CloudMemory& memory);
 
@@ -127,7 +127,8 @@ struct CloudInputs {
     /// Skips pixels whose visible surface is nearer than this distance.
     std::optional<float> far_m;
     /// The 8 x 8 pixels of a workgroup find their puffs together, which is faster on GPUs. A tile of the page
-    /// must then begin at a multiple of 8, or crossing outlines may differ from the whole page's.
+    /// must then begin at a multiple of 8. Otherwise crossing outlines may differ from those of the whole
+    /// page.
     bool by_groups = false;
 };
 
@@ -137,8 +138,8 @@ struct CloudedSky {
     gpu::ImageId cover;
 };
 
-/// Paints clouds over a sky: they replace its wash and hide its strokes. Does nothing in parallel projection,
-/// where all pixels look in one direction.
+/// Paints clouds over a sky: clouds replace the sky's wash and hide its strokes. Does nothing in parallel
+/// projection, where all pixels look in one direction.
 ///
 /// Cost    one dispatch over the page or a list of tiles; where sky may be visible, a walk through cells, or
 ///         a loop over the puffs near a workgroup's pixels

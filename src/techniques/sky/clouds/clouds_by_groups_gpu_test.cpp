@@ -37,8 +37,8 @@ void expect_alike(const View& view, const CloudStyle& style, const std::string& 
     SCOPED_TRACE(name);
     const Painted by_pixels = paint(view, style, 30.0, {.keeps_cover = true});
     const Painted by_groups = paint(view, style, 30.0, {.by_groups = true, .keeps_cover = true});
-    // Where outlines or bulges cross, the first one found stays, and the two methods find them in different
-    // orders.
+    // Where outlines or bulges cross, the first puff found is drawn, and the two methods find puffs in
+    // different orders.
     EXPECT_LT(apart(by_pixels.white, by_groups.white), 5e-4);
     EXPECT_LT(apart(by_pixels.cover, by_groups.cover), 5e-4);
     EXPECT_LT(most_apart(by_pixels.cover, by_groups.cover), 0.03) << "a puff is missed";

@@ -21,7 +21,7 @@ const CloudStyle all_kinds{.coverage = 0.25F, .flocks = 0.25F, .streaks = 0.2F, 
 
 TEST(Clouds, CoverTheShareOfTheSkyThatIsAskedFor)
 {
-    // The page shows one tile, and flat puffs show no sides.
+    // The page shows one tile. The puffs are flat, so that they have no visible sides.
     constexpr float up_m = 1000.0F;
     const View up{.camera = looking(89.9, 0.0, 1.9), .size_px = {240, 240}};
     const float eye_m = static_cast<float>(up.camera.eye.y);
@@ -80,7 +80,7 @@ TEST(Clouds, StandStillInTheWorldAsTheCameraTurns)
         if (clip.w <= 0.0 || at.x < 1 || at.y < 1 || at.x > 158 || at.y > 98) {
             continue;
         }
-        // Differs only if no pixel around it is similar: an edge may fall one pixel off.
+        // Counts a difference only if no pixel around the pixel is similar: an edge may be off by one pixel.
         float least = 1.0F;
         for (int dy = -1; dy <= 1; ++dy) {
             for (int dx = -1; dx <= 1; ++dx) {
@@ -138,8 +138,8 @@ TEST(Clouds, LookTheSameInEveryBearing)
     }
 }
 
-/// Whether a pixel's ray meets any of a layer's puffs in the repeating tile: certainly, well inside an
-/// outline, or possibly, near an outline, which wavers by 8.5 %.
+/// Whether a pixel's ray hits any of a layer's puffs in the repeating tile. The hit is certain well inside an
+/// outline. The hit is possible near an outline, which wavers by 8.5 %.
 struct Met {
     bool surely = false;
     bool perhaps = false;
@@ -386,7 +386,8 @@ TEST(CloudShadows, CoverAsMuchGroundAsCloudsCoverSky)
 
 TEST(CloudShadows, LieWhereTheSunMeetsAClouds)
 {
-    // A second view looks from places on the plain to the sun: it sees clouds where the plain is in shadow.
+    // A second view looks from places on the plain to the sun. It must see clouds where the plain is in
+    // shadow.
     View down{.camera = looking(-60.0, 30.0, 1.2), .size_px = {48, 36}};
     down.towards_sun = glm::normalize(glm::vec3(0.5F, 0.7F, -0.2F));
     const CloudStyle style{.coverage = 0.7F, .base_m = 900.0F, .size_m = 400.0F, .tones = 1, .reach_m = 2e5F};

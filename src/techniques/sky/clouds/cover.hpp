@@ -44,10 +44,10 @@ struct CoverNoise {
 /// Size of puffs, in cells, and how they are stacked.
 struct PuffShape {
     float radius = 0.85F;      ///< radius where the cloud is dense
-    float growth = 0.10F;      ///< rise of the field above the limit over which a puff grows to full size
+    float growth = 0.10F;      ///< how far the field rises above the limit until a puff has full size
     uint32_t levels = 1;       ///< puffs on top of each other
     float level_rise = 0.62F;  ///< height from one level to the next, in radii
-    float level_limit = 0.06F; ///< how much higher the limit is for each level
+    float level_limit = 0.06F; ///< how much higher the limit of the field is for each level
 };
 
 /// The limit for which puffs cover the share `share` of the base. Cost: linear in cells.
@@ -57,9 +57,9 @@ struct PuffShape {
 [[nodiscard]] std::vector<shared::CloudPuff> puffs_of(const CoverField& field, const PuffShape& shape,
                                                       float limit, uint32_t seed);
 
-/// Puffs by cell of the tile, for the walk along a ray: each puff is in the list of every cell that its
-/// outline may touch. For cells across the tile's edge, the puff's centre is moved next to the cell, off the
-/// tile.
+/// Puffs by cell of the tile, for the walk along a ray. Each puff is in the list of every cell that its
+/// outline may touch. For cells across the tile's edge, the puff's centre is shifted by the tile's size to be
+/// next to the cell.
 struct PuffLists {
     std::vector<uint32_t> starts; ///< first puff of each cell, row by row, and the end
     std::vector<shared::CloudPuff> puffs;

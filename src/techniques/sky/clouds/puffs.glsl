@@ -56,7 +56,7 @@ float light_on(vec3 outward, vec3 lean)
     return dot(normalize(mix(outward, lean, 0.45)), clouds.towards_sun);
 }
 
-// Shade from light: 0 lit, 1 shaded, 0.5 in the band between if there are three tones. `soft` is the change
+// Shade from light: 0 lit, 1 shaded; 0.5 in the band between, if there are three tones. `soft` is the change
 // of light over a pixel.
 float shade_of(float light, float soft)
 {
@@ -175,8 +175,8 @@ bool is_near(SeenPuffs seen, PuffRay ray, vec3 from_centre, float radius)
            nearest_m - radius * sqrt(ray.per_step_squared) < seen.away_m;
 }
 
-// Advances to the next puff near the ray; false at the end. This small loop lets CPUs, which run several rays
-// in lockstep, process few puffs.
+// Advances to the next puff near the ray. Returns false at the end. This small loop lets CPUs, which run
+// several rays in lockstep, process few puffs.
 bool find_puff(inout PuffWalk walk, SeenPuffs seen, PuffLayer layer, PuffRay ray)
 {
     bool is_found = false;

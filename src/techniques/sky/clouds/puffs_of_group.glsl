@@ -2,16 +2,17 @@
 #ifndef ESTAMPE_PUFFS_OF_GROUP
 #define ESTAMPE_PUFFS_OF_GROUP
 
-// The puffs of a layer that the 64 pixels of a workgroup see, found together, which is faster on GPUs. Each
-// thread scans one cell with puff centres near the group's rays, then tests one of the puffs found; pixels
-// process only the remaining puffs. Define before: all that puffs.glsl needs, and `lowest_way`.
+// The puffs of a layer that the 64 pixels of a workgroup see. The workgroup finds them together, which is
+// faster on GPUs. Each thread scans one cell for puff centres near the group's rays, then tests one of the
+// puffs found; pixels process only the remaining puffs. Define before: all that puffs.glsl needs, and
+// `lowest_way`.
 
 #include "techniques/sky/clouds/puffs.glsl"
 
 const int group_threads = 64;
 
-shared vec3 corner_ways[4]; // directions that enclose those of all pixels, as for puff_ray()
-shared vec3 inward[4];      // normals of the planes between them, in the layer's space
+shared vec3 corner_ways[4]; // directions that enclose the directions of all pixels, as for puff_ray()
+shared vec3 inward[4];      // normals of the planes between these directions, in the layer's space
 // Number of puffs, and whether any pixel still needs some; double-buffered.
 shared uvec2 subgroup_sums[2][group_threads];
 shared ivec3 found[group_threads]; // a puff, and its cell
@@ -38,7 +39,7 @@ vec2 in_band(PuffBand band, vec2 place)
     return band.is_turned ? place.yx : place;
 }
 
-// All threads of a workgroup must call this together, after corner_ways is written.
+// All threads of a workgroup must call this function together, after corner_ways is written.
 bool any_of_group(bool is_one)
 {
     bool is_any = subgroupAny(is_one);
@@ -226,7 +227,7 @@ void find_kept(CellPuffs puffs, PuffLayer layer, int from, uint turn)
 // Like puffs_along(), but all threads of a workgroup must call it together, including those without clouds.
 SeenPuffs puffs_of_group(PuffLayer layer, vec3 d, float pixel_rad, bool sees_any)
 {
-    barrier(); // all threads have finished the layer before
+    barrier(); // all threads have finished the previous layer
     if (gl_LocalInvocationIndex < 4u) {
         inward[gl_LocalInvocationIndex] = inward_of(layer, int(gl_LocalInvocationIndex));
     }

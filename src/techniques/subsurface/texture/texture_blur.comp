@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread per texel of the map spreads light along rows or columns, by five taps of a B-spline. Texels
-// that are farther apart in the scene than in the map, across a seam, exchange no light; their share stays.
+// across a seam, which are farther apart in the scene than in the map, exchange no light; a texel keeps their
+// share.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -12,7 +13,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D spread_image;
 layout(binding = 1) uniform sampler2D point_image;
 layout(binding = 2) uniform sampler2D light_image;
-layout(binding = 3) uniform sampler2D sum_image; // sum of the levels before
+layout(binding = 3) uniform sampler2D sum_image; // sum of the previous levels
 
 layout(binding = 4, rgba32f) writeonly uniform image2D out_light;
 layout(binding = 5, rgba32f) writeonly uniform image2D out_sum;

@@ -214,7 +214,7 @@ TEST_F(SkinInTexture, LooksAsItDoesOnThePage)
     RecordProperty("worst_share_of_step", fmt::format("{:.4f}", worst / step));
     EXPECT_LT(worst, bound * step);
     EXPECT_LT(rms_between(in_texture, on_page), bound * rms_between(on_page, plain));
-    // This far from the edge, light is uniform and stays unchanged.
+    // At this distance from the edge, light is uniform and unchanged by spreading.
     EXPECT_NEAR(red_at(in_texture, 0), red_at(plain, 0), 0.005 * step);
     EXPECT_NEAR(red_at(on_page, 0), red_at(plain, 0), 0.005 * step);
 }

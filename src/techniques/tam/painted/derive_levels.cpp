@@ -86,7 +86,7 @@ public:
     }
 
     /// Keeps the best spaced strokes of `offered`, which is sorted longest first, until the mean is `target`.
-    /// Returns them in the same order. Takes short scraps only after all longer strokes.
+    /// Returns the kept strokes in the order of `offered`. Takes short scraps only after all longer strokes.
     [[nodiscard]] std::vector<const PaintedStroke*> keep(std::vector<const PaintedStroke*> offered,
                                                          double target)
     {
@@ -110,8 +110,8 @@ public:
     [[nodiscard]] Gray8 coverage() const { return canvas_.coverage(); }
 
 private:
-    /// Number of strokes, longest first, that are longer than a third of the stroke at the median of the ink;
-    /// all if none of those is left.
+    /// Number of strokes, longest first, that are longer than a third of the stroke at the median of the ink.
+    /// If no such stroke is left, the number of all strokes.
     [[nodiscard]] size_t long_ones(const std::vector<const PaintedStroke*>& offered)
     {
         if (shortest_long_ == 0) {

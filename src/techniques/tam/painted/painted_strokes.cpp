@@ -321,7 +321,7 @@ PaintedStroke stroke_of(const Chain& chain, const Field& fresh)
     const auto size_px = static_cast<float>(fresh.size_px());
     for (const glm::ivec2 place : chain) {
         stroke.points.push_back((glm::vec2(place) + 0.5F) / size_px);
-        // A texel of a gap is a crossing; the stroke keeps its width there.
+        // A texel of a gap is a crossing. The stroke's width is unchanged there.
         stroke.half_px.push_back(fresh.at(place) != 0 || stroke.half_px.empty()
                                      ? distance_to_paper(fresh, place)
                                      : stroke.half_px.back());
@@ -349,7 +349,7 @@ void fit_area(std::vector<PaintedStroke>& strokes, double area_px, uint32_t size
         halves.push_back(stroke.half_px[stroke.half_px.size() / 2]);
     }
     std::sort(halves.begin(), halves.end());
-    // Where strokes touch, the centres of both are far from paper and look too wide.
+    // Where strokes touch, the centres of both strokes are far from paper, so the strokes look too wide.
     const float most = halves.empty() ? 0.0F : 1.5F * halves[halves.size() / 2];
     for (PaintedStroke& stroke : strokes) {
         for (float& half_px : stroke.half_px) {

@@ -30,9 +30,9 @@ struct PaintedStroke {
 
 /// Adds the coarse levels that a painted map lacks. Every tone must have the same number of painted levels.
 ///
-/// The strokes of a tone are found in its difference from the previous tone (see find_strokes()). Each
-/// coarser level keeps the best spaced strokes of the finer one, and draws them as many pixels wide as they
-/// were painted, until the ink equals the darkness of the tone.
+/// The strokes of a tone are found in the tone's difference from the previous tone (see find_strokes()). Each
+/// coarser level keeps the best spaced strokes of the next finer level. It draws them as many pixels wide as
+/// they were painted, until the ink equals the darkness of the tone.
 ///
 /// Cost    a second or two for 512 px and 6 tones
 void derive_levels(TonalArtMap& map);

@@ -49,7 +49,7 @@ struct DriftInputs {
     glm::uvec2 size_px{0};
 };
 
-/// Draws streaks over `lines`, a layer like that of contours: square root of linear colour, coverage in
+/// Draws streaks over `lines`, a layer like that of contours: square root of linear colour, with coverage in
 /// alpha.
 ///
 /// Cost    one thread per possible streak (100,000), one full-screen dispatch

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread draws the streaks at a pixel over the lines there; where both have ink, the darker one is kept.
+// One thread draws the streaks at a pixel over the pixel's lines. Where both have ink, the darker ink is
+// kept.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

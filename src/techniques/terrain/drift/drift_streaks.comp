@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread draws one streak of sand that the wind blows off a crest, at its age, as a stroke that tapers at
-// both ends. Where streaks cross, the darker one is kept, so that the order of threads does not matter.
+// One thread draws one streak of sand that the wind blows off a crest, at the streak's age, as a stroke that
+// tapers at both ends. Where streaks cross, the darker one is kept, so that the order of threads does not
+// matter.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -27,7 +27,7 @@ struct Definition {
     std::unique_ptr<Expression> expression;
 };
 
-/// Visits the nodes from "height" inwards, with the coordinates in which each is evaluated.
+/// Visits the nodes from "height" inwards, with the coordinates in which each node is evaluated.
 class Compiler {
 public:
     explicit Compiler(const TerrainDescription& terrain) : terrain_(terrain)
@@ -277,8 +277,8 @@ private:
         return result;
     }
 
-    /// The linear function of time that an expression is, such as a number or a speed; none for other
-    /// expressions.
+    /// The expression as a linear function of time, if it is linear, such as a number or a speed; none for
+    /// other expressions.
     std::optional<Linear> in_time(const Expression& at)
     {
         if (at.kind == Expression::Kind::number) {
@@ -525,8 +525,8 @@ private:
         return found->second;
     }
 
-    /// Appends an instruction, still numbered in order, and returns the number of its value. Known values are
-    /// reused, and values that only depend on constants are folded.
+    /// Appends an instruction, still numbered in order, and returns the number of its value. Reuses values
+    /// that were computed before, and folds values that only depend on constants.
     uint32_t append(Instruction instruction)
     {
         if (instruction.op != shared::height_constant && hangs_on_constants(instruction)) {

@@ -112,7 +112,7 @@ Real4 dual_sqrt(Real4 a)
     return dual_chain(a, root, Real(0.5) / root);
 }
 
-// log2 of a positive value, 0 otherwise; and below, 2^x. Both by series, accurate to 1e-7.
+// log2 of a positive value, 0 otherwise; the next function is 2^x. Both use series that are accurate to 1e-7.
 Real log2_of(Real x)
 {
     if (x <= Real(0)) {
@@ -190,7 +190,7 @@ Real4 dual_smoothstep(Real4 low, Real4 high, Real4 a)
     return dual_chain(t, t.x * t.x * (Real(3) - Real(2) * t.x), Real(6) * t.x * (Real(1) - t.x));
 }
 
-// The maximum of two values, rounded where they differ by less than `width`.
+// The maximum of two values, with a rounded transition where the values differ by less than `width`.
 Real4 dual_smooth_max(Real4 a, Real4 b, Real width)
 {
     Real4 apart = dual_abs(a - b);

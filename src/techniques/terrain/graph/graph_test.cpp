@@ -115,7 +115,7 @@ TEST(HeightGraph, SinglePrecisionAgreesWithDouble)
 {
     for (const auto& [name, toml] : all_graphs()) {
         const Terrain terrain(parse_terrain(toml, name));
-        // A form around a point is only precise near that point.
+        // A form around a point is precise only near that point.
         const glm::dvec2 origin =
             name == "polar" ? glm::dvec2(20.0, -10.0) : glm::dvec2(1234567.0, -7654321.0);
         const auto places = terrain::place_words(terrain.program(), origin, 12.5);
@@ -231,7 +231,7 @@ TEST(HeightGraph, RaysMeetTheGround)
     EXPECT_FALSE(terrain.hit({0.0, -1.0, 3.0}, {0.0, 1.0, 0.0}, 100.0));
 }
 
-/// A mask marks the ground where a program painted it.
+/// A mask marks the ground that a program painted.
 TEST(HeightGraph, MasksArePainted)
 {
     Terrain terrain = made_of("2 * mask(\"demons\", 64, texels = 16)");

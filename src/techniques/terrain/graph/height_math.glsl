@@ -82,7 +82,7 @@ Place place_at(uint place, Real x, Real z)
     return p;
 }
 
-// The place moved by (u, v), in metres of the place's frame.
+// The place, moved by (u, v) in metres of the place's frame.
 Place place_warped(uint place, Real x, Real z, Real4 u, Real4 v)
 {
     Place p = place_at(place, x, z);
@@ -364,7 +364,7 @@ Real4 one_dune(Place p, int row, uint first, Real foot_m, Real spacing_m)
     Real4 shift = row_noise(p.cell_v, p.v.x, ridge, seed) * meander;
     Real4 brink = dual_chain(p.v, Real(row) + shift.x, shift.y);
     Real4 behind_m = (p.u - brink) * wavelength_m;
-    // A meandering brink is nearer than the distance along the wind.
+    // Where the brink meanders, the nearest brink is closer than the distance along the wind.
     Real tilt = shift.y * wavelength_m / crest_m;
     Real stretch = sqrt(Real(1) + tilt * tilt);
     Real highest_m = height_m * (Real(1) + Real(0.6) * variation);

@@ -134,7 +134,7 @@ vec4 value_of(Decoded i, vec4 a, vec4 b, vec4 c)
 
 vec4 height_at(vec2 local_m, float spacing_m)
 {
-    // One register more than programs use, for inputs that an operation does not have.
+    // One register more than programs use; it serves inputs that an operation does not have.
     vec4 registers[height_register_count + 1u];
     registers[height_register_count] = vec4(0.0);
     uint target = 0u;

@@ -54,7 +54,7 @@ struct HeightTexture {
     std::string name; ///< as written in the graph: a file, or the name of a mask
     bool is_mask = false;
     uint32_t columns = 0, rows = 0;
-    uint32_t first_texel = 0; ///< index in Program::texels; texels of sand are 0 there
+    uint32_t first_texel = 0; ///< index in Program::texels; 0 for sand
     std::optional<SandSource> sand = {};
 };
 
@@ -95,9 +95,9 @@ struct ProgramWords {
 [[nodiscard]] std::vector<double> monotone_curve(std::span<const glm::dvec2> points);
 
 /// Assigns registers to instructions whose inputs are numbers of earlier instructions. A register is free
-/// again after its last use. Leaves out instructions that `result`, the number of the last wanted
-/// instruction, does not depend on. Throws Error with `where` when more values are alive at once than there
-/// are registers. Cost: linear.
+/// again after its last use. Leaves out instructions on which `result`, the number of the last requested
+/// instruction, does not depend. Throws Error with `where` when more values are needed at once than there are
+/// registers. Cost: linear.
 [[nodiscard]] std::vector<Instruction> with_registers(const std::vector<Instruction>& in_order,
                                                       uint32_t result, const std::string& where);
 

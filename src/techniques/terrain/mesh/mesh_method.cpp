@@ -28,8 +28,8 @@ private:
     uint32_t levels_ = 1;
 };
 
-/// One uniform grid that follows the eye in steps of its own cell, with three quarters of it ahead. It only
-/// turns by right angles, so that vertices never leave the lattice.
+/// One uniform grid that follows the eye in steps of the grid's cell size, with three quarters of the grid
+/// ahead of the eye. The grid only turns by right angles, so that vertices never leave the lattice.
 class Grid : public MeshMethod {
 public:
     explicit Grid(const TerrainMeshing& meshing);
@@ -43,7 +43,7 @@ private:
     uint32_t cells_;
 };
 
-/// An existing mesh, whose vertices are raised by the heights at their places.
+/// An existing mesh, whose vertices are raised by the terrain's heights.
 class Raised : public MeshMethod {
 public:
     explicit Raised(ObjectTriangles object);
@@ -213,7 +213,7 @@ private:
     std::vector<uint32_t> known_;
 };
 
-/// Adds the outermost cells of a grid of n x n, whose border has steps of two cells.
+/// Adds the outermost cells of a grid of n x n cells, whose border has steps of two cells.
 void add_border(GridVertices& grid, uint32_t n)
 {
     for (uint32_t side = 0; side < 4; ++side) {

@@ -14,8 +14,8 @@
 
 namespace estampe::terrain {
 
-/// The vertices of a mesh, which a level's placement converts to points of the plane, and its triangles,
-/// counter-clockwise seen from above.
+/// The vertices and triangles of a mesh. A level's placement converts vertices to points of the plane.
+/// Triangles are counter-clockwise seen from above.
 struct MeshTopology {
     std::vector<glm::dvec3> places; ///< world positions of vertices that are in no grid; otherwise empty
     std::vector<uint32_t> vertices; ///< words as described in terrain.glsl.h

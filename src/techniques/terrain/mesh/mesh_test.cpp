@@ -37,7 +37,7 @@ uint64_t signed_hash(const glm::ivec2& from, const glm::ivec2& to)
     return mixed(word(from) + mixed(word(to))) - mixed(word(to) + mixed(word(from)));
 }
 
-/// Every inner edge has a triangle on either side, with equal corners; the other edges form one closed
+/// Every inner edge has a triangle on either side, with equal corners. The other edges form one closed
 /// border.
 TEST(Rings, HaveNoCracksWhereverTheEyeIs)
 {
@@ -74,8 +74,8 @@ TEST(Rings, HaveNoCracksWhereverTheEyeIs)
     }
 }
 
-/// Tests ten thousand eye positions by sums: edges with opposite directions cancel, so that the sum over all
-/// triangles equals that of the outermost border. Positions are whole multiples of half the finest cell.
+/// Tests ten thousand eye positions by sums. Edges with opposite directions cancel, so that the sum over all
+/// triangles equals the sum over the outermost border. Positions are whole multiples of half the finest cell.
 TEST(Rings, HaveNoCracksFromTenThousandEyes)
 {
     const auto method = mesh_method({.cell_m = 0.25F, .cells = 32, .reach_m = 30.0F});

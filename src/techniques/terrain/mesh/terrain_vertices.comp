@@ -72,8 +72,8 @@ uvec2 index_of(uint vertex, TerrainLevel level)
     return part == terrain_part_grid ? index : index + level.hole_first + trim;
 }
 
-// Blends the vertex's height into that of the next level. There, the vertex lies on a straight edge between
-// even vertices, so one or two of these are evaluated, too.
+// Blends the vertex's height into the height of the next level. In the next level, the vertex is on a
+// straight edge between even vertices, so one or two of these are also evaluated.
 vec4 height_of(uvec2 index, TerrainLevel level)
 {
     vec2 from_eye = abs(vec2(index) - level.eye_cells);
@@ -95,7 +95,7 @@ vec4 height_of(uvec2 index, TerrainLevel level)
     return sum;
 }
 
-// Bends a place onto a sphere whose top at height 0 is below the eye, if the ground is a planet.
+// If the ground is a planet, bends a place onto a sphere whose top is below the eye, at height 0.
 vec3 bent(vec2 place, float height)
 {
     vec2 away = place - terrain.eye_m;

@@ -63,7 +63,7 @@ void main()
     float height = constants.height_m / constants.wavelength_m;
     height *= 1.0 - smoothstep(resolved.x, resolved.y, waves);
     height *= 1.0 - smoothstep(sliding.x, sliding.y, steepness);
-    if (height <= 0.0 || smooth_normal.y <= 0.0) { // the second condition: seen from below
+    if (height <= 0.0 || smooth_normal.y <= 0.0) { // the second condition: the ground is seen from below
         return;
     }
     vec2 across = vec2(-constants.wind.y, constants.wind.x);

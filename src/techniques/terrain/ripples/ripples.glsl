@@ -12,8 +12,8 @@ const float ripple_turn = 6.2831853f;
 const float ripple_skew = 0.55f;
 
 // A wave of unit height and wavelength along the wind. Each corner of the lattice has its own phase and
-// direction; where these disagree, waves end and fork. The members are the value and its derivatives along
-// and across the wind, as complex numbers.
+// direction. Where the corners disagree, waves end and fork. The members are the value and its derivatives
+// along and across the wind, as complex numbers.
 struct RippleWave {
     vec2 z;
     vec2 z_along;

@@ -143,7 +143,7 @@ TEST(SandRipples, BendNormalsAsTheirFormLeans)
 
 TEST(SandRipples, AreGoneBeforeTheyAlias)
 {
-    // With increasing distance, the mean stays that of the ground, and finally every byte does.
+    // With increasing distance the mean equals that of the bare ground. Finally every byte is equal.
     float last_lean = 1.0F;
     for (const double height_m : {1.0, 4.0, 12.0, 60.0}) {
         const SeenPlane ground{.eye = {3.0, height_m, -2.0}, .eye_height_m = height_m};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell: the wind may lift a slab, which hops until it stays. Each slab sees the ground before
-// the step, and slabs are whole numbers, so the order of threads does not matter.
+// One thread per cell: the wind may lift a slab, which hops until it stays. Each slab reads the ground as it
+// was before the step, and slabs are whole numbers, so the order of threads does not matter.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_SLAB_LINES
 #define ESTAMPE_SLAB_LINES
 
-// Lines along the wind on a field that repeats at its edges. After as many steps as the field has cells per
-// side, all lines together have visited each cell once, and each continues as another line. Cells in the lee
-// lie below a roof that descends downwind from every crest. The including shader must declare `slab`, a
+// Lines along the wind on a field that repeats at its edges. If n is the number of cells per side, all lines
+// together visit each cell once in n steps, and then each line continues as another line. Cells in the lee
+// are below a roof that descends downwind from every crest. The including shader must declare `slab`, a
 // SlabConstants, and last_slabs.
 
 const int no_roof = -0x40000000;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per block of 2 x 2 cells: sand slides between them where it is steeper than its angle of repose.
-// Blocks do not overlap, so this works in place.
+// One thread per block of 2 x 2 cells: sand slides between the block's cells where it is steeper than its
+// angle of repose. Blocks do not overlap, so this works in place.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -92,7 +92,7 @@ shared::SlideConstants slide_constants(const SlabStyle& style, uint32_t side, in
 
 namespace {
 
-constexpr uint32_t most_passes = 240;  ///< passes of steps per graph; the graph needs some for other work
+constexpr uint32_t most_passes = 240;  ///< number of step passes per graph; other passes need the rest
 constexpr double most_slabs = 1 << 20; ///< largest number on a cell at the start
 
 void check_side(uint32_t side)

@@ -53,8 +53,8 @@ public:
     /// for Sampling::linear_repeat. `fraction` interpolates from 0, before the last step, to 1, after it, so
     /// that motion between steps is smooth; a `count` of 0 interpolates the last step of earlier calls.
     ///
-    /// The graph must be run, in the order in which graphs were given to the field, and the field must
-    /// outlive the runs. Call once per graph.
+    /// The graph must be run. Graphs must run in the order in which they were passed to the field, and the
+    /// field must outlive the runs. Call once per graph.
     ///
     /// Throws  std::logic_error for more than most_steps() in one graph
     /// Cost    per step three dispatches, and one of a quarter of the threads for each of `slides`; two for

@@ -227,7 +227,7 @@ TEST(Slabs, HeightsHoldTheSandAndRepeat)
         const double sand_m = 0.1 * static_cast<double>(sum_of_slabs(slabs_of(field)));
         const std::vector<float> heights = heights_after(field, style, 0);
         EXPECT_NEAR(std::accumulate(heights.begin(), heights.end(), 0.0) / sand_m, 1.0, 1e-6) << smooth;
-        // A start that is shifted around the field gives a result with the same shift.
+        // A start that is shifted around the field gives a result that is shifted equally.
         const std::vector<float> start = rough_start(side);
         std::vector<float> moved_start(start.size());
         const auto moved = [&](size_t i) { return (i / side + 50) % side * side + (i + 9) % side; };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One workgroup presses a stamp into the ground: a bar whose round ends may have different radii. The
-// displaced sand becomes a rim around it, by weights that are first summed in a fixed order. A known stamp
-// only changes texels that are new in the window.
+// One workgroup presses a stamp into the ground. A stamp is a bar whose round ends may have different radii.
+// The displaced sand becomes a rim around the bar, by weights that are first summed in a fixed order. A known
+// stamp only changes texels that are new in the window.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -53,7 +53,7 @@ bool is_pressed(ivec2 texel)
            (press.is_known == 0u || !is_within(press.window, texel + ivec2(press.moved_x, press.moved_y)));
 }
 
-// Weight of a texel in the rim; ground that is already low takes little sand.
+// Weight of a texel in the rim. Ground that is already low gets little sand.
 float rim_weight(float distance, float height)
 {
     float across = clamp(distance / press.rim_m, 0.0, 1.0);

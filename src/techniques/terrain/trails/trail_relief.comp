@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread bends the shading normal of a pixel of sand by the trails there: by the change of their height
-// across the pixel's area on the ground. Where a trail shades itself, the normal turns away from the sun.
+// One thread bends the shading normal of a pixel of sand by the trails at the pixel: by the change of their
+// height across the pixel's area on the ground. Where a trail shades itself, the normal turns away from the
+// sun.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -44,7 +45,8 @@ float rise(vec2 place_m, vec2 along_m, float length_m)
            max(length_m, relief.texel_m);
 }
 
-// Share of the sunlight that reaches a place past its surroundings, sampled texel by texel towards the sun.
+// Share of the sunlight that reaches a place past the surrounding sand, sampled texel by texel towards the
+// sun.
 float sun_left(vec2 place_m, vec3 normal)
 {
     float up = dot(relief.towards_sun, normal);

@@ -37,7 +37,7 @@ std::vector<float> even_ground(uint32_t side, double extent_m)
     return std::vector<float>(static_cast<size_t>(side) * side);
 }
 
-/// Returns whether the whole stamp was inside the window before that moved.
+/// Returns whether the whole stamp was inside the window before the window moved.
 bool lay_within(const shared::TrailPress& press, glm::i64vec2 moved, uint32_t side)
 {
     const glm::i64vec2 base = moved + glm::i64vec2(press.base_x, press.base_y);
@@ -363,7 +363,7 @@ void Footprints::prepare(gpu::Device& device, const FootprintMoment& moment)
     }
 }
 
-/// Rebuilds the field from all stamps before a time, at their age.
+/// Rebuilds the field from all stamps before a time, each at its age.
 void Footprints::make_afresh(gpu::Device& device, double time_s)
 {
     next_step_ = static_cast<size_t>(std::ranges::upper_bound(steps_, time_s, {}, &TimedStamp::time_s) -

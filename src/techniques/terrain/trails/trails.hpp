@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Trails in sand: whoever walks or is dragged over the ground presses it down and raises a rim; the rim
-// slumps, and the wind fills the trail again. Trails are heights that are added to the ground's, in a window
-// that follows a point. The trails of a picture come from the tracks of the terrain's file and from stamps of
-// the program.
+// Trails in sand. A person or an object that moves over the ground presses the sand down and raises a rim.
+// The rim slumps, and the wind fills the trail again. Trails are heights that are added to the ground's
+// heights, in a window that follows a point. The trails of a picture come from the tracks of the terrain's
+// file and from stamps of the program.
 
 #include <deque>
 #include <memory>
@@ -34,7 +34,7 @@ struct TimedStamp {
 /// length.
 [[nodiscard]] std::vector<TimedStamp> stamps_of(const TerrainTrack& track);
 
-/// Heights to add to the ground's, and their position.
+/// Heights to add to the ground's heights, and their position.
 struct TrailImage {
     gpu::ImageId height; ///< r32f, metres; 0 at the edge, so that Sampling::linear is level beyond
     glm::dvec2 corner_m; ///< x and z of the image's corner, half a texel before its first centre
@@ -42,9 +42,9 @@ struct TrailImage {
 };
 
 /// A square window of texels that follows a point in steps of whole texels. Texels that stay inside keep
-/// their values bit for bit, wherever the window goes. In newly entered texels, known stamps are repeated
-/// according to their age. Time passes in steps of 1/30 s, so that results do not depend on how it is divided
-/// into frames.
+/// their values bit for bit, wherever the window goes. In newly entered texels, known stamps are repeated at
+/// their age. Time passes in steps of 1/30 s, so that results do not depend on how time is divided into
+/// frames.
 class TrailField {
 public:
     /// `side` is in texels: a power of two, 16 to 1024; other values throw std::logic_error.
@@ -64,8 +64,8 @@ public:
     /// Centres the window on a place; does nothing if the place is not finite.
     void go_to(const TerrainTrails& style, glm::dvec2 centre_m);
 
-    /// Returns whether more remembered stamps come into the window than one step can press. If so, first run
-    /// graphs that only have add_catching_up().
+    /// Returns whether more remembered stamps enter the window than one step can press. If so, first run
+    ///         graphs that contain only add_catching_up().
     [[nodiscard]] bool is_behind() const { return arriving_.size() > most_presses(); }
 
     void add_catching_up(gpu::Graph& graph, const TerrainTrails& style);
@@ -83,7 +83,7 @@ public:
 
     [[nodiscard]] static constexpr size_t most_known() { return 4096; }
 
-    /// Returns whether anything was ever pressed in or waits to be.
+    /// Returns whether any stamp was ever pressed in or waits to be pressed.
     [[nodiscard]] bool is_trodden() const { return !known_.empty() || !waiting_.empty(); }
 
     [[nodiscard]] uint32_t side() const { return side_; }

@@ -183,8 +183,8 @@ TEST(Trails, TheWindowMovesNothing)
     EXPECT_EQ(depth_sum_of(walked.kept()), 0.0);
 }
 
-/// Texels that newly enter the window, one by one or all at once, show the known stamps, as deep as the wind
-/// has left them.
+/// Texels that newly enter the window, one by one or all at once, show the known stamps. Their depth is the
+/// depth that the wind has left by then.
 TEST(Trails, WhatWasPressedInIsRemembered)
 {
     constexpr double far_m = 20.0;
@@ -248,8 +248,8 @@ TEST(Trails, WhereTexelsWrapThereIsNoSeam)
 {
     const std::vector<float> expected = pressed_at({32, 32}, {32, 32});
     EXPECT_GT(depth_sum_of(expected), 1.0);
-    // In the middle, on the edge and on the corner of the stored texels; with the window around them or
-    // beside.
+    // Tests the middle, the edge and the corner of the stored texels, with the window around these places or
+    // beside them.
     for (const auto& [texel, centre] :
          {std::pair(glm::ivec2(32, 32), glm::ivec2(50, 18)),
           std::pair(glm::ivec2(128, 32), glm::ivec2(128, 32)), std::pair(glm::ivec2(0, 0), glm::ivec2(0, 0)),
@@ -260,7 +260,7 @@ TEST(Trails, WhereTexelsWrapThereIsNoSeam)
 
 TEST(Trails, TheSameFarFromTheOrigin)
 {
-    // A whole number of texels away, places only differ in the last bits of a double.
+    // At a distance of a whole number of texels, places differ only in the last bits of a double.
     const int far = 1 << 24;
     const std::vector<float> expected = pressed_at({32, 32}, {32, 32});
     const std::vector<float> there = pressed_at({far + 32, 32 - far}, {far + 32, 32 - far});
