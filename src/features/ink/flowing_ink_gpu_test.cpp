@@ -126,6 +126,22 @@ TEST(FlowingInk, ComesFromChosenObjectsAlone)
     EXPECT_NE(renderer.notes().back().find("nobody"), std::string::npos);
 }
 
+/// A level camera that looks along -z sees a wind towards +x blow to the right, and no wind along its view.
+TEST(FlowingInk, FollowsTheWindOfTheSceneAsTheCameraSeesIt)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(sliding_box());
+    const Camera level{.eye = {0.0, 0.8, 5.0}, .target = {0.0, 0.8, 0.0}};
+    const auto drawn = [&](const std::vector<std::string>& more) {
+        return renderer.render(level, flowing(more), ink_still).rgba;
+    };
+    const auto to_the_right = drawn({"ink.wind_mm_per_s=-1", "wind.towards_deg=90", "wind.speed_m_per_s=8"});
+    EXPECT_EQ(to_the_right, drawn({"ink.wind_mm_per_s=36", "ink.wind_deg=0"}));
+    EXPECT_NE(to_the_right, drawn({"ink.wind_mm_per_s=-1", "wind.towards_deg=-90", "wind.speed_m_per_s=8"}));
+    EXPECT_EQ(drawn({"ink.wind_mm_per_s=-1", "wind.towards_deg=180", "wind.speed_m_per_s=8"}),
+              drawn({"ink.wind_mm_per_s=0"}));
+}
+
 TEST(FlowingInk, TellsWhatItCannotRead)
 {
     Renderer& renderer = test::shared_renderer();
