@@ -84,7 +84,7 @@ struct SubsurfacePlan {
     bool scatters = false;
 };
 
-/// The look of shadow edges.
+/// How the edges of shadows are drawn.
 struct EdgePlan {
     shared::EdgeProfile profile; ///< jagged edges
     uint32_t variant = 0;        ///< shader variant, see shadow/shadow_style.hpp
