@@ -28,9 +28,9 @@ namespace estampe::cloth {
 namespace {
 
 constexpr float tear_share = 4.0F;             // small steps in place of tethers, of sheets that may tear
-constexpr float longest_step_s = 1.0F / 30.0F; // a longer one is taken for that
+constexpr float longest_step_s = 1.0F / 30.0F; // longer steps are cut to this
 
-/// Whether wind keeps all sheets awake: a breath of it moves nothing of note.
+/// Whether wind keeps all sheets awake. A very weak wind does not, because it moves nothing visibly.
 bool blows(const Surroundings& now)
 {
     return now.air_kg_m3 > 0.0F && now.wind.speed_m_per_s > shared::cloth_breath_m_per_s;
@@ -52,8 +52,8 @@ bool is_seen(const shared::ClothCollider& solid)
     return kind_of(solid) == shared::cloth_seen;
 }
 
-/// What keeps the defaults' stretch at a hundredth or two: as many as a third of the particles of a side in a
-/// sixtieth of a second.
+/// Small steps that limit the stretch to one or two hundredths with default settings: a third of the number
+/// of particles per side, in a sixtieth of a second.
 float small_steps_per_s(uint32_t particles)
 {
     const float side = std::sqrt(static_cast<float>(particles));
@@ -89,7 +89,7 @@ uint32_t Cloths::small_steps(const Kind& kind, const Surroundings& surroundings)
 
 uint32_t Cloths::most_steps(const Surroundings& surroundings) const
 {
-    constexpr uint32_t most_passes = 240; // others need some too
+    constexpr uint32_t most_passes = 240; // leaves room for other techniques' passes
     constexpr uint32_t most_at_once = 120;
     uint32_t passes = 0;
     for (const Kind& kind : kinds_) {
@@ -103,7 +103,7 @@ uint32_t Cloths::most_steps(const Surroundings& surroundings) const
 
 void Cloths::find_met_solids()
 {
-    constexpr float spare_m = 0.1F; // for how thick sheets are
+    constexpr float spare_m = 0.1F; // margin for the thickness of sheets
     met_before_.clear();
     met_.clear();
     for (size_t i = 0; i < solids_.size(); ++i) {
@@ -368,8 +368,8 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
     }
     fill_runs(surroundings, count);
     if (!met_.empty()) {
-        // What the processor writes may lie in its own memory, far from small steps that ask it over and
-        // over.
+        // Buffers that the CPU writes may be in host memory, which is slow for the small steps that read them
+        // often.
         handles.solids = gpu::add_copy_of_start(graph, "cloth/solids", handles.solids,
                                                 2 * met_.size() * sizeof(shared::ClothCollider));
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Sheets of cloth on the device, all in a few dispatches.
+// Simulates all cloth sheets on the device, in few dispatches.
 
 #include <array>
 #include <optional>
@@ -17,20 +17,20 @@
 
 namespace estampe::cloth {
 
-/// What all sheets are in; any of it may change from run to run.
+/// Surroundings of all sheets; they may change from run to run.
 struct Surroundings {
-    float step_s = 1.0F / 120.0F; ///< a thirtieth is the longest there is
-    double time_s = 0.0;          ///< at the beginning of the run, for the wind
+    float step_s = 1.0F / 120.0F; ///< at most a thirtieth of a second
+    double time_s = 0.0;          ///< time at the beginning of the run, for the wind
     glm::vec3 gravity_m_s2{0.0F, -9.81F, 0.0F};
     float air_kg_m3 = 1.2F;
     wind::WindStyle wind{.speed_m_per_s = 0.0F};
-    double ahead_m = 0.0;       ///< that it has blown farther than its speed times the time
-    glm::dvec3 origin_m{0.0};   ///< of places, in the world
+    double ahead_m = 0.0;       ///< way of the wind beyond its speed times the time
+    glm::dvec3 origin_m{0.0};   ///< origin of cloth positions, in the world
     float effort = 1.0F;        ///< see ClothStyle
     float rest_m_per_s = 5e-3F; ///< see ClothStyle::rest_mm_per_s
 };
 
-/// A triangle of a sheet as whoever draws it numbers it.
+/// A triangle of a sheet, with vertex numbers of the drawn mesh.
 struct DrawnFace {
     uint32_t triangle = 0;
     glm::uvec3 vertices{0};
@@ -40,81 +40,81 @@ struct DrawnFace {
 /// The drawn vertices of a sheet.
 struct DrawnSheet {
     uint32_t first_vertex = 0;
-    std::vector<uint32_t> particle_of_vertex;  ///< from `first_vertex` on
+    std::vector<uint32_t> particle_of_vertex;  ///< particles of the vertices from `first_vertex` on
     std::optional<uint32_t> first_back_vertex; ///< of the other side, if it has vertices of its own: as many,
                                                ///< in the same order
-    std::vector<DrawnFace> faces;              ///< of a sheet that may tear
+    std::vector<DrawnFace> faces;              ///< only for a sheet that may tear
 };
 
-/// Of a drawn face: the bits of its sides in Cloths::torn().
+/// The bits of a drawn face's sides in Cloths::torn().
 struct BrittleFace {
     uint32_t triangle = 0;
     glm::uvec3 vertices{0};
-    std::array<glm::uvec2, 3> sides{}; ///< particle and bit
+    std::array<glm::uvec2, 3> sides{}; ///< particle and bit of each side
 };
 
-/// Whether a side of it is torn. `torn` is what Cloths::torn() holds.
+/// Whether any side of the face is torn. `torn` is the content of Cloths::torn().
 [[nodiscard]] bool is_torn(const BrittleFace& face, std::span<const glm::uvec2> torn);
 
-/// A box that a sheet stays in.
+/// A box that a sheet does not leave.
 struct SheetReach {
     glm::vec3 min_m{0.0F};
     glm::vec3 max_m{0.0F};
 };
 
-/// A box of air that a fluid moves, whose ends meet.
+/// A box of air that a periodic fluid moves.
 struct Flow {
     glm::uvec3 cells{0};
-    glm::mat4 cells_from_place{1.0F}; ///< from the low corner; all axes alike
+    glm::mat4 cells_from_place{1.0F}; ///< relative to the low corner; equal scale on all axes
 };
 
-/// A mesh that moves as it likes, for what is seen of it along one axis.
+/// A deforming mesh that sheets collide with, through its front and back surfaces along one axis.
 struct Body {
-    std::vector<glm::uvec3> triangles; ///< posed vertices
-    glm::uvec2 nodes{2};               ///< of the grid that is seen through, along x and y of its solid
+    std::vector<glm::uvec3> triangles; ///< indices of posed vertices
+    glm::uvec2 nodes{2};               ///< of its grid, along x and y of its solid
 };
 
-/// The same sheets and runs give the same places on the same device, bit for bit. A sheet that has been calm
-/// for shared::cloth_rest_s, by all of its particles, rests: steps leave it as it is until wind blows,
-/// something that holds it moves, a solid moves near it, it is carried, or the surroundings are others.
+/// Cloth sheets on the device. Equal sheets and runs give bit-identical positions on one device. A sheet
+/// rests once all its particles have been calm for shared::cloth_rest_s: steps do not change it until wind
+/// blows, a particle's holder moves, a solid moves near it, the sheet is moved, or the surroundings change.
 class Cloths {
 public:
-    /// Sheets lie still where they were cut. `drawn` is one a sheet, or empty. Throws Error as
-    /// build_structure(), and where they do not fit the device.
+    /// Puts sheets at their rest positions, at rest. `drawn` has one entry per sheet, or is empty. Throws
+    /// Error as build_structure() does, and if the sheets do not fit the device.
     Cloths(gpu::Device& device, std::span<const Sheet> sheets, std::span<const DrawnSheet> drawn = {});
 
-    /// Which solver takes all sheets, in place of their own; what they do goes on.
+    /// Replaces the solvers of all sheets by one; the motion of sheets continues.
     void set_solver(gpu::Device& device, std::optional<ClothSolver> solver);
 
-    /// Whether small sheets have as many threads as a GPU takes at once, if the device does; by default where
-    /// it is one. Processors are quicker with fewer, and places are the same to a float's rounding.
+    /// Whether each small sheet gets as many threads as a GPU runs at once. The default is true on GPUs.
+    /// Processors are faster with fewer threads. Positions are equal up to rounding.
     void set_wide(const gpu::Device& device, bool is_wide);
 
-    /// Where solids are at the end of the next run; until then they go there from where they were, if there
-    /// were as many. Later runs find them there.
+    /// Solids at the end of the next run. During the run they move there from their last places, if the
+    /// number of solids is unchanged. Later runs start with these places.
     void set_solids(gpu::Device& device, std::span<const Solid> solids);
 
-    /// What all sheets stay in during later runs, so that solids that come near none of it cost nothing;
-    /// empty: they may come anywhere.
+    /// Boxes that sheets do not leave during later runs, so that distant solids cost nothing. Empty: sheets
+    /// may go anywhere.
     void set_reach(std::vector<SheetReach> reach) { reach_ = std::move(reach); }
 
-    /// What solids of heights and distances are told by, until the next call; before set_solids(). Cost: one
-    /// upload.
+    /// The grids of all solids of heights and distances, until the next call. Call before set_solids(). Cost:
+    /// one upload.
     void set_grids(gpu::Device& device, std::span<const SolidGrid> grids);
 
-    /// Bodies that solids of kind `seen` stand for, until the next call; before set_solids(). Cost: an upload
-    /// of their triangles.
+    /// The bodies of all solids of kind `seen`, until the next call. Call before set_solids(). Cost: an
+    /// upload of their triangles.
     void set_bodies(gpu::Device& device, std::span<const Body> bodies);
 
-    /// Boxes in which later runs find the speeds that add_flow() last told, in place of the wind; where they
-    /// overlap, those of the last. Throws std::logic_error for more than shared::cloth_most_flows.
+    /// Boxes of air with the velocities of the last add_flow(), which replace the wind in later runs. Where
+    /// boxes overlap, the last box counts. Throws std::logic_error for more than shared::cloth_most_flows.
     void set_flows(gpu::Device& device, std::span<const Flow> flows);
 
-    /// Where particles are wanted at the end of the next run, if they are held, sheet by sheet. The same
-    /// holds as of solids.
+    /// Targets of held particles at the end of the next run, sheet by sheet. As for solids, particles move
+    /// there during the run.
     void set_targets(gpu::Device& device, std::span<const glm::vec3> places_m);
 
-    /// What the passes of a graph hand on to each other; once a graph, and before them.
+    /// Resources that the passes of one graph share. Create them once per graph, before the passes.
     struct Handles {
         gpu::BufferId places;
         gpu::BufferId places_before;
@@ -130,32 +130,32 @@ public:
 
     [[nodiscard]] Handles import(gpu::Graph& graph);
 
-    /// Tells how the air of a box moves: component by component on the low faces of cells, layer by layer, as
-    /// `fluid` keeps it. Of each box once before the next run, one a
-    /// graph.
+    /// Passes the velocity of the air in a box, as `fluid` stores it: component by component on the low faces
+    /// of cells, layer by layer. Call once for each box before the next run, and once per graph.
     void add_flow(gpu::Graph& graph, size_t flow, gpu::ImageId velocity);
 
-    /// set_targets() as a pass: the drawn vertices as they are posed.
+    /// Does what set_targets() does, in a pass: targets are the posed positions of the drawn vertices.
     void add_targets(gpu::Graph& graph, Handles& handles, gpu::BufferId posed_vertices);
 
-    /// Looks at the front and the back of all bodies, as they are posed at the end of the next run, from
-    /// where set_solids() put them: until then they go there from what was seen last. Later runs find them
-    /// so. Cost: two passes a body; a thread for each triangle goes over the nodes that it covers. Source:
-    /// Zanuttini, "Recherches en rendu non réaliste temps réel", Université Paris 8, 2008, section 7.5.
+    /// Measures the front and the back of all bodies, as posed at the end of the next run, in the places of
+    /// set_solids(). During the run, surfaces change from the last measured ones to these. Cost: two passes
+    /// per body; a thread for each triangle visits the nodes that the triangle covers. Source: Zanuttini,
+    /// "Recherches en rendu non réaliste temps réel", Université Paris 8, 2008, section 7.5.
     void add_bodies(gpu::Graph& graph, Handles& handles, gpu::BufferId posed_vertices);
 
-    /// Carries sheets as they stand, one matrix each: with what they hang on when that is put elsewhere. A
-    /// matrix of zeros puts a sheet where its particles are wanted, at rest and whole.
+    /// Moves whole sheets, by one matrix per sheet, for example when the object that holds a sheet is moved.
+    /// A matrix of zeros resets a sheet: particles go to their targets, at rest, with no link torn.
     void add_carry(gpu::Graph& graph, Handles& handles, std::span<const glm::mat4> carries);
 
-    /// A run of so many steps; one a graph. Throws std::logic_error for none, or more than most_steps().
+    /// A run of `steps` steps, once per graph. Throws std::logic_error for no step, or for more than
+    /// most_steps().
     void add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& surroundings, uint32_t count);
 
-    /// As many as one graph takes, at least one.
+    /// Largest number of steps in one graph, at least one.
     [[nodiscard]] uint32_t most_steps(const Surroundings& surroundings) const;
 
-    /// The next targets and bodies hold for the beginning of their run too, and what the next run finds
-    /// otherwise than the one before wakes nobody.
+    /// Makes the next targets and bodies hold from the beginning of their run on. Differences between the
+    /// next run and the last run wake no sheet.
     void forget_before()
     {
         has_targets_ = false;
@@ -164,11 +164,11 @@ public:
         surroundings_.reset();
     }
 
-    /// Keeps where sheets are, for add_vertices_before().
+    /// Stores the positions of sheets for add_vertices_before().
     void add_snapshot(gpu::Graph& graph, Handles& handles);
 
-    /// Overwrites the drawn vertices' places and normals: as sheets are, or as they were at the last
-    /// add_snapshot().
+    /// Overwrites positions and normals of the drawn vertices, with the current sheets or with those of the
+    /// last add_snapshot().
     [[nodiscard]] gpu::BufferId add_vertices(gpu::Graph& graph, const Handles& handles,
                                              gpu::BufferId posed_vertices);
     [[nodiscard]] gpu::BufferId add_vertices_before(gpu::Graph& graph, const Handles& handles,
@@ -176,32 +176,32 @@ public:
 
     [[nodiscard]] uint32_t first_of(size_t sheet) const { return records_.at(sheet).first; }
 
-    [[nodiscard]] uint32_t particle_count() const { return particle_count_; } ///< with those that fill up
+    [[nodiscard]] uint32_t particle_count() const { return particle_count_; } ///< includes padding
 
     [[nodiscard]] size_t sheet_count() const { return records_.size(); }
 
     [[nodiscard]] bool may_tear() const { return may_tear_; }
 
-    /// Which links of sheets that may tear are torn: two words a particle, see cloth_torn.glsl.
+    /// Torn links of sheets that may tear: two words per particle, see cloth_torn.glsl.
     [[nodiscard]] gpu::Buffer& torn() { return torn_; }
 
-    /// Those of `drawn`, sheet by sheet.
+    /// Faces of `drawn`, sheet by sheet.
     [[nodiscard]] std::span<const BrittleFace> brittle_faces() const { return brittle_faces_; }
 
-    /// Places and inverse masses, speeds, and, where any may tear, torn(): all that the next run goes on
-    /// from.
+    /// The whole state from which the next run continues: positions and inverse masses, velocities, and
+    /// torn() if any sheet may tear.
     [[nodiscard]] std::vector<gpu::Buffer*> state();
 
-    /// Goes on from what state() of the same sheets was; buffers of the same sizes.
+    /// Replaces the state by an earlier state() of equal sheets; the buffers must have equal sizes.
     void recall(std::vector<gpu::Buffer> state);
 
 private:
     struct Kind;
 
-    /// One step of large sheets, and the handles that its passes share.
+    /// One step of large sheets, with the handles that its passes share.
     struct LargeStep {
-        uint32_t number = 0;      ///< in the run
-        uint32_t small_steps = 1; ///< or relaxations
+        uint32_t number = 0;      ///< index of the step in the run
+        uint32_t small_steps = 1; ///< or number of relaxations
         gpu::BufferId awake;
         gpu::BufferId began;
         gpu::BufferId met;
@@ -209,27 +209,27 @@ private:
 
     /// Method that moves large sheets through a step, from the places that cloth_push.comp predicts.
     struct Solver {
-        uint32_t bits = 0;               ///< Bits of the shaders' variant
-        bool takes_small_sheets = false; ///< Small sheets run in one dispatch of their own
+        uint32_t bits = 0;               ///< bits of the shaders' variant
+        bool takes_small_sheets = false; ///< small sheets run in one dispatch of their own
         uint32_t sweeps = 0;             ///< Over all colours, per small step; divides the small steps
         uint32_t relaxations = 0;        ///< Of a whole step, per small step of the usual solver; 0: none
         bool lowers_rigidity = false;    ///< Lowers bending rigidity where a small step is too long for it
         void (Cloths::*add_step)(gpu::Graph&, Handles&, Kind&, const LargeStep&) = nullptr;
     };
 
-    /// The only place that names the solvers.
+    /// The table of all solvers by name.
     [[nodiscard]] static const Solver& solver_named(ClothSolver name);
 
-    /// Sheets that one dispatch serves.
+    /// Sheets that one dispatch processes.
     struct Kind {
         const Solver* solver = nullptr;
         uint32_t variant = 0;
         bool is_small = false;
         uint32_t first_group = 0;
         uint32_t group_count = 0;
-        uint32_t most_particles = 0;     ///< of a sheet
-        std::optional<uint32_t> lone;    ///< the sheet, if it is large and there is one
-        std::vector<glm::uvec2> colours; ///< for sweeps: first group of each and how many
+        uint32_t most_particles = 0;     ///< of the largest sheet
+        std::optional<uint32_t> lone;    ///< set if there is only one sheet and it is large
+        std::vector<glm::uvec2> colours; ///< for sweeps: first group and number of groups
         gpu::Buffer run;
     };
 
@@ -246,7 +246,7 @@ private:
     [[nodiscard]] uint32_t variant_of(size_t sheet) const;
     [[nodiscard]] bool is_small(size_t sheet) const;
     void append_colours(Kind& kind, std::vector<uint32_t>& groups) const;
-    /// Small steps that a step is cut into, or relaxations of a whole one.
+    /// Number of small steps per step, or of relaxations of a whole step.
     [[nodiscard]] uint32_t small_steps(const Kind& kind, const Surroundings& surroundings) const;
     [[nodiscard]] gpu::BufferId add_vertices_at(gpu::Graph& graph, const Handles& handles,
                                                 gpu::BufferId places, gpu::BufferId posed_vertices);
@@ -262,7 +262,7 @@ private:
     [[nodiscard]] uint64_t met_bytes(const Kind& kind) const;
     void add_large_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step,
                           uint32_t small_steps, gpu::BufferId& awake);
-    /// One pass of a step, with a solver's own shader that includes cloth_large.glsl.
+    /// One pass of a step, for a shader of a solver that includes cloth_large.glsl.
     void add_pass_of_step(gpu::Graph& graph, Handles& handles, Kind& kind, const LargeStep& step,
                           std::string_view name, const gpu::Shader& shader, uint32_t small_step);
     void add_small_steps(gpu::Graph& graph, Handles& handles, Kind& kind, const LargeStep& step);
@@ -278,37 +278,37 @@ private:
     std::optional<ClothSolver> solver_;
     bool is_wide_ = false; ///< see set_wide()
     uint32_t particle_count_ = 0;
-    std::vector<float> held_; ///< one a particle
+    std::vector<float> held_; ///< one per particle
     bool has_half_held_ = false;
     gpu::Buffer sheets_;
     gpu::Buffer links_;
     gpu::Buffer faces_;
     gpu::Buffer tethers_;
-    gpu::Buffer rest_;      ///< places at rest
-    gpu::Buffer near_;      ///< four particles each, of sheets that keep from themselves
-    gpu::Buffer by_colour_; ///< particles of all sheets by colours, each padded to whole workgroups
-    std::vector<std::vector<glm::uvec2>> colours_; ///< of each sheet: where each begins there, and its length
-    gpu::Buffer holds_;                            ///< ClothHold, one a particle
+    gpu::Buffer rest_;      ///< rest positions
+    gpu::Buffer near_;      ///< four near particles each, for self-collision
+    gpu::Buffer by_colour_; ///< particles of all sheets by colour, each colour padded to whole workgroups
+    std::vector<std::vector<glm::uvec2>> colours_; ///< per sheet and colour: first index, and count
+    gpu::Buffer holds_;                            ///< one ClothHold per particle
     std::vector<shared::ClothCollider> solids_before_, solids_;
-    std::vector<shared::ClothCollider> met_before_, met_; ///< of those, what the run may meet
+    std::vector<shared::ClothCollider> met_before_, met_; ///< those of the above that the run may meet
     std::vector<SheetReach> reach_;
-    bool rouses_all_ = false;                  ///< something has come or gone since the last run
+    bool rouses_all_ = false;                  ///< a change since the last run wakes all sheets
     std::optional<Surroundings> surroundings_; ///< of the last run
     gpu::Buffer colliders_;
     std::vector<shared::ClothFlow> flows_;
     gpu::Buffer flow_speeds_;
-    gpu::Buffer grids_; ///< numbers of all grids, each behind its head
+    gpu::Buffer grids_; ///< numbers of all grids, each after its head
     std::vector<uint32_t> first_of_grid_;
-    std::array<gpu::Buffer, 2> targets_; ///< of the run's beginning and its end
+    std::array<gpu::Buffer, 2> targets_; ///< at the beginning and the end of the run
     bool has_targets_ = true;
     bool targets_move_ = false;
     gpu::Buffer body_triangles_;
-    std::vector<shared::ClothBody> bodies_; ///< but for where they are
-    std::array<gpu::Buffer, 2> seen_;       ///< of all bodies, at the run's beginning and its end
+    std::vector<shared::ClothBody> bodies_; ///< without their places
+    std::array<gpu::Buffer, 2> seen_;       ///< of all bodies, at the beginning and the end of the run
     bool has_seen_ = false;
     bool bodies_move_ = false;
     gpu::Buffer places_;
-    gpu::Buffer places_before_; ///< at the last snapshot
+    gpu::Buffer places_before_; ///< positions at the last snapshot
     gpu::Buffer speeds_;
     gpu::Buffer torn_;
     bool may_tear_ = false;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a particle: puts it where it is wanted, at rest and whole, or carries it along with its sheet.
+// One thread per particle: puts the particle at its target, at rest with no link torn, or moves it with its
+// sheet.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -20,7 +21,7 @@ layout(scalar, binding = 13) buffer Speeds
 
 layout(scalar, binding = 14) readonly buffer Carries
 {
-    mat4 carries[]; // one a sheet; all zeros where it starts anew
+    mat4 carries[]; // one per sheet; all zeros resets the sheet
 };
 
 layout(scalar, binding = 15) writeonly buffer Torn

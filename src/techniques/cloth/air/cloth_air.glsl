@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_CLOTH_AIR
 #define ESTAMPE_CLOTH_AIR
 
-// The wind, and what it does to a sheet.
+// Velocity of the air at a particle, and the force of air on a sheet.
 //
-// Wanted before: vec3 place_at(uint local), and what cloth_flow.glsl and cloth_torn.glsl want.
+// Requires: vec3 place_at(uint local), and everything that cloth_flow.glsl and cloth_torn.glsl require.
 
 #include "techniques/cloth/air/cloth_flow.glsl"
 #include "techniques/cloth/solver/cloth_torn.glsl"
@@ -22,7 +22,8 @@ vec3 grid_place(ivec2 at, ivec2 size)
     return place_at(uint(there.y * size.x + there.x));
 }
 
-// By the faces about a particle, of each the share that is its own. Air goes through what is torn.
+// Sums over the faces around a particle; each face gives the particle its share. Air passes through torn
+// faces.
 vec3 air_force(uint local, vec3 place, vec3 relative)
 {
     vec3 force = vec3(0.0);
@@ -35,7 +36,7 @@ vec3 air_force(uint local, vec3 place, vec3 relative)
             if (may_tear && has_bit(torn, cell_bit(way))) {
                 continue;
             }
-            // Beyond the edge all of it falls together and has no area.
+            // Beyond the sheet's edge all corners of a face coincide, so the face has no area.
             vec3 x = grid_place(at + ivec2(way.x, 0), size);
             vec3 y = grid_place(at + ivec2(0, way.y), size);
             vec3 far = grid_place(at + way, size);
@@ -51,7 +52,7 @@ vec3 air_force(uint local, vec3 place, vec3 relative)
     return force;
 }
 
-// Acceleration by gravity and air. Air never does more than stop a particle against it in one step.
+// Acceleration by gravity and air. In one step, air can at most stop a particle relative to the air.
 vec3 push_on(uint local, vec3 place, vec3 speed, float inverse_mass, float time_s)
 {
     vec3 relative = wind_at(place, time_s) - speed;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell of a fluid whose ends meet: the speed in its middle, along the axes that cloth is in.
+// One thread per cell of a periodic fluid: the velocity in the middle of the cell, along the axes of the
+// cloth.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -8,7 +9,7 @@
 
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 
-layout(binding = 0) uniform sampler2DArray velocity; // on low faces, component by component
+layout(binding = 0) uniform sampler2DArray velocity; // velocity components on the low faces of cells
 
 layout(scalar, binding = 1) writeonly buffer Flow
 {
@@ -37,7 +38,7 @@ void main()
         return;
     }
     vec3 own = vec3(component_at(ivec3(cell), 0), component_at(ivec3(cell), 1), component_at(ivec3(cell), 2));
-    mat3 cells_from_place = mat3(box.cells_from_place); // turns, and divides by the size of a cell
+    mat3 cells_from_place = mat3(box.cells_from_place); // rotates, and divides by the size of a cell
     vec3 speed = own * cells_from_place / length(cells_from_place[0]);
     flow[box.first + (cell.z * box.cells.y + cell.y) * box.cells.x + cell.x] = vec4(speed, 0.0);
 }

@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_CLOTH_FLOW
 #define ESTAMPE_CLOTH_FLOW
 
-// Air that a fluid moves, in boxes.
+// Velocity of air that a fluid simulates, in boxes.
 //
-// Wanted before: uniform samplerBuffer flow_texels, speeds in the middle of cells, box behind box.
+// Requires: uniform samplerBuffer flow_texels, the velocities in the middle of cells, one box after another.
 
 #include "techniques/cloth/cloth_data.glsl"
 
@@ -24,7 +24,7 @@ vec3 flow_speed(uint first, ivec3 cells, vec3 at)
     return speed;
 }
 
-// The speed in a place, where `outside` is that beyond the boxes. It goes over into that within two cells.
+// Air velocity at a place. `outside` is the velocity beyond the boxes. The two are blended over two cells.
 vec3 in_flows(vec3 place, vec3 outside)
 {
     vec3 speed = outside;

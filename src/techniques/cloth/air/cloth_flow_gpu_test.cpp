@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sheets in air that a fluid moves.
+// Cloth sheets in air that a fluid simulates.
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -13,9 +13,9 @@ namespace {
 constexpr glm::uvec3 cells{16, 24, 8};
 constexpr float cell_m = 0.25F;
 
-using Speed = std::function<glm::vec3(glm::vec3 at)>; ///< of a place in cells, along the grid's axes
+using Speed = std::function<glm::vec3(glm::vec3 at)>; ///< velocity at a place in cells, along the grid's axes
 
-/// A fluid's velocity as it keeps it: components on the low faces of cells.
+/// A fluid's velocity as the fluid stores it: components on the low faces of cells.
 gpu::Image stirred(const Speed& speed)
 {
     gpu::Image velocity(
@@ -35,7 +35,7 @@ gpu::Image stirred(const Speed& speed)
     return velocity;
 }
 
-/// A box whose middle is in a place, turned about y.
+/// A box of air around a centre, rotated about y.
 Flow box_about(glm::vec3 middle_m, float turn_rad)
 {
     glm::mat4 place_from_cells = glm::translate(glm::mat4(1.0F), middle_m);
@@ -76,7 +76,7 @@ constexpr glm::vec3 box_middle_m{0.4F, -0.5F, 0.2F};
 
 TEST(ClothFlow, EvenAirInABoxIsAsEvenWind)
 {
-    for (const uint32_t side : {12U, 33U}) { // both ways that sheets go
+    for (const uint32_t side : {12U, 33U}) { // a small sheet, and a large one
         const Sheet sheet = flag(side);
         const float turn_rad = 0.7F;
         Lab blown(sheet);
@@ -99,7 +99,7 @@ TEST(ClothFlow, EvenAirInABoxIsAsEvenWind)
 
 TEST(ClothFlow, IsReadWhereTheSheetIs)
 {
-    // Shear: what is high goes to +z, what is low to -z, and the middle stays.
+    // Shear: high particles move to +z, low ones to -z, and the middle does not move.
     const Sheet sheet = flag(12);
     Lab lab(sheet);
     lab.air.air_kg_m3 = 1.2F;
@@ -131,7 +131,7 @@ TEST(ClothFlow, WakesASheetThatRests)
 {
     Cloth cloth;
     cloth.damping_per_s = 12.0F;
-    for (const float self_m : {0.0F, 0.01F}) { // both ways that sheets go
+    for (const float self_m : {0.0F, 0.01F}) { // solved as a small sheet, and as a large one
         Sheet sheet = flag(9);
         sheet.held.assign(sheet.rest_m.size(), 0.0F);
         std::fill_n(sheet.held.begin(), 9, 1.0F);

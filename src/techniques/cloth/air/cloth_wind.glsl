@@ -2,11 +2,11 @@
 #ifndef ESTAMPE_CLOTH_WIND
 #define ESTAMPE_CLOTH_WIND
 
-// The open wind, and what it does to a face. Eddies: Bridson, Hourihan and Nordenstam, "Curl-Noise for
-// Procedural Fluid Flow", SIGGRAPH 2007, with the curl of a pair of potentials as the cross product of their
-// slopes.
+// The open wind, and the force of air on a face. Eddies: Bridson, Hourihan and Nordenstam, "Curl-Noise for
+// Procedural Fluid Flow", SIGGRAPH 2007. The curl of a pair of potentials is the cross product of their
+// gradients.
 //
-// Wanted before: run, sheet and variant of cloth_data.glsl.
+// Requires: run, sheet and variant of cloth_data.glsl.
 
 #include "shaders/hash.glsl"
 
@@ -15,7 +15,7 @@ float corner_value(ivec3 cell, uint seed)
     return 2.0f * unit_float(hash(uint(cell.x) ^ seed, uint(cell.y), uint(cell.z))) - 1.0f;
 }
 
-// Noise in [-1, 1], one feature a unit, in w; its slope in xyz.
+// Noise in [-1, 1] with one feature per unit, in w; the gradient of the noise in xyz.
 vec4 noise_and_slope(vec3 place, uint seed)
 {
     ivec3 cell = ivec3(floor(place));
@@ -38,7 +38,7 @@ vec4 noise_and_slope(vec3 place, uint seed)
                 du.z * mix(rise_row.x, rise_row.y, u.y), mix(row.x, row.y, u.y));
 }
 
-// Gusts go with the wind, and eddies go with it and turn over slowly.
+// The wind moves gusts and eddies along; eddies also change their shape slowly.
 vec3 open_wind_at(vec3 place, float time_s)
 {
     vec3 wind = run.wind_m_per_s;
@@ -53,8 +53,8 @@ vec3 open_wind_at(vec3 place, float time_s)
     return wind * (1.0f + run.gustiness * gust) + 0.5f * run.turbulence * speed_m_per_s * eddy;
 }
 
-// On a face of the area vector `area`, by air that comes with `relative`: pressure along its normal, and lift
-// across the flow.
+// Force on a face with the area vector `area` by air of the velocity `relative` to the face: pressure along
+// the face's normal, and lift across the flow.
 vec3 force_on(vec3 area, vec3 relative)
 {
     float area_m2 = length(area);

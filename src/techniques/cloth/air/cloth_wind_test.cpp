@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The wind's eddies and what air does to a face, as the shaders work them out.
+// The wind's eddies and the force of air on a face, as the shaders compute them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,9 +42,9 @@ TEST(ClothAir, LiftIsAcrossTheFlow)
         const double most_n = 0.5 * 1.2 * area_m2 * 0.8 * speed * speed;
         EXPECT_LE(glm::length(force - expected), 1e-3 * most_n);
         EXPECT_LE(std::abs(glm::dot(force, flow)), 1e-3 * most_n * speed);
-        EXPECT_GE(glm::dot(force, normal) * across, 0.0); // to the side that the air goes to
+        EXPECT_GE(glm::dot(force, normal) * across, 0.0); // to the side that the air flows to
         const glm::dvec3 turned_over(air::force_on(glm::vec3(-area_m2 * normal), glm::vec3(flow)));
-        EXPECT_LE(glm::length(force - turned_over), 1e-6 * most_n); // both sides are alike
+        EXPECT_LE(glm::length(force - turned_over), 1e-6 * most_n); // both sides feel equal forces
     }
 }
 
@@ -60,7 +60,7 @@ TEST(ClothAir, EddiesHaveNoSourcesAndNoDrift)
     glm::dvec3 sum(0.0);
     double squares = 0.0;
     double fastest_m_per_s = 0.0;
-    constexpr int side = 32; // places each way, a third of an eddy apart
+    constexpr int side = 32; // samples along each axis, a third of an eddy apart
     for (int i = 0; i < side * side * side; ++i) {
         const glm::dvec3 place = 0.41 * glm::dvec3(i % side, i / side % side, i / side / side);
         double divergence = 0.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread a particle of one colour: where its share of the energy is least while all others stand. Chen,
-// Liu, Yang and Yuksel, "Vertex Block Descent", SIGGRAPH 2024. No two of a colour are linked.
+// One thread per particle of one colour: moves the particle to the least energy while all other particles are
+// fixed. Chen, Liu, Yang and Yuksel, "Vertex Block Descent", SIGGRAPH 2024. No two particles of a colour are
+// linked.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -12,7 +13,7 @@ layout(local_size_x = 64) in;
 
 layout(scalar, binding = 12) readonly buffer Places
 {
-    vec4 places[]; // and inverse mass
+    vec4 places[]; // position and inverse mass
 };
 
 layout(scalar, binding = 13) readonly buffer Speeds
@@ -30,7 +31,7 @@ layout(scalar, binding = 15) buffer Predicted
     vec4 predicted[];
 };
 
-layout(binding = 16) uniform usamplerBuffer particle_texels; // by colours, each padded to whole workgroups
+layout(binding = 16) uniform usamplerBuffer particle_texels; // by colour; each colour is padded to groups
 
 layout(scalar, binding = 17) readonly buffer Awake
 {
@@ -60,8 +61,8 @@ uvec2 torn_of(uint local)
 vec3 force = vec3(0.0);
 mat3 hessian = mat3(0.0);
 
-// As link_pull() has it, with its whole stiffness. Of compressed springs what would make the matrix
-// indefinite is left out.
+// Like link_pull(), with the link's whole stiffness. For compressed springs, the terms that would make the
+// matrix indefinite are omitted.
 void add_link(vec3 towards, float rest_m, bool is_far, float compliance_m_n, float most_n_m)
 {
     float length_m = max(length(towards), 1e-9);

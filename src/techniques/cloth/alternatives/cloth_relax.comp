@@ -11,7 +11,7 @@ layout(local_size_x = 64) in;
 
 #include "techniques/cloth/solver/cloth_large.glsl"
 
-// As link_pull() has it. What links a knight's move away leave the others.
+// Like link_pull(). Links a knight's move away are omitted.
 float relaxed_pull(vec3 towards, float split_masses, float rest_m, bool is_far)
 {
     const float knights_share = 0.8;
@@ -21,7 +21,7 @@ float relaxed_pull(vec3 towards, float split_masses, float rest_m, bool is_far)
     return (length_m - rest_m) / (max(length_m, 1e-9) * give);
 }
 
-// To all 24 about it.
+// Sums over the 24 neighbours of a particle on the grid.
 vec3 relaxed_on_grid(uint local, vec4 own)
 {
     ivec2 size = ivec2(sheet.columns, sheet.rows);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The thesis's solver against mechanics.
+// The thesis's solver, tested against the laws of mechanics.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -11,7 +11,7 @@
 namespace estampe::cloth {
 namespace {
 
-/// By regular grids and by lists.
+/// One sheet solved as a regular grid, and one with lists of links.
 std::vector<Sheet> both_forms(const Sheet& sheet)
 {
     return {sheet, out_of_rank(sheet, 2e-3F)};
