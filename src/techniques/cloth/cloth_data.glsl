@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_CLOTH_DATA
 #define ESTAMPE_CLOTH_DATA
 
-// What all passes over cloth read. Those after it bind from 12 on.
+// Data that all passes over cloth read. The including shader binds its own data from binding 12 on.
 
 #include "techniques/cloth/cloth.glsl.h"
 
@@ -26,14 +26,14 @@ layout(scalar, binding = 1) uniform Run
 };
 
 layout(binding = 2) uniform usamplerBuffer link_texels; // ClothLink
-layout(binding = 3) uniform usamplerBuffer face_texels; // the other two corners, in order
+layout(binding = 3) uniform usamplerBuffer face_texels; // the two other corners, in order
 layout(binding = 4) uniform usamplerBuffer
-    tether_texels; // particle that is held, and how far from it at most
+    tether_texels; // held particle, and largest distance from it
 layout(binding = 5) uniform usamplerBuffer collider_texels;
-layout(binding = 6) uniform samplerBuffer target_before_texels; // where held particles are at the beginning
-layout(binding = 7) uniform samplerBuffer target_after_texels;  // of a run, and at its end; how much, last
+layout(binding = 6) uniform samplerBuffer target_before_texels; // targets of held particles at the beginning
+layout(binding = 7) uniform samplerBuffer target_after_texels;  // and the end of a run; w: how strongly held
 
-layout(binding = 9) uniform samplerBuffer grid_texels; // of heights or distances, each behind its head
+layout(binding = 9) uniform samplerBuffer grid_texels; // heights or distances, each grid after its head
 layout(binding = 10) uniform usamplerBuffer seen_before_texels; // of bodies at the beginning of a run, and at
 layout(binding = 11) uniform usamplerBuffer
     seen_after_texels; // its end: bits of floats, each behind its head
@@ -43,9 +43,9 @@ layout(scalar, binding = 8) readonly buffer SheetOfGroup
     uint sheet_of_group[];
 };
 
-ClothSheet sheet; // of this thread
+ClothSheet sheet; // the sheet of this thread
 
-// Of a lone one all numbers are the same for all threads, which need not keep them.
+// With a single sheet these values are uniform across threads, which saves registers.
 ClothSheet sheet_at(uint sheet_index)
 {
     if ((variant & cloth_bit_lone) != 0u) {
@@ -54,8 +54,8 @@ ClothSheet sheet_at(uint sheet_index)
     return sheets[sheet_index];
 }
 
-// The particle of a thread of 64, whose workgroup begins with `first`: of grids they take squares, so that
-// those of a group are near each other. None beyond the sheet.
+// The particle of a thread; the group of 64 threads starts at particle `first`. On grids, groups are squares,
+// so that the particles of a group are near each other. cloth_no_vertex beyond the sheet.
 uint own_particle(uint first)
 {
     uint thread = gl_LocalInvocationID.x;
@@ -68,18 +68,18 @@ uint own_particle(uint first)
     return all(lessThan(at, size)) ? at.y * size.x + at.x : cloth_no_vertex;
 }
 
-// Of a run, from 0 to 1.
+// Position of a small step in the run, from 0 to 1.
 float part_of_run(uint step, float steps)
 {
     return (float(step) + steps / float(run.small_steps)) / float(run.step_count);
 }
 
-// Where a particle is wanted that is held, and how much it is.
+// Target of a held particle; in w, how strongly the particle is held.
 vec4 target_of(uint local, float part)
 {
     vec4 before = texelFetch(target_before_texels, int(sheet.first + local));
     vec4 after = texelFetch(target_after_texels, int(sheet.first + local));
-    return before + part * (after - before); // what stands still does so to the bit
+    return before + part * (after - before); // a still target stays exact
 }
 
 float small_step_s()
@@ -87,7 +87,7 @@ float small_step_s()
     return run.step_s / float(run.small_steps);
 }
 
-// Where a particle goes by itself in a small step, or is put.
+// Predicted position of a free particle after a small step, or the target of a held one.
 vec3 foreseen(uint local, vec3 place, vec3 speed, vec3 push, float inverse_mass, float part)
 {
     if (inverse_mass == 0.0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What cloth promises: little stretch, nothing passed through, and no state it does not come back from.
+// Cloth stretches little, passes through nothing, and recovers from every state.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -13,7 +13,7 @@
 namespace estampe::cloth {
 namespace {
 
-/// Let go where it lies, held by two corners: sorted strains of its edges.
+/// Sorted strains of a sheet's edges after the sheet was released, held by two corners.
 std::vector<double> strained_by_hanging(uint32_t particles, std::optional<ClothSolver> solver = {})
 {
     Sheet sheet = lying_square(particles, 0.0F);
@@ -26,7 +26,7 @@ std::vector<double> strained_by_hanging(uint32_t particles, std::optional<ClothS
     return strains(sheet, lab.run(5.0));
 }
 
-/// Particles along a side: finer ones, which take most of a minute, with ESTAMPE_LONG.
+/// Particles along a side. ESTAMPE_LONG adds finer sheets, which take most of a minute.
 std::vector<uint32_t> finenesses()
 {
     if (std::getenv("ESTAMPE_LONG") != nullptr) {
@@ -53,12 +53,12 @@ TEST(Cloth, BlockDescentStretchesLittle)
 {
     const auto strained = strained_by_hanging(20, ClothSolver::block_descent);
     EXPECT_LE(percentile(strained, 0.99), 0.03);
-    EXPECT_LE(percentile(strained, 0.5), 0.005); // which tethers alone would not see to
+    EXPECT_LE(percentile(strained, 0.5), 0.005); // tethers alone would not achieve this
 }
 
 TEST(Cloth, BlockDescentAgreesWithSmallSteps)
 {
-    // A stiff strip clamped at one end droops as far, once as a grid and once as lists.
+    // A stiff strip, clamped at one end, droops equally as a grid and with lists of links.
     for (const bool is_grid : {true, false}) {
         std::array<double, 2> droop_m{};
         for (const bool descends : {false, true}) {
@@ -114,7 +114,7 @@ TEST(Cloth, LargeAndSmallWaysAgree)
     EXPECT_LE(glm::distance(lowest(32, 32), lowest(33, 32)), 0.02);
 }
 
-/// What becomes of a sheet that a hand pulls, that blows and that solids pass, by so many threads.
+/// State of a sheet that is pulled, blown and passed by solids, with this many threads.
 State blown(const Sheet& sheet, bool is_wide)
 {
     Lab lab(sheet);
@@ -197,11 +197,11 @@ TEST(Cloth, ThesisMethodHoldsWholeEdges)
     Lab lab(sheet);
     lab.cloths().set_solver(test::shared_device(), ClothSolver::verlet);
     for (const glm::dvec3& place : lab.run(1.0).places_m) {
-        ASSERT_LE(glm::length(place), 2.0); // nor is it no number
+        ASSERT_LE(glm::length(place), 2.0); // fails for NaN, too
     }
 }
 
-/// Whether a sheet stays where it lies on a slope.
+/// Whether friction holds a sheet on a slope.
 bool sticks(float slope_deg, float friction)
 {
     const float slope_rad = slope_deg * std::numbers::pi_v<float> / 180.0F;
@@ -245,7 +245,7 @@ TEST(Cloth, BallPushedThroughIsNeverWithin)
 
 TEST(Cloth, ThinSolidsStopItAtTenMetresASecond)
 {
-    Sheet sheet = lying_square(12, 5.2F, {.damping_per_s = 0.0F}); // 10 m/s when it arrives
+    Sheet sheet = lying_square(12, 5.2F, {.damping_per_s = 0.0F}); // falls at 10 m/s on arrival
     Lab lab(sheet);
     const std::array solids{
         Solid{.kind = SolidKind::box, .half_m = {2.0F, 0.004F, 2.0F}},

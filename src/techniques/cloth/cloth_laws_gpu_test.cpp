@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What cloth owes to mechanics.
+// Cloth against the laws of mechanics.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -12,7 +12,7 @@
 namespace estampe::cloth {
 namespace {
 
-/// A thread of so many points along x, held at both ends where `held_last`, and at the first anyway.
+/// A thread of particles along x, held at the first and, if `held_last`, at the last.
 Sheet thread_of(uint32_t points, float length_m, float compliance_m_n, bool held_last)
 {
     Sheet sheet{.cloth = {.damping_per_s = 0.0F}};
@@ -65,7 +65,7 @@ TEST(ClothLaws, FreeSheetFalls)
     }
 }
 
-/// How far a soft thread hangs down at its free end in the end.
+/// How far the free end of a soft hanging thread sinks.
 double extension_m(ClothSolver solver, float effort, float step_s, double seconds)
 {
     constexpr float compliance_m_n = 8.0F / 16.0F; // EA 2 N of a metre
@@ -74,7 +74,7 @@ double extension_m(ClothSolver solver, float effort, float step_s, double second
         place = {0.0F, -place.x, 0.0F};
     }
     sheet.held.assign(sheet.held.size(), 0.0F);
-    sheet.held[0] = 0.9999F; // without tethers, which would keep it from becoming longer
+    sheet.held[0] = 0.9999F; // avoids tethers, which would limit the length
     sheet.masses_kg[0] = 1e6F;
     sheet.cloth.damping_per_s = 6.0F;
     Lab lab(sheet);
@@ -87,9 +87,9 @@ double extension_m(ClothSolver solver, float effort, float step_s, double second
 
 TEST(ClothLaws, StiffnessDoesNotHangOnSteps)
 {
-    // rho g L^2 / (2 EA), with half a spacing's mass at the free end: the same to second order.
+    // rho g L^2 / (2 EA), with the mass of half a spacing at the free end: equal to second order.
     constexpr double mass_kg = 0.1;
-    constexpr double compliance_1_n = 16.0 * (8.0 / 16.0) / 16.0 * 2.0; // of a metre
+    constexpr double compliance_1_n = 16.0 * (8.0 / 16.0) / 16.0 * 2.0; // of a length of one metre
     const double exact_m = 0.5 * mass_kg * gravity_m_s2 * compliance_1_n;
     for (const ClothSolver solver : {ClothSolver::small_steps, ClothSolver::block_descent}) {
         const double seconds = solver == ClothSolver::small_steps ? 4.0 : 2.0;
@@ -197,10 +197,10 @@ TEST(ClothLaws, HoursLeaveItAsItWas)
     for (int minute = 0; minute < minutes; ++minute) {
         const State state = lab.run(60.0);
         for (size_t i = 0; i < state.places_m.size(); ++i) {
-            ASSERT_LE(glm::distance(state.places_m[i], glm::dvec3(0.0)), 1.5) << minute; // no number is not
+            ASSERT_LE(glm::distance(state.places_m[i], glm::dvec3(0.0)), 1.5) << minute; // fails for NaN, too
             ASSERT_LE(glm::length(state.speeds_m_per_s[i]), 30.0) << minute;
         }
-        ASSERT_LE(strains(sheet, state).back(), 0.25) << minute; // so coarse, a gale stretches it
+        ASSERT_LE(strains(sheet, state).back(), 0.25) << minute; // a gale stretches so coarse a sheet
     }
 }
 
@@ -209,7 +209,7 @@ TEST(ClothLaws, FallingSheetReachesItsTerminalSpeed)
     for (const bool is_grid : {true, false}) {
         Sheet sheet = lying_square(9, 0.0F, {.drag = 1.3F, .lift = 0.0F, .damping_per_s = 0.0F});
         if (!is_grid) {
-            for (glm::vec3& place : sheet.rest_m) { // no grid, and as flat
+            for (glm::vec3& place : sheet.rest_m) { // makes it no grid, but leaves it flat
                 place.x += 0.02F * std::sin(9.0F * place.z);
             }
         }
@@ -227,7 +227,7 @@ TEST(ClothLaws, FallingSheetReachesItsTerminalSpeed)
 
 TEST(ClothLaws, BothFormsBendAlike)
 {
-    // A strip clamped at one end droops as far whether its neighbours are a grid's or come in lists.
+    // A strip, clamped at one end, droops equally as a grid and with lists of links.
     std::array<double, 2> droop_m{};
     for (const bool is_grid : {true, false}) {
         Sheet sheet = grid_sheet({25, 7}, {0.0F, 0.0F, 0.0F}, {0.4F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.1F},
@@ -244,7 +244,7 @@ TEST(ClothLaws, BothFormsBendAlike)
         const State state = lab.run(4.0);
         droop_m.at(is_grid ? 0 : 1) = -state.places_m[25 * 3 + 24].y;
     }
-    // A beam of length l and load q: q l^4 / (8 D).
+    // Tip deflection of a beam of length l under the uniform load q: q l^4 / (8 D).
     const double length_m = 0.4 * 23.0 / 24.0;
     const double small_m = 0.15 * gravity_m_s2 * std::pow(length_m, 4.0) / (8.0 * 5e-3);
     EXPECT_LT(droop_m[0], small_m);

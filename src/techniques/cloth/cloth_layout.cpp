@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How sheets lie on the device.
+// Memory layout of sheets on the device.
 #include <algorithm>
 #include <map>
 #include <stdexcept>
@@ -19,7 +19,7 @@ uint32_t whole_groups(size_t count)
     return (static_cast<uint32_t>(count) + group - 1) / group;
 }
 
-/// Lists of one sheet behind those of the others, padded.
+/// Appends the padded lists of one sheet to those of the other sheets.
 template <class Item>
 uint32_t append(std::vector<Item>& all, const Lists<Item>& lists, uint32_t count, uint32_t stride)
 {
@@ -177,12 +177,12 @@ bool Cloths::is_small(size_t sheet) const
 {
     return solver_of(sheet).takes_small_sheets && (variant_of(sheet) & ~shared::cloth_bit_grid) == 0 &&
            records_[sheet].count <= shared::cloth_small_sheet &&
-           records_[sheet].columns <= shared::cloth_small_group; // a thread has part of one
+           records_[sheet].columns <= shared::cloth_small_group; // one thread has particles of one column
 }
 
 void Cloths::group_sheets(gpu::Device& device)
 {
-    std::vector<uint32_t> groups; // sheet and first particle, two by two; of small sheets the sheet alone
+    std::vector<uint32_t> groups; // pairs of sheet and first particle; for small sheets only the sheet
     const auto append_in_order = [&](uint32_t sheet) {
         for (uint32_t first = 0; first < records_[sheet].count; first += shared::cloth_group) {
             groups.insert(groups.end(), {sheet, first});

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a style says of cloth.
+// The cloth settings of a style.
 
 #include "style/parameter.hpp"
 
 namespace estampe::cloth {
 
-/// What skinned bodies are to cloth.
+/// How sheets collide with skinned bodies.
 enum class ClothBodies : uint8_t { capsules, depth };
 
-/// How cloth is worked out.
+/// How cloth is simulated.
 struct ClothStyle {
     float settle_s = 3.0F;
     float effort = 1.0F;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a particle: where it is wanted at the end of the next run, which is where its vertex was posed.
+// One thread per particle: the target at the end of the next run is the posed position of the particle's
+// vertex.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Sheets that tests move and look at.
+// Sheets that tests simulate and inspect.
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +20,10 @@ inline constexpr double gravity_m_s2 = 9.81;
 struct State {
     std::vector<glm::dvec3> places_m;
     std::vector<glm::dvec3> speeds_m_per_s;
-    float calm_s = 0.0F; ///< how long all of it has been
+    float calm_s = 0.0F; ///< how long all particles have been calm
 };
 
-/// One sheet, on the tests' device.
+/// One sheet on the tests' device.
 class Lab {
 public:
     explicit Lab(const Sheet& sheet) : sheet_(sheet), cloths_(test::shared_device(), {&sheet_, 1}) {}
@@ -32,7 +32,7 @@ public:
 
     [[nodiscard]] const Sheet& sheet() const { return sheet_; }
 
-    Surroundings air{.air_kg_m3 = 0.0F}; ///< there is none unless a test wants some
+    Surroundings air{.air_kg_m3 = 0.0F}; ///< no air unless a test sets some
     std::function<void(gpu::Graph&, Cloths::Handles&)>
         at_first; ///< passes before the steps of the first graph of a run, once
 
@@ -63,7 +63,7 @@ public:
         return read(graph, handles);
     }
 
-    /// Moves what is held.
+    /// Moves the held particles.
     void move_to(const std::function<glm::vec3(glm::vec3)>& place)
     {
         std::vector<glm::vec3> targets;
@@ -99,14 +99,14 @@ private:
     return sheet;
 }
 
-/// The same square lying at a height, about the y axis.
+/// A horizontal sheet of one square metre at a height, centred on the y axis.
 [[nodiscard]] inline Sheet lying_square(uint32_t particles, float height_m, const Cloth& cloth = {})
 {
     return grid_sheet(glm::uvec2(particles), {-0.5F, height_m, -0.5F}, {0.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 0.0F},
                       cloth);
 }
 
-/// A sheet whose particles stand a little out of rank: no grid, the same cloth.
+/// A sheet with particles slightly displaced, so that it is no grid but nearly equal cloth.
 [[nodiscard]] inline Sheet out_of_rank(Sheet sheet, float shift_m)
 {
     for (size_t i = 0; i < sheet.rest_m.size(); ++i) {
@@ -116,7 +116,7 @@ private:
     return sheet;
 }
 
-/// How much longer, or shorter, edges are than at rest: sorted.
+/// Relative change of the length of edges against the rest length, sorted.
 [[nodiscard]] inline std::vector<double> strains(const Sheet& sheet, const State& state)
 {
     std::vector<double> result;

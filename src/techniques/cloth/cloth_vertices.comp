@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a vertex that is drawn: where its particle is, and the normal there.
+// One thread per drawn vertex: the position of the vertex's particle, and the normal there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -18,7 +18,7 @@
 namespace estampe::cloth {
 namespace {
 
-constexpr size_t most_groups = 16; // of held particles; where there are more, all are taken for one
+constexpr size_t most_groups = 16; // of held particles; more groups are merged into one
 
 using Neighbours = std::span<const std::vector<uint32_t>>;
 
@@ -50,12 +50,12 @@ std::vector<std::vector<uint32_t>> groups_of_held(const Sheet& sheet, Neighbours
     return groups;
 }
 
-/// The nearest particle of a group from each particle, along the sheet.
+/// For each particle, the nearest particle of a group along the sheet.
 std::vector<Tether> nearest_of(const Sheet& sheet, bool is_flat, Neighbours neighbours,
                                const std::vector<uint32_t>& group)
 {
     constexpr float infinity = std::numeric_limits<float>::infinity();
-    // A way from particle to particle is that much longer than the straight one at most, on a regular sheet.
+    // On a regular sheet, largest ratio of a path along particles to the straight distance.
     constexpr float detour = 1.09F;
     std::vector<Tether> nearest(sheet.rest_m.size(), {.most_m = infinity});
     using Reached = std::pair<float, uint32_t>;
@@ -90,8 +90,7 @@ std::vector<Tether> nearest_of(const Sheet& sheet, bool is_flat, Neighbours neig
     return nearest;
 }
 
-/// Up to four a particle, each to another group of held particles that hang together; of none more than zero
-/// long.
+/// Up to four tethers per particle, each to a different connected group of held particles.
 Lists<Tether> build_tethers(const Sheet& sheet, const std::optional<GridForm>& grid, Neighbours neighbours)
 {
     const auto groups = groups_of_held(sheet, neighbours);
@@ -118,15 +117,15 @@ Lists<Tether> build_tethers(const Sheet& sheet, const std::optional<GridForm>& g
 // Bending: Bergou, Wardetzky, Harmon, Zorin and Grinspun, "A Quadratic Bending Model for Inextensible
 // Surfaces", SGP 2006.
 
-constexpr size_t most_edges = 64;        // that meet at a particle
+constexpr size_t most_edges = 64;        // largest number at a particle
 constexpr float tether_slack = 1.003F;   // so that tethers and links do not fight
-constexpr float mean_of_fourth = 0.375F; // of a cosine, over all directions
+constexpr float mean_of_fourth = 0.375F; // mean over all directions of the cosine's fourth power
 
 struct Pair {
     bool is_far = false;
     float rest_m = 0.0F;
     float bending = 0.0F;
-    std::optional<float> compliance_m_n; ///< else by the cloth
+    std::optional<float> compliance_m_n; ///< if not set, the cloth's compliance is used
 };
 
 using Pairs = std::map<std::pair<uint32_t, uint32_t>, Pair>;
@@ -189,7 +188,7 @@ std::vector<float> masses_of(const Sheet& sheet, const std::vector<float>& areas
         for (const float area : areas) {
             masses.push_back(sheet.cloth.density_kg_m2 * area);
         }
-        // What belongs to no face still has to have some.
+        // A particle without faces still needs a mass.
         const float most = *std::ranges::max_element(masses);
         for (float& mass : masses) {
             mass = std::max(mass, 1e-3F * most);
@@ -209,7 +208,7 @@ float cotangent(const glm::vec3& a, const glm::vec3& b)
     return glm::dot(a, b) / std::max(glm::length(glm::cross(a, b)), 1e-12F);
 }
 
-/// Two triangles that meet at the edge from 0 to 1, with the corners 2 and 3 beside it.
+/// Two triangles with the common edge from 0 to 1; their other corners are 2 and 3.
 void add_hinge(Pairs& pairs, const Sheet& sheet, const std::array<uint32_t, 4>& corners)
 {
     const auto place = [&](size_t i) { return sheet.rest_m[corners.at(i)]; };
@@ -233,7 +232,7 @@ void add_hinge(Pairs& pairs, const Sheet& sheet, const std::array<uint32_t, 4>& 
 
 void add_edges(Pairs& pairs, const Sheet& sheet)
 {
-    std::map<std::pair<uint32_t, uint32_t>, std::array<uint32_t, 2>> beside; // an edge
+    std::map<std::pair<uint32_t, uint32_t>, std::array<uint32_t, 2>> beside; // per edge
     const auto join = [&](uint32_t a, uint32_t b) {
         pairs.try_emplace(ordered(a, b), Pair{.rest_m = glm::distance(sheet.rest_m[a], sheet.rest_m[b])});
     };
@@ -278,7 +277,7 @@ std::vector<std::vector<uint32_t>> neighbours_of(size_t count, const Pairs& pair
     return neighbours;
 }
 
-/// Those that lie straight behind a neighbour.
+/// Particles straight behind a neighbour.
 void add_straight_on(Pairs& pairs, const Sheet& sheet, const std::vector<std::vector<uint32_t>>& neighbours)
 {
     constexpr float straight = 0.85F; // cosine
@@ -404,7 +403,7 @@ std::vector<std::vector<uint32_t>> neighbours_on_grid(const GridForm& grid)
     return neighbours;
 }
 
-/// Of a grid those three apart each way, as links reach two.
+/// On a grid also particles three apart each way, because links reach two.
 std::vector<std::vector<uint32_t>> colours_of_grid(const GridForm& grid)
 {
     constexpr uint32_t apart = 3;
@@ -416,7 +415,7 @@ std::vector<std::vector<uint32_t>> colours_of_grid(const GridForm& grid)
     return colours;
 }
 
-/// Each gets the first that none of those it is linked to has.
+/// Each particle gets the first colour that no linked particle has.
 std::vector<std::vector<uint32_t>> colours_of_lists(const Lists<shared::ClothLink>& links, size_t count)
 {
     std::vector<std::vector<uint32_t>> colours;

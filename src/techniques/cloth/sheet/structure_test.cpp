@@ -52,7 +52,7 @@ TEST(ClothStructure, GridsAreFoundOut)
     Sheet bent = sheet;
     bent.rest_m[12].y += 0.01F;
     EXPECT_FALSE(grid_form(bent));
-    sheet.triangles.pop_back(); // a hole
+    sheet.triangles.pop_back(); // makes a hole
     EXPECT_FALSE(grid_form(sheet));
 }
 
@@ -78,13 +78,13 @@ TEST(ClothStructure, TethersReachAlongTheSheet)
                 const Tether& tether = tethers.items[k * hung.rest_m.size() + i];
                 const float straight_m = glm::distance(hung.rest_m[i], hung.rest_m[tether.held]);
                 EXPECT_GE(tether.most_m, 1.003F * straight_m - 1e-4F);
-                // Within an edge or two a way from particle to particle may be a detour.
+                // Over one or two edges, a path along particles may be a detour.
                 EXPECT_LE(tether.most_m, 1.003F * straight_m + (straight_m < 0.25F ? 0.06F : 1e-4F));
             }
         }
     };
     check(sheet);
-    for (glm::vec3& place : sheet.rest_m) { // no grid any more
+    for (glm::vec3& place : sheet.rest_m) { // makes it no grid
         place.x += 0.004F * std::sin(30.0F * place.y);
     }
     check(sheet);
@@ -103,7 +103,7 @@ TEST(ClothStructure, WhatMayTearHangsByItsLinksAlone)
     EXPECT_EQ(grid.tethers.width, 0U);
     EXPECT_EQ(link_bit(grid, 6, 7), 13U);
     EXPECT_EQ(link_bit(grid, 6, 2), 8U);
-    sheet.rest_m[12] += glm::vec3(0.01F, 0.0F, 0.0F); // no grid any more
+    sheet.rest_m[12] += glm::vec3(0.01F, 0.0F, 0.0F); // makes it no grid
     const Structure lists = build_structure(sheet);
     EXPECT_EQ(lists.links.items[link_bit(lists, 6, 7) * 25 + 6].other, 7U);
     EXPECT_THROW(static_cast<void>(link_bit(lists, 0, 24)), std::logic_error);
@@ -111,17 +111,18 @@ TEST(ClothStructure, WhatMayTearHangsByItsLinksAlone)
 
 TEST(ClothStructure, TethersGoRoundHoles)
 {
-    // An L: from the end of one arm to that of the other it is longer than straight across.
+    // In an L-shaped sheet, the distance between the ends of both arms is longer along the sheet than
+    // straight.
     Sheet sheet = square(17);
     std::erase_if(sheet.triangles, [](const glm::uvec3& triangle) {
         return triangle.x % 17 >= 4 && triangle.x / 17 >= 4 && triangle.y / 17 >= 4 && triangle.y % 17 >= 4 &&
                triangle.z % 17 >= 4 && triangle.z / 17 >= 4;
     });
     sheet.held.assign(sheet.rest_m.size(), 0.0F);
-    sheet.held[16] = 1.0F; // the end of the upper arm
+    sheet.held[16] = 1.0F; // end of the upper arm
     const auto tethers = build_structure(sheet).tethers;
-    const Tether& far = tethers.items[17 * 16]; // of the lower
-    EXPECT_GT(far.most_m, 1.45F);               // straight across it would be 1.41
+    const Tether& far = tethers.items[17 * 16]; // from the end of the lower arm
+    EXPECT_GT(far.most_m, 1.45F);               // the straight distance would be 1.41
 }
 
 /// Twice the bending energy of rigidity 1.
@@ -135,7 +136,7 @@ double energy(const Sheet& sheet, const std::function<glm::dvec3(glm::dvec3)>& b
             const shared::ClothLink& link = structure.links.items[k * count + i];
             if (link.rest_m != 0.0F) {
                 const glm::dvec3 way = bent(sheet.rest_m[link.other]) - bent(sheet.rest_m[i]);
-                sum += 0.5 * static_cast<double>(link.bending) * glm::dot(way, way); // each link is met twice
+                sum += 0.5 * static_cast<double>(link.bending) * glm::dot(way, way); // each link occurs twice
             }
         }
     }
@@ -145,7 +146,7 @@ double energy(const Sheet& sheet, const std::function<glm::dvec3(glm::dvec3)>& b
 TEST(ClothStructure, BendingEnergyIsThatOfAPlate)
 {
     Sheet sheet = square(33);
-    sheet.triangles.resize(sheet.triangles.size() - 2); // less a corner it has lists
+    sheet.triangles.resize(sheet.triangles.size() - 2); // without a corner it is no grid
     constexpr double curvature = 0.7;
     const double bent = energy(sheet, [](glm::dvec3 place) {
         return glm::dvec3(std::sin(curvature * place.x) / curvature, place.y,
@@ -184,7 +185,7 @@ TEST(ClothStructure, NoTwoOfAColourAreLinked)
             }
         }
     }
-    sheet.triangles.pop_back(); // no grid any more
+    sheet.triangles.pop_back(); // makes it no grid
     const Structure lists = build_structure(sheet);
     const auto of_lists = check_all(lists, sheet.rest_m.size());
     EXPECT_LE(lists.colours.size(), 20U);
@@ -223,7 +224,7 @@ TEST(ClothStructure, BadSheetsAreErrors)
         sheet.cloth.tear = tear;
         EXPECT_THROW(static_cast<void>(build_structure(sheet)), Error) << tear;
     }
-    Sheet disc{.rest_m = {glm::vec3(0.0F)}}; // whose middle has 40 edges and more links on beyond them
+    Sheet disc{.rest_m = {glm::vec3(0.0F)}}; // 40 edges at its middle, and links to particles beyond
     for (uint32_t i = 0; i < 40; ++i) {
         const glm::vec3 way{std::cos(0.157F * static_cast<float>(i)),
                             std::sin(0.157F * static_cast<float>(i)), 0.0F};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What bodies promise that are seen from the front and the back.
+// Collisions with bodies that are known by their front and back surfaces.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -13,9 +13,9 @@
 namespace estampe::cloth {
 namespace {
 
-constexpr uint32_t nodes = 97; // each way
+constexpr uint32_t nodes = 97; // per axis
 
-/// A ball of radius 1 in triangles.
+/// A sphere of radius 1 as triangles.
 struct Globe {
     std::vector<glm::vec3> positions;
     Body body{.nodes = glm::uvec2(nodes)};
@@ -44,7 +44,7 @@ Globe globe()
     return globe;
 }
 
-/// An ellipsoid in a lab, as the mesh that it is.
+/// An ellipsoid in a lab, given as a mesh.
 class SeenGlobe {
 public:
     SeenGlobe(Lab& lab, glm::vec3 radii_m) : lab_(lab), radii_m_(radii_m)
@@ -52,7 +52,7 @@ public:
         lab_.cloths().set_bodies(test::shared_device(), {&globe_.body, 1});
     }
 
-    glm::vec3 spare_m{0.0F}; ///< about the mesh, for it to move in
+    glm::vec3 spare_m{0.0F}; ///< room around the mesh for its motion
 
     [[nodiscard]] Solid solid(glm::vec3 centre_m, glm::quat rotation) const
     {
@@ -62,7 +62,7 @@ public:
                 .rotation = rotation};
     }
 
-    /// Where it is at the end of the next run; `others` come behind it.
+    /// Sets its place at the end of the next run; the solids `others` follow it.
     void go_to(glm::vec3 centre_m, glm::quat rotation = {1.0F, 0.0F, 0.0F, 0.0F},
                glm::vec3 mesh_way_m = glm::vec3(0.0F))
     {
@@ -77,7 +77,7 @@ public:
         };
     }
 
-    /// The front and the back of each node, and how far within the outline it is.
+    /// The front and the back at each node, and the node's distance inside the outline.
     [[nodiscard]] std::vector<glm::vec3> seen()
     {
         gpu::Graph graph;
@@ -125,7 +125,7 @@ TEST(ClothBodies, AnEllipsoidHasItsFrontAndItsBack)
             off_outline_m = std::max(off_outline_m, std::abs(left / glm::length(slope) - double{ends[i].z}));
         }
     }
-    EXPECT_LE(farthest_m, 1e-3); // of chords of 96 a turn
+    EXPECT_LE(farthest_m, 1e-3); // error of a circle of 96 chords
     EXPECT_LE(off_outline_m, texel_m);
 }
 
@@ -162,7 +162,7 @@ TEST(ClothBodies, ABallThatIsSeenIsLainOnAsABall)
     EXPECT_LE(apart_m, 0.02);
 }
 
-/// How deep a hanging sheet comes into a ball that goes along and comes back.
+/// Largest depth of a hanging sheet's particles in a ball that moves forth and back.
 double deepest_m(glm::vec3 way_m, bool solid_stays, uint32_t side = 20)
 {
     constexpr float radius_m = 0.2F;
@@ -190,9 +190,9 @@ double deepest_m(glm::vec3 way_m, bool solid_stays, uint32_t side = 20)
 
 TEST(ClothBodies, WhatMovesIsNotEntered)
 {
-    for (const uint32_t side : {20U, 40U}) { // both ways that sheets go
+    for (const uint32_t side : {20U, 40U}) { // a small sheet, and a large one
         for (const bool solid_stays : {false, true}) {
-            EXPECT_LE(deepest_m({0.0F, 0.0F, -1.2F}, solid_stays, side), 1e-3); // up to 1.9 m/s
+            EXPECT_LE(deepest_m({0.0F, 0.0F, -1.2F}, solid_stays, side), 1e-3); // at up to 1.9 m/s
             EXPECT_LE(deepest_m({0.3F, 0.0F, -0.6F}, solid_stays, side), 1e-3);
         }
     }
@@ -200,7 +200,7 @@ TEST(ClothBodies, WhatMovesIsNotEntered)
 
 enum class Way { as_ellipsoid, with_solid, by_itself };
 
-/// A sheet on a flat body that goes along z.
+/// A sheet on a flat body that moves along z.
 State carried(Way way)
 {
     const bool solid_stays = way == Way::by_itself;
@@ -236,13 +236,13 @@ double middle_z_m(const State& state)
 
 TEST(ClothBodies, WhatMovesCarriesWhatLiesOnIt)
 {
-    // It lies where the body is seen edge-on, and slides more than on the ellipsoid itself.
+    // The sheet lies where the body is seen edge-on, and slides more than on the exact ellipsoid.
     const double most_m = middle_z_m(carried(Way::as_ellipsoid));
     const State by_itself = carried(Way::by_itself);
     EXPECT_NEAR(most_m, 0.3, 0.02);
     EXPECT_GT(middle_z_m(by_itself), 0.5 * most_m);
     EXPECT_NEAR(middle_z_m(by_itself), middle_z_m(carried(Way::with_solid)), 0.01);
-    EXPECT_TRUE(carried(Way::by_itself).places_m == by_itself.places_m); // to the byte
+    EXPECT_TRUE(carried(Way::by_itself).places_m == by_itself.places_m); // bit-identical
 }
 
 } // namespace

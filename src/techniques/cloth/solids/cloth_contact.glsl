@@ -2,10 +2,10 @@
 #ifndef ESTAMPE_CLOTH_CONTACT
 #define ESTAMPE_CLOTH_CONTACT
 
-// What particles run into.
+// Collision of particles with solids.
 //
-// Wanted before: vec4 met_ball(), a ball that a particle will hardly leave in this step, and uint
-// met_solids(uint word), which of 32 solids come near it meanwhile, a bit each.
+// Requires: vec4 met_ball(), a ball that a particle will hardly leave in this step, and uint met_solids(uint
+// word), one bit for each of 32 solids that come near this ball during the step.
 
 #include "techniques/cloth/cloth_data.glsl"
 #include "techniques/cloth/solids/cloth_met.glsl"
@@ -24,8 +24,9 @@ vec3 pushed_out(uint kind, vec3 half_m, vec3 place)
     return place;
 }
 
-// The way from `from` to `to` ends, or goes on along the surface, where it meets what is solid. All in the
-// collider's own space, so that it may move meanwhile. `is_stopped` tells whether it is not as it was.
+// Moves a particle from `from` to `to`, and stops it at the solid's surface or lets it slide along the
+// surface. Both places are in the space of the collider, so the collider may move. `is_stopped` tells whether
+// the result differs from `to`.
 vec3 stopped(uint kind, vec3 half_m, vec3 from, vec3 to, out bool is_stopped)
 {
     float way_m = distance(from, to);
@@ -47,7 +48,7 @@ vec3 stopped(uint kind, vec3 half_m, vec3 from, vec3 to, out bool is_stopped)
     float along_m = length(along);
     float kept = along_m > 0.0 ? max(1.0 - sheet.friction * depth_m / along_m, 0.0) : 1.0;
     vec3 end = meets ? from + way + (kept - 1.0) * along : to;
-    // Of heights, distances and bodies it is not known exactly how far the surface is.
+    // The distance to the surface is not exact for heights, distances and bodies.
     bool is_pushed = meets || (variant & (cloth_bit_grids | cloth_bit_seen)) != 0u;
     vec3 beside = is_pushed ? pushed_out(kind, half_m, end) : end;
     is_stopped = meets || beside != end;
@@ -59,7 +60,7 @@ vec4 turn_between(vec4 before, vec4 after, float part)
     return normalize(before + part * (after - before));
 }
 
-// Where a particle comes to that moves from `from` to `to` between two parts of a run, beside one solid.
+// End of a particle's way from `from` to `to` between two parts of a run, after collision with one solid.
 vec3 beside_collider(uint i, vec3 from, vec3 to, float begin, float end)
 {
     int before = 3 * int(i);
@@ -67,7 +68,7 @@ vec3 beside_collider(uint i, vec3 from, vec3 to, float begin, float end)
     vec3 centre_before = uintBitsToFloat(texelFetch(collider_texels, before).xyz);
     uvec4 place_after = texelFetch(collider_texels, after);
     vec3 centre_after = uintBitsToFloat(place_after.xyz);
-    vec4 size = uintBitsToFloat(texelFetch(collider_texels, after + 2)); // and reach
+    vec4 size = uintBitsToFloat(texelFetch(collider_texels, after + 2)); // size, and reach in w
     vec3 centre_way = centre_after - centre_before;                      // 0 of what stands still, to the bit
     vec3 from_there = from - (centre_before + begin * centre_way);
     vec3 centre_m = centre_before + end * centre_way;
@@ -95,8 +96,8 @@ vec3 beside_collider(uint i, vec3 from, vec3 to, float begin, float end)
     return is_stopped ? centre_m + turned(rotation, own_end) : to;
 }
 
-// Beside all, one after the other. As long as it keeps within the ball those that do not come near that are
-// left out; from where it leaves it on, none is.
+// Collides with all solids, one after another. While the particle is inside the ball, solids that do not come
+// near the ball are skipped; once the particle leaves the ball, no solid is skipped.
 vec3 beside_colliders(vec3 from, vec3 to, float begin, float end)
 {
     vec4 ball = met_ball();

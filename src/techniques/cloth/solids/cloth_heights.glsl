@@ -2,29 +2,29 @@
 #ifndef ESTAMPE_CLOTH_HEIGHTS
 #define ESTAMPE_CLOTH_HEIGHTS
 
-// Heights on a grid in x and z, as cloth_solids.glsl has solids. Unit tests compile it as C++.
+// Heights on a grid in x and z, as a solid of cloth_solids.glsl. Unit tests compile this file as C++.
 //
-// Wanted before: float grid_number(int at), and constants of cloth.glsl.h.
+// Requires: float grid_number(int at), and constants of cloth.glsl.h.
 
 ivec3 grid_nodes(int first)
 {
     return ivec3(grid_number(first), grid_number(first + 1), grid_number(first + 2));
 }
 
-// A place in a grid of half sides `half_m`, in cells from its first node.
+// Converts a place to cells from the first node of a grid with the half sides `half_m`.
 vec3 in_cells(vec3 place, vec3 half_m, ivec3 nodes)
 {
     return clamp(0.5f + 0.5f * place / half_m, vec3(0.0f), vec3(1.0f)) * vec3(nodes - 1);
 }
 
-// The cell below a place; of two the one that goes on from there.
+// The cell below a place. On the border of two cells, the cell that starts there.
 ivec2 cell_below(vec3 place, vec3 half_m, ivec3 nodes)
 {
     vec3 at = in_cells(place, half_m, nodes);
     return min(ivec2(at.x, at.z), ivec2(nodes.x, nodes.z) - 2);
 }
 
-// Heights of a cell's corners, x by x.
+// Heights of a cell's corners; x varies fastest.
 vec4 heights_about(int first, ivec3 nodes, ivec2 cell)
 {
     int corner = first + int(cloth_grid_head) + cell.y * nodes.x + cell.x;
@@ -32,7 +32,7 @@ vec4 heights_about(int first, ivec3 nodes, ivec2 cell)
                 grid_number(corner + nodes.x + 1));
 }
 
-// By how much heights that rise so much from cell to cell rise in a metre.
+// Slope per metre of heights with these differences between neighbouring nodes.
 vec2 slope_of(vec2 rises, vec3 half_m, ivec3 nodes)
 {
     return rises * vec2(nodes.x - 1, nodes.z - 1) / (2.0f * vec2(half_m.x, half_m.z));
@@ -54,13 +54,13 @@ vec4 heights_at(int first, vec3 half_m, vec3 place)
     return vec4(normal, (place.y - mix(along.x, along.y, f.x)) * normal.y);
 }
 
-// Whether heights are so far below a ball that no way within it meets them: everywhere in it heights_at()
-// tells of more than the longest way, and of `near_m` besides. That goes by the cell that a place is above,
-// no part of which is higher or steeper than its corners and sides are. So all cells below the ball are
-// asked, if they are few.
+// Whether heights are so far below a ball that no way inside the ball reaches them. This holds if
+// heights_at() is more than the longest way plus `near_m` everywhere in the ball. heights_at() depends on the
+// cell below the place, and no part of a cell is higher than its corners or steeper than its sides. So all
+// cells below the ball are tested, if they are few.
 bool are_far_below(int first, vec3 half_m, vec4 ball, float near_m)
 {
-    const int most_cells = 8; // each way
+    const int most_cells = 8; // along each axis
     ivec3 nodes = grid_nodes(first);
     ivec2 low = cell_below(vec3(ball) - ball.w, half_m, nodes);
     ivec2 high = cell_below(vec3(ball) + ball.w, half_m, nodes);

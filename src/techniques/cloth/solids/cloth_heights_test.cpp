@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is far above heights, as the shaders find it out.
+// The test for places far above heights, as the shaders compute it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,10 +33,10 @@ namespace {
 
 constexpr glm::uvec2 nodes(33, 25);
 constexpr glm::vec3 half_m(4.0F, 1.0F, 2.4F); // cells of 25 and 20 cm
-constexpr float steps_m = 0.12F;              // from node to node at most, but for a cliff
+constexpr float steps_m = 0.12F;              // largest step between nodes, except at a cliff
 constexpr float highest_m = 2.0F * steps_m;
 
-/// Uneven ground, and a cliff beyond x = 2.
+/// Uneven ground, with a cliff beyond x = 2.
 void lay_ground()
 {
     below::numbers = {
@@ -89,7 +89,7 @@ TEST(ClothHeights, AreFarBelowWhatHangsAMetreUp)
                 << x_m << ' ' << z_m;
         }
     }
-    // On a cliff's side heights_at() tells of little, however far up one is.
+    // Beside a cliff heights_at() is small, however high the place is.
     EXPECT_FALSE(below::are_far_below(0, half_m, {2.1F, highest_m + 1.0F, 0.0F, 0.1F}, 0.01F));
 }
 

@@ -2,25 +2,26 @@
 #ifndef ESTAMPE_CLOTH_MET
 #define ESTAMPE_CLOTH_MET
 
-// Which solids may be met in a step: once for all of its small ones, so that what is far costs little.
+// Finds the solids near a group of particles, once for all small steps of a step, so that distant solids cost
+// little.
 
 #include "techniques/cloth/cloth_data.glsl"
 #include "techniques/cloth/solids/cloth_solids.glsl"
 
-// Words of a group's record.
+// Number of words in a group's record.
 uint met_stride()
 {
     return cloth_met_head + min((run.collider_count + 31u) / 32u, cloth_met_words);
 }
 
-// How far a particle will hardly go in a step.
+// Distance that a particle will hardly exceed in a step.
 float hardly_beyond_m(vec3 speed, vec3 push)
 {
     const float spare_m = 2e-3;
     return spare_m + 1.1 * run.step_s * (length(speed) + run.step_s * length(push));
 }
 
-// How far it is at least from a place to one of the simple solids, in its own space.
+// Lower bound of the distance from a place to a simple solid, in the solid's space.
 float least_away_m(uint kind, vec3 half_m, vec3 place)
 {
     if (kind == cloth_ellipsoid) {
@@ -29,8 +30,8 @@ float least_away_m(uint kind, vec3 half_m, vec3 place)
     return solid_at(kind, half_m, place).w;
 }
 
-// Whether a solid comes near a ball at any moment of a step. Of one that moves, of distances and of bodies it
-// is asked how far they reach from their centre, of others how far away they are. Heights stand still.
+// Whether a solid comes near a ball at any time of a step. Moving solids, distances and bodies are bounded by
+// their reach from the centre; for other solids the distance is computed. Heights do not move.
 bool comes_near(uint i, vec4 ball, uint step)
 {
     int before = 3 * int(i);
@@ -63,7 +64,7 @@ bool comes_near(uint i, vec4 ball, uint step)
     return least_away_m(kind, half_m, place) <= near_m + rounding * length(place);
 }
 
-// Of the solids of a word, 32 each, those that do.
+// Bits of the 32 solids of a word that come near.
 uint solids_near(uint word, vec4 ball, uint step)
 {
     uint near = 0u;

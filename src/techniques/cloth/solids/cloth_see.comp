@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a triangle of a body: how far to the front and to the back it comes along z, at each node that
-// it covers.
+// One thread per triangle of a body: the front and back extent of the triangle along z, at each node that the
+// triangle covers.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -21,7 +21,7 @@ layout(scalar, binding = 1) readonly buffer PosedVertices
 
 layout(scalar, binding = 2) buffer Ends
 {
-    uint ends[]; // of each node the front, then the back from behind; 0 where nothing is
+    uint ends[]; // per node: front, then back from behind; 0: empty
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -29,14 +29,14 @@ layout(push_constant, scalar) uniform Constants
     ClothBody body;
 };
 
-// As floats are ordered, and above 0.
+// Maps floats to words above 0 with the order of the floats.
 uint ordered(float number)
 {
     uint bits = floatBitsToUint(number);
     return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
 }
 
-// In nodes from the lowest, and along z in metres.
+// x and y in nodes from the lowest node; z in metres.
 vec3 corner_at(uint vertex)
 {
     vec3 own = turned_back(body.rotation, posed_vertices[vertex].position - body.centre_m);
@@ -70,7 +70,7 @@ void main()
             vec3 shares =
                 vec3(twice_area(b.xy, c.xy, at), twice_area(c.xy, a.xy, at), twice_area(a.xy, b.xy, at)) /
                 area;
-            const float rounding = 1e-5; // no node falls between two triangles
+            const float rounding = 1e-5; // no node is missed between two triangles
             if (min(shares.x, min(shares.y, shares.z)) >= -rounding) {
                 float z_m = dot(shares, vec3(a.z, b.z, c.z));
                 uint node = 2u * (uint(y) * body.nodes.x + uint(x));

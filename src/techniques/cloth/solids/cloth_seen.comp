@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a node of a body: its middle along z, half its thickness, and how far within its outline the
-// node is. One beyond has no thickness, and the middle of the nearest of those within.
+// One thread per node of a body: the body's middle along z, half its thickness, and the node's distance
+// inside the outline. A node outside has no thickness, and gets the middle of the nearest node inside.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -12,7 +12,7 @@ layout(local_size_x = 64) in;
 
 layout(scalar, binding = 0) readonly buffer Ends
 {
-    uint ends[]; // of each node the front, then the back from behind; 0 where nothing is
+    uint ends[]; // per node: front, then back from behind; 0: empty
 };
 
 layout(scalar, binding = 1) writeonly buffer Texels
@@ -53,7 +53,7 @@ void main()
     vec2 texel_m = 2.0 * body.half_m.xy / vec2(nodes - 1);
     float least_m = min(texel_m.x, texel_m.y);
     float nearest_m = (float(skirt) + 0.5) * least_m;
-    uint nearest = cloth_no_vertex; // of those that are otherwise
+    uint nearest = cloth_no_vertex; // nearest node on the other side of the outline
     for (int y = max(at.y - skirt, 0); y <= min(at.y + skirt, nodes.y - 1); ++y) {
         for (int x = max(at.x - skirt, 0); x <= min(at.x + skirt, nodes.x - 1); ++x) {
             uint node = uint(y * nodes.x + x);
@@ -64,7 +64,7 @@ void main()
             }
         }
     }
-    // The outline is half way between the two.
+    // The outline is half way between the two nodes.
     float outline_m = nearest == cloth_no_vertex ? cloth_seen_nowhere_m : nearest_m - 0.5 * least_m;
     bool has_middle = is_within || nearest != cloth_no_vertex;
     vec2 middle = has_middle ? middle_and_half(is_within ? item : nearest) : vec2(0.0);

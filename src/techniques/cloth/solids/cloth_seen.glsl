@@ -2,13 +2,13 @@
 #ifndef ESTAMPE_CLOTH_SEEN
 #define ESTAMPE_CLOTH_SEEN
 
-// A body between its front and its back, as those of cloth_solids.glsl. It is told by its middle along z,
-// half its thickness, and how far within its outline a place is in x and y. Zanuttini, "Recherches en rendu
-// non réaliste temps réel", Université Paris 8, 2008, section 7.5.
+// A body between its front and back surfaces, as a solid of cloth_solids.glsl. Texels give its middle along
+// z, half its thickness, and the distance of a place inside its outline in x and y. Zanuttini, "Recherches en
+// rendu non réaliste temps réel", Université Paris 8, 2008, section 7.5.
 
 #include "techniques/cloth/cloth_data.glsl"
 
-// The body that is looked at: where its texels begin, half its size at the run's beginning, and the moment.
+// The current body: its first texels, half its size at the run's beginning, and the time in the run.
 int body_first = 0;
 vec3 body_half_before_m = vec3(0.0);
 float body_part = 0.0;
@@ -20,13 +20,13 @@ void look_at_body(int first, vec3 half_before_m, float part)
     body_part = part;
 }
 
-// Somewhere in x and y: numbers, and their slopes there.
+// Interpolated values at a place in x and y, with their slopes.
 struct Seen {
     vec3 middle_m;
-    vec3 thick_m;  // half of it
-    vec3 within_m; // the outline; far within it has no end
+    vec3 thick_m;  // half the thickness
+    vec3 within_m; // inside the outline; unlimited far inside
     float texel_m;
-    bool is_near; // else there is no middle
+    bool is_near; // if false, the middle is unknown
 };
 
 vec3 seen_texel(bool is_after, int at)
@@ -69,7 +69,7 @@ Seen seen_then(bool is_after, vec2 half_m, vec2 place)
                 value_and_slope(numbers[2], f, texel_m), min(texel_m.x, texel_m.y), count > 0.0);
 }
 
-// At two moments, each with the other's middle where it has none.
+// Values at the run's beginning and end. Where one of the two has no middle, it gets the middle of the other.
 Seen[2] seen_twice(vec2 half_m, vec2 place)
 {
     Seen before = seen_then(false, body_half_before_m.xy, place);
@@ -82,7 +82,7 @@ Seen[2] seen_twice(vec2 half_m, vec2 place)
 vec4 seen_at(vec3 half_m, vec3 place)
 {
     Seen seen[2] = seen_twice(half_m.xy, place.xy);
-    float most_m = 2.0 * seen[1].texel_m; // what comes beyond is not known
+    float most_m = 2.0 * seen[1].texel_m; // larger distances are unknown
     if (!seen[0].is_near && !seen[1].is_near) {
         return vec4(0.0, 1.0, 0.0, most_m);
     }
@@ -104,7 +104,7 @@ vec4 seen_at(vec3 half_m, vec3 place)
     return beside_m > above_m ? vec4(aside, min(beside_m, most_m)) : vec4(along_z, min(above_m, most_m));
 }
 
-// How far the side of the body that a place is on goes along z between two parts of a run.
+// Motion along z, between two parts of a run, of the front or back surface that the place is nearer to.
 float surface_way_m(vec3 half_m, vec3 place, float begin, float end)
 {
     Seen seen[2] = seen_twice(half_m.xy, place.xy);

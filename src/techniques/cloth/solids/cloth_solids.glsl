@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_CLOTH_SOLIDS
 #define ESTAMPE_CLOTH_SOLIDS
 
-// Solids in their own space: the way out in xyz, of length 1, and in w how far it is to the surface, negative
-// within. Of an ellipsoid, of grids and of bodies that is exact on the surface alone.
+// Solids in their own space: the unit direction to the outside in xyz, and in w the signed distance to the
+// surface, negative inside. For ellipsoids, grids and bodies the distance is only exact on the surface.
 
 // Solids given as distances on a grid.
 
@@ -24,7 +24,7 @@ vec4 distances_at(int first, vec3 half_m, vec3 place)
     vec3 at = in_cells(place, half_m, nodes);
     ivec3 cell = min(ivec3(at), nodes - 2);
     vec3 f = at - vec3(cell);
-    vec4 lower; // x by x, y by y
+    vec4 lower; // x varies fastest, then y
     vec4 upper;
     for (int i = 0; i < 4; ++i) {
         int corner = first + int(cloth_grid_head) + (cell.z * nodes.y + cell.y + (i >> 1)) * nodes.x +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What solids of numbers on grids promise, and sheets that keep from themselves.
+// Solids given by numbers on grids, and the self-collision of sheets.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -19,7 +19,7 @@ double dune_m(double x_m, double z_m)
 TEST(ClothSolids, HeightsAreLainOnAndNotPassedThrough)
 {
     const SolidGrid grid = grid_of_heights({65, 65}, {0.1F, 0.2F, 0.0F}, {2.0F, 2.0F}, dune_m);
-    Lab lab(lying_square(20, 5.4F, {.damping_per_s = 0.0F, .friction = 0.8F})); // 10 m/s when it arrives
+    Lab lab(lying_square(20, 5.4F, {.damping_per_s = 0.0F, .friction = 0.8F})); // falls at 10 m/s on arrival
     lab.cloths().set_grids(test::shared_device(), {&grid, 1});
     lab.cloths().set_solids(test::shared_device(), std::array{solid_of_grid(SolidKind::heights, grid, 0)});
     double deepest_m = 0.0;
@@ -42,7 +42,7 @@ TEST(ClothSolids, HeightsAreLainOnAndNotPassedThrough)
     EXPECT_GE(lying, state.places_m.size() / 4);
 }
 
-/// A ball passes a hanging sheet, and others are elsewhere.
+/// A ball passes a hanging sheet, and other balls are far away.
 TEST(ClothSolids, WhatIsOutOfReachChangesNothing)
 {
     const auto places_with = [](std::vector<SheetReach> reach, float other_x_m) {
@@ -67,7 +67,7 @@ TEST(ClothSolids, WhatIsOutOfReachChangesNothing)
     EXPECT_FALSE(places_with({{{8.0F, 8.0F, 8.0F}, {9.0F, 9.0F, 9.0F}}}, 0.3F) == all) << "the balls count";
 }
 
-/// One of each way that particles are told what they may meet: small sheets, squares of large ones, lists.
+/// One sheet for each way to find near solids: small sheets, squares of large ones, lists.
 std::vector<Sheet> sheets_of_all_ways()
 {
     return {hanging_square(11), hanging_square(34), out_of_rank(hanging_square(34), 1e-3F)};
@@ -99,7 +99,7 @@ TEST(ClothSolids, SolidsFarAwayChangeNoByte)
 
 TEST(ClothSolids, WhatIsThrownFartherThanForeseenIsStoppedToo)
 {
-    // A board at 12 m/s drives a sheet at rest into a ball, 5 cm away and 10 cm a step.
+    // A board at 12 m/s drives a resting sheet into a ball 5 cm away, at 10 cm per step.
     constexpr float radius_m = 0.045F;
     const glm::vec3 centre(0.5F, -0.6F, 0.1F);
     for (Sheet& sheet : sheets_of_all_ways()) {
@@ -159,7 +159,7 @@ TEST(ClothSolids, HeightsFarBelowAreLeftOutToTheBit)
     }
 }
 
-/// A ring about y.
+/// A ring around the y axis.
 double to_ring_m(const glm::dvec3& place)
 {
     return std::hypot(std::hypot(place.x, place.z) - 0.35, place.y) - 0.15;

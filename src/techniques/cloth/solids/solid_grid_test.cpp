@@ -34,7 +34,7 @@ Soup ball_of_triangles(float radius_m, uint32_t rings)
     return soup;
 }
 
-/// Calls for each node with where it is.
+/// Calls a function for each node with the node's position.
 void for_nodes(const SolidGrid& grid, const std::function<void(glm::vec3 place_m, float value_m)>& act)
 {
     size_t next = 0;
@@ -61,7 +61,7 @@ TEST(ClothGrids, DistancesToABallAreThoseOfABall)
     size_t within = 0;
     for_nodes(grid, [&](glm::vec3 place_m, float value_m) {
         const float exact_m = glm::distance(place_m, glm::vec3(3.0F, -1.0F, 2.0F)) - 0.5F;
-        ASSERT_NEAR(value_m, exact_m, 0.006F); // facets lie that far within
+        ASSERT_NEAR(value_m, exact_m, 0.006F); // facets are this far inside the sphere
         within += value_m < 0.0F ? 1 : 0;
     });
     const double cell_m = 1.0 / 20.0;
@@ -97,7 +97,7 @@ TEST(ClothGrids, DistancesAreThoseOfBruteForce)
         soup.triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
     }
     const SolidGrid grid = grid_of_distances(soup.positions, soup.triangles, 24);
-    constexpr uint32_t steps = 60; // a triangle as so many points a side
+    constexpr uint32_t steps = 60; // points per side of a triangle
     size_t off = 0;
     size_t count = 0;
     size_t visited = 0;
@@ -134,7 +134,7 @@ TEST(ClothGrids, NothingHasNoGrid)
 
 TEST(ClothGrids, HeightsCountFromTheMiddle)
 {
-    for (const uint32_t rows : {4U, 97U}) { // by one thread, and by several
+    for (const uint32_t rows : {4U, 97U}) { // computed by one thread, and by several
         const SolidGrid grid = grid_of_heights({5, rows}, {10.0F, 2.0F, -3.0F}, {2.0F, 1.5F},
                                                [](double x, double z) { return 2.0 * x + z; });
         ASSERT_EQ(grid.values_m.size(), 5U * rows);

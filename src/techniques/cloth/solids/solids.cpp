@@ -18,7 +18,8 @@ constexpr uint32_t no_triangle = std::numeric_limits<uint32_t>::max();
 
 using Triangle = std::array<glm::dvec3, 3>;
 
-/// Ericson, "Real-Time Collision Detection", 2005, 5.1.5: by which corner, side or face a place is nearest.
+/// Ericson, "Real-Time Collision Detection", 2005, 5.1.5: whether a corner, a side or the face is nearest to
+/// a place.
 double squared_distance(const glm::dvec3& p, const Triangle& t)
 {
     const glm::dvec3 ab = t[1] - t[0];
@@ -43,7 +44,7 @@ double squared_distance(const glm::dvec3& p, const Triangle& t)
     return std::min({to_segment(t[0], t[1]), to_segment(t[1], t[2]), to_segment(t[2], t[0])});
 }
 
-/// A grid while its distances are found; places are in cells from the first node.
+/// A grid while its distances are computed. Places are in cells from the first node.
 class Making {
 public:
     Making(const glm::uvec3& nodes, std::vector<Triangle>&& triangles)
@@ -52,7 +53,7 @@ public:
     {
     }
 
-    /// Nodes next to triangles first; all others take over the triangle of a neighbour that is nearest.
+    /// Nodes next to triangles come first; every other node takes the nearest of its neighbours' triangles.
     void find_distances()
     {
         for (uint32_t i = 0; i < triangles_.size(); ++i) {
@@ -69,7 +70,7 @@ public:
         }
     }
 
-    /// Every crossing of a line along an axis turns within and without round.
+    /// Every crossing of a line along an axis switches between inside and outside.
     void find_inside()
     {
         for (int axis = 0; axis < 3; ++axis) {
@@ -142,7 +143,7 @@ private:
         }
     }
 
-    /// Each bit of `way` turns an axis round.
+    /// Each bit of `way` reverses an axis.
     void sweep(uint32_t way)
     {
         for_box(glm::uvec3(0), nodes_ - 1U, [&](const glm::uvec3& counted) {
@@ -165,7 +166,7 @@ private:
     {
         const int u = (axis + 1) % 3;
         const int v = (axis + 2) % 3;
-        // A little aside, so that no line goes through a corner or along a side.
+        // A small offset, so that no line passes exactly through a corner or along a side.
         constexpr glm::dvec2 aside(1.237e-5, 2.911e-5);
         std::array<glm::dvec2, 3> flat{};
         for (size_t i = 0; i < 3; ++i) {
@@ -198,7 +199,7 @@ private:
     std::vector<Triangle> triangles_;
     std::vector<uint32_t> nearest_;
     std::vector<double> squared_;
-    std::vector<uint8_t> votes_; ///< of axes, for within
+    std::vector<uint8_t> votes_; ///< number of axes for which the node is inside
 };
 
 } // namespace
@@ -298,7 +299,7 @@ bool keeps_sides(SolidKind kind)
     return kind == SolidKind::box || kind == SolidKind::distances || kind == SolidKind::seen;
 }
 
-/// The axes of an ellipsoid from what a ball became: eigenvectors of M M^T, by Jacobi's rotations.
+/// Axes of the ellipsoid that a matrix M makes of a sphere: eigenvectors of M M^T, by Jacobi rotations.
 struct Axes {
     glm::dmat3 directions{1.0};
     glm::dvec3 lengths{1.0};
@@ -331,7 +332,7 @@ Axes axes_of(const glm::dmat3& matrix)
     return axes;
 }
 
-/// Directions of a matrix's columns, made orthogonal, and their lengths.
+/// Orthogonalised directions of a matrix's columns, and their lengths.
 Axes columns_of(const glm::dmat3& matrix)
 {
     Axes axes;

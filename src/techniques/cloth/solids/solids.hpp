@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What cloth runs into: simple solids, and those of any form as numbers on a grid.
+// Solids that cloth collides with: simple solids, and solids of any form as numbers on a grid.
 
 #include <cstdint>
 #include <functional>
@@ -15,8 +15,8 @@
 
 namespace estampe::cloth {
 
-/// Numbers at the nodes of a regular grid, x by x, then y by y: heights (one node in y) or signed distances,
-/// negative within.
+/// Numbers at the nodes of a regular grid, where x varies fastest, then y: heights (one node in y) or signed
+/// distances, negative inside.
 struct SolidGrid {
     glm::uvec3 nodes{2, 1, 2};
     glm::vec3 centre_m{0.0F};
@@ -24,24 +24,24 @@ struct SolidGrid {
     std::vector<float> values_m;
 };
 
-/// Heights over a rectangle: `height_m(x, z)` at each node, all from `centre_m` on. It is asked by several
-/// threads at once. Cost: nodes, shared by the processor's cores.
+/// Heights over a rectangle: `height_m(x, z)` at each node, relative to `centre_m`. Several threads call
+/// `height_m` at once. Cost: one call per node, shared by all cores.
 [[nodiscard]] SolidGrid grid_of_heights(glm::uvec2 nodes, glm::vec3 centre_m, glm::vec2 half_m,
                                         const std::function<double(double x_m, double z_m)>& height_m);
 
-/// How far it is from the nodes of a grid to the nearest triangle, three indices each. What is within is
-/// found by rays along the three axes, of which two decide, so that small holes do no harm. The longest side
-/// has `cells` cells about the triangles, and there are two more at each end. Empty where no triangle has a
-/// place. Cost: cells about each triangle, and eight sweeps over all nodes. Source: Bridson, "Fluid
-/// Simulation for Computer Graphics", 2008, on making level sets of meshes.
+/// Signed distance from the nodes of a grid to the nearest triangle, with three indices per triangle. Rays
+/// along the three axes find the inside by a majority of two, so small holes do no harm. The longest side has
+/// `cells` cells around the triangles, and two more at each end. Empty if no triangle has a position. Cost:
+/// the cells around each triangle, and eight sweeps over all nodes. Source: Bridson, "Fluid Simulation for
+/// Computer Graphics", 2008, on making level sets of meshes.
 [[nodiscard]] SolidGrid grid_of_distances(std::span<const glm::vec3> positions_m,
                                           std::span<const glm::uvec3> triangles, uint32_t cells);
 
 enum class SolidKind : uint8_t { plane, ellipsoid, box, cylinder, capsule, heights, distances, seen };
 
-/// A solid at a moment: in its own space, turned, then moved.
+/// A solid at one time: rotated in its own space, then translated.
 struct Solid {
-    SolidKind kind = SolidKind::plane; ///< all below its y = 0
+    SolidKind kind = SolidKind::plane; ///< the default is all space below its y = 0
     glm::vec3 half_m{1.0F}; ///< radii, or half a box; of a cylinder or capsule about y the radius, and half
                             ///< the length of its axis, without a capsule's ends
     glm::vec3 centre_m{0.0F};
@@ -50,24 +50,23 @@ struct Solid {
                        ///< body that is seen along z; `half_m` is half the size of either then
 };
 
-/// All below a plane.
+/// All space below a plane.
 [[nodiscard]] Solid below(glm::vec3 point_m, glm::vec3 normal);
 [[nodiscard]] Solid ball(glm::vec3 centre_m, float radius_m);
 [[nodiscard]] Solid capsule_between(glm::vec3 from_m, glm::vec3 to_m, float radius_m);
 
-/// A solid of its own space in a place of any matrix. An ellipsoid stays one whatever the matrix is; of
-/// others shear is left out, and cylinders and capsules keep round. Half sizes of 1e-4 m are the least there
-/// are.
+/// A solid transformed by any matrix. An ellipsoid stays an exact ellipsoid. For other solids shear is
+/// ignored, and cylinders and capsules stay round. Half sizes are at least 1e-4 m.
 [[nodiscard]] Solid placed(const Solid& solid, const glm::dmat4& place);
 
-/// The solid of a grid, where the grid has its middle; heights count from there.
+/// The solid of a grid, at the grid's middle; heights are relative to there.
 [[nodiscard]] Solid solid_of_grid(SolidKind kind, const SolidGrid& grid, uint32_t number);
 
-/// Writes the rotation that a solid had so that the way from it to the one it has now is the short one: the
-/// same turn has two quaternions, and a capsule any about its axis.
+/// Changes the representation of a solid's previous rotation, so that interpolation to the current rotation
+/// takes the short way: two quaternions are the same rotation, and a capsule may turn freely about its axis.
 void turn_alike(shared::ClothCollider& before, const shared::ClothCollider& after);
 
-/// `first_of_grid` is where the numbers of its grid or body begin.
+/// `first_of_grid` is the index of the first number of the solid's grid or body.
 [[nodiscard]] shared::ClothCollider as_shared(const Solid& solid, uint32_t first_of_grid = 0);
 
 } // namespace estampe::cloth

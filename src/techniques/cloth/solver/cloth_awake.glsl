@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_CLOTH_AWAKE
 #define ESTAMPE_CLOTH_AWAKE
 
-// Whether a sheet moves in a step. Wind that blows keeps all of them awake: then nothing is asked.
+// Whether a sheet moves in a step. Wind keeps all sheets awake, so nothing is tested then.
 //
-// Wanted before: uint awake_in[], 1 more than the last step in which each sheet was awake.
+// Requires: uint awake_in[], 1 more than the last step in which each sheet was awake.
 
 #include "techniques/cloth/cloth_data.glsl"
 

@@ -2,19 +2,19 @@
 #ifndef ESTAMPE_CLOTH_LARGE
 #define ESTAMPE_CLOTH_LARGE
 
-// A pass of a step of large sheets, one thread a particle: what it reads and writes. Whatever solver's it is,
-// Cloths::add_pass_of_step() binds it.
+// Inputs and outputs of a pass of a step of large sheets, with one thread per particle.
+// Cloths::add_pass_of_step() binds them for the passes of every solver.
 
 #include "techniques/cloth/solids/cloth_met.glsl"
 
 layout(scalar, binding = 12) buffer Places
 {
-    vec4 places[]; // and inverse mass
+    vec4 places[]; // position and inverse mass
 };
 
 layout(scalar, binding = 13) writeonly buffer Speeds
 {
-    vec4 speeds[]; // and how long each particle has been calm
+    vec4 speeds[]; // velocity, and how long each particle has been calm
 };
 
 layout(scalar, binding = 14) readonly buffer Pushes
@@ -63,7 +63,7 @@ layout(scalar, binding = 19) readonly buffer Began
 
 layout(scalar, binding = 20) readonly buffer Met
 {
-    uint met[]; // of each group: the ball about it, and which solids come near that
+    uint met[]; // per group: its bounding ball, and the solids near it
 };
 
 layout(binding = 21) uniform usamplerBuffer torn_texels;

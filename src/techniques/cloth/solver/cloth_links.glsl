@@ -2,26 +2,26 @@
 #ifndef ESTAMPE_CLOTH_LINKS
 #define ESTAMPE_CLOTH_LINKS
 
-// What its neighbours move a particle by. Each link is solved by itself as if the mass at either end were
-// shared among all links there, those to direct neighbours having more, and what all of them want is added:
-// momentum is kept, and no order matters. A link that is softer than that can be solved is a spring, of
-// exactly its compliance. Macklin et al., "Small Steps in Physics Simulation", SCA 2019; Tonge et al., "Mass
-// Splitting for Jitter-Free Parallel Rigid Body Simulation", SIGGRAPH 2012.
+// Displacement of a particle by its links. Each link is solved by itself, with the mass at either end shared
+// among all links there; near links get a larger share. The results are added, which preserves momentum and
+// is independent of the order. A link softer than the solver's limit is a spring with exactly its compliance.
+// Macklin et al., "Small Steps in Physics Simulation", SCA 2019; Tonge et al., "Mass Splitting for
+// Jitter-Free Parallel Rigid Body Simulation", SIGGRAPH 2012.
 //
-// Wanted before: vec4 predicted_at(uint local), a place and the inverse mass times the shares of the links
-// there, and vec4 predicted_beside(uint local, ivec2 way, bool is_there), the same of another of its grid if
-// that is there; and what cloth_tethers.glsl wants.
+// Requires: vec4 predicted_at(uint local), a position and the inverse mass times the shares of the links
+// there; vec4 predicted_beside(uint local, ivec2 way, bool is_there), the same values of another particle of
+// the grid, if `is_there`; and everything that cloth_tethers.glsl requires.
 
 #extension GL_EXT_control_flow_attributes : require
 
 #include "techniques/cloth/solver/cloth_tethers.glsl"
 
-// Of 4 / 3 no sheet, and not even a thread, shakes; grids, which no wave moves all links of at once, bear
-// more.
+// At 4 / 3 no sheet and no thread oscillates. Grids allow more, because no wave moves all links of a grid at
+// once.
 const float over_relaxation = (variant & cloth_bit_grid) != 0u ? 1.6 : 4.0 / 3.0;
 
-// By how much of the way to the other end, times the inverse mass. `split_masses` is of a far link;
-// `softness` is the compliance by the square of the step.
+// Factor on the vector to the other end that gives the displacement, times the inverse mass. `split_masses`
+// is for a far link; `softness` is the compliance divided by the squared time step.
 float link_pull(vec3 towards, float split_masses, float rest_m, bool is_far, float softness)
 {
     float length_m = length(towards);
@@ -34,7 +34,7 @@ float link_pull(vec3 towards, float split_masses, float rest_m, bool is_far, flo
     return excess_m / (max(length_m, 1e-9) * give);
 }
 
-// Without branches: those that are not there weigh nothing.
+// No branches: missing links have weight 0.
 vec3 pull_of_grid(uint local, vec4 own, float inverse_mass, float time_s)
 {
     ivec2 size = ivec2(sheet.columns, sheet.rows);

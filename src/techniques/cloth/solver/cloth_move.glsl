@@ -2,16 +2,16 @@
 #ifndef ESTAMPE_CLOTH_MOVE
 #define ESTAMPE_CLOTH_MOVE
 
-// A small step of one particle: what links, tethers, hands and solids leave of where it wanted to go.
+// A small step of one particle: corrects its predicted position by links, tethers, holders and solids.
 //
-// Wanted before: vec4 own_predicted(uint local), as predicted_at() that cloth_links.glsl wants; uvec4
-// near_of(uint local).
+// Requires: vec4 own_predicted(uint local), like predicted_at() of cloth_links.glsl; uvec4 near_of(uint
+// local).
 
 #include "techniques/cloth/solids/cloth_contact.glsl"
 #include "techniques/cloth/solver/cloth_links.glsl"
 
-// How a sheet keeps from itself: from the nearest four of those that are not near at rest, a particle goes
-// half of what is missing.
+// Self-collision: a particle moves half the missing distance away from each of the nearest four particles
+// that are not near at rest.
 vec3 kept_from_self(uint local, vec3 place)
 {
     uvec4 others = near_of(local);
@@ -29,7 +29,7 @@ vec3 kept_from_self(uint local, vec3 place)
     return place + sum / max(count, 1.0);
 }
 
-// Those that are held a little come so much nearer in a sixtieth of a second.
+// A partly held particle moves towards its target by its strength per sixtieth of a second.
 vec3 held_a_little(uint local, vec3 place, float part)
 {
     vec4 target = target_of(local, part);
@@ -37,7 +37,7 @@ vec3 held_a_little(uint local, vec3 place, float part)
     return target.w > 0.0 ? mix(target.xyz, place, left) : place;
 }
 
-// Where its own sheet, hands and solids let a particle come that wants to go from one place to another.
+// Moves a particle from one place to another, as far as its own sheet, its holder and solids allow.
 vec3 let_to(uint local, vec3 from, vec3 place, uint step, uint small_step)
 {
     float part = part_of_run(step, float(small_step + 1u));
@@ -74,8 +74,8 @@ vec3 speed_after(vec3 from, vec3 to)
     return speed_m_per_s > run.most_speed_m_per_s ? speed * (run.most_speed_m_per_s / speed_m_per_s) : speed;
 }
 
-// How long a particle has been calm, at the end of a step: a small one's way is too short
-// to be told from rounding.
+// Time for which a particle has been calm, at the end of a step. The motion in one small step could not be
+// told from rounding errors.
 float calm_after(float calm_s, vec3 began, vec3 ended)
 {
     bool is_calm = distance(began, ended) <= run.rest_m_per_s * run.step_s;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread a particle of a sheet that keeps from itself: enters itself into a table of cells, or finds the
-// nearest of those that are not near at rest. Which of a cell comes first hangs on threads, what is found
-// does not.
+// One thread per particle of a sheet with self-collision: inserts the particle into a hash table of cells, or
+// finds the nearest particles that are not near at rest. The order inside a cell depends on thread timing,
+// the result does not.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -11,12 +11,12 @@ layout(local_size_x = 64) in;
 #include "shaders/hash.glsl"
 #include "techniques/cloth/cloth_data.glsl"
 
-layout(binding = 12) uniform samplerBuffer place_texels; // and inverse mass
+layout(binding = 12) uniform samplerBuffer place_texels; // position and inverse mass
 layout(binding = 13) uniform samplerBuffer rest_texels;
 
 layout(scalar, binding = 14) buffer Cells
 {
-    uint first_in_cell[]; // 1 more than a particle, 0 for none
+    uint first_in_cell[]; // particle + 1; 0: none
 };
 
 layout(scalar, binding = 15) buffer Links
@@ -26,7 +26,7 @@ layout(scalar, binding = 15) buffer Links
 
 layout(scalar, binding = 16) writeonly buffer Near
 {
-    uvec4 near[]; // within the sheet
+    uvec4 near[]; // indices within the sheet
 };
 
 layout(scalar, binding = 17) readonly buffer Awake
@@ -46,7 +46,7 @@ uint cell_of(ivec3 place)
     return hash(uint(place.x) + 977u * sheet.first, uint(place.y), uint(place.z)) & constants.cell_mask;
 }
 
-// The nearest four of a cell and of those before, in order; numbers part what is as near.
+// Merges the particles of a cell into the nearest four, in order. Particle numbers order equal distances.
 void look_into(uint cell, uint particle, vec3 place, vec3 rest, inout vec4 away_m2, inout uvec4 found)
 {
     float reach_m2 = 4.0 * sheet.self_m * sheet.self_m;
@@ -69,7 +69,7 @@ void look_into(uint cell, uint particle, vec3 place, vec3 rest, inout vec4 away_
             found[i] = is_nearer ? local : found[i];
             own_away_m2 = is_nearer ? moved_m2 : own_away_m2;
             local = is_nearer ? moved : local;
-            if (is_listed) { // cells that share a place in the table are met more than once
+            if (is_listed) { // cells with an equal hash are visited repeatedly
                 break;
             }
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a particle, at the beginning of a step: what pushes it, and where it goes first.
+// One thread per particle, at the beginning of a step: the acceleration, and the first predicted position.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -8,7 +8,7 @@ layout(local_size_x = 64) in;
 
 #include "techniques/cloth/cloth_data.glsl"
 
-layout(binding = 12) uniform samplerBuffer place_texels; // and inverse mass
+layout(binding = 12) uniform samplerBuffer place_texels; // position and inverse mass
 
 layout(scalar, binding = 13) readonly buffer Speeds
 {
@@ -17,7 +17,7 @@ layout(scalar, binding = 13) readonly buffer Speeds
 
 layout(scalar, binding = 14) buffer Pushes
 {
-    vec4 pushes[]; // and inverse mass times links
+    vec4 pushes[]; // acceleration, and inverse mass times links
 };
 
 layout(scalar, binding = 15) writeonly buffer Predicted
@@ -32,14 +32,14 @@ layout(scalar, binding = 16) readonly buffer Awake
 
 layout(scalar, binding = 17) writeonly buffer Began
 {
-    vec4 began[]; // places, and how long each had been calm
+    vec4 began[]; // position, and how long each particle has been calm
 };
 
 layout(binding = 18) uniform samplerBuffer flow_texels;
 
 layout(scalar, binding = 19) writeonly buffer Met
 {
-    uint met[]; // of each group: the ball about it, and which solids come near that
+    uint met[]; // per group: its bounding ball, and the solids near it
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -63,7 +63,7 @@ vec3 place_at(uint local)
 #include "techniques/cloth/solver/cloth_awake.glsl"
 #include "techniques/cloth/solids/cloth_met.glsl"
 
-shared uint farthest; // bits of a float
+shared uint farthest; // as the bits of a float
 shared uint near_solids[cloth_met_words];
 
 uint middle_of_group(uint first)
@@ -76,8 +76,8 @@ uint middle_of_group(uint first)
     return at.y * size.x + at.x;
 }
 
-// Which solids the group's particles may meet in this step. All of its threads come here; `beyond_m` is how
-// far a particle will hardly go.
+// Finds the solids that the group's particles may meet in this step. All threads of the group must call it.
+// `beyond_m` is the distance that a particle will hardly exceed.
 void find_solids(uint first, uint local, float beyond_m)
 {
     uint thread = gl_LocalInvocationID.x;

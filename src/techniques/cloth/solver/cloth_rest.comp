@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a particle, at the beginning of a step: keeps its sheet awake, or leaves it to rest.
+// One thread per particle, at the beginning of a step: keeps the particle's sheet awake, or lets it rest.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -12,12 +12,12 @@ layout(binding = 12) uniform samplerBuffer place_texels;
 
 layout(scalar, binding = 13) buffer Speeds
 {
-    vec4 speeds[]; // and how long it has been calm
+    vec4 speeds[]; // velocity, and how long each particle has been calm
 };
 
 layout(scalar, binding = 14) buffer Awake
 {
-    uint awake_in[]; // 1 more than the step, one a sheet: all that write it write the same
+    uint awake_in[]; // step + 1, per sheet; all threads write equal values
 };
 
 layout(binding = 15) uniform samplerBuffer flow_texels;

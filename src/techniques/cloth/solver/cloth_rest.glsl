@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_CLOTH_REST
 #define ESTAMPE_CLOTH_REST
 
-// When sheets rest: all of their particles have been calm for a while, and nothing about them moves.
+// A sheet rests if all its particles have been calm for a while and nothing moves around it.
 //
-// Wanted before: what cloth_flow.glsl wants.
+// Requires everything that cloth_flow.glsl requires.
 
 #include "techniques/cloth/air/cloth_flow.glsl"
 
@@ -33,7 +33,7 @@ bool is_neared(vec3 place)
     return is_near;
 }
 
-// Whether something other than its sheet moves a particle, or is about to.
+// Whether a holder, air or a solid moves a particle, or is about to.
 bool is_roused(uint local, vec3 place, uint step)
 {
     vec4 before = texelFetch(target_before_texels, int(sheet.first + local));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sheets that rest: when, and what wakes them.
+// When sheets rest, and what wakes them.
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -26,7 +26,7 @@ struct Kind {
     bool is_wide = false;
 };
 
-/// One of each way that sheets take over the device, but for the thesis's solver, which is never quite calm.
+/// One sheet for each way of simulation, except the thesis's solver, whose sheets are never quite calm.
 std::vector<Kind> kinds()
 {
     Cloth keeps_apart = quick_to_rest;
@@ -41,7 +41,7 @@ std::vector<Kind> kinds()
 constexpr glm::vec3 ball_m{0.25F, -0.25F, 0.3F};
 constexpr glm::vec3 far_ball_m{0.25F, -0.25F, 3.0F};
 
-/// A sheet that has come to rest before a ball, and another ball far away.
+/// A sheet that rests in front of a ball, and another ball far away.
 Lab rested(const Kind& kind)
 {
     Lab lab(kind.sheet);
@@ -64,9 +64,9 @@ TEST(ClothRest, ComesAndStaysBitByBit)
         Lab lab = rested(kind);
         const State before = lab.run(1.0 / 120.0);
         EXPECT_EQ(before.calm_s, shared::cloth_rest_s) << kind.name;
-        place_balls(lab, ball_m, far_ball_m + glm::vec3(0.0F, 0.2F, 0.0F)); // none of its business
+        place_balls(lab, ball_m, far_ball_m + glm::vec3(0.0F, 0.2F, 0.0F)); // too far away to wake it
         lab.air.air_kg_m3 = 1.2F;
-        lab.air.wind.speed_m_per_s = 0.02F; // a breath
+        lab.air.wind.speed_m_per_s = 0.02F; // too weak to wake it
         const State after = lab.run(0.5);
         EXPECT_TRUE(after.places_m == before.places_m) << kind.name;
         EXPECT_TRUE(after.speeds_m_per_s == before.speeds_m_per_s) << kind.name;
@@ -98,7 +98,7 @@ TEST(ClothRest, IsNotForWhatIsSlowForAMoment)
 TEST(ClothRest, BeginsAtTheSameStepHoweverStepsAreCutIntoRuns)
 {
     for (const Kind& kind : {kinds()[0], kinds()[1], kinds()[2]}) {
-        const bool lies = kind.sheet.cloth.self_m == 0.0F; // on a ball, and takes longer
+        const bool lies = kind.sheet.cloth.self_m == 0.0F; // on a ball it takes longer
         Lab at_once(kind.sheet);
         Lab in_parts(kind.sheet);
         at_once.cloths().set_solver(test::shared_device(), kind.solver);
@@ -115,7 +115,7 @@ TEST(ClothRest, BeginsAtTheSameStepHoweverStepsAreCutIntoRuns)
         }
         EXPECT_TRUE(last.places_m == whole.places_m) << kind.name;
         EXPECT_TRUE(last.speeds_m_per_s == whole.speeds_m_per_s) << kind.name;
-        at_once.cloths().set_grids(test::shared_device(), {}); // wakes it, and no more
+        at_once.cloths().set_grids(test::shared_device(), {}); // wakes the sheet, and changes nothing else
         EXPECT_EQ(at_once.run(0.75).calm_s, shared::cloth_rest_s) << kind.name;
     }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One workgroup a sheet, on processors: a thread has several particles, and what a grid reads of its
-// neighbours goes through a window.
+// One workgroup per sheet, for processors: a thread has several particles, and the neighbours of a grid are
+// read through a window.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -15,8 +15,8 @@ uint slots = 0u;
 
 #include "techniques/cloth/solver/cloth_small.glsl"
 
-// Of a grid a thread has a piece of a column, and rows go through this: what is predicted of a particle and
-// of two more each way. So each is read once for two or three particles.
+// On a grid a thread has a piece of a column. This window moves along its rows, with the predictions of a
+// particle and of two more to each side, so each prediction is read once for two or three particles.
 const bool goes_by_rows = (variant & cloth_bit_grid) != 0u;
 vec4 window[25];
 

@@ -2,29 +2,29 @@
 #ifndef ESTAMPE_CLOTH_SMALL
 #define ESTAMPE_CLOTH_SMALL
 
-// One workgroup a sheet of up to 1,024 particles: all steps of a run, with places in shared memory. A thread
-// has its particles in slots, one after the other.
+// One workgroup per sheet of up to 1,024 particles: all steps of a run, with positions in shared memory. Each
+// thread has its particles in slots and processes one slot after another.
 //
-// Wanted before: const uint most_slots of a thread, and uint slots, those that it has.
-// Wanted after: uint local_of_slot(), the particle of the slot that has its turn, beyond the sheet for none;
-// void small_step(uint step, uint number), which lets move() take all of them; and what cloth_links.glsl and
-// cloth_move.glsl want of places.
+// Requires before inclusion: const uint most_slots of a thread, and uint slots, the number in use. Requires
+// after inclusion: uint local_of_slot(), the particle of the current slot, or an index beyond the sheet; void
+// small_step(uint step, uint number), which calls move() for all slots; and the positions that
+// cloth_links.glsl and cloth_move.glsl require.
 
 #include "techniques/cloth/cloth_data.glsl"
 
 layout(scalar, binding = 12) buffer Places
 {
-    vec4 places[]; // and inverse mass
+    vec4 places[]; // position and inverse mass
 };
 
 layout(scalar, binding = 13) buffer Speeds
 {
-    vec4 speeds[]; // and how long each particle has been calm
+    vec4 speeds[]; // velocity, and how long each particle has been calm
 };
 
 layout(scalar, binding = 14) readonly buffer Pushes
 {
-    vec4 pushes[]; // and inverse mass times links, which is all that is read here
+    vec4 pushes[]; // in w, inverse mass times links; only w is read here
 };
 
 layout(binding = 15) uniform samplerBuffer flow_texels;
@@ -34,15 +34,15 @@ layout(push_constant, scalar) uniform Constants
     ClothMoment moment;
 };
 
-shared vec4 predicted[2][cloth_small_sheet]; // by turns
+shared vec4 predicted[2][cloth_small_sheet]; // alternately read and written
 uint newest = 0u;
-// Of each particle of a thread, in slots:
-vec4 froms[most_slots];     // places and inverse masses
-vec4 ways[most_slots];      // what pushes it, or how far a hand leads it in a small step; then its shares
-vec4 began[most_slots];     // its place, and how long it had been calm
-float beyond_m[most_slots]; // how far from there it will hardly go in this step
-uvec2 mets[most_slots];     // solids that come near that
-uint slot = 0u;             // of the one that has its turn
+// For each particle of a thread, by slot:
+vec4 froms[most_slots];     // position and inverse mass
+vec4 ways[most_slots];      // acceleration, or a holder's motion per small step; w: share of links
+vec4 began[most_slots];     // position, and how long it had been calm
+float beyond_m[most_slots]; // distance from there that it will hardly exceed in this step
+uvec2 mets[most_slots];     // solids that come near this ball
+uint slot = 0u;             // the current slot
 
 vec4 predicted_at(uint local)
 {
@@ -56,12 +56,12 @@ vec3 place_at(uint local)
 
 uvec4 near_of(uint local)
 {
-    return uvec4(cloth_no_vertex); // sheets that keep from themselves take the other way
+    return uvec4(cloth_no_vertex); // sheets with self-collision are never small
 }
 
 uvec2 torn_of(uint local)
 {
-    return uvec2(0u); // and so do those that may tear
+    return uvec2(0u); // sheets that may tear are never small
 }
 
 vec4 met_ball()
@@ -83,15 +83,16 @@ vec4 predicted_beside(uint local, ivec2 way, bool is_there);
 #include "techniques/cloth/solver/cloth_move.glsl"
 #include "techniques/cloth/solver/cloth_rest.glsl"
 
-// What is written is seen by all, and what was read is free.
+// Makes written positions visible to all threads, and frees the positions that were read.
 void take_turns()
 {
     barrier();
     newest = 1u - newest;
 }
 
-// What the step begins with, and whether there has to be one: the first particle's share of links, which this
-// turn has no use for and is never negative, tells it. There is no shared memory left.
+// Loads a particle at the beginning of a step, and marks the sheet as awake if the particle is not at rest.
+// The mark is in the first particle's share of links, which is never negative and unused here, because no
+// shared memory is left.
 void look_at(uint local, uint step)
 {
     vec4 place = places[sheet.first + local];
@@ -104,8 +105,8 @@ void look_at(uint local, uint step)
     }
 }
 
-// Loops over slots ask at their end whether there is another: processors run one whose condition comes first
-// once more than it says.
+// Loops over slots test their condition at the end: on processors, a loop that tests it at the beginning runs
+// one extra round.
 bool is_awake(uint step)
 {
     slot = 0u;
@@ -184,7 +185,7 @@ void go_all_steps()
     uint step = 0u;
     bool goes_on = true;
     do {
-        goes_on = is_awake(step); // else in no later one either
+        goes_on = is_awake(step); // once at rest, the sheet rests until the run ends
         if (goes_on) {
             begin_step(step);
             uint number = 0u;

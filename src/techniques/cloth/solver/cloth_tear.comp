@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread a particle, at the end of a step: which of its links are torn from then on. Both ends of a link
-// find the same, from the same two places. The last of two passes lets go what leads across a tear.
+// One thread per particle, at the end of a step: finds the particle's links that are torn from now on. Both
+// ends of a link compute equal results, from the same two positions. The last of two passes removes the links
+// that lead across a tear.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -75,13 +76,14 @@ bool is_torn(ivec2 at, ivec2 way)
     return has_bit(torn_of(local_at(at)), link_bit(way));
 }
 
-// A way of two direct links, of which the first comes first.
+// Whether a path of two direct links is torn; `first` is the first link.
 bool is_torn_on_way(ivec2 at, ivec2 first, ivec2 second)
 {
     return is_torn(at, first) || is_torn(at + first, second);
 }
 
-// Those two apart go with either link between them; those a knight's move away when both ways are torn.
+// A link two particles apart tears with either link between them. A link a knight's move away tears when both
+// paths are torn.
 uvec2 far_torn_on_grid(ivec2 at)
 {
     uvec2 torn = uvec2(0u);
@@ -90,7 +92,7 @@ uvec2 far_torn_on_grid(ivec2 at)
         if (max(abs(way.x), abs(way.y)) < 2 || !is_within(at + way)) {
             continue;
         }
-        ivec2 half_way = way / 2; // of a knight's move the straight part
+        ivec2 half_way = way / 2; // for a knight's move, its straight part
         ivec2 left = way - half_way;
         bool is_across = is_torn_on_way(at, half_way, left);
         if (half_way != left) {
@@ -139,8 +141,8 @@ bool is_direct(uint local, uint other)
     return is_found;
 }
 
-// Whether between two particles a link of one that is next to both is torn: to one of them, or to another
-// such.
+// Whether a tear lies between two particles: a common neighbour of both has a torn link to one of them, or to
+// another common neighbour.
 bool is_across_in_lists(uint local, uint other)
 {
     bool is_across = false;
@@ -152,7 +154,7 @@ bool is_across_in_lists(uint local, uint other)
         is_across = is_across || has_bit(torn_of(local), k) || is_torn_between(link.x, other);
         uvec2 torn = torn_of(link.x);
         for (uint i = 0u; i < (torn == uvec2(0u) ? 0u : sheet.link_width); ++i) {
-            uvec4 next = link_at(link.x, i); // far ones may be found torn in this very pass
+            uvec4 next = link_at(link.x, i); // this pass may have torn far links already
             bool is_beside = has_bit(torn, i) && uintBitsToFloat(next.y) > 0.0 && is_direct(next.x, local) &&
                              is_direct(next.x, other);
             is_across = is_across || is_beside;

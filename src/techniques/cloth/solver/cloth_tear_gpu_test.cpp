@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sheets that tear: when, where, and what becomes of the parts.
+// When and where sheets tear, and how their parts move.
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -43,7 +43,7 @@ bool has_bit(const glm::uvec2& words, uint32_t bit)
     return (words[static_cast<int>(bit / 32)] >> (bit % 32) & 1U) != 0;
 }
 
-/// The part of the sheet that each particle is of, by edges that are whole: the least particle there.
+/// The part of the sheet that each particle belongs to by whole edges, named by its lowest particle.
 std::vector<uint32_t> parts_of(Lab& lab)
 {
     const Sheet& sheet = lab.sheet();
@@ -69,7 +69,7 @@ std::vector<uint32_t> parts_of(Lab& lab)
     return parts;
 }
 
-/// Hangs by its upper edge, and has the mass to stretch by half there.
+/// A sheet that hangs by its upper edge, with a mass that stretches it by half there.
 Sheet strip(bool is_grid, float tear)
 {
     Sheet sheet = grid_sheet({4, 6}, {0.0F, 0.0F, 0.0F}, {0.3F, 0.0F, 0.0F}, {0.0F, -0.5F, 0.0F},
@@ -80,7 +80,7 @@ Sheet strip(bool is_grid, float tear)
     return is_grid ? sheet : out_of_rank(sheet, 1e-3F);
 }
 
-/// Of what does not hang: the mean height, and speed upwards.
+/// Mean height, and upward speed, of the part that no longer hangs.
 glm::dvec2 fall_of(const State& state, const std::vector<uint32_t>& parts)
 {
     glm::dvec2 sum(0.0);
@@ -100,7 +100,7 @@ TEST(ClothTear, LoadedStripTearsInTwoAndTheLowerPartFalls)
         for (const ClothSolver solver : {ClothSolver::small_steps, ClothSolver::block_descent}) {
             Lab lab(strip(is_grid, 1.3F));
             lab.cloths().set_solver(test::shared_device(), solver);
-            lab.air.effort = 0.25F; // shorter small steps are lost in the rounding of places so far down
+            lab.air.effort = 0.25F; // far from the origin, rounding hides shorter small steps
             const State before = lab.run(1.0);
             const std::vector<uint32_t> parts = parts_of(lab);
             std::vector<uint32_t> kinds = parts;
@@ -143,7 +143,7 @@ TEST(ClothTear, NothingIsTornByLess)
     }
 }
 
-/// A square, one corner of which is pulled away while its other side is held, in an even wind.
+/// A square with one corner pulled away and the opposite side held, in a steady wind.
 struct Pulled {
     State state;
     std::vector<glm::uvec2> torn;
@@ -198,7 +198,7 @@ TEST(ClothTear, AllSolversTearAndSameRunsGiveSameBytes)
     }
 }
 
-/// Of particles of a kilogram.
+/// Energy, for particles of one kilogram.
 double energy_of(const State& state)
 {
     return std::accumulate(
@@ -206,7 +206,7 @@ double energy_of(const State& state)
         [](double sum, const glm::dvec3& speed) { return sum + 0.5 * glm::dot(speed, speed); });
 }
 
-/// Links of lists that one end alone takes for torn.
+/// Links in lists that only one of their ends has marked as torn.
 size_t torn_at_one_end(const Structure& structure, const std::vector<glm::uvec2>& torn)
 {
     const size_t count = structure.masses_kg.size();
@@ -228,7 +228,7 @@ TEST(ClothTear, EnergyNeverGrowsAndACarryMendsAll)
 {
     for (const auto& [is_grid, bending_n_m] :
          {std::pair(true, 1e-3F), std::pair(false, 1e-3F), std::pair(false, 0.1F)}) {
-        // Half of a sheet flies off, and nothing else is about it.
+        // Half of a sheet flies off, and nothing is near it.
         Sheet sheet = lying_square(
             16, 0.0F,
             {.stretch_n_m = 200.0F, .bending_n_m = bending_n_m, .damping_per_s = 0.0F, .tear = 1.2F});

@@ -4,14 +4,15 @@
 
 // Bending on a grid, and tethers.
 //
-// Wanted before: vec4 predicted_at(uint local), a place and whatever else, and what cloth_torn.glsl wants.
+// Requires: vec4 predicted_at(uint local), with a position in xyz, and everything that cloth_torn.glsl
+// requires.
 
 #extension GL_EXT_control_flow_attributes : require
 
 #include "techniques/cloth/solver/cloth_torn.glsl"
 
-// Whether there are particles so many places from one of a row of a grid, from two before to two after: 1, or
-// 0.
+// 1 for each particle that exists in a row of a grid, from two places before the particle `at` to two after,
+// else 0.
 float[5] there_about(int at, int size)
 {
     float there[5];
@@ -22,9 +23,9 @@ float[5] there_about(int at, int size)
     return there;
 }
 
-// Bending of a grid: that of a thin plate in finite differences, of which those are left out that reach
-// beyond the edge. By how much of a force of rigidity 1 the way to the particle so many places on takes part
-// in it. Summed up way by way it takes less room than all ways at once.
+// Bending of a grid as a thin plate in finite differences, without the differences that reach beyond the
+// edge. Returns the coefficient of the vector to the particle x, y places away, in the force at rigidity 1.
+// Adding these terms one by one needs fewer registers than all at once.
 float grid_bend_share(int x, int y, float columns[5], float rows[5])
 {
     vec2 spacing = vec2(sheet.spacing_x_m, sheet.spacing_y_m);
@@ -44,7 +45,7 @@ float grid_bend_share(int x, int y, float columns[5], float rows[5])
            twist * along[2 + way] * (across[1] + across[3]);
 }
 
-// The same of a sheet that may tear: what is torn is left out as what lies beyond the edge.
+// Like grid_bend_share(), for a sheet that may tear: torn particles are omitted like those beyond the edge.
 float torn_bend_share(int x, int y, float columns[5], float rows[5], uvec2 torn)
 {
     vec2 spacing = vec2(sheet.spacing_x_m, sheet.spacing_y_m);
@@ -75,7 +76,7 @@ float torn_bending(float bending, uvec2 torn, uint other)
     return may_tear && (torn != uvec2(0u) || torn_of(other) != uvec2(0u)) ? 0.0 : bending;
 }
 
-// By how much of that force a particle's own place takes part in it.
+// Coefficient of the particle's own position in this force.
 float grid_bend_own(ivec2 at, ivec2 size)
 {
     vec2 spacing = vec2(sheet.spacing_x_m, sheet.spacing_y_m);
@@ -92,12 +93,12 @@ float grid_bend_own(ivec2 at, ivec2 size)
     return sum + sides.x * sides.y * 2.0 / (spacing.x * spacing.y);
 }
 
-// No farther from particles that are held than the sheet reaches: Kim, Chentanez and Müller, "Long Range
-// Attachments", SCA 2012.
+// Limits the distance from held particles to the distance along the sheet: Kim, Chentanez and Müller, "Long
+// Range Attachments", SCA 2012.
 vec3 tethered(uint local, vec3 place)
 {
     uint k = 0u;
-    do { // processors run a loop whose condition comes first once more than it says
+    do { // else processors would run one extra round
         if (k < sheet.tether_width) {
             uvec2 tether = texelFetch(tether_texels, int(sheet.first_tether + k * sheet.stride + local)).xy;
             vec3 held = predicted_at(tether.x).xyz;

@@ -2,11 +2,11 @@
 #ifndef ESTAMPE_CLOTH_TORN
 #define ESTAMPE_CLOTH_TORN
 
-// What of a sheet is torn: 64 bits a particle, one a link. In lists the k-th link has the k-th bit. On a grid
-// that to the particle so many places on has the bit of link_bit(), and the four cells about a particle have
-// bits of their own, set where any link of the cell is torn.
+// Torn links of a sheet: 64 bits per particle, one per link. In lists the k-th link has the k-th bit. On a
+// grid link_bit() gives the bit of a link, and the four cells around a particle have bits of their own, set
+// if any link of the cell is torn.
 //
-// Wanted before: uvec2 torn_of(uint local).
+// Requires: uvec2 torn_of(uint local).
 
 #include "techniques/cloth/cloth_data.glsl"
 
@@ -27,7 +27,7 @@ uint cell_bit(ivec2 way)
     return cloth_torn_cells + (way.x > 0 ? 1u : 0u) + (way.y > 0 ? 2u : 0u);
 }
 
-// Of what is there: 1, or 0 where it is torn.
+// 0 if the link is torn, else 1.
 float whole_link(uvec2 torn, int x, int y)
 {
     return may_tear && has_bit(torn, link_bit(ivec2(x, y))) ? 0.0 : 1.0;
@@ -43,7 +43,7 @@ uvec4 link_at(uint local, uint k)
     return texelFetch(link_texels, int(sheet.first_link + k * sheet.stride + local));
 }
 
-// Whether the direct link between two particles is torn, in lists.
+// Whether lists contain the direct link between two particles as torn.
 bool is_torn_between(uint local, uint other)
 {
     uvec2 torn = torn_of(local);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One workgroup a sheet, on GPUs: so many threads that a thread has a particle or few, all of whose numbers
-// stay in registers, and what it waits for others make up for.
+// One workgroup per sheet, for GPUs: a thread has one particle or few, whose values stay in registers, and
+// the many threads hide memory latency.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -13,7 +13,7 @@
 layout(local_size_x = cloth_wide_group) in;
 
 const uint most_slots = cloth_small_sheet / cloth_wide_group;
-const uint slots = most_slots; // so that loops over them have no end to ask for
+const uint slots = most_slots; // constant, so that loops have a known end
 
 #include "techniques/cloth/solver/cloth_small.glsl"
 
