@@ -32,8 +32,8 @@ SHARED_CONSTANT uint cloth_tile_side = 8U;      // on a grid, workgroups are squ
 SHARED_CONSTANT uint cloth_small_group = 256U;  // threads that share a small sheet
 SHARED_CONSTANT uint cloth_small_sheet = 1024U; // most particles of a small sheet
 SHARED_CONSTANT uint cloth_small_share = 8U;    // most particles of a small sheet per thread
-SHARED_CONSTANT uint cloth_wide_group = 1024U; // threads per small sheet on a GPU; divides cloth_small_sheet
-SHARED_CONSTANT uint cloth_few_sheets = 160U;  // their records fit in the smallest uniform buffer
+SHARED_CONSTANT uint cloth_wide_group = 1024U;  // threads per small sheet on a GPU; divides cloth_small_sheet
+SHARED_CONSTANT uint cloth_few_sheets = 160U;   // their records fit in the smallest uniform buffer
 SHARED_CONSTANT uint cloth_most_tethers = 4U;
 SHARED_CONSTANT uint cloth_met_head = 4U;   // numbers of the ball about a group, before what it may meet
 SHARED_CONSTANT uint cloth_met_words = 32U; // of 32 solids each, at most: of those after it is not asked
@@ -49,10 +49,9 @@ SHARED_CONSTANT float cloth_near_share = 3.0F;
 SHARED_CONSTANT uint cloth_plane = 0U; // all space below y = 0
 SHARED_CONSTANT uint cloth_ellipsoid = 1U;
 SHARED_CONSTANT uint cloth_box = 2U;
-SHARED_CONSTANT uint cloth_cylinder = 3U; // with its axis along y
-SHARED_CONSTANT uint cloth_capsule = 4U;  // with its axis along y
-SHARED_CONSTANT uint cloth_heights =
-    5U; // all below heights on an x, z grid; constant beyond the grid
+SHARED_CONSTANT uint cloth_cylinder = 3U;  // with its axis along y
+SHARED_CONSTANT uint cloth_capsule = 4U;   // with its axis along y
+SHARED_CONSTANT uint cloth_heights = 5U;   // all below heights on an x, z grid; constant beyond the grid
 SHARED_CONSTANT uint cloth_distances = 6U; // the solid of signed distances on a grid
 SHARED_CONSTANT uint cloth_seen = 7U;      // the space between the front and the back of a body, along z
 SHARED_CONSTANT uint cloth_kind_bits = 3U;

@@ -25,10 +25,9 @@ layout(scalar, binding = 1) uniform Run
     ClothRun run;
 };
 
-layout(binding = 2) uniform usamplerBuffer link_texels; // ClothLink
-layout(binding = 3) uniform usamplerBuffer face_texels; // the two other corners, in order
-layout(binding = 4) uniform usamplerBuffer
-    tether_texels; // held particle, and largest distance from it
+layout(binding = 2) uniform usamplerBuffer link_texels;   // ClothLink
+layout(binding = 3) uniform usamplerBuffer face_texels;   // the two other corners, in order
+layout(binding = 4) uniform usamplerBuffer tether_texels; // held particle, and largest distance from it
 layout(binding = 5) uniform usamplerBuffer collider_texels;
 layout(binding = 6) uniform samplerBuffer target_before_texels; // targets of held particles at the beginning
 layout(binding = 7) uniform samplerBuffer target_after_texels;  // and the end of a run; w: how strongly held
