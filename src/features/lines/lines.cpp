@@ -253,7 +253,7 @@ void LineMeshes::forget()
 
 namespace {
 
-constexpr uint32_t columns = shared::brush_columns;
+constexpr uint32_t brush_columns = shared::brush_columns;
 constexpr uint32_t rows = shared::brush_rows;
 constexpr uint32_t seed = 7;
 constexpr float hairs = 4.0F; // finer than in tonal art maps, whose strokes are a few pixels wide
@@ -276,13 +276,13 @@ contour::BrushStrip drawn_by(tam::Tool tool, contour::BrushFit fit)
                             .grain = tool == tam::Tool::pencil ? 0.7F : 0.95F});
     const bool feels_paper = brush.tooth_cell_px() > 0;
     const std::vector<float> tooth =
-        feels_paper ? tam::paper_tooth(columns, 2 * brush.tooth_cell_px(), seed) : std::vector<float>();
-    contour::BrushStrip strip{.widths = static_cast<float>(columns) / static_cast<float>(rows)};
-    strip.ink.reserve(size_t{columns} * rows);
+        feels_paper ? tam::paper_tooth(brush_columns, 2 * brush.tooth_cell_px(), seed) : std::vector<float>();
+    contour::BrushStrip strip{.widths = static_cast<float>(brush_columns) / static_cast<float>(rows)};
+    strip.ink.reserve(size_t{brush_columns} * rows);
     for (uint32_t y = 0; y < rows; ++y) {
-        for (uint32_t x = 0; x < columns; ++x) {
-            const size_t texel = size_t{y} * columns + x;
-            const float share = (static_cast<float>(x) + 0.5F) / static_cast<float>(columns);
+        for (uint32_t x = 0; x < brush_columns; ++x) {
+            const size_t texel = size_t{y} * brush_columns + x;
+            const float share = (static_cast<float>(x) + 0.5F) / static_cast<float>(brush_columns);
             strip.ink.push_back(
                 brush.ink({.along = progress(share, fit),
                            .across_px = static_cast<float>(y) + 0.5F - 0.5F * static_cast<float>(rows),
@@ -298,7 +298,7 @@ contour::BrushStrip drawn_by(tam::Tool tool, contour::BrushFit fit)
 contour::BrushStrip pictured(const std::string& path)
 {
     const Image picture = load_image(path);
-    return {.ink = tam::stroke_of(picture, columns, rows, path),
+    return {.ink = tam::stroke_of(picture, brush_columns, rows, path),
             .widths = static_cast<float>(picture.width) / static_cast<float>(std::max(picture.height, 1U))};
 }
 
@@ -317,14 +317,14 @@ contour::BrushStrip strip_of(const std::string& brush, contour::BrushFit fit)
 contour::BrushStrip dash(const BrushChoice& choice)
 {
     const float period_mm = choice.dash_mm + choice.gap_mm;
-    const float texel_mm = period_mm / static_cast<float>(columns);
+    const float texel_mm = period_mm / static_cast<float>(brush_columns);
     const float radius_mm = 0.5F * std::min(choice.dash_width_mm, choice.dash_mm);
     contour::BrushStrip strip{.widths = period_mm / std::max(choice.dash_width_mm, 0.01F)};
-    strip.ink.reserve(size_t{columns} * rows);
+    strip.ink.reserve(size_t{brush_columns} * rows);
     for (uint32_t y = 0; y < rows; ++y) {
         const float across = 2.0F * (static_cast<float>(y) + 0.5F) / static_cast<float>(rows) - 1.0F;
         const float shorter_mm = radius_mm * (1.0F - std::sqrt(1.0F - across * across));
-        for (uint32_t x = 0; x < columns; ++x) {
+        for (uint32_t x = 0; x < brush_columns; ++x) {
             const float along_mm = (static_cast<float>(x) + 0.5F) * texel_mm;
             const float inside_mm = std::min(along_mm, choice.dash_mm - along_mm) - shorter_mm;
             strip.ink.push_back(std::clamp(inside_mm / texel_mm + 0.5F, 0.0F, 1.0F));
