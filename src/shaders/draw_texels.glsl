@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_DRAW_TEXELS
 #define ESTAMPE_DRAW_TEXELS
 
-// Reads draw records as texels of four words. Requires DRAW_TEXELS_BINDING.
+// Reads draw records as texels of four 32-bit words. Requires DRAW_TEXELS_BINDING.
 
 #include "shaders/scene.glsl.h"
 

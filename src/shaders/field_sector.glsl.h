@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_FIELD_SECTOR_GLSL_H
 #define ESTAMPE_FIELD_SECTOR_GLSL_H
 // The part of height fields that is computed, for several fields at once: the texels on the inner sides of
-// two lines.
+// two straight lines.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {

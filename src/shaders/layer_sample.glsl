@@ -3,7 +3,7 @@
 #define ESTAMPE_LAYER_SAMPLE
 
 // The layers of a drawing at one place, in a form that may be added. Samples are blurred in this form: the
-// blurred layers on paper give the blurred picture, with sharp paper.
+// blurred layers, composited on paper, give the blurred picture with sharp paper.
 
 struct LayerSample {
     vec4 paint; // Paint that is visible beside the ink; in w, ink of strokes that is visible beside lines

@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_LAYERS
 #define ESTAMPE_LAYERS
 
-// The layers of a drawing before they are put on paper. The including shader declares their images and
+// The layers of a drawing before they are composited on paper. The including shader declares their images and
 // `has_sky`.
 
 struct Layers {

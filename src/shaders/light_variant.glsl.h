@@ -9,14 +9,14 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-SHARED_CONSTANT uint light_has_shadow = 1U << 0U; // For the sun
+SHARED_CONSTANT uint light_has_shadow = 1U << 0U; // for the shadow of the sun
 SHARED_CONSTANT uint light_has_local_lights = 1U << 1U;
 SHARED_CONSTANT uint light_has_emissive = 1U << 2U;
 SHARED_CONSTANT uint light_has_links = 1U << 3U;
 SHARED_CONSTANT uint light_has_lists = 1U << 4U;
 SHARED_CONSTANT uint light_counts_visits = 1U << 5U; // For tests: lights evaluated, and those within range
 SHARED_CONSTANT uint light_keeps_strongest = 1U << 6U;
-SHARED_CONSTANT uint light_looks_at_all = 1U << 7U; // For tests
+SHARED_CONSTANT uint light_looks_at_all = 1U << 7U; // for tests: tests every light at every pixel
 SHARED_CONSTANT uint light_has_local_shadows = 1U << 8U;
 SHARED_CONSTANT uint light_has_lightmap = 1U << 9U;
 SHARED_CONSTANT uint light_keeps_sun = 1U << 10U;
@@ -30,7 +30,7 @@ SHARED_CONSTANT uint light_has_sun_levels = 1U << 14U;
 SHARED_CONSTANT uint light_has_sun_warp = 1U << 15U;
 SHARED_CONSTANT uint light_has_soft_lamps = 1U << 16U;
 
-SHARED_CONSTANT uint light_has_sun_share = 1U << 17U; // Precomputed for each pixel
+SHARED_CONSTANT uint light_has_sun_share = 1U << 17U; // the share of sunlight is precomputed for each pixel
 
 // Occlusion darkens the ambient light, or all light.
 SHARED_CONSTANT uint light_occludes_ambient = 1U << 18U;

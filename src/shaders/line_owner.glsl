@@ -12,8 +12,9 @@ struct LineOwner {
     float depth;
 };
 
-// Finds the surface that a line belongs to. Half of a line lies outside of its surface, which is the nearest
-// one in `depth_image` within the pen's reach. Where no line is, only the pixel itself is sampled.
+// Finds the surface that a line belongs to. Half of a line's width is outside its surface, which is the
+// nearest surface in `depth_image` within the pen's reach. Where no line is, only the pixel itself is
+// sampled.
 LineOwner owner_of(ivec2 pixel, float line_cover, float reach_px, ivec2 last)
 {
     LineOwner owner = LineOwner(pixel, -1.0);

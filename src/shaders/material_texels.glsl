@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_MATERIAL_TEXELS
 #define ESTAMPE_MATERIAL_TEXELS
 
-// Reads materials as texels of four words, field by field as required. Requires MATERIAL_TEXELS_BINDING.
+// Reads materials as texels of four 32-bit words, only the required fields. Requires MATERIAL_TEXELS_BINDING.
 
 #include "shaders/scene.glsl.h"
 
@@ -43,7 +43,7 @@ vec3 outline_color_of(uint material)
     return uintBitsToFloat(material_words(material, 3u).xyz);
 }
 
-// 0: the width of the style's outline.
+// Width of the material's own outline; 0 means the width of the style's outline.
 float outline_width_m_of(uint material)
 {
     return uintBitsToFloat(material_words(material, 3u).w);

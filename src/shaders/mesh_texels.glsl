@@ -10,7 +10,7 @@
 layout(binding = MESH_TEXELS_BINDING) uniform usamplerBuffer triangle_texels;
 layout(binding = MESH_TEXELS_BINDING + 1) uniform usamplerBuffer posed_vertex_texels;
 
-// Three indices of posed vertices, then the draw with the flags of scene.glsl.h.
+// Three indices of posed vertices, then the draw number with the flags of scene.glsl.h.
 uvec4 triangle_at(uint triangle)
 {
     return texelFetch(triangle_texels, int(triangle));

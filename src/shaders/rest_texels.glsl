@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_REST_TEXELS
 #define ESTAMPE_REST_TEXELS
 
-// Reads vertices of the rest pose as texels of four words. Requires REST_TEXELS_BINDING.
+// Reads vertices of the rest pose as texels of four 32-bit words. Requires REST_TEXELS_BINDING.
 
 #include "shaders/scene.glsl.h"
 

@@ -14,12 +14,12 @@ SHARED_CONSTANT uint no_skin = 0xffffffffU;
 
 // Flags of DrawRecord.
 SHARED_CONSTANT uint draw_has_uv = 1U;
-SHARED_CONSTANT uint draw_follows_uv = 2U; // Its UVs are suitable for strokes
-SHARED_CONSTANT uint draw_mirrored = 4U;   // Its transform mirrors it
-SHARED_CONSTANT uint draw_unshadowed = 8U; // Receives no shadow
-SHARED_CONSTANT uint draw_is_cut = 16U;    // Cut out or clear by alpha, so it may end before its edges
+SHARED_CONSTANT uint draw_follows_uv = 2U; // the draw's UVs are suitable for strokes
+SHARED_CONSTANT uint draw_mirrored = 4U;   // the draw's transform mirrors the mesh
+SHARED_CONSTANT uint draw_unshadowed = 8U; // the draw receives no shadow
+SHARED_CONSTANT uint draw_is_cut = 16U;    // alpha cuts or fades the draw, so it may end before its edges
 
-// The fourth word of a triangle: the draw, and two flags for the rasteriser.
+// Masks of a triangle's fourth word: the number of the draw, and two flags for the rasteriser.
 SHARED_CONSTANT uint triangle_mirrored = 1U << 31U;
 SHARED_CONSTANT uint triangle_two_sided = 1U << 30U;
 SHARED_CONSTANT uint triangle_draw_mask = (1U << 28U) - 1U;
@@ -54,13 +54,13 @@ struct DrawRecord {
     uint material;
     uint object; // Node number; outlines are drawn around all primitives of one object
     uint vertex_count;
-    uint first_skin_vertex; // no_skin: rigid
+    uint first_skin_vertex; // no_skin for a rigid mesh
     uint first_joint;       // Index into the joint matrices, anchor_from_bind
     uint first_morph_offset;
     uint morph_target_count;
     uint first_morph_weight;
     uint flags;
-    // Bits 0-15: groups of the lights that light it; bits 16-31: groups that it casts shadows for.
+    // Bits 0-15: light groups that light the draw; bits 16-31: light groups for which the draw casts shadows.
     uint groups;
 };
 
@@ -73,7 +73,7 @@ struct PosedVertex {
 SHARED_CONSTANT uint no_texture = 0xffffffffU;
 SHARED_CONSTANT uint texture_class_mask = 31U; // Variant bits: one per size class that contains textures
 SHARED_CONSTANT uint material_unlit = 1U;
-SHARED_CONSTANT uint material_paper = 2U; // Receives shadow, but neither wash nor outline
+SHARED_CONSTANT uint material_paper = 2U; // receives shadow, but has no wash and no outline
 SHARED_CONSTANT uint material_emissive = 4U;
 SHARED_CONSTANT float least_cover = 0.02F; // Least alpha of a visible blended surface
 
@@ -95,12 +95,12 @@ struct MaterialRecord {
     vec3 shade_color;      // Multiplied into the wash in shadow
     float alpha_cutoff;    // Cutoff of masked materials; least_cover for blended ones
     vec3 outline_color;    // Only used if outline_width_m is not 0
-    float outline_width_m; // 0: the style's outline
+    float outline_width_m; // 0 means the width of the style's outline
     vec3 emissive;
     float unused;
     TextureSlot base_texture;
     TextureSlot normal_texture;
-    TextureSlot occlusion_texture; // Light that passes, in red: 1 + strength * (red - 1)
+    TextureSlot occlusion_texture; // red: share of light that passes is 1 + strength * (red - 1)
 };
 
 #ifdef __cplusplus

@@ -19,7 +19,7 @@ struct StrokeAxes {
 };
 
 // Normals of the parallel planes that slice the solid in each layer. Where a surface is nearly parallel to
-// these planes, a second family with the level axis takes over.
+// these planes, a second family of strokes with the level axis replaces the first.
 vec3 slice_axis(uint layer)
 {
     return layer == 0u   ? vec3(0.2998, 0.8995, -0.3198)

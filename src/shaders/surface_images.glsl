@@ -36,7 +36,7 @@ bool is_paper(uint word)
 }
 
 // Change of a surface coordinate over one pixel to the right and down. Packed to 16 bytes: six numbers
-// relative to the largest of them, to 1/32767.
+// relative to the largest of the six, with a precision of 1/32767.
 struct Footprint {
     vec3 dx;
     vec3 dy;

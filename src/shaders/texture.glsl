@@ -4,9 +4,9 @@
 
 #include "shaders/scene.glsl.h"
 
-// Texture lookup in size classes. The including shader declares `sampler2DArray texture_class_0` to `_4`,
-// and TEXTURE_CLASSES, the specialization bits of the classes that contain textures. Processors execute
-// every remaining branch, so unused ones are removed.
+// Texture lookup in size classes. The including shader declares `sampler2DArray texture_class_0` to `_4`, and
+// TEXTURE_CLASSES, the specialization bits of the classes that contain textures. Processors execute every
+// branch that remains, so branches of unused classes are removed.
 
 // The sampler repeats. The other modes must keep half a texel away from the border, otherwise the filter
 // would read across it.

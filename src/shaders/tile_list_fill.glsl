@@ -12,8 +12,8 @@ layout(scalar, binding = TILE_LIST_BINDING) coherent buffer TileList
     uint tile_list[];
 };
 
-// Reserves `tiles` entries, at least one, and returns the index of the first. All threads contend for the
-// counter, so reserve several tiles with one call.
+// Reserves `tiles` entries, at least one, and returns the index of the first entry. All threads contend for
+// the counter, so reserve several tiles with one call.
 uint list_room(uint tiles)
 {
     uint first = atomicAdd(tile_list[tile_list_count], tiles);

@@ -10,11 +10,11 @@ ivec2 pixel_of_tile(ivec2 tile, int side, int i)
     return side * tile + ivec2(i % side, i / side);
 }
 
-// A tile in the neighbourhood of another.
+// A tile in the neighbourhood of another tile.
 struct TileAbout {
     ivec2 tile;
     ivec2 away;    // Distance in tiles, along each axis
-    ivec2 between; // Whole tiles between the two
+    ivec2 between; // number of tiles between the two, along each axis
 };
 
 // Number of tiles to each side that a radius reaches.

@@ -12,7 +12,7 @@ namespace estampe::shared {
 // dispatch arguments, the number of tiles, and the tiles, with columns in the lower half of a word and rows
 // in the upper half. gpu::add_empty_tile_list() creates an empty list.
 
-// Index of the word with the number of tiles, after three arguments.
+// Index of the word with the number of tiles; the three dispatch arguments come first.
 SHARED_CONSTANT uint tile_list_count = 3U;
 SHARED_CONSTANT uint tile_list_first = 4U; // Index of the word with the first tile
 // Groups in a row of the dispatch; lists may be longer than a row.

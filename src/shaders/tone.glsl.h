@@ -18,7 +18,7 @@ struct ToneConstants {
     float exposure;
     float gamma;
     float contrast;
-    float floor;       // Lower darkness stays paper
+    float floor;       // darkness below this stays paper
     float ceiling;     // Upper limit of darkness
     float local_value; // How much darker dark materials are drawn, 0 to 1
     float occlusion;   // Strength of the occlusion texture, 0 to 1

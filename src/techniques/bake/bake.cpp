@@ -110,7 +110,7 @@ uint64_t work_fingerprint(const Scene& scene, const StaticTriangles& triangles, 
 /// The light of one texel as its paths estimate it.
 struct Estimate {
     glm::vec3 light{0.0F};
-    float variance = 0.0F; ///< of the mean brightness
+    float variance = 0.0F; ///< variance of the mean brightness
     glm::vec3 place{0.0F};
     glm::vec3 normal{0.0F};
     bool known = true; ///< false where the texel lies inside a solid object
@@ -163,7 +163,8 @@ public:
     std::vector<bool> known;
 };
 
-/// Fills the texels of `wanted` that touch known texels with the mean of these; returns those it filled.
+/// Fills those texels of `wanted` that touch known texels with the mean of the known ones; returns the filled
+/// texels.
 std::vector<uint32_t> fill_beside(Canvas& canvas, const std::vector<uint32_t>& wanted)
 {
     std::vector<uint32_t> filled;
@@ -205,9 +206,9 @@ std::vector<uint32_t> unknown_beside(const Canvas& canvas, const std::vector<uin
     return found;
 }
 
-/// Averages each texel with those up to three texels away that lie on the same surface and differ by no more
-/// than their noise: a bilateral filter after Dammertz et al., "Edge-Avoiding A-Trous Wavelet Transform",
-/// 2010, at one scale. Cost: 49 lookups per texel.
+/// Averages each texel with texels up to three texels away that are on its surface and differ by no more than
+/// the noise: a bilateral filter after Dammertz et al., "Edge-Avoiding A-Trous Wavelet Transform", 2010, at
+/// one scale. Cost: 49 lookups per texel.
 std::vector<glm::vec3> smoothed(std::span<const charts::Texel> texels, std::span<const Estimate> estimates,
                                 uint32_t size)
 {
@@ -274,7 +275,7 @@ LightImage spread(std::span<const charts::Texel> texels, std::span<const Estimat
     return {.width = size, .height = size, .texels = std::move(canvas.light)};
 }
 
-constexpr uint32_t paths_a_visit = 8; // paths of one texel before the next texel's turn
+constexpr uint32_t paths_a_visit = 8; // paths of one texel before the next texel follows
 constexpr uint64_t texels_a_block = 512;
 constexpr uint64_t blocks_at_once = 32; // blocks between two checks of the clock
 // A texel with a larger share of paths that meet a back face lies inside an object.

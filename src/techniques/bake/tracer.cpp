@@ -303,8 +303,8 @@ bool Tracer::blocked(const glm::vec3& from, const glm::vec3& direction, float re
 
 glm::vec3 Tracer::from_lamps(const Vertex& vertex, bool baked_alone, Random& random) const
 {
-    // One lamp stands for all: its probability is proportional to its brightness here, so its light is scaled
-    // to the whole sum.
+    // Only one lamp is sampled: its probability is proportional to its brightness here, so its light is
+    // scaled to the sum of all lamps.
     Beam chosen;
     float chosen_brightness = 0.0F;
     float sum = 0.0F;

@@ -56,7 +56,7 @@ public:
         return material(triangle).alpha_mode != AlphaMode::blend && !material(triangle).unlit;
     }
 
-    /// Light links of a triangle: those of its node and of its material combined, whichever allows less.
+    /// Light links of a triangle: the intersection of those of its node and of its material.
     [[nodiscard]] const LightLinks& links(uint32_t triangle) const { return links_of_[triangle]; }
 
     /// Whether any triangle has light links other than the default.
@@ -92,7 +92,7 @@ private:
     uint64_t state_;
 };
 
-/// The light that one path carries to its texel.
+/// The light that one path contributes to its texel.
 struct Arrival {
     glm::vec3 light{0.0F};   ///< an estimate of irradiance over pi
     bool saw_a_back = false; ///< the first hit was a back face, as happens inside a closed object

@@ -28,7 +28,7 @@ struct BleedInputs {
 /// Largest distance from which ink affects a pixel; 0 if bleed is off.
 [[nodiscard]] uint32_t reach_px(const BleedStyle& style, float pixels_per_mm);
 
-/// Merges the ink of strokes and lines by blur and contrast, which fills acute corners and narrow gaps and
+/// Merges the ink of strokes and lines by blur and contrast. This fills acute corners and narrow gaps, and
 /// removes no ink.
 ///
 /// Writes  r16f: replaces `hatch` below the same lines, which keep their colour; never less than `hatch`.

@@ -200,7 +200,7 @@ void Cloths::group_sheets(gpu::Device& device)
         }
     };
     const auto sheet_count = static_cast<uint32_t>(records_.size());
-    std::map<std::tuple<bool, uint32_t, const Solver*>, std::vector<uint32_t>> alike; // large ones first
+    std::map<std::tuple<bool, uint32_t, const Solver*>, std::vector<uint32_t>> alike; // large sheets first
     for (uint32_t sheet = 0; sheet < sheet_count; ++sheet) {
         append_in_order(sheet);
         alike[{is_small(sheet), variant_of(sheet), &solver_of(sheet)}].push_back(sheet);

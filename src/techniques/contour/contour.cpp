@@ -195,7 +195,7 @@ const style::Table<ContourStyle>& contour_table()
 
 namespace {
 
-constexpr float most_swelling = 2.2F; // most that pressure, shade and nearness widen a line
+constexpr float most_swelling = 2.2F; // largest factor of pressure, shade and nearness on a line's width
 
 constexpr uint32_t listing_groups = 128; // workgroups that share a list whose length is unknown
 

@@ -27,13 +27,13 @@ struct EdgeConstants {
     float boundary_px; // full width of boundaries
     float crease_px;   // full width of creases
     float crease_cosine;
-    float depth_step; // smallest fall of a surface within one pixel that makes a line: share of the distance,
+    float depth_step; // smallest change of depth within one pixel that makes a line: a share of the distance,
                       // or metres in parallel projection
     uint capacity;
 };
 
 struct SeedConstants {
-    float pressure; // 0: even, 1: from hair-thin in the light to double width in the shade
+    float pressure; // 0: constant width; 1: from hair-thin in the light to double width in the shade
     float distance_thinning;
     float pixel_m_at_one; // size of a pixel at a distance of one, in perspective
     uint capacity;
@@ -48,7 +48,7 @@ struct FloodConstants {
 struct StrokeConstants {
     uint width;
     uint height;
-    float reach_px; // no stroke is wider than twice this
+    float reach_px; // half the width of the widest stroke
     vec3 ink_color;
 };
 

@@ -26,15 +26,15 @@ enum class PressureFrom : uint8_t { light, turn, both };
 
 enum class Joints : uint8_t { round, mitre };
 
-/// What each kind of line has.
+/// Settings of each kind of line.
 struct LineStyle {
     bool enabled = true;
-    float width_mm = 0.24F; ///< on the page
-    float width_m = 0.0F;   ///< in the scene; unless 0, replaces the width on the page
+    float width_mm = 0.24F; ///< in millimetres on the page
+    float width_m = 0.0F;   ///< in metres of the scene; unless 0, replaces `width_mm`
     std::string brush;      ///< empty uses ContourStyle::brush
 };
 
-/// Lines behind other surfaces, drawn with dashes.
+/// Settings of hidden lines, which are drawn with dashes.
 struct HiddenStyle {
     bool enabled = false;
     float width_mm = 0.2F;
@@ -89,8 +89,8 @@ struct LineKind {
     LineStyle ContourStyle::*style;
 };
 
-/// Indexed by kind of line: shared::line_silhouette and so on. Silhouettes and the open edges of a mesh
-/// (shared::line_border) are both outlines to who draws; what the style calls a border divides materials
+/// Indexed by kind of line: shared::line_silhouette and so on. The style's outlines are both silhouettes and
+/// the open edges of a mesh (shared::line_border). The style's borders separate materials
 /// (shared::line_boundary).
 inline constexpr std::array<LineKind, shared::line_kind_count> line_kinds{
     {{"outline", "around objects", &ContourStyle::outline},
@@ -115,8 +115,8 @@ inline constexpr std::array<LineKind, shared::line_kind_count> line_kinds{
     return line_style(style, kind).enabled;
 }
 
-/// Width of a kind of line on the page, 0 if the style does not draw it. Hidden lines and the length of a
-/// brush need it, because they ignore widths in the scene.
+/// Width of a kind of line on the page; 0 if the style does not draw the kind. Hidden lines and the length of
+/// a brush use this width, because they ignore widths in the scene.
 [[nodiscard]] inline float width_on_page_mm(const ContourStyle& style, uint32_t kind)
 {
     const LineStyle& line = line_style(style, kind);

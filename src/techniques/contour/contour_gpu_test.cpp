@@ -185,7 +185,7 @@ TEST(Contour, AnOutlineInMetresKeepsItsWidthInParallelProjection)
 
 TEST(Contour, InParallelProjectionAStepIsAsDeepInAnyScene)
 {
-    // Two sheets of one object, one behind the other, and a third far away that enlarges the scene.
+    // Two sheets of one object, one behind the other, and a third sheet far away that makes the scene larger.
     constexpr double half_height_m = 1.5;
     constexpr auto break_m = static_cast<float>(12.0 * 2.0 * half_height_m / side_px); // at a depth_step of 1
     const auto inside = [&](float gap_m, float aside_m) {

@@ -91,7 +91,7 @@ float line_within_scene(Seen a, Seen b, ivec2 before, ivec2 after)
     float step = b.depth - a.depth;
     float surprise = min(abs(step - (a.depth - depth_at(before))), abs(step - (depth_at(after) - b.depth)));
     float bend = dot(a.normal, b.normal);
-    // A fold is sharp if the surface bends more here than on both sides together.
+    // A fold is sharp if the surface bends more here than to both sides of the fold together.
     float around = 2.0 - dot(normal_at(before), a.normal) - dot(b.normal, normal_at(after));
     bool is_crease = bend < constants.crease_cosine && around < 0.5 * (1.0 - bend);
     if (!same_draw && draw_a.object != draw_b.object) {

@@ -41,7 +41,7 @@ void check_start(const Grid& grid, uint32_t channels, std::span<const float> sta
 
 } // namespace
 
-/// Handles that each step of a graph passes on to the next.
+/// Handles that each step of a graph passes to the next step.
 struct Fluid::Handles {
     gpu::ImageId velocity;
     gpu::ImageId unprojected;

@@ -72,7 +72,7 @@ struct FluidDiffuse {
 
 struct FluidForces {
     vec3 speed_gain; // gain by the uniform force
-    float kept;      // factor on the speed that friction leaves
+    float kept;      // factor on the speed after friction
     float lift;      // gain of y speed per unit of temperature
     float weight;    // loss of y speed per unit of density
     float confinement;
@@ -91,7 +91,7 @@ struct FluidShape {
     float spin;     // radians per second
     vec4 gain;      // gain of the first four channels, per second
     vec4 more_gain; // gain of channels five to eight, per second
-    float push;     // rate at which fluid inside takes up the shape's speed, 1 / s
+    float push;     // rate at which fluid inside approaches the shape's speed, 1 / s
     float least_density;
     float least_vapour;
 };
@@ -106,7 +106,7 @@ struct FluidShapes {
     uint channels;
 };
 
-// Mass that is moved in whole units.
+// Constants for mass that is counted in whole units.
 struct FluidMass {
     float cells_per_speed;
     float gain_per_unit; // gain of speed per difference of one unit between neighbours
@@ -130,8 +130,8 @@ struct FluidMatter {
     float outside_vapour; // vapour of the outside air, limited by its saturation
 };
 
-// One level of the multigrid or of data laid out like it; a cell spans 2^level cells of the grid. Buffers
-// store all levels, finest first; this level starts at `first`.
+// One level of the multigrid, or of data with the layout of the multigrid; a cell spans 2^level cells of the
+// grid. Buffers store all levels, finest first; this level starts at `first`.
 struct FluidLevel {
     uint width;
     uint height;

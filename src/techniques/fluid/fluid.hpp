@@ -23,7 +23,7 @@ enum class Stepping : uint8_t {
              ///< twice the cost
 };
 
-/// Every member may change from step to step.
+/// Settings of a step; every member may change from step to step.
 struct FluidStyle {
     float step_s = 1.0F / 120.0F;
     Stepping stepping = Stepping::reflect;
@@ -44,7 +44,8 @@ struct FluidFields {
     std::optional<gpu::ImageId> quantities = {};
 };
 
-/// Deterministic: the same start, style and steps give bit-identical fields on the same device.
+/// A fluid on the device. Deterministic: equal start, style and steps give bit-identical fields on one
+/// device.
 class Fluid {
 public:
     /// `velocity` and `quantities` are laid out as in FluidFields, row by row in each layer; an empty span
@@ -70,7 +71,7 @@ public:
     /// the grid has no spectral solver. Call it once before the first step.
     double check_spectral(gpu::Device& device, gpu::Executor& executor);
 
-    /// Takes effect with the next step. Obstacles and sources keep moving as steps pass. Throws
+    /// Sets obstacles and sources from the next step on. They keep moving as steps pass. Throws
     /// std::logic_error for more than 64 in all.
     void set_shapes(std::span<const Shape> obstacles, std::span<const Source> sources)
     {

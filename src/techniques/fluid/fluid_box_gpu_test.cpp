@@ -71,7 +71,7 @@ TEST(FluidBox, FuelAndCloudLeaveAtOpenEndsAndOutsideAirBringsItsVapour)
     EXPECT_NEAR(number_at(left, 2, {8, 15, 8}), 0.8 * stays(0.5), 1e-5);
     EXPECT_NEAR(number_at(left, 4, {1, 8, 8}), 0.6 * stays(1.5), 1e-5);
     EXPECT_NEAR(number_at(left, 3, {1, 4, 8}), 0.5 - 0.4 * stays(1.5), 1e-5);
-    // Higher up, the outside air holds at most this much vapour.
+    // At greater heights, the outside air holds at most this much vapour.
     const double held = std::exp(-1.55);
     EXPECT_NEAR(number_at(left, 3, {8, 15, 8}), held + (0.1 - held) * stays(0.5), 1e-5);
     for (const uint32_t channel : {2U, 3U, 4U}) {

@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_FLUID_FIELDS
 #define ESTAMPE_FLUID_FIELDS
 
-// Interpolates velocities and quantities, also across walls. Needs `variant`, and `grid`, a FluidGrid.
+// Interpolates velocities and quantities, also across walls. Requires `variant`, and `grid`, a FluidGrid.
 // Samplers repeat; values that were read across a wall are corrected here.
 
 const int fluid_scalar = 3; // component number of a quantity
@@ -57,7 +57,7 @@ float lid_speed_of(int component)
     return component == 0 ? grid.lid_speed.x : component == 1 ? grid.lid_speed.y : grid.lid_speed.z;
 }
 
-// The value as far beyond a wall as `inner` is before it.
+// The value beyond a wall, at the mirror image of the place of `inner`.
 vec2 beyond_wall(vec2 inner, int component, int axis, bool is_high)
 {
     if (component == fluid_scalar || (variant & (fluid_bit_free_slip << axis)) != 0u) {
@@ -174,7 +174,7 @@ vec3 velocity_at(sampler2DArray velocity, ivec3 cell, vec3 at)
     return speed;
 }
 
-// Clamps a displacement so that it ends inside the walls; on a periodic axis to half the grid.
+// Clamps a displacement so that the displacement ends inside the walls; on a periodic axis to half the grid.
 vec3 kept_inside(vec3 way, ivec3 cell, vec3 at)
 {
     vec3 size = vec3(fluid_size());
@@ -192,7 +192,7 @@ vec3 velocity_half_way(sampler2DArray velocity, vec3 here, ivec3 cell, vec3 at, 
     return velocity_at(velocity, cell, at + kept_inside(0.5 * cells_per_speed * here, cell, at));
 }
 
-// Displacement of what starts at `at`, by the midpoint rule.
+// Displacement of fluid that starts at `at`, by the midpoint rule.
 vec3 way_along(sampler2DArray velocity, vec3 here, ivec3 cell, vec3 at, float cells_per_speed)
 {
     vec3 half_way = velocity_half_way(velocity, here, cell, at, cells_per_speed);

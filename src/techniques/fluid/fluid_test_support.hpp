@@ -58,7 +58,7 @@ template <class Number>
     });
 }
 
-/// Runs `graph`, and returns all layers of an image that it makes, one after another.
+/// Runs `graph`, and returns all layers of an image that the graph makes, one after another.
 [[nodiscard]] inline std::vector<float> run_and_read_layers(gpu::Graph& graph, gpu::ImageId image)
 {
     return test::run_and_read_as<float>(graph, add_layers_copy(graph, image));

@@ -16,12 +16,12 @@ namespace {
 constexpr size_t least_lines = 3;
 constexpr size_t most_lines = 20000;
 
-/// Random numbers that are the same on every machine.
+/// Random numbers that are equal on every machine.
 class Random {
 public:
     explicit Random(uint32_t seed) : engine_(seed) {}
 
-    /// 0 to 1.
+    /// A random number from 0 to 1.
     float next() { return static_cast<float>(engine_() >> 8U) * 0x1p-24F; }
 
 private:

@@ -45,8 +45,8 @@ struct FocusInputs {
     glm::uvec2 size_px{0};
 };
 
-/// Draws focus lines over `ink`, a contour layer: square root of linear colour, coverage in alpha. Where
-/// both have ink, the one with more coverage stays. Cost: one full-screen dispatch.
+/// Draws focus lines over `ink`, a contour layer: square root of linear colour, coverage in alpha. Where both
+/// layers have ink, the ink with more coverage wins. Cost: one full-screen dispatch.
 [[nodiscard]] gpu::ImageId add_focus(gpu::Graph& graph, const FocusInputs& in, const FocusStyle& style,
                                      gpu::ImageId ink);
 

@@ -50,8 +50,9 @@ Bundle::Bundle(uint32_t node_count, const std::vector<Link>& links, std::vector<
     }
 }
 
-/// Each node whose neighbours are all free starts a group with them; each remaining node then joins the group
-/// of its most strongly linked neighbour. Returns false if that hardly reduces the number of nodes.
+/// Each node whose neighbours are all free forms a group with these neighbours; each remaining node then
+/// joins the group of its most strongly linked neighbour. Returns false if this hardly reduces the number of
+/// nodes.
 bool Bundle::aggregate(Level& fine)
 {
     const uint32_t count = fine.size();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Multigrid for fields of 2D vectors on a graph whose links rotate or mirror the vectors that they carry.
+// Multigrid for fields of 2D vectors on a graph. Each link of the graph rotates or mirrors a vector.
 
 #include <algorithm>
 #include <cstdint>
@@ -67,7 +67,7 @@ inline Block nearest_orthogonal(const Block& m)
 
 using Vectors = std::vector<glm::dvec2>;
 
-/// Asks that the vector at `to` equal the vector at `from`, turned by `turn_rad` and then, if `mirrors`,
+/// Requests that the vector at `to` equal the vector at `from`, rotated by `turn_rad` and then, if `mirrors`,
 /// mirrored in the x axis.
 struct Link {
     uint32_t from = 0;

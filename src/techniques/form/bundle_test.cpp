@@ -18,15 +18,15 @@ glm::dvec2 carried(const Link& link, glm::dvec2 z)
     return link.mirrors ? glm::dvec2(turned.x, -turned.y) : turned;
 }
 
-/// Carries a vector backwards over a link: the transpose.
+/// Transforms a vector backwards over a link: the transpose.
 glm::dvec2 carried_back(const Link& link, glm::dvec2 z)
 {
     const glm::dvec2 unmirrored = link.mirrors ? glm::dvec2(z.x, -z.y) : z;
     return carried({.turn_rad = -link.turn_rad}, unmirrored);
 }
 
-/// A square lattice whose links carry a hidden field of unit vectors from node to node, up to an error in the
-/// angle.
+/// A square lattice whose links transform a hidden field of unit vectors from node to node, up to an error in
+/// the angle.
 std::vector<Link> lattice(uint32_t side, double error_rad)
 {
     std::mt19937 random(11);

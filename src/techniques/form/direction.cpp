@@ -174,7 +174,8 @@ double distinctness(const Curvature& k)
                       : 0.0;
 }
 
-/// Which principal curvature has the larger absolute value: 1 the greater, -1 the lesser, 0 both alike.
+/// The principal curvature with the larger absolute value: 1 for the greater one, -1 for the lesser one, 0 if
+/// both are equal.
 double preference(const Curvature& k)
 {
     const double deviation = std::abs(k.deviator);
@@ -248,7 +249,7 @@ Vectors smooth_lines(const Mesh& mesh, const glm::dvec3& up, double reach)
     return make_bundle(mesh, 2.0, false).attract(along_cross.strengths, along_cross.targets, tolerance);
 }
 
-/// Gives neighbouring lines the same sense as far as possible, breadth first.
+/// Gives neighbouring lines an equal sense as far as possible, breadth first.
 void agree_on_sense(const Mesh& mesh, Directions& directions)
 {
     const size_t count = mesh.points.size();

@@ -101,7 +101,7 @@ private:
         points_of_corners_ = mesh_.triangles;
     }
 
-    /// False if the area is too small, or the triangle too thin for meaningful angles.
+    /// Returns false if the area is too small, or the triangle too thin for meaningful angles.
     bool has_area(const std::array<uint32_t, 3>& corners)
     {
         const std::array<glm::dvec3, 3> p{place(corners[0]), place(corners[1]), place(corners[2])};
@@ -158,8 +158,8 @@ private:
         }
     }
 
-    /// Joins two triangles of equal orientation that share an edge. If more share it, as at the edge of a
-    /// sheet with front and back, each is joined to the one that continues it best.
+    /// Joins two triangles of equal orientation that share an edge. If more triangles share the edge, as at
+    /// the edge of a sheet with front and back, each triangle is joined to the best continuation.
     void pair_up(std::vector<uint32_t>& around)
     {
         constexpr size_t most_triangles = 16;

@@ -16,7 +16,7 @@ float degrees_between_lines(const glm::vec3& a, const glm::vec3& b)
     return glm::degrees(std::acos(std::min(cosine, 1.0F)));
 }
 
-/// The 99th percentile.
+/// The 99th percentile of values.
 float percentile_99(std::vector<float> values)
 {
     std::sort(values.begin(), values.end());

@@ -155,8 +155,8 @@ inline float coordinate(const glm::vec2& corner, int which)
 /// Continuity of one coordinate across edges flatter than 45 degrees.
 struct Seams {
     int edges = 0;
-    int breaks = 0; ///< differ by no whole number, for either sign
-    int jumps = 0;  ///< differ by a whole number other than 0, or by a sign
+    int breaks = 0; ///< the values differ by no whole number, for either sign
+    int jumps = 0;  ///< the values differ by a whole number other than 0, or by a sign
 };
 
 inline std::tuple<float, float, float> place_of(const glm::vec3& p)
@@ -164,7 +164,7 @@ inline std::tuple<float, float, float> place_of(const glm::vec3& p)
     return {p.x + 0.0F, p.y + 0.0F, p.z + 0.0F};
 }
 
-/// Leaves out edges of faulty triangles unless `with_faulty`.
+/// Skips edges of faulty triangles unless `with_faulty`.
 inline Seams find_seams(const TestMesh& mesh, const FormField& field, int which, bool with_faulty = false)
 {
     struct Side {

@@ -205,8 +205,8 @@ private:
     }
 
     /// Propagates phases from one corner along its two edges; the third edge takes the mismatch. Of the three
-    /// choices, takes the one with the least change over the triangle; at a singularity, the one whose third
-    /// edge is shortest, so that the signs are equal for both coordinates.
+    /// corners, takes the one with the least change over the triangle. At a singularity, takes the one whose
+    /// third edge is shortest, so that the signs are equal for both coordinates.
     void paint_triangle(uint32_t t)
     {
         const uint32_t h = 3 * t;

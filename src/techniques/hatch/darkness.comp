@@ -68,8 +68,8 @@ float darkness_at(ivec2 pixel)
     }
     dark = sees_draw(word) ? dark : 0.0;
     if (has_screen) {
-        // Surfaces behind a transparent one get lighter, as under tracing paper, and mix with its own
-        // darkness.
+        // Surfaces behind a transparent surface get lighter, as under tracing paper, and their darkness is
+        // mixed with that of the transparent surface.
         vec4 screen = texelFetch(screen_image, pixel, 0);
         float own = 0.6 * (1.0 - luminance(screen.rgb * screen.rgb));
         dark = sees_draw(word) ? mix(dark, own, 0.7 * screen.a) : 0.0;

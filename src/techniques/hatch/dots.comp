@@ -63,7 +63,7 @@ float dot_ink(vec2 from_object_px, float dark)
     float radius_px = radius_for(dark) * constants.pitch_px;
     // Area that a pixel-wide soft edge adds to a disc, divided by pi.
     const float soft = 1.0 / 12.0;
-    // A dot smaller than a pixel keeps its size and gets lighter.
+    // A dot smaller than a pixel is drawn about a pixel wide, and lighter.
     float drawn_px = max(sqrt(max(radius_px * radius_px - soft, 0.0)), 0.6);
     float ink = 0.0;
     // A pixel between several dots may be partly covered by each of them.
@@ -87,7 +87,7 @@ void main()
     }
     float tone = dark;
     if (constants.steps > 0u) {
-        // As with cut sheets of screentone: no tone below half a step.
+        // As with cut sheets of screentone, darkness below half a tone is left blank.
         tone = round(dark * float(constants.steps)) / float(constants.steps);
     }
     float ink = tone > 0.0

@@ -20,7 +20,7 @@ namespace {
 constexpr glm::uvec2 dots_px(192, 96);
 constexpr float pixels_per_mm = 4.0F;
 
-/// Ink of a page of one darkness, on an object that is seen at `object_px`.
+/// Ink of a page of one darkness; its object is seen at `object_px`.
 std::vector<float> dots_ink(const hatch::HatchStyle& style, const test::Painter<float>& dark,
                             const glm::vec2& object_px)
 {

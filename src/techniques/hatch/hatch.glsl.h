@@ -10,7 +10,7 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-SHARED_CONSTANT uint no_source = 0xffffffffU; // no pixel's strokes run over into this one
+SHARED_CONSTANT uint no_source = 0xffffffffU; // the strokes of no other pixel run over into this pixel
 
 // Ramp of a tonal art map: for darknesses from 0 to 1, the value to look up so that the mean ink is that
 // darkness: a threshold, or a tone counted from 0 for paper. `ramp_steps` rows cover the blend from a level
@@ -24,7 +24,7 @@ SHARED_CONSTANT uint darkness_has_fade = 1U << 0U;   // strokes fade with distan
 SHARED_CONSTANT uint darkness_has_screen = 1U << 1U; // there are transparent surfaces
 SHARED_CONSTANT uint darkness_has_variants = 1U
                                              << 2U; // surfaces have style variants, and one variant is drawn
-SHARED_CONSTANT uint darkness_keeps_ink = 1U << 3U; // keeps the ink of variants drawn before
+SHARED_CONSTANT uint darkness_keeps_ink = 1U << 3U; // adds to the ink of variants drawn before
 
 // Variant bits of overrun.comp.
 SHARED_CONSTANT uint overrun_is_first = 1U << 0U; // first step: each pixel is its own source
@@ -34,7 +34,7 @@ SHARED_CONSTANT uint lines_has_growth = 1U << 0U;      // newborn strokes grow i
 SHARED_CONSTANT uint lines_has_overrun = 1U << 1U;     // strokes run over silhouettes
 SHARED_CONSTANT uint lines_has_all_tiles = 1U << 2U;   // runs a workgroup for every tile, blank or not
 SHARED_CONSTANT uint lines_has_local_light = 1U << 3U; // strokes along the light follow the strongest lamp
-SHARED_CONSTANT uint lines_has_ink = 1U << 4U;         // keeps the ink of style variants drawn before
+SHARED_CONSTANT uint lines_has_ink = 1U << 4U;         // adds to the ink of style variants drawn before
 SHARED_CONSTANT uint lines_kinds_shift = 8U;           // one bit per kind of stroke, see stroke_kind.glsl.h
 
 // Variant bits of map.comp.
@@ -43,14 +43,14 @@ SHARED_CONSTANT uint map_in_order = 0U;  // stroke by stroke, by the thresholds
 SHARED_CONSTANT uint map_in_blends = 1U; // blend of two tones
 SHARED_CONSTANT uint map_in_steps = 2U;  // one tone or the next
 SHARED_CONSTANT uint map_has_overrun = 1U << 2U;
-SHARED_CONSTANT uint map_has_ink = 1U << 3U; // keeps the ink of style variants drawn before
+SHARED_CONSTANT uint map_has_ink = 1U << 3U; // adds to the ink of style variants drawn before
 
 // Variant bits of dots.comp.
-SHARED_CONSTANT uint dots_has_ink = 1U << 0U; // keeps the ink of style variants drawn before
+SHARED_CONSTANT uint dots_has_ink = 1U << 0U; // adds to the ink of style variants drawn before
 
 struct DarknessConstants {
     ToneConstants tone;
-    float fade; // share of darkness that is left at infinity; 1 is no fade
+    float fade; // share of darkness that is left at infinity; 1 means no fade
     float fade_distance_m;
     uint style_variant; // number of the style variant that is drawn
 };

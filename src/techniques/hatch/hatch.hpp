@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Strokes whose mean ink is a wanted darkness: lines, tonal art maps and dots. Also tonal art maps on the
+// Strokes whose mean ink is a target darkness: lines, tonal art maps and dots. Also tonal art maps on the
 // GPU, with the ramp that converts darkness into the value to look up.
 
 #include <cstdint>
@@ -72,7 +72,7 @@ struct HatchStyle {
     int layers = 3;
     Coordinates coordinates = Coordinates::automatic;
     float slant_deg = 24.0F;
-    wind::Wind wind; ///< of the scene; no key of its own
+    wind::Wind wind; ///< the wind of the scene, not a style key of hatching
     float wobble_mm = 0.18F;
     float gap_mm = 0.6F;
     float taper_mm = 2.6F;
@@ -155,11 +155,11 @@ struct HatchVariant {
     std::optional<MapInputs> map; ///< set if the style asks for a map
 };
 
-/// `in` for one of several style variants, drawn over `ink_before`.
+/// Returns `in` for one of several style variants, drawn over `ink_before`.
 [[nodiscard]] HatchInputs inputs_of_variant(const HatchInputs& in, const std::vector<HatchVariant>& variants,
                                             uint32_t number, std::optional<gpu::ImageId> ink_before);
 
-/// Darkness that the strokes must reach, and the tiles that have any.
+/// Darkness that the strokes must reach, and the tiles where it is not zero.
 struct Darkness {
     gpu::ImageId image;  ///< r16f: 0 paper to 1 ink
     gpu::ImageId blank;  ///< ink before any stroke of this style variant is drawn
@@ -188,7 +188,7 @@ struct Darkness {
 [[nodiscard]] gpu::ImageId add_map(gpu::Graph& graph, const HatchInputs& in, const Darkness& darkness,
                                    const HatchStyle& style);
 
-/// Largest distance from a pixel to strokes that run over into it; 0 if none do.
+/// Largest distance from a pixel to strokes that run over into the pixel; 0 if no strokes do.
 [[nodiscard]] uint32_t reach_px(const HatchStyle& style, float pixels_per_mm);
 
 /// Draws dots of a screentone whose mean ink is the wanted darkness, or the nearest tone. Dots lie on the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The main property of hatching: the mean ink on the page is the wanted darkness at any distance.
+// The main property of hatching: the mean ink on the page equals the target darkness at any distance.
 #include <cmath>
 #include <string>
 

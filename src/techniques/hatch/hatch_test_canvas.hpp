@@ -51,7 +51,7 @@ private:
     gpu::Buffer tiles_;
 };
 
-/// Inputs of lines and maps, which read no others. A pixel is a millimetre.
+/// The inputs that lines and maps read. A pixel is a millimetre.
 inline hatch::HatchInputs stroke_inputs(gpu::Graph& graph, glm::uvec2 size_px, Layer& draw, Layer& normal,
                                         Layer& coordinate, Layer& footprint)
 {

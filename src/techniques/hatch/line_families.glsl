@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_LINE_FAMILIES
 #define ESTAMPE_LINE_FAMILIES
 
-// The families of strokes that cross at a pixel. Needs `constants`, LineConstants as push constants.
+// The families of strokes that cross at a pixel. Requires `constants`, LineConstants as push constants.
 
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_growth = (variant & lines_has_growth) != 0u;
@@ -30,8 +30,8 @@ vec3 settled(vec3 direction)
     return normalize(round(direction / largest));
 }
 
-// Direction towards the strongest local light, from the lighting pass's packed value; the constant one if
-// that is 0.
+// Direction towards the strongest local light, from the packed value of the lighting pass; the constant light
+// direction if the value is 0.
 vec3 towards_light_of(uint strongest)
 {
     return strongest != 0u ? settled(unpack_normal(strongest)) : constants.towards_light;

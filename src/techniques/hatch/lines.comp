@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per pixel of the tiles that are not blank: draws the strokes that produce the wanted darkness.
+// One thread per pixel of the tiles that are not blank: draws the strokes that produce the target darkness.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_vote : require

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One thread per pixel: draws the strokes of a tonal art map. The map has a threshold for every texel, the
-// darkness at which it turns to ink, and the ink of every tone; every level is drawn, not filtered. Nearer
-// than the finest level the map repeats at half the size, again and again, so strokes keep their width.
+// One thread per pixel: draws the strokes of a tonal art map. The map stores for every texel a threshold, the
+// darkness at which the texel turns to ink, and the ink of every tone. Every mip level is drawn, not
+// filtered. Nearer than the finest level the map repeats at half the size, again and again, so strokes do not
+// get wider.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -41,7 +42,7 @@ const bool has_ink = (variant & map_has_ink) != 0u;
 #include "techniques/hatch/overrun_source.glsl"
 
 struct Place {
-    vec2 at;   // in sides of the map
+    vec2 at;   // place in units of the map's side
     float lod; // level of detail, 0 is the finest; the map repeats below 0
 };
 
@@ -57,7 +58,8 @@ Place place_on(uint kind, vec3 p, Footprint f)
     place.at = along_z ? p.xy : along_y ? p.xz : p.zy;
     vec2 dx = along_z ? f.dx.xy : along_y ? f.dx.xz : f.dx.zy;
     vec2 dy = along_z ? f.dy.xy : along_y ? f.dy.xz : f.dy.zy;
-    // Between the finer and the coarser direction of a tilted surface: strokes keep their width on average.
+    // Size between the finer and the coarser direction of a tilted surface, so that the mean width of strokes
+    // is constant.
     float area = abs(dx.x * dy.y - dx.y * dy.x);
     float widest = max(dot(dx, dx), dot(dy, dy));
     float texels = float(constants.map_size_texels) / constants.texels_per_px;

@@ -17,7 +17,7 @@ namespace {
 using shared::ramp_length;
 using shared::ramp_steps;
 
-/// A level is sampled at no more than this many places along a side.
+/// A mip level is sampled at no more than this many places along a side.
 constexpr uint32_t measured_side = 96;
 
 /// Fills one row: for darknesses from 0 to 1 the x in [low, high] at which the increasing function `ink_at`
@@ -71,7 +71,7 @@ Four four_at(const std::vector<uint8_t>& image, uint32_t side, float x, float y)
     return four;
 }
 
-/// Samples of a level and of the next coarser one at the same places.
+/// Samples of a mip level and of the next coarser level at equal places.
 struct Pair {
     std::vector<Four> fine;
     std::vector<Four> coarse;

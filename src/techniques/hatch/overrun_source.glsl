@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Strokes that run over silhouettes. Needs darkness_image, draw_image, has_overrun, source_image as written
-// by overrun.comp, and OVERRUN_PX.
+// Strokes that run over silhouettes. Requires darkness_image, draw_image, has_overrun, source_image as
+// written by overrun.comp, and OVERRUN_PX.
 
 // The pixel whose strokes are drawn here: this one, or a nearby one whose strokes run over onto blank paper;
 // `share` is the part of its darkness that remains.

@@ -43,7 +43,7 @@ struct HazeLayers {
 
 /// Fades distant parts into `sky`, an rgba16f image of the page's size or of one texel.
 ///
-/// Writes  new versions of the three layers; background pixels keep their bytes
+/// Writes  new versions of the three layers; background pixels are unchanged
 /// Cost    one dispatch over the page or a list of tiles; up to 64 more depth samples on pixels of lines
 [[nodiscard]] HazeLayers add_haze(gpu::Graph& graph, const HazeInputs& in, const HazeStyle& style,
                                   gpu::ImageId sky, const HazeLayers& layers);

@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_INK_COVER
 #define ESTAMPE_INK_COVER
 
-// The appearance of ink on the page. Define before: `globals`.
+// The appearance of ink on the page. Requires before inclusion: `globals`.
 
 const float dry_cover = 0.5; // factor on the coverage of wet ink
 

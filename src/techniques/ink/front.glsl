@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_INK_FRONT
 #define ESTAMPE_INK_FRONT
 
-// Finds the foreground object next to a pixel: half of an outline's width lies beyond the object's edge.
-// Define before: `globals`, `depth_image`.
+// Finds the foreground object next to a pixel, because half of an outline's width is outside the object's
+// edge. Requires before inclusion: `globals`, `depth_image`.
 
 const float is_nearer = 1.02; // a pixel nearer by this factor belongs to another object
 

@@ -2,8 +2,9 @@
 #ifndef ESTAMPE_INK_GRID
 #define ESTAMPE_INK_GRID
 
-// The grid of ink cells: where cells lie on the page, and how ink is interpolated. A cell holds wet ink in
-// its lower 16 bits and dry ink in its upper 16 bits. Define before: `globals`, `state_texels`, `is_around`.
+// The grid of ink cells: where cells lie on the page, and how ink is interpolated. A cell stores wet ink in
+// its lower 16 bits and dry ink in its upper 16 bits. Requires before inclusion: `globals`, `state_texels`,
+// `is_around`.
 
 #include "techniques/ink/cube.glsl"
 

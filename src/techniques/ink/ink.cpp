@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Plans the ink of a picture on the CPU, keeps the ink between pictures, and adds the passes.
+// Plans the ink of a picture on the CPU, stores the ink between pictures, and adds the passes.
 #include "techniques/ink/ink.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ constexpr float most_cells = 4e6F;
 constexpr uint32_t unmeasured = 2;
 constexpr uint32_t steps_between_measures = 4;
 
-/// Share that is left after `seconds`; after `life_s` it is 1/e, about a third.
+/// Share that is left after `seconds`. After `life_s`, 1/e is left, about a third.
 float left_after(double seconds, float life_s)
 {
     return static_cast<float>(std::exp(-seconds / static_cast<double>(life_s)));

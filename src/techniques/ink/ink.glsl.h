@@ -44,7 +44,7 @@ struct InkZone {
     float amount; // factor on the ink that the drawing gives here
     vec2 velocity_mm_per_s;
     float turn_rad_s; // rotation about the middle, clockwise on the page
-    float gives;      // ink that the zone itself gives, 0 to 1
+    float gives;      // ink that the zone itself emits, 0 to 1
 };
 
 // Constants of all steps of a picture.
@@ -95,7 +95,7 @@ struct InkStep {
     float stain_left; // share of the dry ink that stays
     float soak;       // share of the wet ink that dries into the paper
     float given;      // share of the missing ink that a spot adds
-    float keeps;      // 0: no ink existed before this step; 1: it did
+    float keeps;      // 1: ink existed before this step; 0: none did
     uint sum_before;  // index of the sum that belongs to the ink before this step
     uint sum_now;     // index of the sum for the ink after this step; 2: not measured
 };
@@ -103,7 +103,7 @@ struct InkStep {
 // The time, in lives of a spot.
 struct InkSpots {
     float share; // elapsed share of the current life, for a spot without delay
-    uint round;  // number of complete lives before it
+    uint round;  // number of complete lives before the current life
 };
 
 struct InkSums {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Ink that flows out of the drawing over the page. A prescribed flow carries the ink, without an equation of
-// motion to solve, and the ink is kept from picture to picture.
+// Ink that flows out of the drawing over the page. A prescribed flow advects the ink, without an equation of
+// motion to solve, and the ink is stored from picture to picture.
 
 #include <array>
 #include <optional>
@@ -67,7 +67,7 @@ struct View {
     glm::vec3 up{0.0F, 1.0F, 0.0F};
 };
 
-/// All that one picture does with the ink.
+/// Everything that one picture does with the ink.
 struct Plan {
     Grid grid;
     Time time;
@@ -151,7 +151,7 @@ private:
 /// The images that give ink.
 struct Inputs {
     gpu::BufferId frame;                ///< FrameGlobals
-    gpu::ImageId hatch;                 ///< r16f
+    gpu::ImageId hatch;                 ///< r16f: ink of strokes
     gpu::ImageId lines;                 ///< rgba8, coverage in alpha
     gpu::ImageId light;                 ///< rgba16f, brightness in alpha
     gpu::ImageId draw;                  ///< r32ui, draw call and flags

@@ -98,7 +98,7 @@ TEST(Ink, ComesBackWhenTheCameraHasRolledOnce)
     style.oversize = 1.0F;
     Bench bench({side, side});
     bench.keeps_layers = true;
-    // Threads ten cells wide, like the style's own, away from the page's edge.
+    // Threads of ink ten cells wide, as in the style, away from the page's edge.
     const auto threads = [](glm::uvec2 cell) {
         const glm::dvec2 at = glm::dvec2(cell) + 0.5 - 0.5 * side;
         const double within = glm::smoothstep(44.0, 36.0, glm::length(at));
@@ -128,7 +128,7 @@ TEST(Ink, ComesBackWhenTheCameraHasRolledOnce)
     RecordProperty("wet, dB", std::to_string(psnr_db.x));
 }
 
-/// Dark strokes everywhere, and adjacent spots that give much ink.
+/// Dark strokes everywhere, and adjacent spots that emit much ink.
 InkStyle flood()
 {
     InkStyle style = still_ink();

@@ -8,7 +8,7 @@
 
 namespace estampe::ink {
 
-/// What flowing ink sticks to when the camera moves.
+/// What flowing ink is attached to when the camera moves.
 enum class Follow : uint8_t {
     page,
     turn,    ///< the background at infinity, which turns with the camera

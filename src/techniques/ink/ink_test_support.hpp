@@ -15,7 +15,7 @@
 
 namespace estampe::ink {
 
-/// Clear water: ink stays as it is unless a test says otherwise.
+/// Clear water: ink does not change unless a test sets a style.
 inline InkStyle still_ink()
 {
     InkStyle style;

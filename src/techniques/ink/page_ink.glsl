@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_INK_PAGE
 #define ESTAMPE_INK_PAGE
 
-// Define before: `frame`, and grid.glsl.
+// Requires before inclusion: `frame`, and grid.glsl.
 
 // Wet and dry ink at a place of the page.
 vec2 ink_on_page(vec2 page_px)

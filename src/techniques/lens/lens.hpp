@@ -37,7 +37,7 @@ struct LensStyle {
 /// is not.
 [[nodiscard]] double circle_mm(double focal_mm, double f_number, double focus_m, double distance_m);
 
-/// The page that a lens draws on. The lens is at the camera's position; the camera's field of view is that of
+/// The page that a lens renders. The lens is at the camera's position; the camera's field of view is that of
 /// the focused lens.
 struct LensPage {
     double focus_m = 1.0;
@@ -50,7 +50,7 @@ struct LensPage {
 /// Returns the constants that all passes of the lens share; none if the style has no lens.
 [[nodiscard]] std::optional<shared::LensConstants> lens_on(const LensStyle& style, const LensPage& page);
 
-/// How far away the pixels may lie that one pixel depends on.
+/// Largest distance of the pixels that one pixel depends on.
 [[nodiscard]] uint32_t reach_px(const LensStyle& style, float pixels_per_mm);
 
 struct LensInputs {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread writes a pixel's blurred colour and ink back to the layers. Sharp pixels keep their bits.
+// One thread writes a pixel's blurred colour and ink back to the layers. Sharp pixels are unchanged.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

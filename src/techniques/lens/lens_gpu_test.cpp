@@ -40,7 +40,7 @@ shared::LensConstants lens_of(const LensStyle& style)
     return lens_on(style, page).value();
 }
 
-/// Arbitrary but reproducible values.
+/// Arbitrary but reproducible numbers.
 float noise(glm::uvec2 pixel, uint32_t seed)
 {
     uint32_t bits = (pixel.x + 977U * pixel.y + 65537U * seed) * 747796405U + 2891336453U;
@@ -212,7 +212,7 @@ TEST(LensGpu, DrawsThePolygonOfTheBlades)
     EXPECT_GT(triangle.edge_px, disc.edge_px + 1.0);
 }
 
-/// Red to the left, blue to the right.
+/// A page that is red on the left and blue on the right.
 Painted halves(float left_px, float right_px)
 {
     Painted page;

@@ -4,7 +4,8 @@
 
 // How ink changes out of focus. The including shader must declare `constants`.
 
-// How much a circle's radius exceeds that of a sharp point. `rest` is the last word of a packed texel.
+// Difference between a circle's radius and the radius of a sharp point. `rest` is the last word of a packed
+// texel.
 float wider_by(uint rest)
 {
     return max(abs(unpackHalf2x16(rest).x) - lens_sharp_px, 0.0);

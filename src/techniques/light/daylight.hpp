@@ -33,7 +33,7 @@ struct SunStyle {
 
 struct Daylight {
     double elevation_rad = 0.0;            ///< apparent elevation of the sun; below 0 at night
-    glm::dvec3 towards_sun{0.0, 1.0, 0.0}; ///< where its light comes from: never lower than 3 degrees
+    glm::dvec3 towards_sun{0.0, 1.0, 0.0}; ///< direction to the light: never lower than 3 degrees
     glm::dvec3 towards_moon{0.0, 1.0, 0.0};
     glm::vec3 sun{0.0F};  ///< 1 is a sun overhead; after sunset the glow, until 8 degrees below the horizon
     glm::vec3 moon{0.0F}; ///< 0 until the sun is 2 degrees below the horizon

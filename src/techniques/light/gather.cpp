@@ -135,7 +135,7 @@ float remembered_exposure_key(const std::vector<shared::LightRecord>& records, c
                               const ScenePose& pose, const glm::dvec3& anchor, ExposureKeyCache& memory)
 {
     const auto is_same = [](const shared::LightRecord& a, const shared::LightRecord& b) {
-        // Different bits for an equal number only cost another computation.
+        // If equal numbers have different bits, the only cost is another computation.
         return std::memcmp(&a, &b, sizeof a) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
     };
     if (!std::ranges::equal(records, memory.records, is_same) || anchor != memory.anchor ||

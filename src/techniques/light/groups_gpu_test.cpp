@@ -86,7 +86,7 @@ TEST(LightGroups, ALightLightsWhatSharesAGroup)
 
 TEST(LightGroups, ShadowsFallFromCastersOnReceivers)
 {
-    const size_t both = 60; // smallest number of pixels in a slab's shadow
+    const size_t both = 60; // least number of pixels in a slab's shadow
     const Floors plain = light_floors(two_stages(), slanted_sun());
     EXPECT_GT(plain.dark(0, 0.3F), both);
     EXPECT_GT(plain.dark(1, 0.3F), both);

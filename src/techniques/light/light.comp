@@ -290,8 +290,9 @@ void step_over_none(inout uint word, inout uint bits)
     }
 }
 
-// Sum of the local lights that reach a point. CPU implementations run a loop body once even with no rounds,
-// and once more at the end of others; so conditions stand inside the costly loops' ends.
+// Sum of the local lights that reach a point. CPU implementations execute a loop body once even for zero
+// rounds, and once more at the end of other loops. So each costly part is inside a condition at the loop's
+// end.
 vec3 local_lights(uvec2 from_px, Tile tile, Receiver at)
 {
     uvec2 part = from_px / list_tiles.tile_px;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Many lights: tiled culling must give the result of testing all lights, and test only few.
+// Many lights: tiled culling must give the result of testing all lights, and must test only few lights.
 #include <algorithm>
 #include <cmath>
 #include <random>

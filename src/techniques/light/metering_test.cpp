@@ -78,7 +78,7 @@ TEST(ManualMetering, StopsAreAddedAndLightsCountInFull)
     const Scene brighter = lit_by({.type = LightType::directional, .intensity = 6000.0F});
     EXPECT_NEAR(gathered(brighter, {.metering = Metering::manual, .ev100 = 8.0F}).records[0].color.y,
                 3.0F * at_8, 1e-4F);
-    // Metering by the lights exposes both alike.
+    // Metering by the lights gives both scenes equal exposure.
     EXPECT_NEAR(gathered(brighter, {}).records[0].color.y, level({}), 1e-5F);
 }
 

@@ -42,7 +42,7 @@ layout(push_constant) uniform Constants
     float scale;
 }
 
-constants; // from the maps' exposure to the frame's
+constants; // factor from the maps' exposure to the frame's exposure
 
 vec4 light_at(ivec2 pixel)
 {

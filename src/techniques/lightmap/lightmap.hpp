@@ -44,7 +44,7 @@ struct LightmapInputs {
     gpu::BufferId visibility;
     gpu::BufferId triangles;
     gpu::BufferId posed_vertices;
-    float scale = 1.0F; ///< converts the maps' exposure to the frame's
+    float scale = 1.0F; ///< factor from the maps' exposure to the frame's exposure
     glm::uvec2 size_px{0};
 };
 

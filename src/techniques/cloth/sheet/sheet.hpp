@@ -78,7 +78,7 @@ struct Structure {
     Lists<Tether> tethers;
     std::vector<std::vector<uint32_t>> colours; ///< all particles; no two of a colour are linked
     float softness = 0.0F;                      ///< of a grid's links: compliance in m / N of a link of 1 m
-    float bending_rate_s2 = 0.0F;               ///< squared frequency of the quickest bending at rigidity 1
+    float bending_rate_s2 = 0.0F;               ///< squared frequency of the fastest bending at rigidity 1
 };
 
 /// Builds links between neighbouring particles and between particles two edges apart, up to 24 on a grid. A

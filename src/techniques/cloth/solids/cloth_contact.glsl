@@ -68,7 +68,7 @@ vec3 beside_collider(uint i, vec3 from, vec3 to, float begin, float end)
     vec3 centre_before = uintBitsToFloat(texelFetch(collider_texels, before).xyz);
     uvec4 place_after = texelFetch(collider_texels, after);
     vec3 centre_after = uintBitsToFloat(place_after.xyz);
-    vec4 size = uintBitsToFloat(texelFetch(collider_texels, after + 2)); // size, and reach in w
+    vec4 size = uintBitsToFloat(texelFetch(collider_texels, after + 2)); // exactly 0 for a still solid
     vec3 centre_way = centre_after - centre_before;                      // 0 of what stands still, to the bit
     vec3 from_there = from - (centre_before + begin * centre_way);
     vec3 centre_m = centre_before + end * centre_way;

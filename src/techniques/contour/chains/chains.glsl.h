@@ -27,7 +27,7 @@ SHARED_CONSTANT uint line_crest = 8U;
 SHARED_CONSTANT uint line_intersection = 9U;
 SHARED_CONSTANT uint line_shadow = 10U;
 SHARED_CONSTANT uint line_kind_count = 11U;
-SHARED_CONSTANT uint line_first_of_page = line_intersection; // first of the kinds found on the page
+SHARED_CONSTANT uint line_first_of_page = line_intersection; // first of the kinds of lines found on the page
 
 // Neighbours of a triangle in an edge mesh: the three adjacent sides, or no_side; then flags.
 
@@ -43,31 +43,31 @@ SHARED_CONSTANT uint neighbor_shell_shift = 5U;
 
 // Variant bits of the chain shaders, by shader.
 
-// outlines run along the edges of the mesh, not through its triangles
+// outlines follow the edges of the mesh and do not cross triangles
 SHARED_CONSTANT uint mark_along_edges = 1U << 0U;
 
 SHARED_CONSTANT uint emit_has_loose_edges = 1U << 0U;
 SHARED_CONSTANT uint emit_along_edges = 1U << 1U; // outlines run only along edges
 
-// some points lie between vertices, and some pieces within triangles
+// some points are between vertices, and some pieces cross triangles
 SHARED_CONSTANT uint order_features_leave_edges = 1U << 0U;
 
 SHARED_CONSTANT uint split_wants_hidden = 1U << 0U; // hidden lines are drawn
 
 SHARED_CONSTANT uint shape_has_own_outlines = 1U << 0U; // some material has its own outline
-SHARED_CONSTANT uint shape_recalls_frame = 1U << 1U;    // a previous frame exists
-SHARED_CONSTANT uint shape_is_remembered = 1U << 2U;    // the next frame needs this one
+SHARED_CONSTANT uint shape_recalls_frame = 1U << 1U;    // the previous frame's strokes are stored
+SHARED_CONSTANT uint shape_is_remembered = 1U << 2U;    // this frame's strokes are stored for the next frame
 SHARED_CONSTANT uint shape_has_brushes = 1U << 3U;
 SHARED_CONSTANT uint shape_has_sway = 1U << 4U;
 SHARED_CONSTANT uint shape_has_jitter = 1U << 5U;   // the hand wobbles, or retraces lines
 SHARED_CONSTANT uint shape_has_widths_m = 1U << 6U; // some widths are in metres
 SHARED_CONSTANT uint shape_swells_in_turns = 1U << 7U;
 SHARED_CONSTANT uint shape_is_even_in_shade = 1U << 8U; // strokes do not get wider in the dark
-SHARED_CONSTANT uint shape_is_hidden = 1U << 9U;        // these are hidden lines
+SHARED_CONSTANT uint shape_is_hidden = 1U << 9U;        // the pass shapes hidden lines
 SHARED_CONSTANT uint shape_stretches = 1U << 10U;       // brushes stretch over the whole stroke
 SHARED_CONSTANT uint shape_has_variants = 1U << 11U;    // surfaces have different style variants
 
-SHARED_CONSTANT uint joints_has_brushes = 1U << 0U; // their corners are not mitred
+SHARED_CONSTANT uint joints_has_brushes = 1U << 0U; // corners of brushed lines are not mitred
 
 SHARED_CONSTANT uint ink_layer_has_own_outlines = 1U << 0U; // some material has its own outline
 SHARED_CONSTANT uint ink_layer_has_variants = 1U << 1U;     // surfaces have different style variants
@@ -87,16 +87,16 @@ SHARED_CONSTANT uint list_slots = 4U;
 SHARED_CONSTANT uint list_count = 5U;
 SHARED_CONSTANT uint no_list = 0xffffffffU;
 
-// Flags of a slot.
+// Flags of a slot for a chain.
 SHARED_CONSTANT uint chain_is_closed = 1U;
 
-// Bits that say which part of a hard edge is outline. Low is towards the start of its first side.
+// Bits of the part of a hard edge that is outline. "Low" is the end where the edge's first side starts.
 SHARED_CONSTANT uint part_is_there = 1U;
 SHARED_CONSTANT uint part_first_is_front = 2U; // the first of the two sides belongs to the front
-SHARED_CONSTANT uint part_low_shift = 2U;      // two bits: what bounds the part there, see below
+SHARED_CONSTANT uint part_low_shift = 2U;      // two bits: how the part is bounded at the low end, see below
 SHARED_CONSTANT uint part_high_shift = 4U;
-SHARED_CONSTANT uint bound_is_corner = 0U; // the end of the edge
-SHARED_CONSTANT uint bound_in_first = 1U;  // the point where the outline enters the first side's triangle
+SHARED_CONSTANT uint bound_is_corner = 0U; // the part reaches the end of the edge
+SHARED_CONSTANT uint bound_in_first = 1U;  // the part ends where the outline enters the first side's triangle
 SHARED_CONSTANT uint bound_in_second = 2U;
 
 // Bits for the crossing of a line with a side of the page's cells, see page_cells.glsl.
@@ -136,7 +136,7 @@ struct Segment {
     uint source; // kind << 28 | side; corner 3 for the whole triangle
     uint next;   // index of a segment, or no_segment
     uint has_previous;
-    float bulge_m; // how far the true surface may bulge out; negative where its own surface hides it
+    float bulge_m; // how far the true surface may bulge out; negative if this surface hides it
 };
 
 // State of pointer jumping for a segment: the segment it has reached, the number of steps to it, and the
@@ -159,7 +159,7 @@ struct ChainPoint {
 
 SHARED_CONSTANT uint no_sample = 0xffffffffU;
 
-// State bits of a sample.
+// State bits of a sample on a line.
 SHARED_CONSTANT uint sample_is_visible = 1U;
 SHARED_CONSTANT uint sample_is_off_page = 2U;
 SHARED_CONSTANT uint sample_is_corner = 4U;
@@ -172,7 +172,7 @@ struct LineSample {
     uint normal;
     vec2 page_px;
     uint source;
-    uint state; // the bits above; the higher bits hold the distance to the next sample in pixels, as a half
+    uint state; // the bits above; the upper bits are the distance to the next sample in pixels, as a half
 };
 
 // Bits for the ends of a stroke.
@@ -182,10 +182,10 @@ SHARED_CONSTANT uint stroke_is_dropped = 4U;
 
 // Consecutive samples that are drawn as one stroke.
 struct Stroke {
-    uint first; // index of its first sample; `last` is that of the last
+    uint first; // index of the first sample; `last` is the index of the last sample
     uint last;
-    uint ends;      // whether they meet other lines, and whether the stroke is drawn: see the bits above
-    uint recalled;  // sample nearest the middle that has a past, or no_sample
+    uint ends;      // whether the ends meet other lines and the stroke is drawn: see the bits above
+    uint recalled;  // the sample nearest the middle that existed in the previous frame, or no_sample
     int offset_sum; // sum of positions along the brush minus arc lengths, in 1/16 pixel
     uint offset_count;
 };
@@ -204,7 +204,7 @@ SHARED_CONSTANT uint no_stroke_seed = 0xffffffffU;
 
 // State of a sample in the previous frame.
 struct Recall {
-    float half_width_px; // negative if the sample did not exist
+    float half_width_px; // negative if the previous frame had no such sample
     float offset_px;
     uint seed; // seed of the stroke, or no_stroke_seed
 };
@@ -231,7 +231,7 @@ SHARED_CONSTANT uint touch_is_end = 32U;
 // Position along the brush at a sample. Left and right sides are as in LinePoint.
 struct LineTouch {
     float phase_px; // position along the brush, which follows the surface from frame to frame
-    float along_px; // from the end where the stroke starts
+    float along_px; // distance from the end where the stroke starts
     float whole_px;
     uint way;  // direction of the line, two signed halves
     uint uses; // the kind of brush, and whether the stroke starts or ends here: see the bits above
@@ -262,7 +262,7 @@ struct ChainConstants {
     uint triangle_count;
     uint loose_edge_count;
     uint suggestive_count; // triangles that may have suggestive contours or crests: all or none
-    uint page_words;       // words of marks; one word covers 32 cells of the page
+    uint page_words;       // number of words of marks; one word has bits for 32 cells of the page
     uint feature_chain_count;
     uint feature_point_count;
     uint segment_capacity;
@@ -300,7 +300,7 @@ struct ViewBendConstants {
 struct CrestConstants {
     uint first_vertex; // first vertex of the mesh with crests
     uint vertex_count; // number of vertices of all meshes; the mesh with crests is the last
-    uint keeps_others; // the other vertices have been written by another pass
+    uint keeps_others; // another pass has written the vertices of the other meshes
     vec2 along;        // direction that the wind blows to, along x and z
 };
 
@@ -316,7 +316,7 @@ struct ShapeConstants {
     float wave_px;  // wavelength of the hand's wobble
     float settling; // share of a brush's offset from its even position that is removed per frame
     float turn_px;  // radius of a bend at which pressure is greatest
-    uint hand;      // how often the line has been drawn before
+    uint hand;      // number of times that the line has already been drawn
     float retrace_px;
     float jitter_ends_px;
     float jitter_offset_px;
@@ -337,8 +337,8 @@ struct VariantLines {
     uint unused;
 };
 
-// Ink of a LinePoint: 0 is the style's, a material's index + 1 that of the material; with this bit set, that
-// of a style variant.
+// Ink of a LinePoint: 0 is the style's ink, index + 1 the ink of a material; with this bit set, the ink of a
+// style variant.
 SHARED_CONSTANT uint ink_of_variant = 0x8000U;
 
 struct InkConstants {
@@ -347,7 +347,7 @@ struct InkConstants {
     vec3 ink_color;
 };
 
-SHARED_CONSTANT uint brush_hidden = line_kind_count; // uses of brushes: one per kind of line, then this
+SHARED_CONSTANT uint brush_hidden = line_kind_count; // one use per kind of line; last, hidden lines
 SHARED_CONSTANT uint brush_use_count = line_kind_count + 1U;
 SHARED_CONSTANT uint brush_columns = 1024U;
 SHARED_CONSTANT uint brush_rows = 32U;
@@ -356,7 +356,7 @@ SHARED_CONSTANT uint no_brush = 0xffffffffU;
 struct BrushConstants {
     uint width;
     uint height;
-    uvec2 grid_page_px;                 // size of the page whose grid holds the samples
+    uvec2 grid_page_px;                 // size of the page of the grid that finds samples
     float period_px[brush_use_count];   // repeat length along the stroke; 0 stretches the brush over it
     uint layer_of_use[brush_use_count]; // layer in the image of brushes; no_brush draws with the pen
 };
@@ -374,7 +374,7 @@ static_assert(sizeof(BrushConstants) <= 128);
 } // namespace estampe::shared
 #else
 
-// Whether a line was found on the page and is therefore visible. `source` is that of a segment, point or
+// Whether a line was found on the page and is therefore visible. `source` comes from a segment, point or
 // sample.
 bool is_of_page(uint source)
 {

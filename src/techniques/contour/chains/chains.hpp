@@ -64,7 +64,7 @@ public:
     /// `continues` is set. With `has_hidden`, hidden lines are kept too. Throws Error when memory runs out.
     void begin_frame(gpu::Device& device, glm::uvec2 size_px, bool continues, bool has_hidden = false);
 
-    /// Call this when the frame has been drawn, as seen by `clip_from_anchor`.
+    /// Call this when the frame as seen by `clip_from_anchor` has been drawn.
     void end_frame(const glm::mat4& clip_from_anchor);
 
     /// Sets the previous frame to `drawn`, of seen and of hidden lines, on pages of `size_px`. Throws Error
@@ -96,7 +96,7 @@ public:
     [[nodiscard]] const glm::mat4& clip_from_anchor_before() const { return clip_from_anchor_; }
 
 private:
-    /// State of one class of lines.
+    /// State of the seen lines or of the hidden lines.
     struct Memory {
         std::array<Drawn, 2> drawn;
         glm::uvec2 size_px{0};
@@ -123,8 +123,8 @@ private:
 /// Outlines and features linked into chains.
 struct Chains {
     shared::ChainConstants constants;
-    gpu::BufferId facing; ///< one bit per triangle: it faces the eye
-    gpu::BufferId marks;  ///< one bit per item: the outline runs through it
+    gpu::BufferId facing; ///< one bit per triangle, set if the triangle faces the eye
+    gpu::BufferId marks;  ///< one bit per item, set if the outline crosses the item
     std::optional<gpu::BufferId>
         view_bends;      ///< two floats per vertex, written by view_bends.comp and crests.comp
     gpu::BufferId sizes; ///< ListSize of each list
@@ -143,11 +143,11 @@ struct ChainSamples {
     gpu::BufferId flags_of_slot;
     gpu::BufferId samples;  ///< LineSample
     gpu::BufferId states;   ///< one per sample
-    gpu::BufferId rotation; ///< one per slot: where a closed chain is cut open
+    gpu::BufferId rotation; ///< one per slot: position at which a closed chain is cut open
     gpu::ExecutionProfile execution;
 };
 
-/// Strokes: where each starts and ends.
+/// Strokes: the samples at which each stroke starts and ends.
 struct ChainStrokes {
     gpu::BufferId sizes;
     gpu::BufferId samples;        ///< LineSample; closed chains are cut open
@@ -168,8 +168,8 @@ struct HandDrawn {
 struct ShapedStrokes {
     ChainStrokes strokes;
     gpu::BufferId facing;                                     ///< as in Chains
-    InlineVector<HandDrawn, most_hands> hands;                ///< one for each time that lines are drawn over
-    std::optional<std::pair<ChainStrokes, HandDrawn>> hidden; ///< if hidden lines are drawn
+    InlineVector<HandDrawn, most_hands> hands;                ///< one for each time that the lines are drawn
+    std::optional<std::pair<ChainStrokes, HandDrawn>> hidden; ///< set if hidden lines are drawn
 };
 
 /// Inputs for finding the edges of the sun's shadow.
@@ -211,13 +211,13 @@ struct ChainInputs {
 /// Complexity of Parallel Computations", 1979
 [[nodiscard]] Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool along_edges);
 
-/// Divides chains into evenly spaced samples and finds what hides each sample.
+/// Divides chains into evenly spaced samples and determines the visibility of each sample.
 ///
 /// Source  Cole and Finkelstein, "Fast High-Quality Line Visibility", 2009
 [[nodiscard]] ChainSamples add_samples(gpu::Graph& graph, const ChainInputs& in, const Chains& chains);
 
-/// Makes strokes of the seen lines, or of the hidden lines on the page. Enters samples into `grid` by
-/// position. Afterwards the sizes no longer count strokes of an earlier call.
+/// Makes strokes of the seen lines, or of the hidden lines on the page. Inserts samples into `grid` by
+/// position. Overwrites the list sizes of strokes from an earlier call.
 [[nodiscard]] ChainStrokes add_strokes(gpu::Graph& graph, const ChainSamples& in, gpu::BufferId grid,
                                        glm::uvec2 size_px, LineClass wanted = LineClass::seen);
 

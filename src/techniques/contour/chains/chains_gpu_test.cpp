@@ -26,7 +26,7 @@ namespace {
 
 using shared::ChainPoint;
 
-/// Which triangles face an eye, computed on the CPU with the same rounding as in the shaders.
+/// Triangles that face an eye, computed on the CPU with the rounding of the shaders.
 class Facing {
 public:
     Facing(test::Drawing& drawing, const EdgeMesh& mesh)
@@ -65,7 +65,7 @@ private:
     glm::vec3 eye_;
 };
 
-/// Expects outlines exactly at the edges between a front and a back.
+/// Expects outlines exactly at the edges between a front-facing and a back-facing triangle.
 void expect_edges_as_searched(const Scene& scene, const Camera& camera, const std::string& name)
 {
     test::Drawing drawing(scene, camera, small_page_px);
@@ -105,7 +105,7 @@ void expect_edges_as_searched(const Scene& scene, const Camera& camera, const st
     EXPECT_GT(expected, 0U) << name;
 }
 
-/// Expects smooth outlines exactly in the triangles whose corners do not all face the same way.
+/// Expects smooth outlines exactly in the triangles with corners that face towards and away from the eye.
 void expect_triangles_as_searched(const Scene& scene, const Camera& camera, const std::string& name)
 {
     test::Drawing drawing(scene, camera, small_page_px);
@@ -175,7 +175,7 @@ TEST(ContourChains, OutlinesAreThoseOfASearch)
     expect_triangles_as_searched(shapes_scene(), view_from_above(), "shapes");
 }
 
-/// Calls `look` for real models, if any are available.
+/// Calls `look` for real models, if the machine has any.
 void for_each_model(const std::function<void(const Scene&, const Camera&, const char*)>& look)
 {
     const char* folder = std::getenv("ESTAMPE_MODELS");
@@ -230,7 +230,7 @@ double length_of(const Chain& chain)
 TEST(ContourChains, ASphereHasOneClosedLoopOfTheRightRadiusAndLength)
 {
     constexpr double distance_m = 3.0;
-    // 10,000 triangles, of which none has a corner on the outline by chance.
+    // 10,000 triangles, none of which has a corner exactly on the outline.
     const Scene scene = test::scene_of(subdivided(shapes::sphere(1.0F, 100, 51), 0));
     test::Drawing drawing(scene, test::front_camera(distance_m, 0.8), small_page_px);
     const std::vector<Chain> chains = chains_of(drawing.chains({}));

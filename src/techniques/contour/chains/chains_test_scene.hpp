@@ -36,7 +36,7 @@ inline Primitive banded_ring()
     return shapes::lathe(profile, 48, 0.0F);
 }
 
-/// The page of most tests.
+/// The page size of most tests.
 inline constexpr glm::uvec2 page_px{480, 360};
 inline constexpr glm::uvec2 small_page_px{320, 240};
 
@@ -45,7 +45,7 @@ inline bool bit(const std::vector<uint32_t>& words, size_t i)
     return (words[i / 32] >> (i % 32) & 1U) != 0;
 }
 
-/// What a page as wide as that holds at a place.
+/// Ink at a place of a page that is `width_px` wide.
 inline float ink_at(const std::vector<float>& ink, uint32_t width_px, const glm::dvec2& place_px)
 {
     const glm::ivec2 pixel(glm::floor(place_px));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell: claims mass from the cells around the point where its content comes from.
+// One thread per cell: claims mass from the cells around the point that the flow brings the cell's content
+// from.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

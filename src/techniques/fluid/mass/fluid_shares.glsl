@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_FLUID_SHARES
 #define ESTAMPE_FLUID_SHARES
 
-// Distributes the content of a place over the cells around it, in whole numbers. Needs what fluid_fields.glsl
-// needs; include it after that file.
+// Distributes the content of a place over the cells around the place, in whole numbers. Include after
+// fluid_fields.glsl, with the same requirements.
 
 const int fluid_most_sharers = 8;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell: accelerates the velocity from more mass towards less.
+// One thread per cell: accelerates the fluid from cells with more mass towards cells with less mass.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -13,8 +13,8 @@ namespace estampe::fluid {
 
 enum class MassAdvection : uint8_t {
     forward,  ///< each cell distributes its mass over the cells around the point where the flow takes it
-    both_ways ///< each cell claims mass from where the flow comes from; claims are scaled down to the mass
-              ///< that is there, and unclaimed mass moves `forward`
+    both_ways ///< each cell claims mass from where the flow comes from; claims are scaled down to the
+              ///< existing mass, and unclaimed mass is moved as by `forward`
 };
 
 /// Mass of each cell in units of 1 / 65536. The sum is constant to the unit, and no cell is negative; a cell

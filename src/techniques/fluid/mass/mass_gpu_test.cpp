@@ -35,7 +35,7 @@ struct Carrying {
     {
     }
 
-    /// Units of mass after `steps` more steps of a constant flow.
+    /// Mass per cell in units, after `steps` more steps of a constant flow.
     std::vector<uint32_t> after(MassAdvection advection, uint32_t steps, float step_s)
     {
         constexpr uint32_t at_once = 30;

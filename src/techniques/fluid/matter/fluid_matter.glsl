@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_FLUID_MATTER
 #define ESTAMPE_FLUID_MATTER
 
-// Sources, fading, cooling, combustion, condensation and evaporation of a cell's quantities. Needs what
-// fluid_shapes.glsl needs, and `matter`, a FluidMatter; include it after that file.
+// Sources, fading, cooling, combustion, condensation and evaporation of a cell's quantities. Requires
+// `matter`, a FluidMatter. Include after fluid_shapes.glsl, with the same requirements.
 
 const int most_channels = (variant & fluid_bit_few) != 0u ? fluid_fuel : int(fluid_most_channels);
 
@@ -27,7 +27,7 @@ float vapour_held(float temperature, float height_m)
            exp(matter.saturation_heat * temperature - matter.saturation_height * height_m);
 }
 
-// Fuel and cloud leave through open ends, and vapour approaches that of the outside air.
+// Fuel and cloud leave through open ends, and vapour approaches the vapour of the outside air.
 void exchange(inout float amounts[fluid_most_channels], float stays, float height_m)
 {
     amounts[fluid_fuel] *= stays;
@@ -46,7 +46,7 @@ void condense(inout float amounts[fluid_most_channels], float height_m)
     amounts[fluid_temperature] += matter.latent_heat * moved;
 }
 
-// Applies all changes of a step. Channels from `most_channels` on are left alone.
+// Applies all changes of a step. Channels from `most_channels` on do not change.
 void settle(inout float amounts[fluid_most_channels], ivec3 cell)
 {
     vec3 place_m = (vec3(cell) + 0.5) * shapes.cell_m;

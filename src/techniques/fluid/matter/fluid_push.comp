@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell: sets velocities on faces of obstacles to the obstacle's, and lets the fluid in a
-// source take up the source's speed.
+// One thread per cell: sets velocities on faces of obstacles to the obstacle's velocity, and accelerates the
+// fluid inside a source towards the source's velocity.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

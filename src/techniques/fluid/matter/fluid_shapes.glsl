@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_FLUID_SHAPES
 #define ESTAMPE_FLUID_SHAPES
 
-// Needs `shape_list`, a buffer of FluidShape, and `shapes`, a FluidShapes; include it after
+// Requires `shape_list`, a buffer of FluidShape, and `shapes`, a FluidShapes. Include after
 // fluid_fields.glsl. In 2D z is ignored.
 
 vec3 centre_of(FluidShape shape)

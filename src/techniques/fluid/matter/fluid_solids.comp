@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell: number of the obstacle that contains its centre, counted from 1, or 0. Permanently
-// solid cells get their mark only where no obstacle is.
+// One thread per cell: number of the obstacle that contains the cell's centre, counted from 1, or 0.
+// Permanently solid cells are marked only where no obstacle is.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

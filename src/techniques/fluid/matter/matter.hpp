@@ -33,7 +33,7 @@ struct Shape {
 /// A shape that brings quantities into the fluid.
 struct Source {
     Shape shape;
-    float push_per_s = 0.0F; ///< rate at which the fluid inside takes up the shape's velocity
+    float push_per_s = 0.0F; ///< rate at which the fluid inside approaches the shape's velocity
     std::array<float, shared::fluid_most_channels> gain_per_s{}; ///< gain of quantities, channel by channel
     float least_density = 0.0F; ///< lowest density inside after a step, however fast the fluid passes
     float least_vapour = 0.0F;  ///< lowest vapour inside before condensation
@@ -47,13 +47,13 @@ public:
     /// Throws std::logic_error for more than 64 in all. No graph that reads the shapes may be running.
     void set(std::span<const Shape> obstacles, std::span<const Source> sources);
 
-    /// Moves all shapes on by `time_s`.
+    /// Advances the positions of all shapes by `time_s`.
     void advance(float time_s);
 
-    /// Uploads the present positions for the graph that runs next.
+    /// Uploads the current positions for the next graph.
     [[nodiscard]] gpu::BufferId upload(gpu::Graph& graph);
 
-    /// Constants for the moment `age_s` after upload().
+    /// Constants for the time `age_s` after upload().
     [[nodiscard]] shared::FluidShapes constants(const Grid& grid, float age_s, float step_s,
                                                 uint32_t channels) const;
 
@@ -110,8 +110,8 @@ struct MatterStyle {
                                       gpu::BufferId shapes, const shared::FluidShapes& constants,
                                       gpu::ImageId quantities);
 
-/// Like add_matter(), but applies MacCormack's correction to `carried` first, and writes into `target`. One
-/// pass does both.
+/// Like add_matter(), but first applies MacCormack's correction to `carried`, and writes the result into
+/// `target`. One pass does both.
 [[nodiscard]] gpu::ImageId add_corrected_matter(gpu::Graph& graph, const Grid& grid, const MatterStyle& style,
                                                 gpu::BufferId shapes, const shared::FluidShapes& constants,
                                                 const ThereAndBack& carried, gpu::ImageId target);

@@ -45,7 +45,7 @@ double sum_of_channel(const std::vector<float>& numbers, const Grid& grid, uint3
     return std::accumulate(first, first + static_cast<ptrdiff_t>(grid.cell_count()), 0.0);
 }
 
-/// Divergence after the last projection of `steps` steps, relative to that before it.
+/// Divergence after the last projection of `steps` steps, relative to the divergence before this projection.
 double divergence_left(Fluid& fluid, const FluidStyle& style, uint32_t steps)
 {
     static_cast<void>(velocity_after(fluid, style, steps));
@@ -328,7 +328,7 @@ void stir(const Grid& grid, uint32_t seconds)
         spoon.gain_per_s = {any(0.0, 1.0), any(-1.0, 2.0), any(0.0, 1.0), any(0.0, 1.0), 0.0F};
         Shape stone = disc(anywhere(0.0, 3.2), any(0.1, 0.5));
         stone.velocity_m_per_s = anywhere(-1.0, 1.0);
-        // Leaves the obstacle out at times, so that the solver changes.
+        // Removes the obstacle at times, so that the solver changes.
         fluid.set_shapes(i % 3 == 0 ? std::vector{stone} : std::vector<Shape>{}, std::vector{spoon});
         const std::vector<float> speeds = velocity_after(fluid, all_that_stirs(), 2 * stir_s);
         ASSERT_TRUE(std::ranges::all_of(speeds, finite)) << "after " << (i + 1) * stir_s << " s";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell: semi-Lagrangian advection. Looks up each node's value where the flow brings it from.
+// One thread per cell: semi-Lagrangian advection. Samples the field at the point that the flow brings each
+// node's value from.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

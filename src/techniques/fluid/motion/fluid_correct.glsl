@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_FLUID_CORRECT
 #define ESTAMPE_FLUID_CORRECT
 
-// MacCormack's correction of the blur of semi-Lagrangian advection. The result, carried back, should equal
-// the original; half of the difference is added, clamped to the range of the source nodes. Needs what
-// fluid_fields.glsl needs, and `field` and `advected`, two sampler2DArray; include it after that file.
+// MacCormack's correction of the blur of semi-Lagrangian advection. The result, advected backwards, should
+// equal the original; half of the difference is added, clamped to the range of the source nodes. Requires
+// `field` and `advected`, two sampler2DArray. Include after fluid_fields.glsl, with the same requirements.
 
 // Corrected value of a cell's node of `component`. Its layers start at `first_layer`; `back` and `forth` are
 // its displacements.

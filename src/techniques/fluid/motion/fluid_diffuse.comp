@@ -23,7 +23,7 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/fluid_fields.glsl"
 
-// The sum of the neighbours minus the node itself times their number.
+// The sum of a node's neighbours minus their number times the node's value.
 float laplacian(sampler2DArray velocity, int component, ivec3 cell)
 {
     int first_layer = component * int(grid.depth);

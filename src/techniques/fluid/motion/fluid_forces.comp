@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell: changes of velocity by a uniform force, lift of heat, weight of density, friction and
-// vorticity confinement.
+// One thread per cell: changes the velocity by a uniform force, by lift from heat, weight from density,
+// friction and vorticity confinement.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell: displacements of its centre backward and forward along the flow, in cells, by the
-// midpoint rule. Nodes on faces use the mean of the cells on both sides.
+// One thread per cell: displacements of the cell's centre backward and forward along the flow, in cells, by
+// the midpoint rule. Nodes on faces use the mean of the two adjacent cells.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -22,8 +22,9 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/fluid_fields.glsl"
 
-// The velocity half a step ahead is extrapolated from that half a step back, which saves a look-up and keeps
-// the midpoint rule's order. If the displacements differ by more than this, in cells, it is looked up.
+// The velocity half a step ahead is extrapolated from the velocity half a step back, which saves a texture
+// read and preserves the order of the midpoint rule. If the displacements differ by more than this, in cells,
+// the velocity ahead is sampled.
 const float most_bend = 0.25;
 
 void main()

@@ -10,18 +10,18 @@
 
 namespace estampe::fluid {
 
-/// Interpolation at the point from which the flow carries a value.
+/// Interpolation of a field at the point that the flow brings a value from.
 enum class Advection : uint8_t {
     automatic, ///< cubic in 2D, MacCormack in 3D, where splines would need 64 nodes
     linear,    ///< between the nearest nodes; blurs
     cubic,     ///< Catmull-Rom splines through four nodes along each axis
-    maccormack ///< linear, corrected by half of the error that carrying the result back shows
+    maccormack ///< linear, corrected by half of the error that advecting the result backwards shows
 };
 
 /// Input and output of an advection.
 struct Carried {
-    gpu::ImageId velocity;                 ///< the velocity that carries
-    gpu::ImageId field;                    ///< the field that is carried; a velocity may carry itself
+    gpu::ImageId velocity;                 ///< the velocity that advects the field
+    gpu::ImageId field;                    ///< the field that is advected; a velocity may advect itself
     gpu::ImageId target;                   ///< overwritten with the result
     uint32_t channels = 0;                 ///< number of quantities; 0 for a velocity
     std::optional<gpu::ImageId> ways = {}; ///< displacements from add_ways(), if another field uses them too
@@ -31,7 +31,7 @@ struct Carried {
 struct ThereAndBack {
     gpu::ImageId ways;
     gpu::ImageId field;
-    gpu::ImageId advected; ///< `field`, carried once
+    gpu::ImageId advected; ///< `field` after one advection
 };
 
 /// Resolves `automatic`.
@@ -74,7 +74,7 @@ struct ForceStyle {
     float weight_m_s2 = 0.0F;          ///< along -y, per unit of density
     /// Strength of vorticity confinement: share of a vortex's speed across one cell that it gains per second.
     float confinement_per_s = 0.0F;
-    Rim rim; ///< layer in which the fluid takes up `outside_m_per_s`
+    Rim rim; ///< layer in which the fluid approaches `outside_m_per_s`
     glm::vec3 outside_m_per_s{0.0F};
 
     bool operator==(const ForceStyle&) const = default;

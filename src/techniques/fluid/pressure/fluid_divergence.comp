@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell: its outflow. Nothing flows out of obstacles.
+// One thread per cell: the outflow of the cell. Nothing flows out of obstacles.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_FLUID_GRADIENT
 #define ESTAMPE_FLUID_GRADIENT
 
-// Needs what fluid_fields.glsl needs, and two texel buffers, `pressure` and `solids`; include it after that
-// file.
+// Requires two texel buffers, `pressure` and `solids`. Include after fluid_fields.glsl, with the same
+// requirements.
 
 bool is_solid(uint index)
 {

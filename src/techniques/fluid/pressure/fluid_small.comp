@@ -53,7 +53,7 @@ bool wraps(int axis)
     return (variant & (fluid_bit_periodic << axis)) != 0u;
 }
 
-// Index of a neighbour. A missing neighbour has the last index of all, whose face is closed.
+// Index of a neighbour cell. A missing neighbour has the last index, whose cell has a closed face.
 int neighbour(Level level, ivec2 cell)
 {
     bool is_outside_x = cell.x < 0 || cell.x >= level.size.x;

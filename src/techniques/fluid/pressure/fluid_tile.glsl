@@ -2,9 +2,10 @@
 #ifndef ESTAMPE_FLUID_TILE
 #define ESTAMPE_FLUID_TILE
 
-// A tile of a level in shared memory, with a halo that shrinks by a cell with each sweep. Needs `variant`,
-// `tile`, a FluidTile, and texel buffers `divergence` and `weights`. The equation of a cell: the sum over its
-// neighbours of their pressure minus its own, each times the opening of the face between, is its divergence.
+// A tile of a multigrid level in shared memory, with a halo that shrinks by a cell with each sweep. Requires
+// `variant`, `tile`, a FluidTile, and texel buffers `divergence` and `weights`. The equation of a cell: the
+// sum over its neighbours of the pressure difference to the cell, times the opening of the face between, is
+// the cell's divergence.
 
 const int fluid_region = int(fluid_tile + 2u * fluid_halo);
 const int fluid_region_cells = fluid_region * fluid_region;

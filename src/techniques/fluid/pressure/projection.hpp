@@ -24,9 +24,9 @@ enum class Solver : uint8_t {
 struct ProjectionStyle {
     Solver solver = Solver::automatic;
     uint32_t jacobi_rounds = 80;
-    /// Number of projections. Each measures the remaining divergence and solves for it from zero, which
-    /// reduces the rounding error of floats; more cycles of one solve would not. 0 selects the solver's
-    /// default: 3 V-cycles in 2D, 2 in 3D, or one solve with another solver.
+    /// Number of projections. Each projection measures the remaining divergence and solves for a pressure
+    /// from zero, which reduces the rounding error of floats; more cycles of one solve would not. 0 selects
+    /// the solver's default: 3 V-cycles in 2D, 2 in 3D, or one solve with another solver.
     uint32_t projections = 0;
 };
 
@@ -38,7 +38,7 @@ struct Solids {
 
 struct Projected {
     gpu::ImageId velocity;
-    gpu::ImageId reflected; ///< `velocity` reflected at the projected one; `velocity` itself if not requested
+    gpu::ImageId reflected; ///< reflected at the projected velocity; `velocity` itself if not requested
 };
 
 /// Resolves `automatic` for a grid. Throws std::logic_error if `solver` cannot solve it.

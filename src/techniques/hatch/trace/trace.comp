@@ -188,7 +188,7 @@ void trace_edge(Spot a, Spot b, Turn turn, uint edge, vec2 part)
     }
 }
 
-// The same surface, extrapolated by `pixels`.
+// The surface of a pixel, extrapolated by `pixels`.
 Spot moved(Spot spot, bool is_down, float pixels)
 {
     spot.p += pixels * (is_down ? spot.f.dy : spot.f.dx);

@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_INK_CARRIED
 #define ESTAMPE_INK_CARRIED
 
-// Displacement of ink in the flow of a stream function that is stored at nodes. Define before: `globals`,
-// `stream_texels`.
+// Displacement of ink in the flow of a stream function that is stored at nodes. Requires before inclusion:
+// `globals`, `stream_texels`.
 
 #include "techniques/ink/flow/spline.glsl"
 

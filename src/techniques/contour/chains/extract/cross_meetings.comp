@@ -32,7 +32,7 @@ layout(binding = 4) uniform usamplerBuffer neighbor_texels;
 
 layout(scalar, binding = 6) buffer Crossings
 {
-    uint crossings[]; // two per point: of the sides to the right and down
+    uint crossings[]; // two per point: crossings on the sides to the right and down
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -42,7 +42,7 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/contour/chains/extract/page_cells.glsl"
 
-const float slack = 0.5;        // in pixels, for surfaces that bend between two
+const float slack = 0.5;        // in pixels, because surfaces may curve between two pixels
 const float least_angle = 0.09; // angle between intersecting planes, rad
 
 uint shell_of(uint triangle)

@@ -20,7 +20,7 @@ layout(scalar, binding = 0) uniform Frame
     FrameGlobals frame;
 };
 
-layout(binding = 1) uniform sampler2D share_image; // visible share of the sun; negative where it cannot shine
+layout(binding = 1) uniform sampler2D share_image; // visible share of the sun; negative on unlit sides
 layout(binding = 2) uniform usampler2D draw_image;
 layout(binding = 3) uniform sampler2D depth_image;
 layout(binding = 4) uniform usampler2D normal_image;
@@ -39,7 +39,7 @@ layout(push_constant, scalar) uniform Constants
 
 const float least_cosine = 0.8; // between normals at both ends, and for a bend in between
 
-// A point of the lattice.
+// Index of a point of the page's lattice.
 struct Place {
     float share;
     uint draw;
@@ -69,7 +69,7 @@ Place place_at(uvec2 point)
                  unpack_normal(texelFetch(normal_image, pixel, 0).y), counts);
 }
 
-// Whether both ends lie on one surface that continues smoothly in between.
+// Whether both ends are on one surface that is smooth between them.
 bool is_one_surface(Place a, Place b)
 {
     vec3 way = b.point - a.point;

@@ -234,7 +234,7 @@ Segment along_edge(uint edge, uint segment_count)
         Corner start = corner_at(corners[ends.x]);
         Corner finish = corner_at(corners[ends.y]);
         Crossing crossing = crossing_of(start, finish);
-        vec3 corner = end == 0 ? start.position : finish.position; // a corner of the front
+        vec3 corner = end == 0 ? start.position : finish.position; // a corner of the front-facing triangle
         uint packed = pack_normal(unit(start.normal + finish.normal + 1e-6 * way_to_eye(corner)));
         place[end] = Crossing(is_corner ? corner : crossing.position, is_corner ? packed : crossing.normal);
         uint within = is_inside_out(side >> 2) ? no_segment : segment_or_none(side >> 2, segment_count);

@@ -12,7 +12,7 @@
 struct Crossing {
     bool is_there;
     bool rises;
-    bool is_seen_between; // it lies on the surface seen half way, not on that at the start of its side
+    bool is_seen_between; // on the surface seen half way, not at the start of the side
     float share;
 };
 

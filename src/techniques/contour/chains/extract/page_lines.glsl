@@ -44,7 +44,7 @@ CellLine line_through(uvec2 cell)
     uvec4 sides =
         uvec4(here.x, crossing_words(cell + uvec2(1u, 0u)).y, crossing_words(cell + uvec2(0u, 1u)).x, here.y);
     uvec4 is_there = min(sides & crossing_is_there, uvec4(1u));
-    uvec4 is_rise = min(sides & crossing_rises, uvec4(1u)) ^ uvec4(0u, 0u, 1u, 1u); // two sides are reversed
+    uvec4 is_rise = min(sides & crossing_rises, uvec4(1u)) ^ uvec4(0u, 0u, 1u, 1u); // two sides run back
     uvec4 rise = is_there & is_rise;
     uvec4 fall = is_there & ~is_rise;
     bool is_one = rise.x + rise.y + rise.z + rise.w == 1u && fall.x + fall.y + fall.z + fall.w == 1u;

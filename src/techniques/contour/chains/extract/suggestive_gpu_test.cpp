@@ -255,7 +255,7 @@ TEST(SuggestiveContours, AreNoneUnlessAskedFor)
     const size_t words = (drawing.layout.triangles.size() + 31) / 32;
     EXPECT_EQ(lists.marks.size() + words, with_lines.marks.size());
     for (size_t i = 0; i < lists.marks.size(); ++i) {
-        EXPECT_EQ(lists.marks[i], with_lines.marks[i]); // outlines are the same
+        EXPECT_EQ(lists.marks[i], with_lines.marks[i]); // the outlines are unchanged
     }
 }
 

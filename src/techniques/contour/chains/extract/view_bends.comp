@@ -48,7 +48,7 @@ void main()
     vec4 change = uintBitsToFloat(texelFetch(bending_texels, int(2u * index + 1u)));
     PosedVertex vertex = posed_vertex_at(index);
     vec3 normal = unpack_normal(vertex.normal);
-    // The frame depends on a neighbour, so that it follows every motion of the surface.
+    // The tangent frame depends on a neighbour vertex, so that it follows every motion of the surface.
     vec3 x = posed_vertex_at(first.x).position - vertex.position;
     x -= normal * dot(normal, x);
     x /= max(length(x), 1e-30);

@@ -79,7 +79,7 @@ bool is_drawn(const FilmFrame& frame, size_t i)
 struct Match {
     const DrawnSample* before;
     const DrawnSample* now;
-    double along_px; ///< distance between the two along the line on the page
+    double along_px; ///< distance on the page, along the line, between both samples
 };
 
 std::vector<Match> matches(const FilmFrame& before, const FilmFrame& now)
@@ -127,7 +127,7 @@ std::vector<double> slips_px(const FilmFrame& before, const FilmFrame& now)
 struct Steadiness {
     double slip_px = 0.0; ///< root mean square
     size_t compared = 0;
-    size_t begun_anew = 0;    ///< samples whose brush jumped to another position
+    size_t begun_anew = 0;    ///< number of samples whose brush jumped
     double most_change = 0.0; ///< of the number of strokes between frames, as a share
 };
 
@@ -192,7 +192,7 @@ double share_of_brush(const DrawnSample& drawn, double along_px = 0.0)
 /// Statistics of samples that the previous frame drew too.
 struct Slides {
     size_t compared = 0;
-    size_t jumped = 0;     ///< by more than 0.035 of their brush
+    size_t jumped = 0;     ///< number of samples that jumped by more than 0.035 of their brush
     double most_off = 0.0; ///< from the even position in the last frame, in shares of the brush
 };
 

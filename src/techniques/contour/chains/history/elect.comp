@@ -46,7 +46,7 @@ void main()
     uint stroke = strokes_before(index + 1u) - 1u;
     Recall recall = recalls[index];
     if (constants.stretches != 0u && (sample_at(index).state & sample_in_ring) != 0u) {
-        // A ring has no end: all of it shifts by as much as the sample where it is cut.
+        // A ring has no end: the whole ring shifts by the offset of the sample where it is cut.
         float whole = whole_length(index, strokes[stroke]);
         float turn = recalls[strokes[stroke].first].offset_px;
         recall.offset_px -= whole * round((recall.offset_px - turn) / max(whole, 1.0));

@@ -47,7 +47,7 @@ layout(push_constant, scalar) uniform Constants
 #include "techniques/contour/chains/ink/inked_pieces.glsl"
 
 const float most_taps = 4.0;
-const vec2 repeated_pace = vec2(0.5, 1.5); // speed of a brush along a piece, relative to the even speed
+const vec2 repeated_pace = vec2(0.5, 1.5); // scale of a brush along a piece, relative to the even scale
 const vec2 stretched_pace = vec2(0.0, 8.0);
 
 // Filtered ink of a brush. `place` is along and across, in shares of the picture; `step` is the pixel's size
@@ -104,7 +104,7 @@ float inked_by(vec2 pixel, End a, End b)
                                  max(half_width, 0.5);
         float length_px = b.touch.along_px - a.touch.along_px;
         float phase = b.touch.phase_px - a.touch.phase_px;
-        // Where two brushes meet, each continues at its own speed.
+        // Where two brushes meet, each brush continues at its own scale.
         vec2 same_brush = (repeats ? repeated_pace : stretched_pace) * length_px;
         phase = phase > same_brush.x && phase < same_brush.y ? phase : length_px;
         float beyond = min(past_a, 0.0) - min(before_b, 0.0);

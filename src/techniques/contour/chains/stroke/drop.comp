@@ -37,7 +37,7 @@ layout(push_constant, scalar) uniform Constants
 
 const float beside_px = 4.0;
 const float foot_px = 2.0; // largest distance along a line between a place beside it and the nearest sample
-const float least_inside_px = 0.5; // least distance from the ends of the other stroke
+const float least_inside_px = 0.5; // least distance along the other stroke from its ends
 const uint most_steps = 10u;
 const uint least_page_steps = 3u; // for strokes found on the page; shorter ones are specks
 const float most_share = 0.5;     // share of a stroke's samples that may lie beside another stroke

@@ -53,7 +53,7 @@ ChainStrokes import_strokes(gpu::Graph& graph, gpu::BufferId sizes, LinkedLines:
     const auto before = gpu::import_whole(graph, "strung strokes before", strokes.strokes_before);
     return {.sizes = sizes,
             .samples = gpu::import_whole(graph, "strung samples", strokes.samples),
-            .samples_before = before, // unused here
+            .samples_before = before, // a placeholder that is not read
             .strokes_before = before,
             .strokes = gpu::import_whole(graph, "strung strokes", strokes.strokes),
             .grid = gpu::import_whole(graph, "strung grid", strokes.grid)};

@@ -309,8 +309,8 @@ LineTouch touch_of(uint index, Stroke stroke, float phase_px, vec2 way)
                      uses);
 }
 
-// Wobble of the hand. It depends on the place in the scene and is equal in every frame, so lines that meet
-// wobble together, and closed lines close.
+// Wobble of the hand. It depends only on the place in the scene, so it is equal in every frame, lines that
+// meet wobble together, and closed lines close.
 
 float lattice_value(ivec3 cell, uint seed)
 {
@@ -341,7 +341,7 @@ float stray_at(vec3 anchor, float wave_px, uint seed)
     float fine = value_noise(anchor * exp2(-low), seed);
     float coarse = value_noise(anchor * exp2(-low - 1.0), seed + 1u);
     float part = octave - low;
-    // The mean of two noises has a smaller range, which this restores.
+    // The mean of two noises has a smaller range; this factor restores the range.
     return 2.0 * (mix(fine, coarse, part) - 0.5) * inversesqrt(1.0 - 2.0 * part + 2.0 * part * part);
 }
 
@@ -361,14 +361,14 @@ uint hand_seed(uint what)
     return hash(constants.seed, 16u * constants.hand + what);
 }
 
-// How far a stroke extends past its start and its end; negative values shorten it.
+// Distance by which a stroke extends past its start and its end; negative values shorten the stroke.
 vec2 ends_px(uint seed)
 {
     uint start = hash(seed, hand_seed(1u));
     return constants.jitter_ends_px * (2.0 * vec2(unit_float(start), unit_float(hash(start))) - 1.0);
 }
 
-// Distance of the hand from the line.
+// Offset of the pen from the exact line.
 float offset_at(vec3 anchor)
 {
     float aside = constants.jitter_offset_px * stray_at(anchor, 4.0 * constants.wave_px, hand_seed(2u));

@@ -49,7 +49,7 @@ layout(scalar, binding = 7) writeonly buffer Starts
 layout(constant_id = 0) const uint variant = 0u;
 const bool wants_hidden = (variant & split_wants_hidden) != 0u;
 
-const float most_stretch = 3.0; // a piece longer than this many steps leads off the page and back
+const float most_stretch = 3.0; // a piece longer than this many steps leaves the page and returns
 
 bool leads_on(ChainOfSamples chain, uint place)
 {

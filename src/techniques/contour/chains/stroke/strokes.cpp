@@ -195,7 +195,7 @@ struct ShapeInputs {
     gpu::BufferId recalls; ///< unused without a previous frame
     LineHistory* history;
     LineClass lines;
-    uint32_t hand; ///< how often the strokes have been drawn before
+    uint32_t hand; ///< number of times that the strokes have already been drawn
 };
 
 /// Variant bits of shape.comp for a style.
@@ -271,7 +271,7 @@ shared::ShapeConstants shape_constants(const ShapeInputs& in, const ContourStyle
     return constants;
 }
 
-/// Computes path and width of the pen. Only the first hand is stored for the next frame.
+/// Computes path and width of the pen. Only strokes drawn the first time are stored for the next frame.
 HandDrawn add_shape(gpu::Graph& graph, const ShapeInputs& in, const ContourStyle& style)
 {
     const ContourInputs& page = in.page;
@@ -299,7 +299,7 @@ HandDrawn add_shape(gpu::Graph& graph, const ShapeInputs& in, const ContourStyle
     return {line_points, touches};
 }
 
-/// Makes strokes of one class of lines, each drawn by as many hands as the style asks for.
+/// Makes strokes of the seen or the hidden lines, drawn as many times as the style sets.
 std::pair<ChainStrokes, InlineVector<HandDrawn, most_hands>>
 add_class(gpu::Graph& graph, const ContourInputs& page, const ChainInputs& mesh, gpu::BufferId facing,
           const ChainSamples& samples, LineHistory* history, const ContourStyle& style, LineClass lines)

@@ -19,7 +19,7 @@ namespace {
 
 using shared::LineSample;
 
-/// Number of samples, and of those wrongly hidden and wrongly shown according to rays.
+/// Number of samples, of wrongly hidden samples and of wrongly shown samples, compared with rays.
 struct Agreement {
     size_t asked = 0;
     size_t falsely_hidden = 0;
@@ -97,7 +97,7 @@ Agreements compare_with_rays(const Scene& scene, const Camera& camera, glm::uvec
     return results;
 }
 
-/// Expects agreement for the kinds [first, end).
+/// Expects agreement with rays for the kinds of lines in [first, end).
 void expect_agreement(const Agreements& of_kinds, const std::string& name, uint32_t first = 0,
                       uint32_t end = shared::line_kind_count)
 {
@@ -127,7 +127,7 @@ ContourStyle inner_lines()
     return style;
 }
 
-/// Tests each of these kinds separately, because outlines would outnumber them.
+/// Tests each of these kinds of lines separately, because outlines would outnumber them.
 void expect_inner_agreement(const Scene& scene, const std::vector<Camera>& cameras, glm::uvec2 size_px,
                             const std::string& name)
 {

@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_SAMPLE_LIST
 #define ESTAMPE_SAMPLE_LIST
 
-// Samples of a chain by their index in it.
+// Samples of a chain by their index in the chain.
 
 struct ChainOfSamples {
     uint first;
