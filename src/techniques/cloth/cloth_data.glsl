@@ -33,9 +33,9 @@ layout(binding = 6) uniform samplerBuffer target_before_texels; // targets of he
 layout(binding = 7) uniform samplerBuffer target_after_texels;  // and the end of a run; w: how strongly held
 
 layout(binding = 9) uniform samplerBuffer grid_texels; // heights or distances, each grid after its head
-layout(binding = 10) uniform usamplerBuffer seen_before_texels; // of bodies at the beginning of a run, and at
+layout(binding = 10) uniform usamplerBuffer seen_before_texels; // front and back of bodies at the beginning
 layout(binding = 11) uniform usamplerBuffer
-    seen_after_texels; // its end: bits of floats, each behind its head
+    seen_after_texels; // and the end of a run; each body after its head
 
 layout(scalar, binding = 8) readonly buffer SheetOfGroup
 {
