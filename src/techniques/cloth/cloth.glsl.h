@@ -39,7 +39,7 @@ SHARED_CONSTANT uint cloth_met_head = 4U;   // numbers of the ball about a group
 SHARED_CONSTANT uint cloth_met_words = 32U; // of 32 solids each, at most: of those after it is not asked
 SHARED_CONSTANT uint cloth_most_flows = 8U;
 SHARED_CONSTANT uint cloth_torn_bits = 64U;  // of each particle of a sheet that may tear, see cloth_torn.glsl
-SHARED_CONSTANT uint cloth_torn_cells = 32U; // where of a grid those of cells begin
+SHARED_CONSTANT uint cloth_torn_cells = 32U; // on a grid, first of the bits for cells
 SHARED_CONSTANT float cloth_breath_m_per_s = 0.05F; // a slower wind moves nothing visibly
 SHARED_CONSTANT float cloth_rest_s = 0.5F;          // a sheet that has been calm for this time rests
 
