@@ -73,7 +73,7 @@ void BakeOptions::add_to(CLI::App& app)
         ->required()
         ->type_name("FILE");
     input_.add_to(command);
-    world_.add_to(command, WorldOptions::Seed::is_left_out); // --seed is that of the noise
+    world_.add_to(command, WorldOptions::Seed::is_left_out); // --seed is the seed of the noise
     command.add_option("-o,--output", output_, "Output file, NAME.exr, an OpenEXR lightmap")
         ->required()
         ->type_name("FILE");
@@ -155,7 +155,8 @@ BakeCommand BakeOptions::read() const
 
 namespace {
 
-/// Works until all is done; false when a signal came first. What is done lies in `partial` then.
+/// Bakes until the map is complete; returns false when a signal came first. `partial` then holds the
+/// progress.
 bool work_through(LightmapBake& bake, const std::filesystem::path& partial)
 {
     constexpr double look_s = 0.5;

@@ -129,7 +129,7 @@ namespace {
 using style::WordEntry;
 using style::WordTable;
 
-/// Options of `estampe render`, and its scene. What is of measuring and of the device is not here.
+/// Options of `estampe render`, and its scene. Options for measuring and for the device are left out.
 const std::vector<std::string>& job_keys()
 {
     static const std::vector<std::string> keys{
@@ -141,7 +141,7 @@ const std::vector<std::string>& job_keys()
     return keys;
 }
 
-/// Keys for which a list of values turns one entry into several jobs.
+/// Keys whose list of values expands one entry into several jobs.
 constexpr std::array varied_keys{"scene", "camera", "view", "style"};
 
 bool is_varied(const std::string& key)
@@ -170,7 +170,7 @@ void check_entry(const WordEntry& entry)
     }
 }
 
-/// A job's own keys, and those of [defaults] that it does not have.
+/// A job's own keys, and the keys of [defaults] that the job does not set.
 using Entries = std::map<std::string, WordEntry>;
 
 Entries with_defaults(const WordTable& job, const Entries& defaults)
@@ -180,7 +180,8 @@ Entries with_defaults(const WordTable& job, const Entries& defaults)
         check_entry(entry);
         entries.insert_or_assign(entry.key, entry);
     }
-    // A size in pixels and a page stand for each other, and so do a camera and a view.
+    // A page of the job replaces a size of [defaults], and a size replaces a page. A camera and a view also
+    // replace each other.
     const bool has_camera = entries.contains("camera");
     const bool has_view = entries.contains("view");
     const bool has_size = entries.contains("size");
@@ -204,7 +205,7 @@ const WordEntry& required(const Entries& entries, const char* key, const std::st
     return found->second;
 }
 
-/// What stands for a word in the name of a file: paths and placements have no place there.
+/// Replaces a word in a file name, because paths and placements cannot be part of a file name.
 std::string name_part(const WordEntry& entry, size_t index)
 {
     const std::string& word = entry.words[index];
@@ -218,7 +219,7 @@ std::string name_part(const WordEntry& entry, size_t index)
     return fmt::format("{}", fmt::join(stems, "+"));
 }
 
-/// Throws Error where one table stands for more jobs than anybody waits for.
+/// Throws Error if one table expands into more jobs than is reasonable.
 void check_job_count(const std::vector<const WordEntry*>& varied, const std::string& where)
 {
     constexpr size_t most = 1'000'000;
@@ -232,7 +233,7 @@ void check_job_count(const std::vector<const WordEntry*>& varied, const std::str
     }
 }
 
-/// Appends all jobs that one table stands for, the last of the varied keys changing the quickest.
+/// Appends all jobs that one table expands into. The last of the varied keys changes fastest.
 void append_jobs(const WordTable& table, const Entries& entries, std::vector<BatchJob>& jobs)
 {
     const WordEntry& scene = required(entries, "scene", table.where);
@@ -340,7 +341,8 @@ std::vector<BatchJob> read_jobs(const std::string& file)
 
 namespace {
 
-/// The jobs of one of `shards` parts, from 1 on: runs in their order, whose lengths differ by one at most.
+/// The jobs of one of `shards` parts, counted from 1. Parts are consecutive runs of jobs; their lengths
+/// differ by one at most.
 std::vector<BatchJob> shard_of(const std::vector<BatchJob>& jobs, uint32_t shard, uint32_t shards)
 {
     const auto bound = [&](uint64_t i) { return static_cast<std::ptrdiff_t>(i * jobs.size() / shards); };
@@ -374,7 +376,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What became of a job.
+/// Result of a job.
 struct JobResult {
     enum class Status : uint8_t { not_begun, done, failed };
     Status status = Status::not_begun;
@@ -405,7 +407,7 @@ Json job_json(const BatchJob& job, const JobResult& result)
     return json;
 }
 
-/// Writes what became of the jobs, one result each, to the command's report, whole or not at all. Throws
+/// Writes one result per job to the command's report. The report is replaced completely or not at all. Throws
 /// Error when it cannot be written.
 void write_report(const BatchCommand& command, const std::string& device, const std::vector<BatchJob>& jobs,
                   const std::vector<JobResult>& results)
@@ -429,12 +431,12 @@ void write_report(const BatchCommand& command, const std::string& device, const 
     write_file_atomically(command.report, std::as_bytes(std::span(text)));
 }
 
-/// The scene that the renderer has, kept for the jobs that come next.
+/// The scene of the renderer, kept for the following jobs.
 class SceneKeeper {
 public:
     explicit SceneKeeper(Renderer& renderer) : renderer_(renderer) {}
 
-    /// The scene and the lightmap of these options. Throws Error when they cannot be read.
+    /// The scene and the lightmap of these options. Throws Error when either cannot be read.
     [[nodiscard]] const Scene& ensure(const DrawOptions& draw)
     {
         if (is_there_ && load_the_same(draw, loaded_) && draw.lightmap == loaded_.lightmap) {
@@ -455,7 +457,7 @@ public:
 private:
     Renderer& renderer_;
     Scene scene_;
-    DrawOptions loaded_; ///< what `scene_` was read for
+    DrawOptions loaded_; ///< options with which `scene_` was read
     bool is_there_ = false;
 };
 
@@ -483,7 +485,7 @@ JobResult draw_job(Renderer& renderer, SceneKeeper& scenes, const BatchJob& job,
     return result;
 }
 
-/// Throws Error where not all is well.
+/// Throws Error if jobs failed or were not begun.
 void conclude(const BatchCommand& command, const std::vector<JobResult>& results)
 {
     const auto count = [&](JobResult::Status status) {
@@ -510,7 +512,7 @@ void run(const BatchCommand& command)
     Renderer renderer(command.device);
     SceneKeeper scenes(renderer);
     Progress progress("batch", 0.0);
-    // As it goes, so that it is there whatever ends the program.
+    // Written after each job, so that the report exists even if the program is ended.
     const auto report = [&] { write_report(command, renderer.device().name, jobs, results); };
     report();
     for (size_t i = 0; i < jobs.size() && !was_told_to_stop(); ++i) {

@@ -62,7 +62,7 @@ DrawOptions read_draw_options(const TypedOptions& typed)
     draw.device.device = typed.device;
     draw.device.raster = parse_raster_path(typed.raster);
     draw.is_draft = typed.draft;
-    if (typed.draft) { // what is set says more
+    if (typed.draft) { // explicit options override a draft
         draw.assignments.assign(draft_assignments.begin(), draft_assignments.end());
     }
     typed.transparent.assign(draw.assignments);
@@ -93,7 +93,7 @@ CameraChoice read_camera(const TypedOptions& typed, bool has_camera)
     return choice;
 }
 
-/// Some options go with strokes alone, some with pictures alone.
+/// Some options apply only to strokes, others only to pictures.
 void check_strokes(const TypedOptions& typed, const PictureChoice& picture)
 {
     const bool is_strokes = picture.format == PictureFormat::svg;
@@ -133,7 +133,7 @@ void read_motion(const TypedOptions& typed, RenderCommand& render)
     }
 }
 
-/// Some options go with single pictures alone.
+/// Some options apply only to single pictures.
 void check_film(const TypedOptions& typed, const RenderCommand& command)
 {
     if (command.film && command.film->flies) {
@@ -263,8 +263,8 @@ Command to_command(const CLI::App& app, const TypedOptions& typed)
     return GraphCommand{std::move(draw)};
 }
 
-/// The value of --help-style, if it is typed: it needs neither a scene nor an output, so it comes before all
-/// else that may be wrong with the line.
+/// The value of --help-style, if the option is typed. It needs neither a scene nor an output, so it is read
+/// before other parts of the command line, which may be wrong.
 std::optional<StyleManualCommand> style_manual_of(std::span<const char* const> words)
 {
     constexpr std::string_view option = "--help-style";
@@ -281,7 +281,7 @@ std::optional<StyleManualCommand> style_manual_of(std::span<const char* const> w
     return std::nullopt;
 }
 
-/// What to do about a command line that cannot be parsed.
+/// Advice for a command line that cannot be parsed.
 std::string remedy_of(const CLI::ParseError& problem, const CLI::App& app, std::span<const char* const> words)
 {
     if (app.get_subcommands().empty()) {

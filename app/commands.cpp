@@ -163,7 +163,7 @@ void run(const ViewCommand& command)
     viewer::Viewer viewer(command);
     viewer.run();
     if (viewer.is_reading()) {
-        // A large file that nobody waits for: threads end with the program.
+        // A thread may still read a large file whose scene is not needed. The thread ends with the program.
         std::fflush(nullptr);
         remove_piped_scenes();
         std::_Exit(0);

@@ -21,7 +21,7 @@ namespace estampe::app {
 namespace {
 
 constexpr uint32_t gap_px = 16;
-constexpr uint32_t letter_px = 13; // Dear ImGui's own font is made for this height
+constexpr uint32_t letter_px = 13; // Dear ImGui's own font is designed for this height
 constexpr uint32_t letter_scale = 2;
 constexpr uint32_t name_px = letter_px * letter_scale + gap_px / 2;
 
@@ -79,7 +79,7 @@ private:
     int height_ = 0;
 };
 
-/// Things of round, flat and fine form on a ground, for who has no scene at hand.
+/// Round, flat and thin objects on a ground, for a user who gives no scene.
 Scene still_life()
 {
     Scene scene;

@@ -122,7 +122,7 @@ Index first_placed_camera(const Scene& scene)
     return first;
 }
 
-/// Direction of the sun over ground that nothing stands on.
+/// Direction of the sun over ground without objects.
 glm::dvec3 towards_sun(const SunBearing& sun, const Terrain& terrain)
 {
     SunPlace place{sun.azimuth_deg, sun.elevation_deg};
@@ -158,7 +158,7 @@ void refuse_variant(const DrawOptions& draw)
     }
 }
 
-/// Throws Error for a name that is neither a file nor a world, and does not look like a file name.
+/// Throws Error for a name that is neither a file nor a world, and that does not look like a file name.
 void check_is_known(const std::string& scene)
 {
     std::error_code problem;
@@ -295,7 +295,7 @@ RenderSettings settings_of(const DrawOptions& draw, Index animation)
 
 void set_scene(Renderer& renderer, const Scene& scene, const DrawOptions& draw)
 {
-    // A lightmap on the command line replaces those that the file names.
+    // A lightmap on the command line replaces the lightmaps that the file names.
     const std::optional<Lightmap> lightmap = draw.lightmap.empty()
                                                  ? named_lightmap(scene_file(draw.scene, draw.input_format))
                                                  : load_lightmap(draw.lightmap);
@@ -331,7 +331,7 @@ std::string name_of_node(const Scene& scene, Index node)
     return name.empty() ? fmt::format("node {}", node) : in_quotes(name);
 }
 
-/// Describes why a view is empty, and what to do.
+/// Describes why a view is empty, and how to change it.
 std::string problem_with(const InView& view, const Scene& scene)
 {
     if (view.content == ViewContent::nothing)

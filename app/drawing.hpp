@@ -17,41 +17,41 @@ namespace estampe::app {
 /// becomes a scene with only a terrain. Throws Error as load_scene() and load_terrain() do.
 [[nodiscard]] Scene load_scene_of(const DrawOptions& draw);
 
-/// Whether load_scene_of() returns the same scene for both.
+/// Whether load_scene_of() returns equal scenes for `a` and `b`.
 [[nodiscard]] bool load_the_same(const DrawOptions& a, const DrawOptions& b);
 
-/// Appends an animation named "all" that plays all animations of the scene together. It lasts as long as the
-/// longest; shorter ones hold their last key. If several animate the same property of the same node, the
-/// first counts and a warning says so. Returns whether there was no such conflict. Does nothing for a scene
+/// Appends an animation named "all" that plays all animations of the scene together. Its duration is that of
+/// the longest animation; shorter ones hold their last key. If several animate one property of one node, the
+/// first is used and a warning says so. Returns whether there was no such conflict. Does nothing for a scene
 /// with fewer than two animations, or with one named "all".
 bool add_all_animations(Scene& scene);
 
-/// The animation that `draw` asks for. Throws Error listing the file's animations if none has that name.
+/// The animation that `draw` selects. Throws Error that lists the file's animations if none has this name.
 [[nodiscard]] Index choose_animation(const DrawOptions& draw, const Scene& scene);
 
 /// A line that names the animation that is played and the others. Empty unless the scene has several and
 /// `draw` chose none.
 [[nodiscard]] std::string note_of_animations(const DrawOptions& draw, const Scene& scene);
 
-/// The camera that `draw` asks for, at its moment. Throws Error listing the file's cameras if none has that
-/// name.
+/// The camera that `draw` selects, at the time of `draw`. Throws Error that lists the file's cameras if none
+/// has this name.
 [[nodiscard]] Camera choose_camera(const DrawOptions& draw, const Scene& scene, Index animation);
 
-/// Whether the camera that `draw` asks for is one of the scene's own, which may move.
+/// Whether `draw` selects one of the scene's own cameras, which may move.
 [[nodiscard]] bool has_camera_of_file(const DrawOptions& draw, const Scene& scene);
 
-/// Render settings of a picture: size, samples and moment.
+/// Render settings of a picture: size, samples and time.
 [[nodiscard]] RenderSettings settings_of(const DrawOptions& draw, Index animation);
 
-/// Sets the renderer's scene and its lightmaps: the one that `draw` names, else those that the scene's file
-/// names. Throws Error when a lightmap cannot be read or belongs to another scene.
+/// Sets the renderer's scene and its lightmaps: the lightmap that `draw` names, or otherwise the lightmaps
+/// that the scene's file names. Throws Error when a lightmap cannot be read or belongs to another scene.
 void set_scene(Renderer& renderer, const Scene& scene, const DrawOptions& draw);
 
-/// Warns when `camera` sees nothing of the scene: nothing is in view, or only backs of one-sided surfaces
-/// are, as from inside a solid. Does nothing when the program placed the camera itself.
+/// Warns when `camera` sees nothing of the scene: nothing is in view, or only backs of one-sided surfaces are
+/// in view, as from inside a solid. Does nothing when the program placed the camera itself.
 void warn_of_empty_view(const DrawOptions& draw, const Scene& scene, Index animation, const Camera& camera);
 
-/// Warns when nothing of the scene is in view at any of these moments of a film.
+/// Warns when nothing of the scene is in view at any of these times of a film.
 void warn_of_empty_film(const DrawOptions& draw, const Scene& scene, Index animation,
                         std::span<const Moment> moments);
 

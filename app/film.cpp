@@ -34,7 +34,7 @@
 namespace estampe::app {
 namespace {
 
-constexpr int moment_count = 13; // moments at which moving parts are sampled
+constexpr int moment_count = 13; // times at which moving parts are sampled
 constexpr int side_count = 12;   // directions from which a turntable is checked
 
 Camera turned(const Camera& camera, double turn)
@@ -65,8 +65,8 @@ double reach(const Camera& camera, const Bounds& box, double aspect)
     return most;
 }
 
-/// Moves the eye away until all of `boxes`, seen from all of `sides`, lie as well within the page as the
-/// first box does from the first side.
+/// Moves the eye away until all of `boxes`, seen from all of `sides`, are as far inside the page as the first
+/// box is from the first side.
 Camera far_enough(const Camera& camera, const std::vector<Bounds>& boxes, int sides, double aspect)
 {
     const auto farthest = [&](const Camera& from) {
@@ -92,9 +92,9 @@ Camera far_enough(const Camera& camera, const std::vector<Bounds>& boxes, int si
     return away;
 }
 
-/// The camera of a film. A view of the whole scene stands still, far enough away for everything that will
-/// move. A camera of the file moves as it does in the file. On a turntable either goes once around its
-/// target. A world's own film has its own path.
+/// The camera of a film. A view of the whole scene does not move; it is far enough away for everything that
+/// moves later. A camera of the file moves as in the file. On a turntable either camera turns once around its
+/// target. A world's own film has its own camera path.
 class FilmCamera {
 public:
     /// For frames from `begin_s` to `end_s`; follows `path` unless it is null. Throws Error as
@@ -103,7 +103,7 @@ public:
     FilmCamera(const DrawOptions& draw, const Scene& scene, Index animation, double begin_s, double end_s,
                bool turntable, std::shared_ptr<const worlds::CameraPath> path = nullptr);
 
-    /// The camera at a moment; `turn` is the position on a turntable, 0 to 1.
+    /// The camera at a time; `turn` is the position on a turntable, 0 to 1.
     [[nodiscard]] Camera at(double time_s, double turn) const;
 
 private:
@@ -188,7 +188,7 @@ double moving_s(const DrawOptions& draw, bool is_own_film, const Scene& scene, I
     return playing_s(scene.animations.at(animation));
 }
 
-/// The choice, with a last frame and the file's frame rate filled in.
+/// The film's settings, with the last frame and the file's frame rate filled in.
 FilmChoice with_end(FilmChoice film, const DrawOptions& draw, const Scene& scene, Index animation)
 {
     constexpr double least_rate = 1.0; // outside of this range the file's rate is ignored
@@ -318,8 +318,8 @@ public:
         Progress progress("film", share(next));
         FilmQueue queue(frames_, writer_ ? &*writer_ : nullptr);
         Clock::time_point kept = Clock::now();
-        // A signal is looked at once a frame: one that came between two looks would end the film with a frame
-        // whose memory was not kept, and nothing could go on from there.
+        // The program checks for a signal once per frame. With two checks, a signal between them would end
+        // the film after a frame whose state was not saved, and the film could not be continued.
         bool stops = was_told_to_stop();
         while (next <= film_.last && !stops) {
             progress.show(share(next), fmt::format("frame {} of {}", next, film_.last));
@@ -392,14 +392,14 @@ private:
         return draw_.time_s + (number - 1) / film_.frames_per_s;
     }
 
-    /// Turn of a frame, or between two frames.
+    /// Turntable position of a frame, or of a time between two frames.
     [[nodiscard]] double turn_at(double number) const
     {
         return film_.turntable ? (number - film_.first) / (film_.last + 1 - film_.first) : 0.0;
     }
 
-    /// The moment half an exposure before a frame. For the first frame it is half an exposure after, because
-    /// before its start an animation is at its end.
+    /// The time half an exposure before a frame. For the first frame it is half an exposure after the frame,
+    /// because an animation loops to its end before its start.
     [[nodiscard]] std::optional<Moment> exposure_end(uint32_t number,
                                                      const motion_blur::MotionBlurStyle& style) const
     {

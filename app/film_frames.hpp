@@ -21,7 +21,7 @@ namespace estampe::app {
 /// Whether a file name contains one number field, such as "%d" or "%04d".
 [[nodiscard]] bool is_numbered(const std::string& name);
 
-/// Progress of a run that was stopped.
+/// Progress of a film that was stopped.
 struct FilmState {
     uint32_t next = 1;             ///< the next frame to draw
     std::vector<std::byte> memory; ///< Renderer::film_memory() of the frame before
@@ -38,8 +38,8 @@ public:
     /// Path of a frame.
     [[nodiscard]] std::filesystem::path path_of(uint32_t number) const;
 
-    /// The state that an earlier run left; nothing if there is none. Throws Error when the state belongs to
-    /// another job, is damaged, or a frame from `first` on is missing.
+    /// The state that an earlier run saved; nothing if there is none. Throws Error when the state belongs to
+    /// another job or is damaged, or when a frame from `first` on is missing.
     [[nodiscard]] std::optional<FilmState> state(uint32_t first) const;
 
     /// Writes a frame. Throws Error on failure.

@@ -170,7 +170,7 @@ std::string completer(const CLI::Option& option)
     return {};
 }
 
-/// Parts of the script about one command and its subcommands.
+/// Parts of the completion script for one command and its subcommands.
 struct Tables {
     std::string values;   ///< cases of the function _estampe_value
     std::string commands; ///< cases of the subcommands

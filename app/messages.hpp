@@ -22,8 +22,8 @@ void print_warnings(const std::vector<std::string>& warnings);
 /// Writes "estampe: note: ..." to stderr for each note.
 void print_notes(const std::vector<std::string>& notes);
 
-/// Shows progress and remaining time of a long job on stderr: in place on a terminal, else one line per tenth
-/// of the job.
+/// Shows progress and remaining time of a long job on stderr. A terminal line is updated in place; otherwise
+/// one line per tenth of the job is written.
 class Progress {
 public:
     /// `done`, 0 to 1, is the share of the job that is complete at the start.

@@ -28,7 +28,7 @@ constexpr const char* camera_syntax =
     throw UsageError(what, "--camera", camera_syntax);
 }
 
-/// What `parse` reads of --camera; its Error is a mistake in the command line.
+/// Returns the result of `parse` for --camera; an Error of `parse` is a mistake in the command line.
 template <typename Parse>
 auto parsed(const Parse& parse)
 {

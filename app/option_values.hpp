@@ -41,7 +41,8 @@ void check_device(const std::string& text);
 /// Throws UsageError naming `option` unless `count` is 1 to `most`.
 void check_count(const char* option, uint32_t count, uint32_t most);
 
-/// Assignments that `--draft` adds to a style. They turn off or coarsen what costs much and is hardly missed.
+/// Assignments that `--draft` adds to a style. They turn off or coarsen effects that are slow and hardly
+/// visible.
 inline constexpr std::array draft_assignments{"hatch.layers=1",         "contour.intersection.enabled=false",
                                               "ink.cell_mm=0.8",        "ink.age_s=1",
                                               "ink.steps_per_s=8",      "smoke.cells=32",
@@ -72,7 +73,7 @@ private:
     std::string format_;
 };
 
-/// The presets that are looks of their own: all but those named tam-..., which are tools of `estampe tam`.
+/// The presets that are complete styles: all except tam-..., which are tools of `estampe tam`.
 [[nodiscard]] std::vector<std::string> style_presets();
 
 /// Adds `--no-cache`, which takes effect while the command line is read: see gpu::keep_pipelines().

@@ -36,7 +36,7 @@ struct NamedPage {
     Millimetres size;
 };
 
-/// Upright.
+/// Page sizes in portrait orientation, in millimetres.
 constexpr std::array named_pages{NamedPage{"a0", {841.0, 1189.0}},   NamedPage{"a1", {594.0, 841.0}},
                                  NamedPage{"a2", {420.0, 594.0}},    NamedPage{"a3", {297.0, 420.0}},
                                  NamedPage{"a4", {210.0, 297.0}},    NamedPage{"a5", {148.0, 210.0}},
@@ -144,7 +144,7 @@ namespace {
 
 constexpr uint32_t most_frames = 1000000;
 
-/// A whole number of 1 to most_frames that is all of `text`, else 0.
+/// The whole number, 1 to most_frames, that all of `text` consists of; otherwise 0.
 uint32_t frame_number(std::string_view text)
 {
     const uint32_t number = number_from<uint32_t>(text).value_or(0);
@@ -226,14 +226,14 @@ std::optional<FilmChoice> FilmOptions::read(const std::string& output) const
 
 namespace {
 
-/// What a format is called, and what it can be.
+/// Names and limits of a picture format.
 struct FormatFacts {
     PictureFormat format;
-    const char* extension; ///< what --format takes, after a dot
+    const char* extension; ///< value of --format, after a dot
     const char* name;
-    std::array<int, 2> depths; ///< bits a channel, the usual ones first; 0: none
-    int least_quality;         ///< none: negative
-    uint32_t longest_side_px;  ///< that it holds, beyond what a picture may have: 0
+    std::array<int, 2> depths; ///< bits per channel, the usual number first; 0: none
+    int least_quality;         ///< negative: the format has no quality
+    uint32_t longest_side_px;  ///< longest side that the format allows; 0: as a picture
 };
 
 constexpr std::array known_formats{

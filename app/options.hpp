@@ -71,7 +71,7 @@ struct DrawOptions {
     std::vector<std::string> world; ///< options of the world that `scene` names, as KEY=VALUE
     std::string terrain;            ///< terrain file that the scene is put on; empty: none
     LoadOptions load;               ///< how the scene's file is read
-    std::string lightmap;           ///< written by `estampe bake`; empty: those that the scene's file names
+    std::string lightmap;           ///< a file of `estampe bake`; empty: lightmaps that the scene names
     PageSize page;
     CameraChoice camera;
     double time_s = 0.0;
@@ -81,7 +81,7 @@ struct DrawOptions {
     uint32_t tile_px = 0; ///< see RenderSettings
     Style style;
     std::vector<std::string> assignments; ///< assignments to single parameters; `style` already contains them
-    bool is_draft = false; ///< a draft for preview: a world leaves out what it adds to its films
+    bool is_draft = false;                ///< a draft for preview: a world leaves out its additions for films
     RendererOptions device;
 };
 
@@ -105,7 +105,7 @@ struct RenderCommand {
     bool hidden = false;            ///< .svg only: also draws hidden lines
     bool plotter = false;           ///< .svg only: output for pen plotters
     std::string motion;             ///< .exr file for motion vectors; empty: none
-    double since_s = 0.0;           ///< moment that the motion vectors refer back to
+    double since_s = 0.0;           ///< time from which motion is measured
     std::optional<FilmChoice> film; ///< nothing for a single picture
     uint32_t repeat = 1;
     bool timings = false;
@@ -115,7 +115,7 @@ struct RenderCommand {
 
 /// `estampe view`: opens a window.
 struct ViewCommand {
-    DrawOptions draw;       ///< the size is the window's; the scene may be empty
+    DrawOptions draw;       ///< the window sets the size; the scene may be empty
     std::string style_name; ///< the argument of --style; empty: built-in values
     std::string shaders;    ///< folder with shaders that replace the built-in ones; empty: none
     bool verbose = false;

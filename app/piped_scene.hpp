@@ -28,11 +28,11 @@ inline constexpr const char* standard_input = "-";
 /// Whether this scene is read from a pipe or a terminal instead of a file.
 [[nodiscard]] bool is_piped(const std::string& scene);
 
-/// Path of the scene as a file. A piped scene is read to its end, once per run of the program, into a
-/// temporary folder. Links in that folder stand for all files of the current folder, so that textures and
-/// buffers are found. `format` is one of input_formats(), or empty to detect the format from the content.
-/// Throws Error when the format is unknown, when the pipe gives nothing or more than `most_bytes`, or when
-/// `format` is set for a regular file.
+/// Path of the scene as a file. A piped scene is read to its end into a temporary folder, once per run of the
+/// program. The folder has links to all files of the current folder, so that textures and buffers are found.
+/// `format` is one of input_formats(), or empty to detect the format from the content. Throws Error when the
+/// format is unknown, when the pipe gives nothing or more than `most_bytes`, or when `format` is set for a
+/// regular file.
 [[nodiscard]] std::filesystem::path scene_file(const std::string& scene, const std::string& format,
                                                uint64_t most_bytes = uint64_t{4} << 30U);
 

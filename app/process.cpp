@@ -36,7 +36,7 @@ bool is_ignored(int number)
     return sigaction(number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
 }
 
-/// Ends the program through the signal itself, so that a shell sees which one it was.
+/// Ends the program by raising the signal, so that a shell can report the signal.
 [[noreturn]] void end_by(int number)
 {
     remove_all_pending();

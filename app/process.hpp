@@ -13,7 +13,7 @@ namespace estampe::app {
 /// the program. Call this before any thread starts.
 void watch_signals();
 
-/// The next of those signals only sets was_told_to_stop(); one more ends the program.
+/// The next SIGINT, SIGTERM or SIGHUP only sets was_told_to_stop(); a second one ends the program.
 void tell_of_signals();
 
 /// Whether a signal has arrived since tell_of_signals().

@@ -64,7 +64,8 @@ uint64_t pixels_of(const RenderSettings& settings)
     return uint64_t{settings.width} * settings.height;
 }
 
-/// Whether the picture is streamed to its file while it is drawn: it is large, and nothing else needs it.
+/// Whether the picture is streamed to its file while it is drawn. A large picture is streamed, if no other
+/// output needs the picture.
 bool is_written_as_drawn(const RenderCommand& command, const RenderSettings& settings)
 {
     constexpr uint64_t most_in_memory = uint64_t{1} << 24U;

@@ -10,7 +10,7 @@
 
 namespace estampe::app {
 
-/// What `estampe info` prints besides counts: axis, unit, cameras, animations, variants, lights, missing
+/// The output of `estampe info` apart from counts: axis, unit, cameras, animations, variants, lights, missing
 /// files.
 struct SceneDetails {
     std::vector<std::pair<std::string, std::string>> rows; ///< label and text, in display order
@@ -21,16 +21,16 @@ struct SceneDetails {
 /// linear in vertices and triangles.
 [[nodiscard]] SceneDetails scene_details(const Scene& scene, const std::string& path);
 
-/// Throws Error, naming the nearest, unless `layer` can be a layer or mask of a picture of the scene: an
-/// object's name, or one that render_layers() uses.
+/// Throws Error, with the nearest valid name, unless `layer` can be a layer or mask of a picture of the
+/// scene: an object's name, or a name that render_layers() uses.
 void check_layer_name(const Scene& scene, const std::string& layer);
 
 /// A note if a file without an up axis of its own (.obj, .ply, .stl) has a shape that looks z-up; empty for
 /// all others.
 [[nodiscard]] std::vector<std::string> up_axis_notes(const Scene& scene, const std::string& path);
 
-/// Frames per second on which all keys of an animation lie: 24, 25, 30, 60 or another common rate; 0 when
-/// they lie on none, or when there are too few keys to tell.
+/// Frames per second that match all keys of an animation: 24, 25, 30, 60 or another common rate. 0 when no
+/// rate matches, or when there are too few keys to tell.
 [[nodiscard]] double key_rate(const Animation& animation);
 
 } // namespace estampe::app

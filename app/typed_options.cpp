@@ -15,7 +15,7 @@ void add_set_option(CLI::App& command, TypedOptions& typed, const char* help)
     command.add_option("--set", typed.assignments, help)->type_name("KEY=VALUE")->allow_extra_args(false);
 }
 
-/// From where the scene is seen.
+/// Options for the camera.
 void add_camera_options(CLI::App& command, TypedOptions& typed)
 {
     command
@@ -37,7 +37,7 @@ void add_camera_options(CLI::App& command, TypedOptions& typed)
                      "isometric view always has parallel projection.");
 }
 
-/// What draws.
+/// Options for the device and the raster path.
 void add_device_options(CLI::App& command, TypedOptions& typed)
 {
     command
@@ -54,7 +54,7 @@ void add_device_options(CLI::App& command, TypedOptions& typed)
         ->capture_default_str();
 }
 
-/// What a picture is of and how it is drawn, wherever it goes.
+/// Options for the content and the style of a picture, for any output.
 void add_style_options(CLI::App& command, TypedOptions& typed)
 {
     typed.page.add_to(command, command.get_name() == "render");
@@ -252,7 +252,7 @@ void add_style_manual(CLI::App& command, TypedOptions& typed)
         ->type_name("[NAME]");
 }
 
-/// An empty word is the trace of a variable that was not set, and no number, name or file.
+/// An empty word comes from a variable that was not set; it is no number, name or file.
 void refuse_empty_values(CLI::App& app)
 {
     const auto check = [](const std::string& word) { return std::string(word.empty() ? "is empty" : ""); };

@@ -19,8 +19,8 @@ enum class CameraMode : uint8_t {
 /// Sides to look from, as in the viewer f3d.
 enum class ViewSide : uint8_t { front, back, left, right, top, bottom, isometric };
 
-/// A camera with the controls orbit, fly and walk. Independent of windows: drags are in shares of the view's
-/// height, so that they feel the same at any size.
+/// A camera with the controls orbit, fly and walk. It is independent of windows: drags are measured in shares
+/// of the view's height, so that a window's size does not change their effect.
 class CameraRig {
 public:
     /// Height of the ground below a place, if there is any; for CameraMode::walk.
@@ -68,7 +68,7 @@ private:
     double eye_height_m_ = 1.7;
 };
 
-/// The ground of a scene that one can stand on: the upper sides of everything that never moves.
+/// The ground of a scene for walking: the upper sides of all surfaces that never move.
 class Ground {
 public:
     /// Cost: linear in triangles.

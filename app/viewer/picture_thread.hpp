@@ -69,7 +69,7 @@ struct DeviceOpened {
     bool is_processor = false;
 };
 
-/// News: something failed; the previous state is kept.
+/// News: an action failed; the previous state is kept.
 struct Failure {
     enum class Of : uint8_t { device, scene, terrain, picture, job };
     Of what = Of::picture;
@@ -99,8 +99,8 @@ public:
                       const std::function<void(PictureNews)>& tell) = 0;
 };
 
-/// Draws in a separate thread, so that the window never waits for pictures. For each of two slots only the
-/// newest request is drawn; the slots take turns.
+/// Draws in a separate thread, so that the window never waits for pictures. In each of two slots only the
+/// newest request is drawn. The thread alternates between the slots.
 class PictureThread {
 public:
     /// Opens the renderer. The thread calls `wake` when there is news.
@@ -111,13 +111,13 @@ public:
     PictureThread& operator=(const PictureThread&) = delete;
 
     void set_scene(std::shared_ptr<const LoadedFile> file);
-    /// Replaces the terrain from the next picture on; an interpreter draws it until its shader is compiled.
-    /// Of several calls the newest counts. Applies only to the current scene.
+    /// Replaces the terrain from the next picture on; an interpreter draws the terrain until its shader is
+    /// compiled. After several calls the newest terrain is used. Applies only to the current scene.
     void set_terrain(const Terrain& terrain);
     /// Applies a change with the next picture; changes add up if that picture is not drawn.
     void change(SceneChange change);
-    /// Replaces the request of that slot, even if it is being drawn and has samples to come. Nothing ends the
-    /// drawing in that slot.
+    /// Replaces the request of that slot, even if the old request is being drawn and has samples left. An
+    /// empty request ends the drawing in that slot.
     void draw(size_t slot, std::optional<PictureRequest> request);
     void do_job(std::unique_ptr<PictureJob> job);
     /// Ends the current job after its current step.
@@ -178,8 +178,8 @@ public:
 
     [[nodiscard]] double length_s() const { return samples_.empty() ? 0.0 : samples_.back().at_s; }
 
-    /// Interpolates the camera linearly between two samples, and also the animation's time if it ran on;
-    /// everything else keeps the earlier sample's value. Requires at least one sample.
+    /// Interpolates the camera linearly between two samples. Interpolates the animation's time too, if the
+    /// time increased. All other values are those of the earlier sample. Requires at least one sample.
     [[nodiscard]] Sample at(double seconds) const;
 
 private:

@@ -68,9 +68,9 @@ struct ShaderNews {
     std::string problem; ///< empty on success
 };
 
-/// Compiles a shader with the program glslc, as the build does but without optimisation, which takes up to
-/// ten times as long as the rest and which drivers repeat anyway. The picture is the same. `root` is the
-/// folder for include paths.
+/// Compiles a shader with the program glslc, as the build does but without optimisation. Optimisation takes
+/// up to ten times as long as the rest, and drivers optimise again anyway. The picture is the same. `root` is
+/// the folder for include paths.
 [[nodiscard]] ShaderNews compile_shader(const ShaderBuild& build, const std::filesystem::path& root);
 
 /// Watches the shaders of a source tree in a separate thread, and compiles again those that are saved or

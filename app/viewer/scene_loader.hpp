@@ -18,12 +18,12 @@ namespace estampe::viewer {
 
 /// A loaded scene with the data that the viewer needs.
 struct LoadedFile {
-    app::DrawOptions draw; ///< the options it was loaded with
+    app::DrawOptions draw; ///< the options with which the scene was loaded
     Scene scene;
     Index animation = 0;
     Camera home;
     Bounds bounds;
-    double ground_m = 0.0;                ///< how far the scene was lifted to stand on its terrain
+    double ground_m = 0.0;                ///< height by which the scene was lifted onto its terrain
     std::shared_ptr<worlds::Visit> visit; ///< the walk through a world; null for other scenes
 };
 
@@ -48,7 +48,7 @@ public:
     [[nodiscard]] std::string path() const;
     /// Loaded share of the scene; nothing if the file does not say.
     [[nodiscard]] std::optional<double> share() const;
-    /// True while a thread still reads a file, also one whose scene was discarded.
+    /// True while a thread reads a file, even if its scene was discarded.
     [[nodiscard]] bool is_busy() const;
 
     using Result = std::variant<std::shared_ptr<const LoadedFile>, std::string>;
@@ -67,7 +67,7 @@ private:
 
     std::function<void()> wake_;
     mutable std::mutex guard_;
-    uint64_t wanted_ = 0; ///< number of the load whose result counts
+    uint64_t wanted_ = 0; ///< number of the newest load; results of older loads are discarded
     bool is_loading_ = false;
     std::optional<double> share_;
     std::string path_;

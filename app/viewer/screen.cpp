@@ -40,10 +40,10 @@ constexpr uint64_t forever = std::numeric_limits<uint64_t>::max();
 struct Candidate {
     VkPhysicalDevice physical = VK_NULL_HANDLE;
     uint32_t queue_family = 0;
-    int preference = 0; ///< the lowest wins
+    int preference = 0; ///< the device with the lowest number is used
 };
 
-/// Discrete GPUs come before other GPUs, these before CPUs; the requested device comes first.
+/// Discrete GPUs come before other GPUs, and all GPUs before CPUs. The requested device comes first.
 int preference_of(const VkPhysicalDeviceProperties& properties, uint32_t index, const std::string& choice)
 {
     const bool is_cpu = properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The window has its own Vulkan device, separate from the renderer's. Its functions are kept apart from those
-// that the library loads globally, because loading a second instance would replace them while the renderer
-// draws.
+// The window has its own Vulkan device, separate from the renderer's device. The functions of the window's
+// device are kept apart from the functions that the library loads globally: loading a second instance would
+// replace the global functions while the renderer draws.
 
 #include <optional>
 #include <string>
@@ -73,11 +73,11 @@ struct Allocation {
     void* mapped = nullptr; ///< host-visible memory only
 };
 
-/// The window's device and swapchain. What is painted are sRGB bytes, shown without conversion.
+/// The window's device and swapchain. Painted values are sRGB bytes, shown without conversion.
 class Screen {
 public:
-    /// Uses the device that `choice` names as --device does, if it can present to this window, else the best
-    /// one that can. Throws Error when there is none.
+    /// Uses the device that `choice` names as --device does, if that device can present to this window;
+    /// otherwise the best device that can. Throws Error when there is none.
     Screen(GLFWwindow* window, const std::string& choice);
     ~Screen();
     Screen(const Screen&) = delete;
@@ -90,7 +90,7 @@ public:
         uint32_t image = 0;
     };
 
-    /// Begins a frame; nothing while the window has no size. Record copies to textures next.
+    /// Begins a frame; returns nothing while the window has no size. Record copies to textures next.
     [[nodiscard]] std::optional<Frame> begin();
     /// Begins rendering to the window; record draw calls next.
     void begin_drawing(const Frame& frame) const;

@@ -57,7 +57,7 @@ struct Timeline {
 
     /// Advances by wall time while playing. At the end, if there is one, starts again or stops.
     void advance(double seconds);
-    /// Moves to a moment, clamped to the animation.
+    /// Moves to a time, clamped to the animation.
     void seek(double moment_s);
     void toggle_playing();
 };
@@ -83,8 +83,8 @@ void save_bookmarks(const std::vector<Bookmark>& bookmarks, const std::filesyste
 /// The edited style with its source and undo history.
 class EditedStyle {
 public:
-    /// `name` is the preset or file of the command line, `style` includes the changes of --set. An empty name
-    /// is the built-in style.
+    /// `name` is the preset or file of the command line; `style` includes the changes of --set. An empty name
+    /// means the built-in style.
     EditedStyle(const std::string& name, Style style);
 
     [[nodiscard]] const Style& style() const { return style_; }
@@ -92,7 +92,7 @@ public:
     /// For changes in place; finish_change() then adds an undo step.
     [[nodiscard]] Style& style() { return style_; }
 
-    /// The preset or file as it is, to which parameters are reset.
+    /// The unchanged preset or file, to which parameters are reset.
     [[nodiscard]] const Style& base() const { return base_; }
 
     [[nodiscard]] const std::string& name() const { return name_; }
@@ -116,7 +116,7 @@ public:
     /// the file cannot be written.
     void save(const std::filesystem::path& path);
 
-    /// Grows with every change of the style.
+    /// Increases with every change of the style.
     [[nodiscard]] uint64_t revision() const { return revision_; }
 
     void changed() { ++revision_; }
@@ -142,7 +142,7 @@ private:
 struct Message {
     enum class Kind : uint8_t { note, problem };
     Kind kind = Kind::note;
-    std::string topic; ///< subject of the message; a later message about it replaces this one
+    std::string topic; ///< subject of the message; a later message about the subject replaces this one
     std::string text;
     app::Clock::time_point since = app::Clock::now();
 };
@@ -166,7 +166,7 @@ struct Studio {
 
     std::shared_ptr<const LoadedFile> file; ///< the scene that is shown; null before the first is loaded
     EditedStyle edited;
-    std::optional<TerrainEdit> terrain; ///< the terrain that the scene stands on, if any
+    std::optional<TerrainEdit> terrain; ///< the terrain below the scene, if any
     CameraRig rig;
     Timeline time;
     Resolution resolution;
@@ -205,9 +205,9 @@ struct Studio {
 
     /// Shows a message and removes earlier ones about `topic`.
     void say(Message::Kind kind, const std::string& topic, const std::string& text);
-    /// Removes the problem about `topic`, because it is solved.
+    /// Removes the problem about `topic` when the problem is solved.
     void settle(const std::string& topic);
-    /// Calls `step`; shows what it throws as a problem.
+    /// Calls `step`; shows an exception of `step` as a problem.
     void attempt(const std::string& topic, const std::function<void()>& step);
 
     /// Bookmarks the current view and deselects the bookmark that was chosen before.
@@ -223,7 +223,7 @@ struct Studio {
     /// Copies the current style to the right side for comparison with further changes, or ends the
     /// comparison.
     void toggle_comparison();
-    /// Writes the terrain to that file and shows a message.
+    /// Writes the terrain to the given file and shows a message.
     void save_terrain(const std::string& path);
     /// Whether the keys for undo, redo and save apply to the terrain.
     [[nodiscard]] bool is_at_terrain() const;

@@ -22,8 +22,8 @@ struct TerrainText {
     bool keeps_comments = true; ///< whether comments of the previous text, if any, are kept
 };
 
-/// `before`, the text of a terrain file, with the values of `terrain`. Comments, blank lines and the order
-/// stay. If the values in a text cannot be told apart line by line, the text is generated from scratch.
+/// Returns `before`, the text of a terrain file, with the values of `terrain`. Comments, blank lines and the
+/// order are preserved. If the values in a text cannot be changed line by line, a new text is generated.
 [[nodiscard]] TerrainText text_with(const std::string& before, const TerrainDescription& terrain);
 
 /// The edited terrain: the current input, the last valid terrain, and the undo history.
@@ -49,13 +49,13 @@ public:
 
     [[nodiscard]] const std::optional<Problem>& problem() const { return problem_; }
 
-    /// Grows with every change of terrain().
+    /// Increases with every change of terrain().
     [[nodiscard]] uint64_t revision() const { return revision_; }
 
     /// Whether the terrain differs from its file.
     [[nodiscard]] bool is_changed() const;
 
-    // Valid changes apply at once; finish_change() then makes the last valid one an undo step.
+    // Valid changes apply at once; finish_change() then makes the last valid terrain an undo step.
 
     void set_expression(size_t node, const std::string& expression);
     /// Also updates all nodes that refer to this one. The node "height" keeps its name, and no other node can
@@ -66,8 +66,8 @@ public:
     void remove_node(size_t node);
     /// Replaces everything except the nodes.
     void set_settings(const TerrainDescription& settings);
-    /// Replaces everything except the nodes, but applies it only when the change is finished, because it is
-    /// costly to draw.
+    /// Replaces everything except the nodes, but applies the change only when it is finished, because the
+    /// terrain is slow to draw.
     void hold_settings(const TerrainDescription& settings);
     void finish_change();
 
@@ -88,9 +88,9 @@ public:
     /// does.
     [[nodiscard]] bool differs_from_file() const;
 
-    /// Writes the terrain to a file, which becomes its own; comments keep their places. Returns false if
-    /// comments could not be kept. Throws Error when the input is invalid, when its textures cannot be found
-    /// from there, and when the file cannot be written.
+    /// Writes the terrain to a file, which becomes the terrain's file; comments keep their places. Returns
+    /// false if comments could not be kept. Throws Error when the input is invalid, when its textures cannot
+    /// be found from the file's folder, and when the file cannot be written.
     bool save(const std::filesystem::path& path);
 
     /// The file and the terrain's textures.

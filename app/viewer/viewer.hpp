@@ -30,7 +30,7 @@ struct Sight {
     bool times_passes = false; ///< the timings panel is open
 };
 
-/// The window of a studio: passes keys and pointer to it, and shows its pictures.
+/// The window of a studio: passes keys and pointer events to the studio, and shows its pictures.
 class Viewer {
 public:
     /// Opens a window and starts to load the scene, if one is named. Throws Error when there is no display or
@@ -44,7 +44,7 @@ public:
     /// lost.
     void run();
 
-    /// Whether a discarded scene is still being loaded, which cannot be interrupted.
+    /// Whether a discarded scene is still being loaded; loading cannot be interrupted.
     [[nodiscard]] bool is_reading() const { return loader_->is_busy(); }
 
 private:
@@ -135,7 +135,7 @@ private:
     std::string watched_style_;
     std::vector<std::filesystem::path> watched_terrain_;
     uint64_t terrain_sent_ = 0; ///< TerrainEdit::revision()
-    double standing_m_ = 0.0;   ///< height that the scene was last put at
+    double standing_m_ = 0.0;   ///< height to which the scene was last moved
     app::Clock::time_point looked_at_files_ = start_;
     Take take_;
     app::Clock::time_point take_start_ = start_;

@@ -146,12 +146,12 @@ void Viewer::act(Action action)
     constexpr double frame_s = 1.0 / 24.0;
     const bool steers = studio_.rig.mode() != CameraMode::orbit;
     if (action == Action::next_animation && steers) {
-        return; // here W moves ahead
+        return; // in this mode W moves ahead
     }
     const bool is_of_feet = action == Action::frame_back || action == Action::frame_on ||
                             action == Action::reload || action == Action::play;
     if (is_of_feet && is_on_foot()) {
-        return; // here arrows move and Space jumps
+        return; // in this mode arrows move and Space jumps
     }
     if (act_on_view(action) || act_on_style(action)) {
         return;
@@ -240,7 +240,7 @@ void Viewer::move_by_keys(double seconds)
 void Viewer::drag(const glm::dvec2& way, const PointerEvent& event, const Area& area)
 {
     if (is_on_foot() && (drag_ == Drag::pan || drag_ == Drag::zoom)) {
-        return; // a walker moves only on foot
+        return; // in walk mode only walking moves the camera
     }
     switch (drag_) {
     case Drag::turn:

@@ -10,9 +10,9 @@
 
 namespace estampe::viewer {
 
-/// Spares the first window after an installation the wait for optimised shaders: this run compiles them
-/// without optimisation, and a process of low priority compiles optimised ones for the next run. A file in
-/// the user's cache records which of the two a run does, see warmth_file().
+/// Shortens the first start after an installation: this run compiles shaders without optimisation, and a
+/// process of low priority compiles optimised shaders for the next run. A file in the user's cache records
+/// which of the two a run does, see warmth_file().
 class WarmUp {
 public:
     /// Call this before a device is opened and before threads start.
@@ -31,8 +31,8 @@ private:
     std::unique_ptr<output::Child> process_;
 };
 
-/// Work of that process: draws the scene without a window in the same ways as the window, then records that
-/// it did. Throws Error as `estampe render` does.
+/// Work of the low-priority process: draws the scene without a window in all ways of the window, then records
+/// in a file that it is done. Throws Error as `estampe render` does.
 void warm_up(const app::ViewCommand& command);
 
 /// File that records for which program and which cache of Mesa the shaders were compiled with optimisation;

@@ -37,7 +37,7 @@ struct Gamepad {
     bool jumps = false;   ///< the lowest button
 };
 
-/// A window with its keys and pointer, and its share of Dear ImGui. Only one can exist at a time.
+/// A window with its keys and pointer, and its ImGui context. Only one window can exist at a time.
 class Window {
 public:
     /// Throws Error when there is no display.
@@ -62,7 +62,7 @@ public:
     [[nodiscard]] float content_scale() const { return content_scale_; }
 
     [[nodiscard]] bool is_down(int key) const;
-    /// At rest if there is no gamepad.
+    /// Returns a gamepad at rest if there is no gamepad.
     [[nodiscard]] Gamepad gamepad() const;
     /// Hides the pointer and lets it move without limit, or releases it.
     void take_pointer(bool is_taken);

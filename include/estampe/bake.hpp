@@ -19,7 +19,7 @@ namespace estampe {
 struct BakeSettings {
     uint32_t size = 1024;   ///< Texels per side of the map, 16 to 4096
     uint32_t samples = 128; ///< Light paths traced from each texel; at least 1
-    uint32_t bounces = 3;   ///< Largest number of surfaces that a light path is reflected from
+    uint32_t bounces = 3;   ///< Largest number of reflections in one light path
     uint32_t seed = 1;      ///< Random seed; another seed gives other noise
     bool smooth = true;     ///< Denoises the map between neighbouring texels of one surface
     /// Kinds of lights whose direct light is also stored in the map; bits of BakedLights.
@@ -53,25 +53,25 @@ public:
     LightmapBake(const LightmapBake&) = delete;
     LightmapBake& operator=(const LightmapBake&) = delete;
 
-    /// Bakes for about `seconds` on all cores. Returns whether work is left.
+    /// Bakes for about `seconds` on all cores. Returns whether the bake needs more work.
     bool work(double seconds);
 
     /// Share of the work that is done, 0 to 1.
     [[nodiscard]] double done() const;
 
-    /// Continues from progress that save_progress() wrote to `path`. Returns false and changes nothing if
-    /// the file does not exist or belongs to another scene, lighting or settings.
+    /// Continues from progress that save_progress() wrote to `path`. Returns false and changes nothing if the
+    /// file does not exist, or if it was written for another scene, lighting or settings.
     [[nodiscard]] bool load_progress(const std::filesystem::path& path);
 
     /// Writes a temporary file beside `path` and renames it. Throws Error if the file cannot be written.
     void save_progress(const std::filesystem::path& path) const;
 
-    /// The map as baked so far, for Renderer::set_scene() and save_lightmap().
+    /// The lightmap as baked so far, for Renderer::set_scene() and save_lightmap().
     [[nodiscard]] Lightmap map() const;
 
     /// Number of texels that are covered by surfaces.
     [[nodiscard]] size_t texel_count() const;
-    /// Resolution of the map on the surfaces, in texels per metre.
+    /// Resolution of the lightmap on the surfaces, in texels per metre.
     [[nodiscard]] float texels_per_m() const;
 
     /// Whether objects were left out because they can move.

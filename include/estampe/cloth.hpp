@@ -11,7 +11,7 @@ namespace estampe {
 /// Method that keeps cloth from stretching. All methods work on the same sheets; the method may change
 /// during a film.
 enum class ClothSolver : uint8_t {
-    automatic,   ///< small_steps
+    automatic,   ///< Uses small_steps
     small_steps, ///< Extended position-based dynamics: many short steps with one iteration each
     /// One step with many relaxation iterations (Zanuttini, "Recherches en rendu non réaliste temps réel",
     /// Université Paris 8, 2008, chapter 7). Finer meshes stretch more.
@@ -26,39 +26,40 @@ struct Cloth {
     float density_kg_m2 = 0.15F;
     float stretch_n_m = 8000.0F; ///< Force per metre of width that would double the length
     float bending_n_m = 3e-5F;   ///< Flexural rigidity: torque per metre of width for a curvature of 1 / m
-    /// Smallest distance between vertices two edges apart, as a share of their rest distance: 0 allows sharp
-    /// creases, 1 no fold at all.
+    /// Smallest distance between two vertices that are two edges apart, as a share of their distance at rest:
+    /// 0 allows sharp creases, 1 allows no fold at all.
     float fold = 0.9F;
-    float drag = 1.2F; ///< Drag coefficient, for air that meets the sheet head-on
-    float lift = 0.8F; ///< Lift coefficient, for air that meets the sheet at an angle
+    float drag = 1.2F; ///< Drag coefficient, for air that hits the sheet head-on
+    float lift = 0.8F; ///< Lift coefficient, for air that hits the sheet at an angle
     /// Share of its speed that the sheet loses per second, apart from air drag.
     float damping_per_s = 0.4F;
     float friction = 0.4F;      ///< Coefficient of friction on colliders
-    float thickness_m = 0.006F; ///< Distance that the sheet keeps from colliders
+    float thickness_m = 0.006F; ///< Smallest distance between the sheet and colliders
     /// Smallest distance between two vertices of the sheet that are more than twice as far apart at rest. If
     /// it is less than the spacing of the vertices, the sheet can pass through itself. 0 turns
     /// self-collision off.
     float self_m = 0.0F;
-    /// Stretch, as current length over rest length, at which threads tear; more than 1. 0: the sheet never
-    /// tears. A sheet that can tear takes four times as many small steps.
+    /// Stretch at which threads tear, as current length over rest length; more than 1. 0: the sheet never
+    /// tears. Simulating a sheet that can tear needs four times as many small steps.
     float tear = 0.0F;
-    /// Index of the scene's material of the back; the maximum means that both sides have the same material.
+    /// Index of the material of the sheet's back in the scene; the maximum means that both sides have the
+    /// same material.
     uint32_t back_material = std::numeric_limits<uint32_t>::max();
     ClothSolver solver = ClothSolver::automatic;
 
     bool operator==(const Cloth& other) const = default;
 };
 
-/// Shape that cloth collides with in place of an object: the smallest solid of this kind around its mesh, or
-/// the mesh at rest. It moves with the object's node.
+/// Shape that cloth collides with in place of an object: the smallest solid of this kind around the object's
+/// mesh, or the mesh at rest. The shape moves with the object's node.
 enum class ClothCollider : uint8_t {
     none,
     box,
     ellipsoid,
     cylinder, ///< Upright, along y
     capsule,  ///< Upright cylinder with hemispherical ends
-    /// The shape of the mesh at a resolution of 1/40 of its longest side. The mesh should be closed; small
-    /// holes do no harm. Skins and morph targets do not deform it.
+    /// The shape of the mesh at a resolution of 1/40 of its longest side. The mesh should be closed, but
+    /// small holes do no harm. Skins and morph targets do not deform this collider.
     mesh
 };
 

@@ -16,8 +16,8 @@ enum class LightChoice : uint8_t {
     lamp_and_daylight
 };
 
-/// Returns the choice for the view of framing_camera(). A renderer may choose otherwise for a camera inside
-/// a room. Cost: that of framing_camera().
+/// Returns the light source for the view of framing_camera(). A renderer may choose another one for a camera
+/// inside a room. Cost: as framing_camera().
 [[nodiscard]] LightChoice default_light(const Scene& scene);
 
 } // namespace estampe

@@ -9,8 +9,8 @@ namespace estampe {
 
 /// States in one line what failed, where, and what the user can do about it.
 ///
-/// Thrown for conditions that a correct program can meet: bad input, a missing file, an unavailable device.
-/// Programming mistakes are assertions, and expected failures are return values. `where` is a file,
+/// Thrown for failures that a correct program cannot exclude: bad input, a missing file, an unavailable
+/// device. Programming mistakes are assertions, and expected failures are return values. `where` is a file,
 /// `file:line:column`, or `file#/json/pointer`; it may be empty.
 class Error : public std::runtime_error {
 public:

@@ -18,9 +18,9 @@ namespace estampe {
 class FilmWriter {
 public:
     /// Starts ffmpeg. `has_alpha` keeps the transparency of the frames: .webm stores an alpha plane, .gif
-    /// shows or hides each pixel. Otherwise alpha is ignored. Throws Error if ffmpeg is not installed, if
-    /// is_film() is false for `path`, if the frame rate is not in 0.1 to 1000, if the folder is not
-    /// writable, or if alpha is requested for .mp4, which has none.
+    /// shows or hides each pixel. Without `has_alpha`, alpha is ignored. Throws Error if ffmpeg is not
+    /// installed, if is_film() is false for `path`, if the frame rate is not in 0.1 to 1000, if the folder is
+    /// not writable, or if alpha is requested for .mp4, which has none.
     FilmWriter(const std::filesystem::path& path, uint32_t width_px, uint32_t height_px, double frames_per_s,
                bool has_alpha = false);
     ~FilmWriter();
@@ -29,9 +29,9 @@ public:
     FilmWriter(const FilmWriter&) = delete;
     FilmWriter& operator=(const FilmWriter&) = delete;
 
-    /// Adds the next frame; blocks while the encoder is behind. H.264 and VP9 require even sizes, so the
-    /// last row or column of an odd size is doubled. Throws Error if the frame has another size, or with
-    /// ffmpeg's message if ffmpeg failed. Cost: one copy of the pixels; a .gif is kept in memory until
+    /// Adds the next frame; blocks while the encoder is behind. H.264 and VP9 require even sizes, so the last
+    /// row or column of an odd size is doubled. Throws Error if the frame has another size than the film, or
+    /// with ffmpeg's message if ffmpeg failed. Cost: one copy of the pixels; a .gif is kept in memory until
     /// finish().
     void add(const Image& frame);
 

@@ -14,7 +14,7 @@
 
 namespace estampe {
 
-/// How a layer is composited onto those below it, in linear light. normal: colour + (1 - alpha) * below,
+/// How a layer is composited onto the layers below it, in linear light. normal: colour + (1 - alpha) * below,
 /// with premultiplied colour. multiply: colour * below; alpha is 1 everywhere.
 enum class LayerBlend : uint8_t { normal, multiply };
 
@@ -30,7 +30,7 @@ struct PictureLayer {
 /// Coverage of one object or effect, per pixel. Masks are not part of the picture.
 struct PictureMask {
     std::string name;
-    bool is_object = true; ///< The mask shows a node of the scene; otherwise the effect that `name` says
+    bool is_object = true; ///< The mask shows a node of the scene; if false, the effect that `name` says
     uint32_t above = 0;    ///< Number of layers below the mask
     uint32_t x = 0;        ///< Left edge of the rectangle that contains the covered pixels, in pixels
     uint32_t y = 0;        ///< Upper edge of that rectangle, in pixels from the top
@@ -55,9 +55,9 @@ struct LayeredImage {
 /// Writes an OpenRaster file, which Krita, GIMP and MyPaint open. Layers are visible, except the paper of a
 /// transparent picture; masks are hidden. All are stored as 8-bit PNG.
 ///
-/// OpenRaster composites sRGB-encoded values, not linear light, so colours and alphas are converted: an ink
-/// keeps its colour and changes its alpha where that gives the same result, and changes its colour
-/// elsewhere. Programs then show the picture to within 1/255 per channel.
+/// OpenRaster composites sRGB-encoded values, not linear light, so colours and alphas are converted. An ink
+/// keeps its colour if a changed alpha gives the same result; elsewhere its colour changes. Programs then
+/// show the picture to within 1/255 per channel.
 ///
 /// The file is written beside `path` and renamed. Throws Error as flattened() does, if the sizes differ, if
 /// the bottom layer is not opaque, and if the file cannot be written. Cost: about 2 s per megapixel. Source:

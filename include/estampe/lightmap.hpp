@@ -37,8 +37,8 @@ struct WornPicture {
     bool operator==(const WornPicture&) const = default;
 };
 
-/// Baked light. Either one map for the static triangles of a scene, with its texture coordinates, or the
-/// pictures that the scene's file itself assigns to meshes.
+/// Baked light: either one map for the static triangles of a scene, with the texture coordinates of the map,
+/// or the pictures that the scene's file itself assigns to meshes.
 struct Lightmap {
     LightImage light; ///< Irradiance over pi, multiplied by `exposure`
     /// Map coordinates of the corners of the static triangles, three per triangle: 0 to 1, from the top
@@ -46,8 +46,8 @@ struct Lightmap {
     std::vector<glm::vec2> corners;
     std::string geometry;  ///< Fingerprint of the static triangles, which identifies the scene of the map
     float exposure = 1.0F; ///< Factor on the scene's lights when the map was baked
-    /// Bits of BakedLights: lights whose direct light is in the map, which a renderer therefore does not
-    /// add.
+    /// Bits of BakedLights: kinds of lights whose direct light is in the map. A renderer does not add their
+    /// light again.
     uint32_t baked_lights = 0;
     std::string settings; ///< Bake settings as text
 

@@ -11,15 +11,15 @@
 
 namespace estampe {
 
-/// Motion vectors of a picture: how far the surface at each pixel has moved on the page since another moment,
-/// that of RenderSettings::motion_since.
+/// Motion vectors of a picture: how far the surface at each pixel has moved on the page since
+/// RenderSettings::motion_since.
 struct Motion {
     uint32_t width = 0;
     uint32_t height = 0;
-    /// Row by row. x: pixels to the right; y: pixels down; z: reversed depth of the point at that moment
-    /// (near plane over distance, 0 at infinity); w: 1. All four are 0 if the point was behind the camera
-    /// at that moment, because such a point has no place on the page. See-through surfaces have no motion of
-    /// their own; their pixels hold that of the solid surface behind.
+    /// Row by row. x: pixels to the right; y: pixels down; z: reversed depth of the point at the other moment
+    /// (near plane over distance, 0 at infinity); w: 1. All four are 0 if the point was behind the camera at
+    /// the other moment, because such a point has no place on the page. See-through surfaces have no motion
+    /// vectors; their pixels hold the motion of the solid surface behind.
     std::vector<glm::vec4> pixels;
 };
 

@@ -23,7 +23,7 @@ namespace estampe {
 
 /// How triangles are rasterised. Both paths find the same visible triangle in 99.99 % of pixels.
 enum class RasterPath : uint8_t {
-    automatic, ///< The faster path: measured when a GPU is opened, fixed on a processor
+    automatic, ///< The faster path, as measured when a GPU is opened; fixed on a processor
     hardware,  ///< The rasteriser of the device
     compute,   ///< Compute shaders with 64-bit atomics
 };
@@ -128,7 +128,8 @@ struct SolverReport {
     std::string fluid;  ///< "smoke", "smoke 2" and so on, or "ink"
     std::string solver; ///< "spectral", "multigrid" or "jacobi"
     uint32_t steps = 0;
-    /// Divergence after the last projection relative to that before it, as a ratio of root mean squares.
+    /// Divergence after the last projection relative to the divergence before it, as a ratio of root mean
+    /// squares.
     double divergence_left = 0.0;
     double gpu_ms = 0.0; ///< GPU time of the projections of all steps
 };
@@ -156,7 +157,7 @@ public:
     /// The device that this renderer draws on.
     [[nodiscard]] const DeviceInfo& device() const;
 
-    /// The raster path of the last picture, or before the first picture the intended one. Never
+    /// The raster path of the last picture. Before the first picture, the path intended for it. Never
     /// RasterPath::automatic.
     [[nodiscard]] RasterPath raster_path() const;
 
@@ -200,10 +201,10 @@ public:
     /// Composited in sRGB-encoded values onto the style's paper colour, as programs do, it equals the opaque
     /// picture to within 1/255.
     ///
-    /// The same scene, camera, style and settings give the same bytes on the same device and raster path; a
-    /// film does if its frames are drawn in order from the first. Pages that are too large for the device
-    /// are drawn in tiles without seams: lines are linked for the whole page, at up to 16.7 megapixels. Each
-    /// side may have up to 65535 pixels.
+    /// The same scene, camera, style and settings give the same bytes on the same device and raster path. A
+    /// film gives the same bytes if its frames are drawn in order from the first. Pages that are too large
+    /// for the device are drawn in tiles without seams: lines are linked for the whole page, at up to 16.7
+    /// megapixels. Each side may have up to 65535 pixels.
     ///
     /// Throws Error if the size is zero or too large, if no scene was set, if memory runs out, and if the
     /// page would need tiles but is part of a film or has `motion_since`.
@@ -251,13 +252,13 @@ public:
     /// bytes per pixel if lines are contour chains, and 20 to 32 bytes per cell of smoke.
     [[nodiscard]] std::vector<std::byte> film_memory() const;
 
-    /// Restores the state of film_memory(), from a renderer with the same scene on the same device, for a
-    /// next frame with Continuity::follows. Throws Error if there is no scene or if the bytes have another
-    /// origin.
+    /// Restores the state of film_memory() for a next frame with Continuity::follows. The bytes must come
+    /// from a renderer with the same scene on the same device. Throws Error if there is no scene, or if the
+    /// bytes do not come from such a renderer.
     void recall_film(std::span<const std::byte> memory);
 
-    /// Motion of the last picture since its RenderSettings::motion_since. Empty if that was not set, and
-    /// after draw_strokes(). It does not change the picture.
+    /// Motion of the last picture since its RenderSettings::motion_since. Empty if that setting was not set,
+    /// and after draw_strokes(). Computing the motion does not change the picture.
     [[nodiscard]] const Motion& motion() const;
 
     /// Automatic decisions for the last frame, one line each, such as a lamp that the scene does not
@@ -265,7 +266,7 @@ public:
     [[nodiscard]] const std::vector<std::string>& notes() const;
 
     /// GPU time of the last frame: all of its passes, without waits for the host. With several samples, only
-    /// that of the last sample.
+    /// the GPU time of the last sample.
     [[nodiscard]] double gpu_ms() const;
 
     /// The passes of the last frame in order of execution, with the GPU time of each if
@@ -273,7 +274,8 @@ public:
     [[nodiscard]] const std::vector<PassTiming>& timings() const;
 
     /// Statistics of the pressure solvers of smoke and flowing ink for the last picture, if its
-    /// RenderSettings::measure_solvers was set. Empty if no fluid advanced. They do not change the picture.
+    /// RenderSettings::measure_solvers was set. Empty if no fluid advanced. Measuring does not change the
+    /// picture.
     [[nodiscard]] std::vector<SolverReport> solver_reports() const;
 
     /// Device memory in use by this renderer, including what it keeps for the next frame.

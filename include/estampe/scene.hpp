@@ -32,8 +32,8 @@ using Groups = uint16_t;
 /// Default groups of lights and objects.
 inline constexpr Groups all_groups = 0xffff;
 
-/// How an object interacts with lights. The links of a node and of its material are combined: common groups
-/// only, and shadows only if both receive them.
+/// How an object interacts with lights. The links of a node and of its material are combined: the object has
+/// only the groups of both, and receives shadows only if both receive them.
 struct LightLinks {
     Groups lit_by = all_groups;    ///< Groups of the lights that light the object; ambient light always does
     Groups casts_for = all_groups; ///< Groups of the lights in which the object casts shadows; 0: none
@@ -72,10 +72,10 @@ struct ToonShade {
     glm::vec3 outline_color{0.0F}; ///< Linear
 };
 
-/// Light that passes through a body: KHR_materials_transmission and KHR_materials_volume.
+/// Light that passes through an object: KHR_materials_transmission and KHR_materials_volume.
 struct Transmission {
-    float share = 0.0F;       ///< Share of the light from behind that passes, 0 to 1
-    float thickness_m = 0.0F; ///< Used where the body has no back side
+    float share = 0.0F;       ///< Share of the light behind the object that passes, 0 to 1
+    float thickness_m = 0.0F; ///< Thickness where the object has no back side
     /// Distance in which white light takes the attenuation colour; 0: no attenuation.
     float attenuation_m = 0.0F;
     glm::vec3 attenuation_color{1.0F}; ///< Linear
@@ -96,8 +96,8 @@ struct Material {
     float roughness = 1.0F;
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5F;
-    /// Parts of a blended material are fully transparent, so the visible shape differs from the mesh and the
-    /// mesh's edges get no lines. Set by load_scene().
+    /// Parts of a blended material are fully transparent. The visible shape then differs from the mesh, so
+    /// the mesh's edges get no lines. Set by load_scene().
     bool has_clear_parts = false;
     bool double_sided = false;
     bool unlit = false;
@@ -134,8 +134,8 @@ struct Primitive {
     /// EXT_mesh_primitive_edge_visibility.
     std::vector<uint8_t> edge_marks;
     std::vector<MorphTarget> morph_targets;
-    /// Only used for cloth: how strongly each vertex is held at the place that its node, skin or morph
-    /// targets give it; 0 is free, 1 is fixed. Empty: all vertices are free.
+    /// Only used for cloth: how strongly each vertex is held at the position from its node, skin or morph
+    /// targets; 0 is free, 1 is fixed. Empty: all vertices are free.
     std::vector<float> held;
     /// KHR_materials_variants: empty, or one material per entry of Scene::variants; `no_index` keeps the
     /// default material.
@@ -160,7 +160,7 @@ struct Transform {
     [[nodiscard]] glm::dmat4 matrix() const;
 };
 
-/// A node of the scene: a placement, with a mesh, camera, light or only child nodes.
+/// A node of the scene: its placement, and a mesh, a camera, a light, or only child nodes.
 struct Node {
     std::string name;
     Index parent = no_index;
@@ -290,7 +290,7 @@ struct Scene {
 
 /// Assigns every primitive its material of one variant, given by name, or by index if no variant has the
 /// name. An empty name restores the default materials. Renderer::set_scene() shows the change. Throws Error
-/// that lists the variants if there is no such one. Cost: linear in primitives.
+/// that lists the variants if no variant matches. Cost: linear in primitives.
 void apply_variant(Scene& scene, const std::string& variant);
 
 /// The axis of a file's coordinates that points up. In memory, a scene is always y up.
@@ -366,7 +366,7 @@ struct SunBearing {
     double azimuth_deg = -34.0;
     double elevation_deg = 45.0;
     bool turns = true;  ///< The sun rotates with the side that the framed view shows
-    bool rules = false; ///< The sun replaces the scene's own light
+    bool rules = false; ///< The sun replaces the scene's own lights
     bool throws = true; ///< The shadow is drawn, so it requires room on the page
     /// A blank ground below the scene receives the shadow, so it is visible without a floor. Empty: true
     /// unless the scene has a camera.

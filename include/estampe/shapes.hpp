@@ -2,11 +2,12 @@
 #pragma once
 
 // Procedural meshes: triangles with unit normals, counter-clockwise from outside. Texture coordinates are
-// metres on the surface, u along the way a pen would hatch it (courses of a wall, shafts of a column, rings
-// of a turned form), so that strokes have one scale everywhere. Sizes are metres and must be positive; counts
-// below the least that makes a solid are raised to it. Solids are watertight once vertices at equal places
-// are merged: seams repeat positions bit for bit. Everything stands on y = 0, centred on the y axis, unless
-// said otherwise. Cost: linear in vertices, but quadratic in the corners of an extruded outline.
+// metres on the surface, so that strokes have one scale everywhere. u runs along the direction in which a pen
+// would hatch the surface (courses of a wall, shafts of a column, rings of a turned form). Sizes are metres
+// and must be positive. Counts below the least that makes a solid are raised to this least. Solids are
+// watertight once vertices at equal places are merged: seams repeat positions bit for bit. Each shape has its
+// lowest point at y = 0 and its centre on the y axis, unless its comment says otherwise. Cost: linear in
+// vertices, but quadratic in the corners of an extruded outline.
 
 #include <cstdint>
 #include <map>
@@ -21,13 +22,13 @@
 
 namespace estampe::shapes {
 
-/// A rectangle on the ground, facing up: u along x, v along z, `cells` squares a side.
+/// A rectangle on the ground, facing up: u along x, v along z, `cells` squares per side.
 [[nodiscard]] Primitive plane(float width, float depth, uint32_t cells = 1);
 
 /// A rectangle in the plane z = 0, facing +z, its lower edge on the ground.
 [[nodiscard]] Primitive quad(float width, float height);
 
-/// A box with hard edges; u runs level on its sides.
+/// A box with hard edges; u runs horizontally on its sides.
 [[nodiscard]] Primitive box(const glm::vec3& size);
 
 /// A sphere about the origin; u along the parallels.
@@ -41,31 +42,32 @@ namespace estampe::shapes {
 
 [[nodiscard]] Primitive cone(float radius, float height, uint32_t segments = 32);
 
-/// Turns a profile of (radius, height) points about the y axis. The outside lies to the right of the way from
-/// point to point, so a vase is listed from its foot up. Corners sharper than `crease_rad` stay hard. Solid
-/// when it starts and ends on the axis, or ends where it starts.
+/// Turns a profile of (radius, height) points about the y axis. The outside of the shape is to the right of
+/// the profile's direction, so a vase is listed from its foot up. Corners sharper than `crease_rad` stay
+/// hard. The shape is a solid if the profile starts and ends on the axis, or ends where it starts.
 [[nodiscard]] Primitive lathe(std::span<const glm::vec2> profile, uint32_t segments = 32,
                               float crease_rad = 0.7F);
 
-/// Pushes an outline in the xy plane (counter-clockwise seen from +z, simple, without holes) along z, from
+/// Extrudes an outline in the xy plane (counter-clockwise seen from +z, simple, without holes) along z, from
 /// -depth / 2 to depth / 2. u runs along x on the two faces and along z on the sides. Corners sharper than
 /// `crease_rad` stay hard. An outline of fewer than three corners gives an empty mesh.
 [[nodiscard]] Primitive extrude(std::span<const glm::vec2> outline, float depth, float crease_rad = 0.7F);
 
-/// A wall along x with round arches through it, their piers on the ground.
+/// A wall along x with round arches through it. The piers between the arches reach the ground.
 struct ArchWall {
     float height = 6.0F;
     float thickness = 1.0F;
     uint32_t arches = 5;
     float opening = 3.0F;   ///< width of an arch
-    float pier = 1.2F;      ///< between two arches, and at both ends
+    float pier = 1.2F;      ///< width of the wall between two arches, and at both ends
     float springing = 2.5F; ///< height at which the round part begins
     uint32_t arch_segments = 20;
 };
 
 [[nodiscard]] float arch_wall_length(const ArchWall& wall);
 
-/// Centred on x; the wall must be higher than springing + opening / 2, else it is raised to just above.
+/// The wall is centred on x. It must be higher than springing + opening / 2; a lower wall is raised to just
+/// above.
 [[nodiscard]] Primitive arch_wall(const ArchWall& wall);
 
 /// The shaft of a Doric column: round flutes between sharp arrises, narrowing with a slight swell; u runs up
@@ -77,8 +79,8 @@ struct FlutedColumn {
     uint32_t flutes = 20;
     uint32_t flute_segments = 6;
     uint32_t rings = 8;
-    float flute_depth = 0.05F; ///< part of the radius
-    float break_height = 0.0F; ///< how far the top is broken off, unevenly; 0: cut level
+    float flute_depth = 0.05F; ///< depth of a flute, as a share of the radius
+    float break_height = 0.0F; ///< height of the uneven break at the top; 0: the top is cut horizontally
 };
 
 [[nodiscard]] Primitive fluted_column(const FlutedColumn& column);
@@ -90,12 +92,12 @@ struct FlutedColumn {
 [[nodiscard]] Primitive rod(const glm::vec3& a, const glm::vec3& b, float radius_a, float radius_b,
                             uint32_t segments = 16, uint32_t rings = 4);
 
-/// Moves to a place after a turn about the y axis, counter-clockwise from above.
+/// Returns a placement that rotates about the y axis, counter-clockwise from above, and then translates.
 [[nodiscard]] glm::mat4 at(const glm::vec3& place, float turn_deg = 0.0F);
 
-/// Adds `part`, placed by `to_from_part`, to `whole`; the material of `whole` stays. Mirroring turns
-/// triangles over. If either has edge marks, triangles without any get the mark 0: none of their edges is
-/// drawn.
+/// Adds `part`, placed by `to_from_part`, to `whole`; the material of `whole` stays. A mirroring placement
+/// also reverses the winding of the triangles. If either mesh has edge marks, triangles without any get the
+/// mark 0: none of their edges is drawn.
 void append(Primitive& whole, const Primitive& part, const glm::mat4& to_from_part);
 
 /// Gathers placed shapes of several materials into one mesh:
@@ -105,7 +107,7 @@ void append(Primitive& whole, const Primitive& part, const glm::mat4& to_from_pa
 ///     lamp.add(glass, sphere(0.2F), at({0.0F, 3.2F, 0.0F}));
 ///     scene.meshes.push_back(lamp.mesh("lamp"));
 ///
-/// Shapes with edge marks stay apart from those without, whose sharp folds are drawn.
+/// Shapes with edge marks stay apart from shapes without edge marks, whose sharp folds are drawn.
 class MeshBuilder {
 public:
     /// `material` is an index of Scene::materials, or a value of an enumeration of them.
@@ -121,8 +123,8 @@ public:
     /// The primitive that collects the shapes of a material, to add vertices and triangles directly.
     [[nodiscard]] Primitive& part(Index material, bool has_edge_marks);
 
-    /// The mesh: for each material, in ascending order, one primitive without edge marks and one with, as far
-    /// as used.
+    /// The mesh: for each material, in ascending order, one primitive without edge marks and one with edge
+    /// marks. Empty primitives are left out.
     [[nodiscard]] Mesh mesh(const std::string& name) const;
 
 private:

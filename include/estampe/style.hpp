@@ -54,8 +54,8 @@ public:
     /// Direction of the style's sun, for framing_camera(). Throws Error if its date is not valid.
     [[nodiscard]] SunBearing sun_bearing() const;
 
-    /// Aspect (width / height) of the part of a picture within the page's margin, for framing_camera(). The
-    /// vertical field of view of a camera spans that part.
+    /// Aspect (width / height) of the part of a picture inside the page's margin, for framing_camera(). The
+    /// vertical field of view of a camera covers this part.
     [[nodiscard]] double window_aspect(uint32_t width, uint32_t height) const;
 
     /// Manual of all parameters: name, type, range, default, unit and one line of help for each. `section` is
@@ -68,11 +68,11 @@ public:
     /// Names of the presets that load() accepts.
     [[nodiscard]] static std::vector<std::string> presets();
 
-    /// Names of the additions that load() accepts behind a preset, such as "no-color" in "comic+no-color".
+    /// Names of the additions that load() accepts after a preset, such as "no-color" in "comic+no-color".
     [[nodiscard]] static std::vector<std::string> additions();
 
-    /// Describes the look of a preset, or the change by an addition, in one line. Throws Error if none has
-    /// the name.
+    /// Describes the look of a preset, or what an addition changes, in one line. Throws Error if no preset or
+    /// addition has the name.
     [[nodiscard]] static std::string about(const std::string& preset);
 
     [[nodiscard]] const features::StyleTables& tables() const { return *tables_; }

@@ -44,11 +44,11 @@ enum class TerrainMesh : uint8_t {
     object ///< A mesh of the scene, displaced by the heights
 };
 
-/// When the vertices are evaluated again.
+/// When the vertices of the ground are evaluated again.
 enum class TerrainUpdate : uint8_t {
     moved,  ///< When the camera has moved or time has advanced
     always, ///< For every picture, for measurements
-    still   ///< When the camera has moved; time stands still for the ground
+    still   ///< When the camera has moved; the ground does not change over time
 };
 
 /// Resolution and extent of the terrain mesh.
@@ -58,7 +58,7 @@ struct TerrainMeshing {
     TerrainUpdate update = TerrainUpdate::moved;
     float cell_m = 0.25F; ///< Spacing of vertices nearest to the camera; rounded to a power of two
     int cells = 128;      ///< Cells along a side of a ring or grid; rounded up to a multiple of 4
-    /// Least distance that the ground extends to; only used with TerrainMesh::rings.
+    /// Smallest distance up to which the ground is drawn; only used with TerrainMesh::rings.
     float reach_m = 20000.0F;
     float planet_radius_m = 0.0F; ///< Radius of a ground that curves like a planet; 0: the ground is flat
 
@@ -76,7 +76,7 @@ struct TerrainLook {
 struct TerrainRipples {
     float wavelength_m = 0.12F;    ///< From crest to crest
     float height_m = 0.01F;        ///< From trough to crest; 0: no ripples
-    float meander = 0.5F;          ///< 0: straight and unbroken; 1: they wind, fork and end everywhere
+    float meander = 0.5F;          ///< 0: straight, unbroken ripples; 1: ripples wind, fork and end
     float drift_m_per_s = 0.0005F; ///< Speed of the ripples downwind
 
     bool operator==(const TerrainRipples&) const = default;
@@ -136,14 +136,15 @@ public:
     [[nodiscard]] HeightSample sample(double x_m, double z_m, double time_s = 0.0) const;
 
     /// First intersection of the ground with the ray from `from` along the unit vector `towards`, at most
-    /// `reach_m` away. Empty if there is none or if the ray starts below the ground. Can miss features
-    /// narrower than 1/500 of the way. Cost: about 500 samples.
+    /// `reach_m` away. Empty if there is no intersection or if the ray starts below the ground. Can miss
+    /// features narrower than 1/500 of the ray's length. Cost: about 500 samples.
     [[nodiscard]] std::optional<glm::dvec3> hit(const glm::dvec3& from, const glm::dvec3& towards,
                                                 double reach_m, double time_s = 0.0) const;
 
     /// Sets the content of `mask("name", ...)`: as many texels per side as the graph says, in rows along +x
-    /// from the corner at -size / 2. Throws Error for an unknown name or a wrong count. Earlier copies of
-    /// the terrain keep their content; pass the terrain to Renderer::set_terrain() to show the change.
+    /// from the corner at -size / 2. Throws Error for an unknown name or a wrong number of texels. Earlier
+    /// copies of the terrain keep their content; pass the terrain to Renderer::set_terrain() to show the
+    /// change.
     void paint_mask(std::string_view mask, const std::vector<float>& heights);
 
     /// Internal program of the graph, for the library only.
@@ -156,7 +157,7 @@ private:
 
 struct Camera;
 
-/// A camera at the eye height of a rider, on one of the high places near the origin, facing a direction in
+/// A camera at the eye height of a rider, on a high place near the origin. The camera looks in a direction in
 /// which about a third of the visible ground is in shade. `towards_sun` points to the sun. Cost: 26,000
 /// samples, 0.1 s for a graph of twenty nodes.
 [[nodiscard]] Camera terrain_camera(const Terrain& terrain, double time_s = 0.0,

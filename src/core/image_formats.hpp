@@ -24,7 +24,7 @@
 namespace estampe {
 
 /// Error state for libpng and libjpeg, whose error functions must not return. Objects with destructors must
-/// live outside the stack frame that longjmp leaves.
+/// be declared outside the stack frame that longjmp leaves.
 struct CodecFailure {
     std::jmp_buf jump;
     char message[256] = {};

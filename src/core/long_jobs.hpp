@@ -8,8 +8,8 @@
 
 namespace estampe {
 
-/// Launch policy of std::async for background work: a new thread, or the thread that asks for the result if
-/// none can be started.
+/// Launch policy of std::async for background work: a new thread, or, if no thread can be started, the thread
+/// that requests the result.
 inline constexpr std::launch launch_if_possible = std::launch::async | std::launch::deferred;
 
 /// Receives progress of long jobs in the current thread during its lifetime; one at a time. Jobs only call

@@ -73,7 +73,7 @@ constexpr uint64_t strip_bytes = 1U << 20U;                       // Bytes per s
 constexpr size_t window_bytes = 32768;                            // Window of deflate
 constexpr std::array zlib_head{std::byte{0x78}, std::byte{0x5e}}; // Zlib header: 32 KiB window, fast level
 
-/// Filtered rows for deflate: the filter byte, then each byte minus that of the pixel to its left.
+/// Filtered rows for deflate: the filter byte, then each byte minus the byte of the pixel to the left.
 std::vector<std::byte> filtered(const PngPixels& pixels, uint64_t first, uint64_t end)
 {
     constexpr std::byte less_left{1};

@@ -80,7 +80,7 @@ int map_all(thandle_t handle, void** base, toff_t* size)
 
 void unmap_nothing(thandle_t /*handle*/, void* /*base*/, toff_t /*size*/) {}
 
-/// Keeps the first error; later ones are its consequences.
+/// Keeps the first error; later errors follow from the first.
 int keep_message(TIFF* /*tiff*/, void* target, const char* /*module*/, const char* format, va_list values)
 {
     auto& source = *static_cast<TiffSource*>(target);
@@ -117,8 +117,8 @@ Tiff open_tiff(TiffSource& source)
 
 enum class Alpha { straight, premultiplied };
 
-/// libtiff premultiplies colours by unassociated alpha. Textures use straight alpha, so libtiff is told that
-/// the alpha is already associated.
+/// libtiff premultiplies colours by unassociated alpha. Textures use straight alpha, so this code declares
+/// the alpha as already associated.
 Alpha take_alpha(TIFF* tiff)
 {
     uint16_t count = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// All features of a renderer in one place: an event goes to each of them, and a film's memory is the list of
-// what they save.
+// All features of a renderer in one place. An event is sent to each feature, and a film's memory is the list
+// of the states that the features save.
 
 #include <array>
 #include <cstddef>

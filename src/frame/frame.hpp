@@ -23,8 +23,8 @@ struct FrameBuffers {
     Page page;
 };
 
-/// One frame of a picture: which sample it is, which part of the page it covers, and which outputs are
-/// wanted.
+/// One frame of a picture: which sample it is, which part of the page it covers, and which outputs the caller
+/// requests.
 struct FrameJob {
     paper::Accumulation accumulation;
     bool is_first = true;                            ///< the first frame of this picture

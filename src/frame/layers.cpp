@@ -27,7 +27,8 @@ public:
     /// Adds a sample: the object number of each pixel, 0 for none.
     void add(std::span<const uint32_t> things);
 
-    /// The pixels where an object was seen and in how many samples, in the order of pixels.
+    /// The pixels where an object is visible, with the number of samples in which it is visible, in the order
+    /// of pixels.
     using Places = std::vector<std::pair<uint32_t, uint32_t>>;
     [[nodiscard]] std::map<uint32_t, Places> places() const;
 
@@ -49,14 +50,14 @@ struct StageColors {
     glm::vec3 paper_color{1.0F};
 };
 
-/// The factor that turns `below` into `wanted`.
+/// The factor that changes `below` into `wanted`.
 float factor(float below, float wanted)
 {
     return below > 0.0F ? wanted / below : 1.0F;
 }
 
-/// Returns the premultiplied colour that turns `below` into `wanted` when laid over it. Means over samples
-/// may need more alpha than their mean coverage, so alpha is raised until no colour is negative.
+/// Returns the premultiplied colour that changes `below` into `wanted` when composited over `below`. Means
+/// over samples may need more alpha than their mean coverage, so alpha is raised until no colour is negative.
 glm::vec4 laid_over(const glm::vec3& below, const glm::vec4& wanted)
 {
     float alpha = std::clamp(wanted.w, 0.0F, 1.0F);

@@ -77,7 +77,7 @@ void lay_out(gpu::Device& device, LoadedScene& loaded);
 [[nodiscard]] bool swap_terrain(gpu::Device& device, LoadedScene& loaded, const Terrain& terrain);
 
 /// Applies the lighting settings of `style` to lights and objects, and lays the scene out again when light
-/// links change. Returns whether shadows may change; a change of brightness alone does not change them.
+/// links change. Returns whether shadows may change; a change of brightness alone never changes shadows.
 /// Throws Error as styled_lighting() does.
 [[nodiscard]] bool style_lighting(gpu::Device& device, LoadedScene& loaded, const light::LightStyle& style);
 

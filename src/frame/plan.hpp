@@ -141,7 +141,7 @@ struct FramePlan {
 };
 
 /// The part of a picture's plan that differs between samples and tiles. The first sample leaves results on
-/// the device that the others reuse.
+/// the device that the other samples reuse.
 struct SamplePlan {
     paper::Accumulation accumulation;
     bool is_first = true;             ///< true before anything of the picture has been drawn
@@ -170,7 +170,7 @@ struct PlanInputs {
     const features::StyleTables& style;
     const gpu::Device& device;
     RasterPath raster_path = RasterPath::compute;   ///< never automatic
-    RasterPath wanted_path = RasterPath::automatic; ///< as the options have it; may be automatic
+    RasterPath wanted_path = RasterPath::automatic; ///< as set in the options; may be automatic
     sky::CloudMemory& clouds;
 };
 
@@ -179,8 +179,8 @@ struct PlanInputs {
 [[nodiscard]] FramePlan shrunk_plan(const FramePlan& plan, uint32_t shrink, glm::uvec2 size_px,
                                     const features::StyleTables& style);
 
-/// Approximate distance between samples along a line, chosen so that lines bend as finely on a page that is
-/// `shrink` times as large.
+/// Approximate distance between samples along a line. The distance is chosen so that lines bend as finely as
+/// on a page that is `shrink` times as large.
 [[nodiscard]] inline float line_step_px(uint32_t shrink)
 {
     return std::max(3.0F / static_cast<float>(shrink), 1.0F);
@@ -199,9 +199,9 @@ struct LensSetting {
     float line_half_px = 1.0F;
 };
 
-/// Distance from the eye to the plane in focus, along the view direction: the style's distance, or the middle
-/// of the objects that the style names, or the middle of the scene. Adds a note for a name that matches no
-/// object.
+/// Distance from the eye to the plane in focus, along the view direction. The distance is set by the style,
+/// or else by the middle of the objects that the style names, or else by the middle of the scene. Adds a note
+/// for a name that matches no object.
 [[nodiscard]] double focus_distance_m(const LensSetting& in, std::vector<std::string>& notes);
 
 /// Plans the lens of a picture. Returns none if the style has no lens, and in parallel projection, for which

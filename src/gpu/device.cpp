@@ -105,7 +105,7 @@ bool offers_compute_raster(const Features& have)
 
 namespace {
 
-/// Enables the required features, and those for raster in compute if asked.
+/// Enables the required features, and the features for raster in compute if requested.
 void enable_features(VkPhysicalDeviceFeatures& core, VkPhysicalDeviceVulkan12Features& v12,
                      VkPhysicalDeviceVulkan13Features& v13, bool compute_raster)
 {
@@ -200,7 +200,7 @@ namespace {
 /// waits forever for a thread that fails to start. Cost: about 1 ms.
 void require_driver_threads()
 {
-    // One thread per core for triangles, one per core for compute, and a few that only wait.
+    // One thread per core for triangles, one per core for compute, and a few threads that only wait.
     constexpr unsigned most_cores_used = 16;
     constexpr unsigned waiting = 4;
     const unsigned count = 2 * std::clamp(std::thread::hardware_concurrency(), 1U, most_cores_used) + waiting;

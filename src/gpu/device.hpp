@@ -74,7 +74,7 @@ private:
     bool is_borrowed_ = false;
     DeviceInfo info_;
     VkPhysicalDeviceLimits limits_{};
-    /// On the heap, because the messenger keeps its address.
+    /// Allocated on the heap, because the messenger stores this address.
     std::unique_ptr<std::function<void(const std::string&)>> on_validation_message_;
     std::unique_ptr<MemoryAllocator> memory_;
 };
@@ -104,8 +104,8 @@ struct Features {
 /// Names of the required features that `have` lacks; empty if there are none.
 [[nodiscard]] std::string missing_features(const Features& have);
 
-/// Whether the device supports 64-bit atomics, with which compute shaders rasterise depth and triangle by an
-/// atomic maximum.
+/// Whether the device supports 64-bit atomics. With them, compute shaders rasterise depth and triangle number
+/// by an atomic maximum.
 [[nodiscard]] bool offers_compute_raster(const Features& have);
 
 } // namespace estampe::gpu

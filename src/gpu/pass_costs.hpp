@@ -43,9 +43,9 @@ struct ShaderOps {
     glm::uvec3 group{1U}; ///< Threads of a workgroup
 };
 
-/// Counts the operations of one thread if no branch skips code and each loop runs once, with specialization
-/// constant 0 set to `variant`; of branches on that constant, only the taken side counts. The result is a
-/// lower bound for kernels with loops, and may be too high for kernels with branches. Throws
+/// Counts the operations of one thread, as if no branch skipped code and each loop ran once, with
+/// specialization constant 0 set to `variant`. Of a branch on that constant, only the taken side is counted.
+/// The result is a lower bound for kernels with loops, and may be too high for kernels with branches. Throws
 /// std::logic_error if the words are not SPIR-V.
 ///
 /// Cost    linear in words, about 0.1 ms for a large shader
@@ -55,7 +55,7 @@ struct ShaderOps {
 /// Measured costs of one pass.
 struct PassWork {
     std::string name;
-    double ms = 0.0; ///< GPU time; on a processor wall time minus that of an empty run
+    double ms = 0.0; ///< GPU time; on a processor wall time minus the time of an empty run
     /// Size of the images and buffers that the pass binds, counted twice if it reads and writes them. This
     /// is the least memory traffic, unless a buffer is larger than its content.
     uint64_t bytes = 0;

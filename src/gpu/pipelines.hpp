@@ -38,8 +38,8 @@ struct PipelineOwner {
 [[nodiscard]] std::vector<std::byte> read_pipelines(const std::filesystem::path& file,
                                                     const PipelineOwner& owner);
 
-/// Creates the folder and replaces the file as a whole. A failure keeps the old file and is no error,
-/// because this is a cache.
+/// Creates the folder and replaces the file as a whole. A failure keeps the old file and is not reported,
+/// because the file is only a cache.
 void write_pipelines(const std::filesystem::path& file, std::span<const std::byte> pipelines);
 
 /// Vulkan's pipeline cache of a device. It is read from disk by the constructor, and written by the
@@ -92,7 +92,7 @@ public:
     [[nodiscard]] const Pipeline& get(const Shader& shader, std::span<const VkDescriptorType> bindings,
                                       uint32_t push_bytes, uint32_t variant);
 
-    /// Returns the graphics pipeline of `state`. The other parameters are those of the compute pipeline.
+    /// Returns the graphics pipeline of `state`. The other parameters are as for the compute pipeline.
     [[nodiscard]] const Pipeline& get(const DrawState& state, std::span<const VkDescriptorType> bindings,
                                       uint32_t push_bytes, uint32_t variant);
 

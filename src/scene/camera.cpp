@@ -368,8 +368,8 @@ Camera view_camera(const Scene& scene, const ScenePose& pose, double aspect, con
     const SurfaceCloud& cloud = surveyed->cloud;
     ViewAnalysis& analysis = surveyed->analysis;
     if (analysis.standpoint == Standpoint::inside)
-        analysis.subject = whole; // seen from outside even if it is a room
-    // A requested view also shows the floor, unless the floor extends far beyond what stands on it.
+        analysis.subject = whole; // the subject is seen from outside even if it is a room
+    // A requested view also shows the floor, unless the floor extends far beyond the objects on it.
     constexpr double far_wider = 4.0;
     const glm::dvec3 all_m = cloud.bounds.max - cloud.bounds.min;
     const glm::dvec3 subject_m = analysis.subject.max - analysis.subject.min;
@@ -385,7 +385,7 @@ Camera view_camera(const Scene& scene, const ScenePose& pose, double aspect, con
     Camera camera;
     camera.up = std::abs(from.elevation_deg) > 89.9 ? axes.up : glm::dvec3(0.0, 1.0, 0.0);
     camera.vertical_fov_rad = 2.0 * std::atan(half_height);
-    glm::dvec3 eye = seen.center(); // the points are relative to this
+    glm::dvec3 eye = seen.center(); // the points are relative to this position
     double distance_m = 0.0;        // from the eye to the middle of what is seen
     if (from.parallel || from.distance_m) {
         const double fitting_m = fitting_half_height(seen, aspect);

@@ -38,8 +38,8 @@ double framed_half_height(double aspect)
     return std::min(std::tan(0.25), 0.8 / aspect);
 }
 
-/// Each side of the window is a plane through the outermost point along its normal, so one pass over the
-/// points is exact.
+/// Each side of the window is a plane through the outermost point along the plane's normal, so one pass over
+/// the points is exact.
 glm::dvec3 fit_eye(const std::vector<glm::dvec3>& points, const Window& window)
 {
     constexpr double lowest = -std::numeric_limits<double>::infinity();
@@ -216,7 +216,7 @@ ViewPoints view_points(const Scene& scene, const ScenePose& pose, const ViewAxes
     return points;
 }
 
-/// The points, and for each a point at the share `part` of the way to its shadow.
+/// Returns the points, and for each point another one at the share `part` of the line to the point's shadow.
 std::vector<glm::dvec3> with_shadow(const ViewPoints& points, double part)
 {
     std::vector<glm::dvec3> all = points.subject;
@@ -238,8 +238,8 @@ Fit fit_part(const ViewPoints& points, const Window& window, double part)
     return {lean_to_subject(all, points.subject, window, eye), part};
 }
 
-/// Fits as much of the shadow as possible: all of it, or as much as leaves the subject large enough and near
-/// the middle.
+/// Fits as much of the shadow as possible: the whole shadow, or the largest part that leaves the subject
+/// large enough and near the middle.
 Fit fit_with_shadow(const ViewPoints& points, const Window& window)
 {
     constexpr double least_size = 0.74; // share of the subject's size without the shadow
@@ -296,7 +296,7 @@ struct Core {
     }
 };
 
-/// The eye for all points: estimated from a few of them, then corrected with those near the rim.
+/// The eye for all points: estimated from a few points, then corrected with the points near the rim.
 glm::dvec3 framed_eye(const ViewPoints& points, const Window& window)
 {
     const ViewPoints few = thinned(points);

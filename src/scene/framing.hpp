@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Computes where an eye must stand so that given points lie within the page, for automatic framing and for
-// views from a side.
+// Computes the position of an eye that sees given points within the page, for automatic framing and for views
+// from a side.
 
 #include <optional>
 #include <vector>
@@ -33,7 +33,7 @@ struct Window {
 [[nodiscard]] glm::dvec3 centre_eye(const std::vector<glm::dvec3>& points, const Window& window,
                                     glm::dvec3 eye);
 
-/// What automatic framing needs to know about a scene.
+/// The facts about a scene that automatic framing uses.
 struct SceneSurvey {
     Bounds whole; ///< bounds of all vertices in the pose, never empty
     SurfaceCloud cloud;
@@ -56,7 +56,7 @@ public:
     /// False if the vertex is a stray or lies on the wide floor around the subject.
     [[nodiscard]] bool holds_vertex(const glm::dvec3& position) const;
 
-    /// Whether the scene has a floor at this position that is much wider than what stands on it.
+    /// Whether the scene has a floor at this position that is much wider than the objects on it.
     [[nodiscard]] bool has_floor_at(const glm::dvec3& position) const;
 
 private:

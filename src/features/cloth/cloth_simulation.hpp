@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Cloth from picture to picture: the sheets of a scene, and the time steps up to a picture's moment.
+// Simulates the cloth of a scene over the pictures of a film, up to the time of each picture.
 
 #include <functional>
 #include <memory>
@@ -16,25 +16,25 @@
 
 namespace estampe::features {
 
-/// What ClothSimulation needs to simulate up to a picture's moment.
+/// The inputs of ClothSimulation for one picture.
 struct ClothInputs {
     const Scene& scene;
-    pose::MeshData& layout;                     ///< torn triangles are removed from it
+    pose::MeshData& layout;                     ///< torn triangles are removed from this layout
     pose::MeshBuffers& meshes;                  ///< the buffers of `layout`
     const std::optional<pose::PoseData>& posed; ///< the pose on the device
-    /// Poses the scene at a moment. Afterwards `posed` holds that pose, and add_posed() declares the passes
+    /// Poses the scene at a time. Afterwards `posed` holds that pose, and add_posed() declares the passes
     /// that the device still needs.
     std::function<ScenePose(double time_s)> pose_at;
     std::function<gpu::BufferId(gpu::Graph&)> add_posed;
     const RenderSettings& settings;
     const StyleTables& style;
-    std::optional<double> before_s; ///< the moment from which motion is measured
+    std::optional<double> before_s; ///< the time from which motion is measured
 };
 
 /// Side effects of ClothSimulation::advance().
 struct ClothAdvance {
-    bool posed_scene = false; ///< the scene was posed at other moments
-    bool tore = false;        ///< other triangles than before are torn
+    bool posed_scene = false; ///< the scene was posed at other times than the picture's
+    bool tore = false;        ///< other triangles are torn than before
 };
 
 class ClothSimulation final : public Feature {
@@ -46,33 +46,33 @@ public:
     void save(FilmWriter& writer) override;
     void load(FilmReader& reader) override;
 
-    /// Cuts the sheets of a newly built layout. Sheets that existed before continue from their state. Throws
-    /// Error if a sheet cannot be made.
+    /// Builds the cloth sheets of a new layout. Sheets that existed before continue from their state. Throws
+    /// Error if a sheet cannot be built.
     void cut(gpu::Device& device, const Scene& scene, const pose::MeshData& layout);
 
     /// Null if the scene has no cloth.
     [[nodiscard]] MovingCloth* sheets() { return sheets_.get(); }
 
-    /// The draws that are sheets.
+    /// The draw calls that are cloth sheets.
     [[nodiscard]] std::span<const uint32_t> draws() const;
 
-    /// Whether the device has yet to pose the sheets' vertices.
+    /// Whether the device must still pose the sheets' vertices.
     [[nodiscard]] bool has_moved() const { return sheets_ && sheets_->has_moved; }
 
-    /// Simulates up to the picture's moment except for the last steps, which record() puts into the
-    /// picture's own graph, parallel to independent passes. Removes torn triangles of sheets and restores
-    /// whole ones. Cost: the steps; if sheets may tear, also a read-back of their torn links, and an upload
-    /// of all triangles when others are torn than before.
+    /// Simulates up to the picture's time, except for the last steps, which record() puts into the picture's
+    /// own graph, parallel to independent passes. Removes torn triangles of sheets and restores triangles
+    /// that are not torn. Cost: the steps. If sheets may tear, also a read-back of their torn links, and an
+    /// upload of all triangles whenever the set of torn triangles changes.
     [[nodiscard]] ClothAdvance advance(gpu::Device& device, gpu::Executor& executor, const ClothInputs& in);
 
-    /// Places the solids that sheets collide with, if steps are left for the picture's graph. Returns the
-    /// boxes that the sheets occupied since the last call (anchor space). Call it when the scene is posed
-    /// for the picture.
+    /// Places the solids that sheets collide with, if steps remain for the picture's graph. Returns the boxes
+    /// that the sheets occupied since the last call (anchor space). Call this function only after the scene
+    /// is posed for the picture.
     [[nodiscard]] std::vector<Bounds> place(gpu::Device& device, const ClothInputs& in,
                                             const ScenePose& pose);
 
-    /// Declares the remaining steps, and writes the sheets' vertices into `posed`. The state of the sheets
-    /// counts as lost until that graph has run and drawn() is called.
+    /// Declares the remaining steps, and writes the sheets' vertices into `posed`. The state of the sheets is
+    /// invalid until that graph has run and drawn() is called.
     void record(gpu::Graph& graph, const pose::PoseData& pose, const glm::dvec3& anchor,
                 gpu::BufferId& posed_vertices, gpu::BufferId& vertices_before);
     void drawn();
@@ -86,8 +86,8 @@ private:
     void step(gpu::Device& device, gpu::Executor& executor, const ClothInputs& in, const ClothSteps& steps);
 
     std::unique_ptr<MovingCloth> sheets_;
-    std::optional<glm::dvec3> cut_about_;  ///< the anchor of the layout from which the sheets were cut
-    std::optional<ClothSteps> steps_left_; ///< for the picture's first graph
+    std::optional<glm::dvec3> cut_about_;  ///< anchor of the layout from which the sheets were built
+    std::optional<ClothSteps> steps_left_; ///< steps that the picture's first graph runs
 };
 
 } // namespace estampe::features

@@ -18,7 +18,7 @@ constexpr size_t least_vertices = 8; // a bone with fewer vertices gets no capsu
 
 /// A bone in the bind pose of its skin.
 struct BoundBone {
-    uint32_t from_joint = 0; ///< index into the skin's joints
+    uint32_t from_joint = 0; ///< index of the parent joint in the skin's joints
     uint32_t to_joint = 0;
     glm::vec3 from{0.0F};
     glm::vec3 to{0.0F};
@@ -129,7 +129,7 @@ Index root_of(const Scene& scene, const Skin& skin)
     return no_index;
 }
 
-/// The skeleton of a draw if the draw is part of a body; otherwise none.
+/// The skeleton of a draw call, if the draw call is part of a body; none otherwise.
 Index skeleton_of(const Scene& scene, const pose::DrawSource& source)
 {
     const Node& node = scene.nodes[source.node];
@@ -157,7 +157,7 @@ std::vector<double> areas_of(const Primitive& primitive)
     return areas_m2;
 }
 
-/// The bounds and the area of the vertices that each joint of a draw's skin moves.
+/// The bounds and the area of the vertices that each joint of a draw call's skin moves.
 void append_parts(const Primitive& primitive, uint32_t draw, std::vector<SeenBody::Part>& parts)
 {
     std::map<uint32_t, SeenBody::Part> of_joint;
@@ -189,7 +189,7 @@ void append_parts(const Primitive& primitive, uint32_t draw, std::vector<SeenBod
     }
 }
 
-/// A rotation that turns z to the shortest of three sides.
+/// A rotation that maps the z axis to the shortest of three sides.
 glm::quat turn_to_shortest(const glm::vec3& sides)
 {
     constexpr float half = 0.70710678F; // cosine and sine of half a right angle
@@ -330,12 +330,12 @@ std::vector<double> lows_of(std::span<const SheetPlace> sheets)
     return lows_m;
 }
 
-/// Whether the ground below a box may reach up to it, judged by a few samples.
+/// Whether the ground below a box may reach up to the box, judged by a few samples.
 bool comes_down_to(const Bounds& box, const HeightAt& height_at)
 {
     constexpr int places = 5;         // samples in each direction
     constexpr double steepest = 0.7;  // steepest slope of sand
-    constexpr double unasked_m = 1.0; // how far a sheet may move before the next test, horizontally and down
+    constexpr double unasked_m = 1.0; // largest move of a sheet before the next test, horizontally and down
     const glm::dvec3 step = (box.max - box.min) / static_cast<double>(places - 1);
     double highest_m = -std::numeric_limits<double>::infinity();
     for (int z = 0; z < places; ++z) {

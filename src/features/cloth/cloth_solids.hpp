@@ -20,21 +20,21 @@ namespace estampe::features {
 
 /// A capsule between a joint and one of its children.
 struct BoneCapsule {
-    Index from = 0; ///< node of the parent joint
+    Index from = 0; ///< scene node of the parent joint
     Index to = 0;
     float radius_share = 0.0F; ///< radius relative to the bone's length
 };
 
-/// One capsule per bone that moves part of a body. Its radius is the median distance of its vertices. Bones
-/// of cloth get none. Cost: linear in skinned vertices.
+/// One capsule per bone that moves part of a body. The capsule's radius is the median distance of the bone's
+/// vertices. Bones of cloth get none. Cost: linear in skinned vertices.
 [[nodiscard]] std::vector<BoneCapsule> bone_capsules(const Scene& scene);
 
 /// The capsule in a pose.
 [[nodiscard]] cloth::Solid placed_bone(const BoneCapsule& bone, const ScenePose& pose,
                                        const glm::dvec3& anchor);
 
-/// All draws of one skeleton except cloth. The depth maps look along the shortest side of the body's box in
-/// the bind pose; this axis follows the joint that moves most of the body's surface.
+/// All draw calls of one skeleton except cloth. The depth maps look along the shortest side of the body's box
+/// in the bind pose. This axis rotates with the joint that moves most of the body's surface.
 struct SeenBody {
     /// The vertices that one joint moves, in the bind pose.
     struct Part {
@@ -46,22 +46,22 @@ struct SeenBody {
     };
 
     cloth::Body mesh;
-    std::vector<Part> parts; ///< the part whose joint the axis follows comes first
+    std::vector<Part> parts; ///< the first part is the one whose joint rotates the axis
     cloth::Solid solid;      ///< in the bind pose
 };
 
-/// The bodies of a scene, in the order of its draws. Cost: linear in skinned triangles.
+/// The bodies of a scene, in the order of the scene's draw calls. Cost: linear in skinned triangles.
 [[nodiscard]] std::vector<SeenBody> seen_bodies(const Scene& scene, const pose::MeshData& layout);
 
-/// The body in a pose (anchor space), in a box that contains every part its joints move. What morph targets
-/// move outside this box is cut off.
+/// The body in a pose (anchor space), in a box that contains every part that the body's joints move. Vertices
+/// that morph targets move outside this box are cut off.
 [[nodiscard]] cloth::Solid placed_body(const SeenBody& body, const pose::MeshData& layout,
                                        const pose::PoseData& pose, uint32_t number);
 
-/// Where a sheet is, in anchor space.
+/// The position of a sheet, in anchor space.
 struct SheetPlace {
     Bounds box;
-    std::optional<Bounds> stays_in; ///< limits of the sheet however it swings; none means no limits
+    std::optional<Bounds> stays_in; ///< box that the sheet never leaves; none means no limits
 };
 
 class SolidGrids {
@@ -81,7 +81,7 @@ public:
 
     [[nodiscard]] const std::vector<cloth::SolidGrid>& grids() const { return grids_; }
 
-    /// The ground in anchor space; none if no sheet may reach it.
+    /// The ground's heights in anchor space; none if no sheet may reach the ground.
     [[nodiscard]] std::optional<cloth::Solid> ground() const;
 
     /// A mesh collider placed by a matrix; none if the mesh has no triangles.
@@ -98,7 +98,7 @@ private:
         bool operator==(const GroundKey&) const = default;
     };
 
-    std::vector<cloth::SolidGrid> grids_; ///< the first is the ground's, if the scene has a terrain
+    std::vector<cloth::SolidGrid> grids_; ///< with a terrain, the first grid holds the ground's heights
     std::map<std::pair<Index, bool>, uint32_t> of_mesh_; ///< key: mesh, and whether it is mirrored
     std::optional<GroundKey> ground_;
     bool is_ground_near_ = false;

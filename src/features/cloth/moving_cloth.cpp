@@ -238,7 +238,7 @@ std::vector<SheetPlace> MovingCloth::sheet_places(const pose::PoseData& pose) co
     for (size_t i = 0; i < places.size(); ++i) {
         SheetPlace& sheet = sheets.emplace_back(SheetPlace{.box = box_about(reaches_[i], places[i])});
         if (!may_go) {
-            // A hanging sheet stays within one diagonal of what holds it, and stretches little.
+            // A hanging sheet stays within one diagonal of its held particles, and stretches little.
             Bounds larger = reaches_[i];
             larger.extend(reaches_[i].min - reaches_[i].radius());
             larger.extend(reaches_[i].max + reaches_[i].radius());
@@ -344,7 +344,7 @@ std::vector<ClothSteps> MovingCloth::steps_between(double from_s, double to_s, c
         result.push_back(
             {.from_s = begin_s, .to_s = from_s + done * step_s, .count = count, .surroundings = around});
     }
-    result.back().to_s = to_s; // exact, since the next picture compares it with its own moment
+    result.back().to_s = to_s; // exact, since the next picture compares this value with its own time
     return result;
 }
 
@@ -445,7 +445,7 @@ void MovingCloth::add_bodies(gpu::Graph& graph, cloth::Cloths::Handles& handles,
 std::vector<glm::mat4> MovingCloth::carries(const pose::PoseData& pose, const glm::dvec3& anchor,
                                             double time_s)
 {
-    constexpr double quick_m_per_s = 25.0; // faster motion counts as a jump
+    constexpr double quick_m_per_s = 25.0; // a faster motion is treated as a jump
     constexpr double jump_m = 1.0;
     std::vector<glm::mat4> places = places_of_draws(pose);
     std::vector<glm::mat4> carries;

@@ -11,13 +11,13 @@ namespace estampe::features {
 
 class Clouds final : public Feature {
 public:
-    /// Clouds depend only on the style and its time: no change of the scene makes them obsolete.
+    /// Clouds depend only on the style and its time. A change of the scene never makes them obsolete.
     void invalidate(Event /*event*/) override {}
 
-    /// Uploads the clouds of a plan; their shapes only if they changed.
+    /// Uploads the clouds of a plan. Uploads cloud shapes only if they changed.
     void upload(gpu::Device& device, const sky::CloudPlan& plan);
 
-    /// The shapes planned last, for sky::plan_clouds().
+    /// The cloud shapes of the last plan, for sky::plan_clouds().
     [[nodiscard]] sky::CloudMemory& memory() { return memory_; }
 
     /// Handles of the uploaded buffers, for sky::add_clouds() and sky::add_cloud_shadow().

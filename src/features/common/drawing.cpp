@@ -93,7 +93,7 @@ private:
     StyleTables& style_;
 };
 
-/// Keys of the widths of all kinds of ink lines, and of the outlines that other techniques draw.
+/// Keys of the widths of all kinds of ink lines, and of the widths of outlines that other techniques draw.
 const std::vector<std::string>& line_widths()
 {
     static const std::vector<std::string> keys = [] {
@@ -118,7 +118,8 @@ constexpr std::array<std::string_view, 4> fewer_inner_lines{
     "contour.crease.angle_deg", "contour.ridge.turn_deg", "contour.suggestive.growth",
     "contour.crest.angle_deg"};
 
-/// Blends a colour towards the grey of the same luminance (ITU-R BT.709); `kept` 1 leaves it unchanged.
+/// Blends a colour towards the grey of equal luminance (ITU-R BT.709); `kept` = 1 returns the colour
+/// unchanged.
 void fade_to_grey(glm::vec3& color, float kept)
 {
     const float grey = glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F));
@@ -168,8 +169,8 @@ const StyleTables& with_drawing(const StyleTables& style, StyleTables& room)
     change.multiply_all(line_widths(), drawing.line_weight);
     change.multiply_all(stroke_widths, drawing.hatch_spacing * drawing.hatch_weight);
     change.multiply("hatch.dots_mm", drawing.hatch_spacing);
-    // The gap between strokes is their width over the darkness. The exponent of the tone curve darkens tones
-    // and leaves white paper white. A lower exposure would darken white paper, too.
+    // The gap between strokes is the stroke's width divided by the darkness. The exponent of the tone curve
+    // darkens tones and leaves white paper white. A lower exposure would darken white paper, too.
     const float darkening = drawing.hatch_weight * drawing.darkness;
     if (room.tone.curve == light::ToneCurve::linear && darkening != 1.0F) {
         room.tone.curve = light::ToneCurve::gamma;

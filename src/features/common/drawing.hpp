@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Section [drawing] of a style: the few factors that an artist reaches for first, applied to whatever the
-// preset says.
+// Section [drawing] of a style: the few factors that an artist changes first. They multiply the values of the
+// preset.
 
 #include <cstdint>
 

@@ -21,7 +21,7 @@ namespace estampe::features {
 /// Throws Error: the bytes are not the saved state of a film, or are damaged.
 [[noreturn]] void fail_damaged();
 
-/// Collects the bytes of one section.
+/// Collects the bytes of one section of a film's saved state.
 class FilmWriter {
 public:
     FilmWriter(gpu::Device& device, gpu::Executor& executor) : device_(device), executor_(executor) {}
@@ -40,7 +40,7 @@ public:
 
     void flag(bool is_set) { value(uint8_t{is_set}); }
 
-    /// Appends the items without their number; a caller who needs the number writes it first.
+    /// Appends the items without their number; a caller that needs the number must write it first.
     void floats(std::span<const float> numbers) { append(std::as_bytes(numbers)); }
 
     /// Appends the contents of `buffers`, one after the other. Cost: a graph that copies them to the host.
@@ -56,7 +56,7 @@ private:
     std::vector<std::byte> bytes_;
 };
 
-/// Reads one section in the order it was written. All functions throw Error past the section's end.
+/// Reads one section in the order in which it was written. All functions throw Error past the section's end.
 class FilmReader {
 public:
     FilmReader(gpu::Device& device, std::span<const std::byte> bytes) : device_(device), left_(bytes) {}
@@ -88,16 +88,16 @@ private:
     std::span<const std::byte> left_;
 };
 
-/// Changes after which something that a feature keeps between pictures may be obsolete.
+/// Events that may make data obsolete that a feature keeps between pictures.
 enum class Event : uint8_t {
     scene_replaced,    ///< set_scene() replaced the whole scene
-    layout_replaced,   ///< the scene's draws, vertices and triangles have new numbers
+    layout_replaced,   ///< the scene's draw calls, vertices and triangles have new numbers
     triangles_changed, ///< some triangles have other flags, or were torn
-    ground_replaced,   ///< the terrain has other triangles; follows layout_replaced
+    ground_replaced,   ///< the terrain has other triangles; sent after layout_replaced
     lights_changed,    ///< shadows may have changed
-    pose_changed,      ///< vertices will be posed differently from the frame before
+    pose_changed,      ///< vertices are about to be posed differently than in the frame before
     anchor_moved,      ///< positions on the device are relative to another origin
-    film_recalled,     ///< a film's state was restored, without this feature's
+    film_recalled,     ///< a film's state was restored, but has no section of this feature
 };
 
 /// The feature's section in the saved state of a film.
@@ -107,8 +107,8 @@ struct FilmSection {
 };
 
 /// A part of the renderer that keeps buffers or state from picture to picture. A feature plans on the CPU,
-/// records its passes into a frame graph, forgets what an event makes obsolete, and saves the state from
-/// which the film's next frame continues.
+/// records its passes into a frame graph, and forgets data that an event makes obsolete. It also saves the
+/// state from which the film's next frame continues.
 class Feature {
 public:
     Feature() = default;
@@ -118,7 +118,8 @@ public:
     Feature& operator=(Feature&&) = delete;
     virtual ~Feature() = default;
 
-    /// Forgets what `event` makes obsolete. Buffers stay allocated, so it costs almost nothing.
+    /// Forgets the data that `event` makes obsolete. Buffers stay allocated, so the call costs almost
+    /// nothing.
     virtual void invalidate(Event event) = 0;
 
     /// Name and version of the saved section; none if the feature keeps no state from frame to frame.
@@ -128,7 +129,7 @@ public:
     virtual void save(FilmWriter& /*writer*/) {}
 
     /// Restores the state that save() wrote, for the next frame. Throws Error if the bytes are damaged or
-    /// belong to another scene; the feature may have lost its former state by then.
+    /// belong to another scene. After an Error the feature may have lost its former state.
     virtual void load(FilmReader& /*reader*/) {}
 };
 

@@ -14,14 +14,14 @@ namespace estampe::features {
 
 class PlacedNodes {
 public:
-    /// How long a transform is remembered, counted back from the newest moment.
+    /// Time for which a transform is remembered, counted back from the newest record.
     static constexpr double remembered_s = 12.0;
 
-    /// Records the nodes' transforms at a moment; forgets all records of later moments.
+    /// Records the nodes' transforms at a time; forgets all records of later times.
     void place(std::span<const NodePlace> places, double time_s);
 
-    /// Sets the scene's nodes to their transforms at a moment. Transforms are interpolated between recorded
-    /// moments. Before the first recorded moment and after the last one, transforms are constant.
+    /// Sets the scene's nodes to their transforms at a time. Transforms are interpolated between recorded
+    /// times. Before the first record and after the last one, transforms are constant.
     void put(Scene& scene, double time_s) const;
 
     [[nodiscard]] bool empty() const { return stands_.empty(); }
@@ -38,8 +38,8 @@ private:
 /// Throws Error if a node does not exist or a number is not finite.
 void check_places(std::span<const NodePlace> places, size_t node_count, double time_s);
 
-/// Clears the animation channels of these nodes' transforms; channels without keys stay, and mark the nodes
-/// as moving. Returns whether a mesh moves now that counted as static until now.
+/// Clears the animation channels of these nodes' transforms. The channels remain without keys, and mark the
+/// nodes as moving. Returns whether a mesh moves now that was treated as static before.
 [[nodiscard]] bool take_over(Scene& scene, std::span<const NodePlace> places);
 
 } // namespace estampe::features

@@ -13,10 +13,10 @@ namespace estampe::features {
 /// are those of the terrain's file.
 [[nodiscard]] wind::WindStyle wind_over(const std::optional<Terrain>& terrain, const wind::WindStyle& style);
 
-/// Tells the parts of `style` what they take from sections that several of them share: the wind over
-/// `terrain` (hatching, clouds, smoke, particles, and the section [wind] itself), and the fading of paint and
-/// hatching with distance from [haze]. Returns `style` itself if all of it is the default, or else `room`
-/// with the changed style. `style` may be `room`.
+/// Copies sections that several features read to the tables of those features: the wind over `terrain` to
+/// hatch, clouds, smoke, particles and wind, and the fading of paint and hatching in haze to wash and hatch.
+/// Returns `style` itself if wind and fading have their default values, or else `room` with the changed
+/// style. `style` may be `room`.
 [[nodiscard]] const StyleTables&
 with_shared_sections(const StyleTables& style, const std::optional<Terrain>& terrain, StyleTables& room);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Measures the pressure solver of a fluid: its time, and the divergence that it leaves.
+// Measures the pressure solver of a fluid: the GPU time, and the divergence that remains after the solve.
 
 #include <optional>
 #include <string>
@@ -22,12 +22,12 @@ public:
     }
 
     /// Runs a graph that ends with `steps` steps of `fluid`. Reads the divergence back after the last graph
-    /// of a picture. Cost when measuring: two passes in the last graph, and two numbers per cell from the
-    /// device.
+    /// of a picture. Cost when measuring: two passes in the last graph, and a read-back of two numbers per
+    /// cell.
     void run(gpu::Graph& graph, const fluid::Fluid& fluid, const fluid::FluidStyle& style,
              const fluid::FluidFields& fields, uint32_t steps, bool is_last);
 
-    /// None before the last graph has run, or if nothing is measured.
+    /// Returns none before the last graph has run, or if nothing is measured.
     [[nodiscard]] std::optional<SolverReport> report() const { return report_; }
 
 private:

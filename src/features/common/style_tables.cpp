@@ -62,7 +62,7 @@ namespace {
 
 using By = style::Surfaces::By;
 
-/// For each override, whether it applies.
+/// Returns for each override whether the override applies.
 using Matches = std::vector<bool>;
 
 Matches matches_of(const std::vector<style::Override>& overrides, By by, const std::string& name)
@@ -117,8 +117,8 @@ bool is_seen_through(const StyleTables& style, const Material& material)
            style.subsurface.transmission && !subsurface::is_clear(style.subsurface);
 }
 
-/// The variant of a transparent material: strokes are paler on it, as behind a screen, and its colour tints
-/// what lies behind where colour is painted.
+/// The style variant of a transparent material: strokes on the material are paler. If the style paints
+/// colour, the material's colour tints the surfaces behind it.
 StyleTables seen_through(StyleTables variant, const Material& material)
 {
     variant.subsurface = subsurface::seen_through(variant.subsurface, material, variant.wash.strength);
@@ -168,7 +168,7 @@ StyleVariants style_variants(const pose::MeshData& meshes, const Scene& scene, c
     std::map<std::pair<uint32_t, Index>, uint32_t> clear_variants; // key: variant and material
     for (size_t draw = 0; draw < meshes.draws.size(); ++draw) {
         Matches matches(style.overrides.size(), false);
-        if (draw < meshes.sources.size()) { // a draw without source is the ground
+        if (draw < meshes.sources.size()) { // a draw call without a source is the ground
             add(matches, of_nodes[meshes.sources[draw].node]);
             if (meshes.draws[draw].material < of_materials.size()) {
                 add(matches, of_materials[meshes.draws[draw].material]);

@@ -76,31 +76,31 @@ struct StyleTables {
     sky::SkyStyle sky;
     sky::CloudStyle clouds;
     paper::PaperStyle paper;
-    std::vector<style::Override> overrides; ///< parameters that single materials and objects set differently
+    std::vector<style::Override> overrides; ///< parameter values of single materials and objects
 };
 
-/// Describes every parameter; made once. Reads and writes StyleTables: `style_schema().set(tables,
+/// Describes every parameter; built once. Reads and writes StyleTables: `style_schema().set(tables,
 /// "hatch.width_mm=0.5")`.
 [[nodiscard]] const style::Schema<StyleTables>& style_schema();
 
-/// The distinct styles within one picture, and the style of each draw.
+/// The distinct styles within one picture, and the style of each draw call.
 struct StyleVariants {
     std::vector<StyleTables> styles;       ///< the first is the picture's own style
     std::vector<uint32_t> variant_of_draw; ///< index into `styles` per draw; empty if there is only one style
-    /// The lines to search for, for all variants together: a kind is on if any variant draws it, with the
-    /// largest width.
+    /// The lines to search for, for all style variants together. A kind of line is searched if any variant
+    /// draws it, with the largest width of all variants.
     contour::ContourStyle lines;
 
     [[nodiscard]] bool has_several() const { return styles.size() > 1; }
 };
 
-/// Draws to which the same overrides apply share a variant. The list of styles reuses the memory of `room`.
-/// Cost: linear in draws times overrides.
+/// Draw calls with the same overrides share a style variant. The list of styles reuses the memory of `room`.
+/// Cost: linear in draw calls times overrides.
 [[nodiscard]] StyleVariants style_variants(const pose::MeshData& meshes, const Scene& scene,
                                            const StyleTables& style, std::vector<StyleTables> room = {});
 
-/// The variant of each node: `variant_of_draw` has one entry per node. An override of a node also applies to
-/// its descendants. Cost: linear in nodes times overrides.
+/// The style variant of each node: `variant_of_draw` has one entry per node. An override of a node also
+/// applies to the node's descendants. Cost: linear in nodes times overrides.
 [[nodiscard]] StyleVariants style_variants_of_nodes(const Scene& scene, const StyleTables& style);
 
 /// One message per pattern of the style's overrides that matches nothing in the scene.

@@ -14,7 +14,7 @@
 namespace estampe::features {
 namespace {
 
-/// The triangles of each draw that go into the atlas.
+/// The triangles of each draw call that are put into the atlas.
 std::vector<std::vector<uint32_t>> triangles_of_draws(const pose::MeshData& layout)
 {
     std::vector<std::vector<uint32_t>> of_draw(layout.draws.size());

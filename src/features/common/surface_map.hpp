@@ -2,7 +2,7 @@
 #pragma once
 
 // A texture atlas over all surfaces: each point of a triangle has its own texel, whose position and normal
-// follow the pose. Values computed per texel can be kept from picture to picture, and spread along the
+// follow the pose. Values computed per texel can be reused in the next picture, and blurred along the
 // surface.
 
 #include <cstdint>
@@ -21,13 +21,13 @@ struct SurfaceMapData {
     float texels_per_m = 0.0F;      ///< at the scale of the rest pose
     std::vector<glm::uvec4> texels; ///< row by row: triangle + 1, or 0; weights of corners 2 and 3
     std::vector<glm::vec2> corners; ///< three per triangle, in texels; negative outside the atlas
-    uint32_t cut_draws = 0;         ///< number of draws without usable UVs, which were cut into charts
+    uint32_t cut_draws = 0;         ///< number of draw calls without usable UVs, which were cut into charts
 };
 
-/// Packs all opaque and masked surfaces except ground and terrain into a square of `size` texels per side. A
-/// draw keeps its own UVs (the second set is tried first) if they cover all its triangles without overlap;
-/// otherwise its triangles are cut into charts, as `estampe bake` does. Throws Error if the charts do not
-/// fit. Cost: a few microseconds per triangle.
+/// Packs all opaque and masked surfaces except ground and terrain into a square of `size` texels per side.
+/// The UVs of a draw call are used if they cover all its triangles without overlap; the second UV set is
+/// tried first. Otherwise the triangles of the draw call are cut into charts, as `estampe bake` does. Throws
+/// Error if the charts do not fit. Cost: a few microseconds per triangle.
 [[nodiscard]] SurfaceMapData make_surface_map(const pose::MeshData& layout, uint32_t size);
 
 /// A SurfaceMapData on the device.

@@ -18,7 +18,7 @@ struct PixelRect {
     bool operator==(const PixelRect&) const = default;
 };
 
-/// The whole page at reduced resolution. Results that must not differ between tiles are computed on it.
+/// The whole page at reduced resolution. Results that must be equal in all tiles are computed from this page.
 struct Survey {
     PixelRect part;      ///< in page pixels; larger than the page if `shrink` does not divide its size
     uint32_t shrink = 1; ///< page pixels per survey pixel, along each axis
@@ -30,7 +30,7 @@ struct Survey {
 struct ViewSettings {
     glm::uvec2 size_px{0};         ///< of the whole page
     std::optional<PixelRect> tile; ///< part of the page to draw; none draws the whole page
-    std::optional<Survey> survey;  ///< replaces the page by one of fewer pixels
+    std::optional<Survey> survey;  ///< a survey replaces the page by a page of fewer pixels
     glm::dvec2 jitter_px{0.0};     ///< subpixel shift of the picture, within half a pixel
     double page_height_mm = 150.0;
     float nearby_m = 1.0F; ///< see FrameGlobals::nearby_m
@@ -43,23 +43,23 @@ struct ViewSettings {
 struct MotionPlan {
     glm::mat4 clip_from_anchor{1.0F}; ///< without the subpixel shift of a sample
     glm::mat4 clip_from_anchor_before{1.0F};
-    bool pose_moved = false; ///< vertices moved; MeshBuffers::posed_vertices[1] holds the former ones
+    bool pose_moved = false; ///< vertices moved; MeshBuffers::posed_vertices[1] holds the former vertices
 };
 
-/// Camera matrices with reversed z: in perspective with an infinite far plane, in parallel projection with a
-/// depth range that contains `bounds`. Positions become relative to `anchor` in double precision, before
+/// Camera matrices with reversed z. A perspective has an infinite far plane; a parallel projection has a
+/// depth range that contains `bounds`. Positions are made relative to `anchor` in double precision, before
 /// they are rounded to floats.
 [[nodiscard]] shared::FrameGlobals frame_globals(const Camera& camera, const Bounds& bounds,
                                                  const glm::dvec3& anchor, const ViewSettings& settings);
 
-/// Maps anchor space to the clip space of the drawn tile, or of the page if all of it is drawn.
+/// Maps anchor space to the clip space of the drawn tile, or of the whole page if there are no tiles.
 [[nodiscard]] glm::mat4 drawn_clip(const shared::FrameGlobals& globals);
 
 /// The globals of a picture of half the resolution, which samples the pixels at even page coordinates.
 [[nodiscard]] shared::FrameGlobals every_second(shared::FrameGlobals globals);
 
-/// Distance from the eye within which the nearest fifth of `places` lies, in their unit; at most 4096 of
-/// them are sampled. 0 without places. The result changes smoothly as the eye moves.
+/// Distance from the eye within which the nearest fifth of `places` are, in the unit of `places`. At most
+/// 4096 places are sampled. Returns 0 without places. The result changes smoothly as the eye moves.
 [[nodiscard]] float nearby(std::span<const glm::vec3> places, const glm::vec3& eye);
 
 /// Pixels per millimetre of a page that is `height_px` pixels high.
@@ -70,7 +70,7 @@ struct PixelSize {
     float at_one_m = 0.001F; ///< at a distance of one metre; in parallel projection at any distance
     bool is_parallel = false;
 
-    /// The size at a distance from the eye.
+    /// The size of a page pixel at a distance from the eye.
     template <std::floating_point Number>
     [[nodiscard]] Number at(Number distance_m) const
     {
@@ -78,8 +78,8 @@ struct PixelSize {
     }
 };
 
-/// A camera of wider view: a centred window of `share` of its page's height shows what `camera` shows on the
-/// whole page.
+/// A camera with a wider view. A centred window with `share` of the page's height then shows the view of
+/// `camera` on the whole page.
 [[nodiscard]] Camera seen_within(const Camera& camera, double share);
 
 [[nodiscard]] PixelSize pixel_size(const Camera& camera, uint32_t height_px);

@@ -36,23 +36,24 @@ struct StrokePlan {
     }
 };
 
-/// Chooses what the strokes of each draw follow: the choice of its style variant if its surface allows it.
-/// Strokes follow UVs only on meshes that have them; a ground has no form, and dunes use their slope. The
-/// list reuses the memory of `room`. Cost: linear in draws.
+/// Chooses the direction that the strokes of each draw call follow: the choice of its style variant, if the
+/// surface allows this choice. Strokes follow UVs only on meshes with UVs. A ground has no form, and dunes
+/// use their slope. The list reuses the memory of `room`. Cost: linear in draw calls.
 [[nodiscard]] StrokePlan plan_strokes(const pose::MeshData& meshes, const StyleVariants& variants,
                                       std::vector<uint32_t> room = {});
 
-/// The hatching lines that shadow edges can follow; none if the hatching is not made of lines.
+/// The hatching lines whose direction shadow edges can follow; none if the hatching does not consist of
+/// lines.
 [[nodiscard]] std::optional<shadow::HatchedLines>
 hatched_lines(const hatch::HatchStyle& style, const glm::vec3& towards_light, const StrokePlan& strokes);
 
-/// Coordinates along the form in the rest pose, three per triangle; zero for draws that do not follow the
-/// form. Cost: form::follow_form() per draw.
+/// Coordinates along the form in the rest pose, three per triangle; zero for draw calls that do not follow
+/// the form. Cost: form::follow_form() per draw call.
 [[nodiscard]] std::vector<glm::vec2> form_coordinates(const pose::MeshData& meshes, const StrokePlan& plan);
 
 /// Everything on which a tonal art map depends.
 struct MapChoice {
-    std::string file; ///< path of a map; empty draws one by `drawn`
+    std::string file; ///< path of a map; if empty, a map is drawn by `drawn`
     tam::TamStyle drawn;
     hatch::MapTone tone = hatch::MapTone::order;
     float contrast = 1.0F;
@@ -63,9 +64,9 @@ struct MapChoice {
 [[nodiscard]] MapChoice map_choice(const StyleTables& style);
 
 /// Reads the map's file, or draws the map. A drawn map is cached in `estampe` under $XDG_CACHE_HOME or
-/// ~/.cache; without a usable cache it is drawn every time. Throws Error naming the file if it is not a map,
-/// or naming the style if the map cannot be drawn. Cost: about a second to draw 512 px and six tones; 50 ms
-/// to read them.
+/// ~/.cache; without a usable cache the map is drawn every time. Throws Error with the file's name if the
+/// file is not a map, or with the style's name if the map cannot be drawn. Cost: about a second to draw six
+/// tones of 512 px; 50 ms to read them.
 [[nodiscard]] hatch::MapData load_map(const MapChoice& choice);
 
 /// Tonal art maps on the device, one per distinct choice among the style variants, kept from picture to
@@ -96,21 +97,22 @@ private:
 
 class Hatching final : public Feature {
 public:
-    /// Forgets the stroke kinds when draws or triangles get new numbers.
+    /// Forgets the stroke kinds when draw calls or triangles get new numbers.
     void invalidate(Event event) override;
 
-    /// Uploads what the strokes of each draw follow. Costs nothing if that is unchanged; otherwise linear in
-    /// triangles if strokes follow the form.
+    /// Uploads the stroke kind of each draw call. Costs nothing if no stroke kind changed; otherwise linear
+    /// in triangles if strokes follow the form.
     void ensure_strokes(gpu::Device& device, const pose::MeshData& layout, const StrokePlan& strokes);
 
     /// Tonal art maps of the style variants.
     [[nodiscard]] TonalMaps& maps() { return maps_; }
 
-    /// How each style variant is hatched; needs TonalMaps::ensure() first. Valid until the next call.
+    /// How each style variant is hatched; call TonalMaps::ensure() first. The result is valid until the next
+    /// call.
     [[nodiscard]] const std::vector<hatch::HatchVariant>& variants(gpu::Graph& graph,
                                                                    const std::vector<StyleTables>& styles);
 
-    /// One kind per draw, numbered as in shaders/stroke_kind.glsl.h.
+    /// One stroke kind per draw call, numbered as in shaders/stroke_kind.glsl.h.
     [[nodiscard]] gpu::Buffer& kinds() { return kinds_; }
 
     /// Three per triangle; empty if no strokes follow the form.
@@ -118,7 +120,7 @@ public:
 
 private:
     TonalMaps maps_;
-    std::vector<hatch::HatchVariant> variants_; ///< kept for its memory
+    std::vector<hatch::HatchVariant> variants_; ///< kept to reuse its memory
     std::vector<uint32_t> kind_of_draw_;        ///< the content of `kinds_`
     gpu::Buffer kinds_;
     gpu::Buffer form_coordinates_;

@@ -65,7 +65,7 @@ ZoneWords zone_words(const std::string& text)
     return words;
 }
 
-/// A point's place on the page in millimetres; none behind the eye.
+/// A point's position on the page in millimetres; none for a point behind the eye.
 std::optional<glm::dvec2> page_place_mm(const ZoneView& view, const glm::dvec3& point)
 {
     const glm::dvec4 clip = glm::dmat4(view.page.clip_from_anchor) * glm::dvec4(point - view.anchor, 1.0);
@@ -155,10 +155,10 @@ std::vector<shared::InkZone> ink_zones(const ZoneView& view, std::string_view te
 namespace {
 
 constexpr double steps_per_s = 24.0; ///< at least
-constexpr double spin_up_s = 3.0;    ///< time for which new water is stirred from rest
+constexpr double spin_up_s = 3.0;    ///< time in which new water is accelerated from rest
 constexpr float metres_per_mm = 1e-3F;
 
-/// A grid of exactly the page, with walls, and 64 cells along the longer side. y points down.
+/// A grid that covers exactly the page, with walls, and with 64 cells along the longer side. y points down.
 fluid::Grid grid_of(glm::vec2 page_mm)
 {
     constexpr float most = 64.0F;
@@ -169,7 +169,8 @@ fluid::Grid grid_of(glm::vec2 page_mm)
     return {.cells = {cells, 1}, .cell_m = metres_per_mm * cell_mm, .edges = {wall, wall, wall}};
 }
 
-/// The places where the given flow pushes the water: discs on a lattice, half a swirl apart, and the zones.
+/// The places where the given flow pushes the water: the zones, and discs on a lattice with a spacing of half
+/// a swirl.
 class Spoons {
 public:
     Spoons(const ink::InkStyle& style, glm::vec2 page_mm, const std::vector<shared::InkZone>& zones)
@@ -269,7 +270,7 @@ std::vector<float> velocity_of(gpu::Device& device, gpu::Executor& executor, flu
     return fluid::run_and_read(device, executor, graph, velocity);
 }
 
-/// Stirs the water from one moment to another. Returns the meter's report; none if no step was needed.
+/// Advances the water from one time to another. Returns the meter's report; none if no step was needed.
 std::optional<SolverReport> pass(fluid::Fluid& fluid, SolverMeter meter, const Spoons& spoons, double from_s,
                                  double to_s)
 {
@@ -277,8 +278,8 @@ std::optional<SolverReport> pass(fluid::Fluid& fluid, SolverMeter meter, const S
     const double step_s = count > 0 ? (to_s - from_s) / count : 0.0;
     const fluid::FluidStyle style{.step_s = static_cast<float>(step_s),
                                   .stepping = fluid::Stepping::project,
-                                  // MacCormack spreads motion over the page; cubic interpolation would keep
-                                  // it in jets.
+                                  // MacCormack advection distributes motion over the page. Cubic
+                                  // interpolation would keep the motion in jets.
                                   .velocity_advection = fluid::Advection::maccormack,
                                   .forces = {.friction_per_s = 0.1F}};
     for (uint32_t done = 0; done < count;) {
@@ -489,8 +490,8 @@ std::optional<double> FlowingInk::before_s(const RenderSettings& settings, const
 
 namespace {
 
-/// `ink` with the scene's wind as `camera` sees it on the page. A wind across the view at 4 m/s carries ink
-/// as fast as the default of ink.wind_mm_per_s does.
+/// Returns `ink` with the scene's wind as `camera` sees it on the page. A wind across the view at 4 m/s
+/// advects ink as fast as the default of ink.wind_mm_per_s does.
 ink::InkStyle blown_by(ink::InkStyle ink, const wind::WindStyle& wind, const Camera& camera)
 {
     constexpr double mm_per_m = 4.5;

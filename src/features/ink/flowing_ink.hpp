@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Flowing ink from picture to picture: its state and the camera that saw it; the objects that give ink or
-// drive it; and the water on the page, whose eddies carry the ink.
+// Flowing ink from picture to picture: the ink's state and the camera of the last picture; the objects that
+// emit ink or move it; and the water on the page, which advects the ink.
 
 #include <memory>
 #include <optional>
@@ -28,9 +28,9 @@ class Fluid;
 
 namespace estampe::features {
 
-/// One word per draw, 1 if a comma-separated pattern matches its node or an ancestor of its node; the blank
-/// ground is never matched. Empty for "*", which means every draw. Patterns that match nothing are reported
-/// in `notes`.
+/// One value per draw call: 1 if a comma-separated pattern matches the draw call's node or an ancestor of the
+/// node. The blank ground never matches. Returns an empty list for "*", which means every draw call. Patterns
+/// that match nothing are reported in `notes`.
 [[nodiscard]] std::vector<uint32_t> ink_mask(const pose::MeshData& meshes, const Scene& scene,
                                              std::string_view patterns, std::vector<std::string>& notes);
 
@@ -48,7 +48,7 @@ struct ZoneView {
 [[nodiscard]] std::vector<shared::InkZone> ink_zones(const ZoneView& view, std::string_view text,
                                                      std::vector<std::string>& notes);
 
-/// The state of the water from which the next picture of a film continues.
+/// The state of the water at the end of a picture, for the next picture of a film.
 struct KeptWater {
     double time_s = 0.0;
     std::vector<float> velocity; ///< two numbers per cell
@@ -61,9 +61,10 @@ public:
     InkWater(const InkWater&) = delete;
     InkWater& operator=(const InkWater&) = delete;
 
-    /// Stirs the water for the ink's time step, and returns the resulting stream function for
-    /// ink::add_stream(). If the water's state is not of `time.from_s`, it starts from rest some seconds
-    /// earlier. `is_measured` fills solver_report(). Cost: a step of some 2,000 cells per 24th of a second.
+    /// Advances the water over the ink's time step, and returns the resulting stream function for
+    /// ink::add_stream(). If the water's state is not of the time `time.from_s`, the water starts from rest
+    /// some seconds earlier. `is_measured` fills solver_report(). Cost: one step of about 2,000 cells per
+    /// 24th of a second.
     [[nodiscard]] std::vector<float> stirred(gpu::Device& device, gpu::Executor& executor,
                                              const ink::InkStyle& style, const ink::Page& page,
                                              const ink::Time& time, const std::vector<shared::InkZone>& zones,
@@ -76,7 +77,7 @@ public:
 
     [[nodiscard]] std::optional<KeptWater> kept(gpu::Device& device, gpu::Executor& executor);
 
-    /// The next picture continues from `kept`, if its page has the same size.
+    /// Continues the next picture from `kept`, if its page has the same size.
     void recall(KeptWater kept);
 
 private:
@@ -95,7 +96,7 @@ struct FlowingInkInputs {
     const RenderSettings& settings;
     const StyleTables& style;
     float nearby_m = 1.0F;   ///< see FrameGlobals::nearby_m
-    bool pose_moved = false; ///< vertices moved since the picture before
+    bool pose_moved = false; ///< vertices moved since the previous picture
 };
 
 struct InkPlan {
@@ -105,7 +106,7 @@ struct InkPlan {
 
 class FlowingInk final : public Feature {
 public:
-    /// The time of the ink from which the next picture continues; none if the ink starts again.
+    /// The time of the ink at the end of the last picture; none if the ink starts again.
     [[nodiscard]] std::optional<double> before_s(const RenderSettings& settings,
                                                  const ink::InkStyle& style) const;
 

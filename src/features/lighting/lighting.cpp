@@ -55,7 +55,7 @@ constexpr int group_count = 16;
                 fmt::format("allowed: {}", allowed));
 }
 
-/// The rest of `word` after `name` and a colon.
+/// The part of `word` after `name` and a colon.
 std::optional<std::string> argument(const std::string& word, const std::string& name)
 {
     if (word.size() <= name.size() || word.compare(0, name.size(), name) != 0 || word[name.size()] != ':') {

@@ -24,8 +24,8 @@ namespace estampe::features {
 /// once, at the first call.
 class DefaultLight {
 public:
-    /// The analysis that places the light, for an eye if there is one; empty if the style uses the scene's
-    /// own lights. Cost: the first call as analyze_view(), later ones a millisecond.
+    /// Returns the analysis that places the light, for an eye if there is one; empty if the style uses the
+    /// scene's own lights. Cost: the first call costs as much as analyze_view(), a later call a millisecond.
     [[nodiscard]] ViewAnalysis analysis(const Scene& scene, const light::LightStyle& style,
                                         const std::optional<glm::dvec3>& eye);
 
@@ -53,10 +53,10 @@ struct LightingWords {
 
 [[nodiscard]] LightingOfScene lighting_of(const Scene& scene);
 
-/// Whether the links are equal. If not, triangles and draws must be built again.
+/// Whether the links are equal. If they differ, triangles and draw calls must be built again.
 [[nodiscard]] bool same_links(const LightingOfScene& a, const LightingOfScene& b);
 
-/// Whether all is equal except the intensities of lights that are on in both.
+/// Whether both are equal, apart from the intensities of lights that are on in both.
 [[nodiscard]] bool same_but_for_brightness(const LightingOfScene& a, const LightingOfScene& b);
 
 /// Sets light intensities. Throws Error if a light does not exist, or if an intensity is negative or not
@@ -64,8 +64,9 @@ struct LightingWords {
 void brighten(LightingOfScene& lighting, std::span<const LightBrightness> lights);
 
 /// Applies the style's `light.lights` and `light.objects` to `own`. A light is found by its name or its
-/// node's name; an object by its node's name, which includes all descendants, or by its material's. Throws
-/// Error if a text cannot be parsed, or names what is not in the scene. Cost: linear in nodes and words.
+/// node's name. An object is found by its node's name, which includes all descendants, or by its material's
+/// name. Throws Error if a text cannot be parsed, or contains a name that is not in the scene. Cost: linear
+/// in nodes and words.
 [[nodiscard]] LightingOfScene styled_lighting(const LightingOfScene& own, const Scene& scene,
                                               const light::LightStyle& style);
 

@@ -17,7 +17,7 @@ namespace {
 
 using Place = std::tuple<Index, uint32_t, uint32_t>; // node, primitive, instance
 
-/// Calls `visit` with each triangle's number, its draw, and its number within that draw.
+/// Calls `visit` with each triangle's number, its draw call, and its number within that draw call.
 template <class Visit>
 void visit_triangles(const pose::MeshData& meshes, const Visit& visit)
 {
@@ -28,8 +28,8 @@ void visit_triangles(const pose::MeshData& meshes, const Visit& visit)
     }
 }
 
-/// Mean luminance over the triangles that have a lightmap: each is sampled at its centre and weighted by its
-/// area in the map.
+/// Mean luminance over the triangles that have a lightmap. Each triangle is sampled at its centre and
+/// weighted by its area in the map.
 float mean_level(const lightmap::MapData& map, const pose::MeshData& meshes)
 {
     double sum = 0.0;
@@ -56,7 +56,7 @@ float mean_level(const lightmap::MapData& map, const pose::MeshData& meshes)
     return static_cast<float>(sum / std::max(room, 1e-12));
 }
 
-/// The lightmap of a draw as the file assigns it: by node, otherwise by material, otherwise for the whole
+/// The lightmap that the file assigns to a draw call: by node, otherwise by material, otherwise for the whole
 /// scene.
 std::optional<WornPicture> picture_of(const Lightmap& map, Index node, Index material)
 {
@@ -177,8 +177,8 @@ float make_room(light::Lighting& lighting, const std::optional<WornLight>& worn,
     if (!style.balance) {
         return scale;
     }
-    // The style's exposure puts well-lit places at about 1 plus the ambient light; with the map they would
-    // be at 1 plus the map.
+    // The style's exposure maps well-lit places to about 1 plus the ambient light. With the lightmap, the
+    // exposure would map these places to 1 plus the lightmap's light.
     const float dimmed = (1.0F + luminance(lighting.ambient)) / (1.0F + scale * baked.level);
     lighting.ambient *= dimmed;
     for (shared::LightRecord& record : lighting.records) {

@@ -14,10 +14,10 @@
 
 namespace estampe::features {
 
-/// Assigns a lightmap to the triangles of `meshes`, which were built from `scene`: a baked map to static
-/// triangles, or the pictures that the scene's file names to meshes with the UVs for them. Transparent
-/// surfaces and the ground get none. Throws Error if a baked map was made for another scene, or if no mesh
-/// can use the pictures. Cost: linear in triangles.
+/// Assigns a lightmap to the triangles of `meshes`, which were built from `scene`. A baked map is assigned to
+/// static triangles; pictures that the scene's file names are assigned to meshes with UVs for them.
+/// Transparent surfaces and the ground get no lightmap. Throws Error if a baked map was made for another
+/// scene, or if no mesh can use the pictures. Cost: linear in triangles.
 [[nodiscard]] lightmap::MapData worn_map(const Lightmap& map, const Scene& scene,
                                          const pose::MeshData& meshes);
 

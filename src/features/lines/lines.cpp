@@ -22,8 +22,8 @@ struct Share {
     float to = 1.0F;
 };
 
-/// Shortens the range `kept` to the part where the segment from `a` to `b` lies between `least` and `most`.
-/// `kept` counts in shares of the segment.
+/// Shortens the range `kept` to the part where the segment from `a` to `b` is between `least` and `most`.
+/// `kept` is measured in shares of the segment, 0 to 1.
 void keep_between(float a, float b, float least, float most, Share& kept)
 {
     for (const auto& [from, to] : {std::pair(a - least, b - least), std::pair(most - a, most - b)}) {
@@ -96,7 +96,7 @@ std::vector<VectorStroke> clipped(const VectorStroke& stroke, const paper::Windo
 
 namespace {
 
-/// One number per node instance, for each of its draws.
+/// One number per node instance, assigned to each of the instance's draw calls.
 std::vector<uint32_t> bodies_of_draws(const pose::MeshData& layout)
 {
     std::map<std::pair<Index, uint32_t>, uint32_t> numbers;
@@ -110,11 +110,12 @@ std::vector<uint32_t> bodies_of_draws(const pose::MeshData& layout)
     return bodies;
 }
 
-/// Diameter of each vertex's object in units of the rest pose; bending is measured relative to it.
+/// Diameter of each vertex's object in units of the rest pose; the bending of lines is relative to this
+/// diameter.
 std::vector<float> sizes_of_objects(const pose::MeshData& layout)
 {
     const std::vector<uint32_t> body_of_draw = bodies_of_draws(layout);
-    std::vector<Bounds> bounds(layout.draws.size()); // there are at most as many bodies as draws
+    std::vector<Bounds> bounds(layout.draws.size()); // there are at most as many bodies as draw calls
     for (size_t v = 0; v < layout.draw_of_vertex.size(); ++v) {
         const uint32_t body = body_of_draw[layout.draw_of_vertex[v]];
         if (body != contour::no_side) {
@@ -258,8 +259,8 @@ constexpr uint32_t rows = shared::brush_rows;
 constexpr uint32_t seed = 7;
 constexpr float hairs = 4.0F; // finer than in tonal art maps, whose strokes are a few pixels wide
 
-/// Position along a tool's stroke: a whole stroke from start to end, or periodic, so that its end meets its
-/// start.
+/// Position along a tool's stroke: either a whole stroke from start to end, or a periodic stroke whose end
+/// joins its start.
 float progress(float share, contour::BrushFit fit)
 {
     if (fit == contour::BrushFit::stretch) {
@@ -345,7 +346,8 @@ BrushChoice brush_choice(const contour::ContourStyle& style)
     BrushChoice choice{.fit = style.brush_fit};
     for (uint32_t kind = 0; kind < shared::line_kind_count; ++kind) {
         const std::string& own = contour::line_style(style, kind).brush;
-        // Geometric kinds are searched even if the style draws none: a material's variant may draw them.
+        // Geometric kinds of lines are searched even if the style draws none: a material's style variant may
+        // draw them.
         const bool is_found = kind < shared::line_marked || contour::has_lines(style, kind);
         if (is_found) {
             choice.brush_of_kind.at(kind) = own.empty() ? style.brush : own;

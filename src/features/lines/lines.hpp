@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Lines from picture to picture: the mesh in which they are found, the brushes that draw them, and the lines
-// of the frame before. Also clips vector strokes to the page.
+// Lines from picture to picture: the mesh in which lines are found, the brushes that draw lines, and the
+// lines of the previous frame. This file also clips vector strokes to the page.
 
 #include <array>
 #include <future>
@@ -24,8 +24,8 @@
 
 namespace estampe::features {
 
-/// The parts of a stroke within the window of the page. A closed stroke that leaves the window becomes open
-/// ones. Empty for a stroke without length.
+/// The parts of a stroke inside the window of the page. A closed stroke that leaves the window becomes
+/// several open strokes. The result is empty for a stroke without length.
 [[nodiscard]] std::vector<VectorStroke> clipped(const VectorStroke& stroke, const paper::Window& window);
 
 /// The line mesh of one scene, made when lines are first drawn as chains.
@@ -64,13 +64,14 @@ private:
     std::optional<contour::LineMesh> lines_;
 };
 
-/// The edge mesh of the triangles in `layout`. The ground and surfaces with holes cut by a texture are left
-/// out: their visible borders are not their mesh edges.
+/// The edge mesh of the triangles in `layout`. The ground, and surfaces with holes cut by a texture, are left
+/// out, because their visible borders are not mesh edges.
 [[nodiscard]] contour::EdgeMesh edge_mesh_of(const pose::MeshData& layout);
 
 /// Everything on which the brushes of a style depend.
 struct BrushChoice {
-    /// A name of contour::brush_names() or a path. Empty means the pen, or a kind that is not searched.
+    /// A name of contour::brush_names() or a path. Empty means the pen, or a kind of line that is not
+    /// searched.
     std::array<std::string, shared::line_kind_count> brush_of_kind;
     contour::BrushFit fit = contour::BrushFit::repeat;
     float dash_mm = 0.0F; ///< of hidden lines; 0 means no dashes
@@ -81,7 +82,7 @@ struct BrushChoice {
 
 [[nodiscard]] BrushChoice brush_choice(const contour::ContourStyle& style);
 
-/// Whether every kind of line uses the pen.
+/// Whether all kinds of lines use the pen.
 [[nodiscard]] bool is_drawn_by_pen(const contour::ContourStyle& style);
 
 /// Draws the tools' brushes by the formulas of [tam](../techniques/tam/README.md), and reads brushes from

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Motion blur and smear strokes from picture to picture: the data that they keep about the scene's meshes.
+// Motion blur and smear strokes from picture to picture: the cached data about the scene's meshes.
 
 #include "features/common/feature.hpp"
 #include "techniques/motion_blur/motion_blur.hpp"
@@ -11,12 +11,12 @@ namespace estampe::features {
 
 class MotionBlur final : public Feature {
 public:
-    /// Forgets vertices and seeds when the scene or its layout is replaced: both contain vertex and triangle
-    /// numbers.
+    /// Forgets vertices and seeds when the scene or its layout is replaced, because both contain vertex and
+    /// triangle numbers.
     void invalidate(Event event) override;
 
-    /// Makes the data that the style needs. Smear strokes start on solid surfaces, but not on blank ground
-    /// or terrain. Costs nothing if the data exists; otherwise n log n in vertices, linear in triangles.
+    /// Computes the data that the style needs. Smear strokes start on solid surfaces, but not on blank ground
+    /// or terrain. Costs nothing if the data exists; otherwise n log n in vertices and linear in triangles.
     void prepare(gpu::Device& device, const pose::MeshData& layout,
                  const motion_blur::MotionBlurStyle& style);
 

@@ -8,7 +8,7 @@
 namespace estampe::features {
 namespace {
 
-/// Linear colour of each posed vertex: its own times the mean of its material.
+/// Linear colour of each posed vertex: the vertex's own colour times the mean colour of its material.
 std::vector<glm::vec3> colors_of_vertices(const pose::MeshData& layout,
                                           const surface::MaterialBuffers& materials)
 {

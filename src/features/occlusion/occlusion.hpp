@@ -14,8 +14,8 @@ namespace estampe::features {
 
 class Occlusion final : public Feature {
 public:
-    /// Forgets what was computed for other surfaces or another pose, even if the next picture does not use
-    /// it.
+    /// Forgets data that was computed for other surfaces or another pose, even if the next picture does not
+    /// use occlusion.
     void invalidate(Event event) override;
 
     /// Makes the data that the style's method keeps about all surfaces except blank ground and terrain.

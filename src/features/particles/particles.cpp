@@ -104,7 +104,7 @@ particles::Emitter emitter_at(const glm::dmat4& world_from_node)
             .size = glm::length(up)};
 }
 
-/// Former poses of the scene, each computed once for all emitters.
+/// Earlier poses of the scene, each computed once for all emitters.
 class Past {
 public:
     static constexpr double step_s = 0.15;
@@ -126,7 +126,7 @@ private:
     std::deque<ScenePose> poses_;
 };
 
-/// Adds to moving emitters their former places, as far back as their particles live.
+/// Adds earlier positions to moving emitters, as far back as the lifetime of their particles.
 void look_back(std::vector<particles::Emitter>& emitters, const std::vector<size_t>& nodes, Past& past,
                double life_s)
 {

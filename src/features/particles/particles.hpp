@@ -2,8 +2,8 @@
 #pragma once
 
 // Finds the nodes that emit particles and plans their sprites on the page. The smoke puff of a sprite is
-// simulated once and kept as frames. Section 6.5 of the thesis calls this a mixed technique: one small
-// simulation shown on dozens of sprites.
+// simulated once and stored as frames. Section 6.5 of the thesis calls this a mixed technique: one small
+// simulation is shown on dozens of sprites.
 
 #include <functional>
 #include <span>

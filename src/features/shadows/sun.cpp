@@ -84,7 +84,7 @@ void add_casters_within(const shadow::Piece& piece, const shadow::Clipmap& clipm
 {
     const size_t first = batches.size();
     std::vector<bool> bars;        // per batch: the gap before it contains triangles that must not be drawn
-    uint32_t passed_triangles = 0; // triangles of casters outside the piece since the last batch
+    uint32_t passed_triangles = 0; // triangles of casters outside the piece, since the last batch
     for (const StillCaster& caster : still) {
         if (!caster.place.empty() && !is_within(caster.place, anchor, clipmap, piece)) {
             passed_triangles += caster.range.count;
@@ -150,8 +150,8 @@ double nearest_m(const Bounds& casters, const glm::dvec3& eye)
     return std::clamp(std::max(beside, above), 1e-3 * casters.radius(), 2.0 * casters.radius());
 }
 
-/// The casters' box, rounded to a coarse lattice and extended around the static casters. Motion within it
-/// changes neither the box nor the map; motion beyond it seldom does.
+/// The casters' box, rounded to a coarse lattice and extended around the static casters. Motion within the
+/// box changes neither the box nor the map. Motion beyond the box seldom changes them.
 Bounds roomy(const SunScene& scene)
 {
     const Bounds& middle = scene.still.empty() ? scene.casters : scene.still;

@@ -23,7 +23,7 @@
 
 namespace estampe::features {
 
-/// A draw that casts shadows and never moves.
+/// A draw call that casts shadows and never moves.
 struct StillCaster {
     pose::Range range;
     Bounds place; ///< world space
@@ -34,9 +34,9 @@ struct StillCaster {
 /// The static casters of a scene, in the order of their triangles. Cost: linear in nodes and triangles.
 [[nodiscard]] std::vector<StillCaster> still_casters(const pose::MeshData& layout, const Scene& scene);
 
-/// Appends the casters of `still` that may be visible in a piece, as at most `most` batches, or more if
-/// there are more kinds. To merge batches, the triangles in short gaps between them are drawn too. Cost:
-/// linear in draws.
+/// Appends the casters of `still` that may be visible in a piece of the clipmap, as at most `most` batches,
+/// or more if there are more kinds of casters. To merge batches, the triangles in short gaps between them are
+/// drawn too. Cost: linear in draw calls.
 void add_casters_within(const shadow::Piece& piece, const shadow::Clipmap& clipmap, const glm::dvec3& anchor,
                         std::span<const StillCaster> still, Groups groups, size_t most,
                         std::vector<raster::Batch>& batches);
@@ -128,19 +128,19 @@ public:
     /// Records that something moved from and to these boxes (anchor space).
     void move(std::span<const Bounds> places) { moved_.insert(moved_.end(), places.begin(), places.end()); }
 
-    /// Allocates the map for `plan`, and returns what to draw into it. If something moves while the sun stays
-    /// as in the picture before, static casters get a map of their own. That map is drawn again when the sun
-    /// moves after a rest.
+    /// Allocates the map for `plan`, and returns the parts of the map to draw. If something moves while the
+    /// sun is as in the previous picture, static casters get a map of their own. That map is drawn again when
+    /// the sun moves after a rest.
     [[nodiscard]] SunMapWork ensure(gpu::Device& device, const SunMapPlan& plan, const SunCasters& casters);
     /// Records that the work for `plan` has been drawn.
     void drawn(const SunMapPlan& plan);
 
     /// Draws the parts listed in `work`, and returns the map.
     ///
-    /// Cost    nothing if nothing must be drawn; otherwise raster::add_depth(), for a clipmap once per
-    ///         piece with only the static casters there, or in compute raster::add_depth_views() for all
-    ///         levels. With a map of static casters, moving ones are also drawn, and merged where they were
-    ///         and are
+    /// Cost    nothing if nothing must be drawn. Otherwise raster::add_depth(), for a clipmap once per piece
+    ///         with only the static casters of the piece, or in compute raster::add_depth_views() for all
+    ///         levels. With a map of static casters, moving casters are drawn too, and merged at their old
+    ///         and new places
     [[nodiscard]] gpu::BufferId record(gpu::Graph& graph, const ShadowScene& scene, const SunMapPlan& plan,
                                        const SunMapWork& work);
 
@@ -163,7 +163,7 @@ private:
     gpu::Buffer pictures_;
     gpu::Buffer tiles_; ///< tiles of `pictures_` in which the map changes
     std::vector<uint32_t> tile_list_;
-    std::vector<raster::Batch> casters_; ///< kept for its memory
+    std::vector<raster::Batch> casters_; ///< kept to reuse its memory
     bool has_still_ = false;             ///< the static map is valid wherever the map is
     bool stood_ = false;                 ///< the sun was unchanged at the last ensure()
     std::vector<Bounds> moved_;

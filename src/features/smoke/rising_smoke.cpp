@@ -66,13 +66,13 @@ std::optional<smoke::Box> box_about(const glm::dmat4& world_from_node, const glm
                       .grid_from_anchor = glm::mat4(glm::inverse(anchor_from_grid))};
 }
 
-/// Steps that are left for the picture's graph.
+/// Steps of the simulation that run in the picture's graph.
 struct StepsLeft {
     fluid::FluidStyle style;
     uint32_t count = 0;
 };
 
-/// The simulation of a box's smoke over a period.
+/// The simulation of the smoke in a box over a period.
 struct Rise {
     const smoke::Box& box;
     const smoke::SmokeStyle& style;
@@ -87,7 +87,7 @@ struct Risen {
     StepsLeft left;
 };
 
-/// Takes all steps except those that the picture's own graph has room for. If steps are measured, takes all.
+/// Runs all steps except those that fit into the picture's own graph. If steps are measured, runs all.
 Risen let_rise(fluid::Fluid& fluid, SolverMeter meter, const Rise& rise)
 {
     const auto count =
@@ -165,7 +165,7 @@ struct RisingSmoke::Column {
         return fluid->add_steps(graph, now.style, now.count);
     }
 
-    /// Takes the steps that are left because no picture's graph used them.
+    /// Runs the remaining steps if no picture's graph has run them.
     void catch_up(gpu::Executor& executor)
     {
         if (left.count > 0) {

@@ -27,8 +27,8 @@ namespace estampe::features {
 /// directional.
 [[nodiscard]] std::vector<smoke::Lamp> smoke_lamps(const light::Lighting& lighting, bool has_sun_map);
 
-/// Adds the glow of fires at the smoke's sources to the lights, if the style asks for it. The fires flicker
-/// with time.
+/// Adds the glow of fires at the smoke's sources to the lights, if the style asks for the glow. The fires
+/// flicker with time.
 void add_fires(light::Lighting& lighting, const std::vector<smoke::Box>& boxes,
                const smoke::SmokeStyle& style, double time_s);
 
@@ -48,9 +48,9 @@ struct SmokePlan {
     std::vector<smoke::Box> boxes; ///< at least one
 };
 
-/// One box per node that the pattern matches: 2 m wide along each axis in the node's space, with the node at
-/// the middle of the box's floor. The sides are powers of two in cells. Boxes are numbered in the order of
-/// matching nodes. Nodes with zero scale get none.
+/// One box per node that the pattern matches: 2 m wide along each axis in the node's space, with the node in
+/// the middle of the box's floor. The number of cells along each side is a power of two. Boxes are numbered
+/// in the order of matching nodes. Nodes with zero scale get no box.
 [[nodiscard]] std::vector<smoke::Box> smoke_boxes(const Scene& scene, const ScenePose& pose,
                                                   const glm::dvec3& anchor, const std::string& pattern,
                                                   uint32_t cells);
@@ -60,12 +60,12 @@ public:
     RisingSmoke();
     ~RisingSmoke() override;
 
-    /// Simulates the smoke up to the moment of a picture, and returns its boxes; empty if the style or the
-    /// scene has none. The last steps are left for the next graph that calls velocity() or record(), where
-    /// they run parallel to independent passes. Continues from the picture before, if that is at most a
-    /// second earlier; otherwise, or if the number of quantities changed, starts `age_s` before the picture
-    /// with steps_per_s() steps per second. Patterns that match nothing, and more boxes than
-    /// shared::smoke_most_boxes, are reported in `notes`.
+    /// Simulates the smoke up to the time of a picture, and returns its boxes; empty if the style or the
+    /// scene has no smoke. The last steps remain for the next graph that calls velocity() or record(), where
+    /// they run parallel to independent passes. The simulation continues from the previous picture, if that
+    /// picture is at most a second earlier and has the same number of quantities. Otherwise it starts `age_s`
+    /// before the picture, with steps_per_s() steps per second. Patterns that match nothing, and more boxes
+    /// than shared::smoke_most_boxes, are reported in `notes`.
     [[nodiscard]] std::vector<smoke::Box> rise(gpu::Device& device, gpu::Executor& executor,
                                                const SmokeInputs& in, std::vector<std::string>& notes);
 
@@ -79,7 +79,7 @@ public:
     /// Reports of the boxes whose last steps were measured, numbered if there are several boxes.
     [[nodiscard]] std::vector<SolverReport> solver_reports() const;
 
-    /// Forgets the smoke of a replaced scene. A moved anchor does not matter: smoke is kept in box space.
+    /// Forgets the smoke of a replaced scene. A moved anchor has no effect: smoke is stored in box space.
     void invalidate(Event event) override;
 
     [[nodiscard]] std::optional<FilmSection> film_section() const override { return FilmSection{"smoke", 1}; }

@@ -62,7 +62,7 @@ float outside_vapour(const smoke::SmokeStyle& style)
     return style.humidity_outside * style.humidity;
 }
 
-/// How the carried quantities change over time.
+/// How the advected quantities change over time.
 fluid::MatterStyle changing(const Draught& draught, const smoke::SmokeStyle& style)
 {
     return {.fading_per_s = 1.0F / style.life_s,
@@ -111,7 +111,7 @@ double steps_per_s(const smoke::Box& box, const smoke::SmokeStyle& style)
 
 fluid::Grid grid_of(const smoke::Box& box)
 {
-    // Periodic faces act as open ones: the rim removes what would come back at the opposite face.
+    // Periodic faces act as open ones: the rim removes smoke that would enter again at the opposite face.
     constexpr fluid::Edge open = fluid::Edge::periodic;
     return {.cells = box.cells, .cell_m = box.cell_m, .edges = {open, open, open}};
 }
@@ -143,7 +143,8 @@ fluid::Source source_of(const smoke::Box& box, const smoke::SmokeStyle& style)
     const glm::vec3 floor = 0.5F * box.cell_m * glm::vec3(box.cells) * glm::vec3(1.0F, 0.0F, 1.0F);
     fluid::Source source{.shape = fluid::disc(floor + glm::vec3(0.0F, 0.6F * radius_m, 0.0F), radius_m)};
     source.gain_per_s[shared::fluid_density] = style.amount_per_s;
-    // Otherwise air that enters at the floor would rise before it becomes visible, farther at higher speed.
+    // Without this, air that enters at the floor would rise before it becomes visible, and farther at a
+    // higher speed.
     source.least_density = std::min(held_s * style.amount_per_s, 1.0F);
     source.gain_per_s[shared::fluid_temperature] = 6.0F / style.rise_s;
     source.gain_per_s[shared::fluid_fuel] = style.fuel_per_s;
@@ -154,7 +155,7 @@ fluid::Source source_of(const smoke::Box& box, const smoke::SmokeStyle& style)
 std::vector<float> stirred_air(const smoke::Box& box, const smoke::SmokeStyle& style)
 {
     constexpr int wave_count = 10;
-    constexpr double most_waves = 3.0; // per side of the box
+    constexpr double most_waves = 3.0; // waves per side of the box
     const Draught draught = draught_of(box, style);
     std::mt19937 random(static_cast<uint32_t>(style.seed) + 7919U * box.number);
     const auto number = [&] { return 2.0 * static_cast<double>(random()) / 4294967295.0 - 1.0; };

@@ -26,15 +26,15 @@ struct Draught {
 
 [[nodiscard]] Draught draught_of(const smoke::Box& box, const smoke::SmokeStyle& style);
 
-/// Temperature above which fuel burns. A source reaches it within its own height.
+/// Temperature above which fuel burns. A source reaches this temperature within its own height.
 inline constexpr float smoke_ignition = 0.2F;
 
-/// Number of quantities that the air carries: density and temperature, plus fuel or water if the style has
+/// Number of quantities that the air advects: density and temperature, plus fuel or water if the style has
 /// them.
 [[nodiscard]] uint32_t smoke_channels(const smoke::SmokeStyle& style);
 
-/// Least number of steps per second: 24, or as many as keep the wind from crossing more than half the rim at
-/// the open faces in one step; at most 480.
+/// Least number of steps per second: 24, or more so that the wind crosses at most half the rim at the open
+/// faces in one step; at most 480.
 [[nodiscard]] double steps_per_s(const smoke::Box& box, const smoke::SmokeStyle& style);
 
 /// The grid of a box; all its faces are open.
@@ -45,7 +45,7 @@ inline constexpr float smoke_ignition = 0.2F;
 
 [[nodiscard]] fluid::Source source_of(const smoke::Box& box, const smoke::SmokeStyle& style);
 
-/// Initial velocity: wind with slight turbulence, without which smoke would rise in a straight column.
+/// Initial velocity: wind with slight turbulence. Without turbulence smoke would rise in a straight column.
 [[nodiscard]] std::vector<float> stirred_air(const smoke::Box& box, const smoke::SmokeStyle& style);
 
 /// Initial quantities of the air for fluid::Fluid: the outside air's vapour, limited by saturation. Empty if

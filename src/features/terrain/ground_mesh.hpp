@@ -10,8 +10,8 @@ namespace estampe::features {
 /// this node.
 [[nodiscard]] Scene with_terrain_node(const Scene& scene);
 
-/// The object that the terrain displaces, in the rest pose; empty for other mesh methods. Throws Error if
-/// the scene has no such object.
+/// The object that the terrain displaces, in the rest pose; empty if the terrain uses another mesh method.
+/// Throws Error if the scene has no such object.
 [[nodiscard]] terrain::ObjectTriangles raised_object(const Scene& scene);
 
 /// The terrain's mesh before the first view has placed it. `scene` must come from with_terrain_node().

@@ -128,8 +128,8 @@ struct MemoryState {
     uint32_t holder = none; ///< Resource that occupies the memory
     Layout layout = Layout::undefined;
     AccessSet source;  ///< The last write, or the accesses that waited for the last layout change
-    AccessSet readers; ///< Reads since `source`; all have waited for it
-    /// The subset of `readers` that another reader has waited for, so later accesses need not.
+    AccessSet readers; ///< Reads since `source`; all of them have waited for `source`
+    /// The subset of `readers` that another reader has waited for, so later accesses need not wait for it.
     AccessSet covered;
 };
 
@@ -192,7 +192,8 @@ void add_pass(CompiledGraph& compiled, Memory& memory, uint32_t pass)
     }
 }
 
-/// Merges the uses of each resource by the passes of a level into one use; they require the same layout.
+/// Merges the uses of each resource by the passes of a level of the graph into one use. The uses must require
+/// one layout.
 void add_uses(std::span<const PassUse> uses, Memory& memory)
 {
     for (const PassUse& use : uses) {

@@ -33,7 +33,8 @@ void Executor::use_shaders(const Graph& graph, const std::function<bool()>& go_o
     graph_ = nullptr;
 }
 
-/// Creates one stand-in per resource, because the compiled code may depend on an image's size and format.
+/// Creates one stand-in for each resource, because the compiled code may depend on an image's size and
+/// format.
 void Executor::ensure_stand_ins()
 {
     for (const ResourceRecord& resource : graph_->resources()) {
@@ -74,7 +75,7 @@ void Executor::use_shader(const PassRecord& pass)
 
 namespace {
 
-/// A shader takes less time than this if it is cached, and more if it must be compiled.
+/// A shader takes less time than this if it is cached, and more time if it must be compiled.
 constexpr std::chrono::milliseconds cached_time{25};
 /// If this many of the last passes are cached, all are assumed to be cached.
 constexpr int passes_tried = 2;
@@ -98,7 +99,7 @@ void compile_on_twin(RendererOptions options, std::future<const Graph*> wanted, 
             return !stop && passes_cached < passes_tried;
         });
     } catch (const std::exception&) {
-        // The device that draws has the same problem and reports it, or has none.
+        // The device that draws either has this problem too and reports it, or does not have it.
         return;
     }
 }

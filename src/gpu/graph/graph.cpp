@@ -369,8 +369,7 @@ uint32_t Graph::take_in(std::string_view name, const ResourceRecord& imported)
     }
     const bool is_alike = known->image == imported.image && known->buffer == imported.buffer &&
                           known->initial_layout == imported.initial_layout;
-    // After a write, neither the first version nor the newest is certain to be the one that the caller
-    // means.
+    // After a write it is unclear whether the caller means the first version or the newest.
     if (!is_alike || known->newest_version > 0) {
         throw std::logic_error(fmt::format("'{}' is imported again, as '{}', {}", known->name, name,
                                            is_alike ? "after a pass has written it: use that pass's handle"

@@ -46,7 +46,7 @@ double step_in_sizes(const Mesh& mesh)
 
 constexpr double visible_step = 1e-4;
 
-/// Adds a warning when nodes lie so far away that floats place them imprecisely relative to each other. The
+/// Adds a warning when nodes are so far away that floats place them imprecisely relative to each other. The
 /// nodes of `scene` have been read as floats.
 void warn_of_far_nodes(Scene& scene)
 {
@@ -71,8 +71,8 @@ void warn_of_far_nodes(Scene& scene)
                                              step * unit_m));
 }
 
-/// Adds a warning when meshes lie so far from their origin that reading their vertices as floats has damaged
-/// their shape.
+/// Adds a warning when meshes are so far from their origin that reading their vertices as floats has damaged
+/// the meshes' shape.
 void warn_of_far_meshes(Scene& scene)
 {
     size_t count = 0;
@@ -308,8 +308,8 @@ uint64_t size_of_file(const std::filesystem::path& path)
     return size;
 }
 
-/// Converts light intensities to physical units. In these formats a light of 1 fully lights a surface; here
-/// that is pi lux, for lamps at a distance equal to the scene's size.
+/// Converts light intensities to physical units. In these formats a light of 1 fully lights a surface. In
+/// Estampe this needs pi lux; for lamps, at a distance equal to the scene's size.
 void give_lights_units(Scene& scene)
 {
     if (scene.lights.empty())

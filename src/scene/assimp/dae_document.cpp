@@ -120,7 +120,8 @@ size_t lens_index(double far_plane)
 
 namespace {
 
-/// A mesh is moved if its distance is this many times its size: floats then keep only five of its digits.
+/// A mesh is moved if its distance is this many times its size: floats then keep only five digits of the
+/// mesh.
 constexpr double far_in_sizes = 50.0;
 
 std::string id_of_url(std::string_view url)

@@ -45,8 +45,8 @@ struct Atlas {
     float texels_per_m = 0.0F;
 };
 
-/// Width in texels of the border around each chart that belongs to it, so that filters do not read other
-/// charts.
+/// Width in texels of the border around each chart. The border belongs to the chart, so that filters do not
+/// read other charts.
 inline constexpr uint32_t gutter = 2;
 
 /// Packs the charts as large as they fit (with the skyline packer of stb). `triangle_count` counts all

@@ -61,8 +61,8 @@ void place_node(Data& data, const tinygltf::Node& source, Node& node, const std:
     }
 }
 
-/// Removes instances with identical transforms. An accessor without data is all zeros, so a small file can
-/// ask for any number of copies at one place.
+/// Removes instances with identical transforms. An accessor without data is all zeros, so a small file could
+/// create any number of copies at one place.
 void drop_same(Data& data, std::vector<glm::mat4>& instances, const std::string& pointer)
 {
     using Bits = std::array<uint32_t, 16>;

@@ -68,8 +68,8 @@ void for_each_in_parallel(size_t count, const Work& work, const Tell& tell)
     }
 }
 
-/// For each image, the first image with the same source: exporters write the same file under many materials,
-/// and a picture of 8192 x 8192 takes 256 MiB.
+/// For each image, the first image with an equal source. Exporters write one file under many materials, and a
+/// picture of 8192 x 8192 needs 256 MiB.
 std::vector<int> first_of_same(const Data& data)
 {
     const auto& views = data.model().bufferViews;

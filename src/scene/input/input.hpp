@@ -20,8 +20,8 @@
 
 namespace estampe {
 
-/// Parses a number in the spellings that 3D files use: those of std::from_chars, also with a leading plus, a
-/// decimal comma, or beyond the range of doubles. Returns NaN for any other word.
+/// Parses a number in the spellings of 3D files: all spellings of std::from_chars, and also numbers with a
+/// leading plus, with a decimal comma, or beyond the range of doubles. Returns NaN for any other word.
 [[nodiscard]] double number_of_word(std::string_view word);
 
 /// Splits a line at blanks. Inline, because a file has millions of words.
@@ -195,9 +195,9 @@ private:
     bool line_was_ended_ = true;
 };
 
-/// The point to subtract from the coordinates of a whole file before they become floats. It is zero unless
-/// they lie more than sixteen times their extent away from zero; then it is a whole number near their centre.
-/// Floats up to that distance resolve a millionth of the extent.
+/// The point to subtract from the coordinates of a whole file before they are rounded to floats. The point is
+/// zero, unless the coordinates are farther from zero than sixteen times their extent. It is then a whole
+/// number near their centre. Floats up to that distance resolve a millionth of the extent.
 [[nodiscard]] glm::dvec3 file_origin(const Bounds& bounds);
 
 /// The point to subtract from the coordinates of one object, in a file whose own origin is `file`. An object

@@ -45,7 +45,7 @@ struct Model {
     std::optional<int64_t> up_position; ///< the model that gives this one's upward direction
 };
 
-/// A camera, light or other attribute that a node carries; `kind` is Camera, Light, Null and so on.
+/// A camera, light or other attribute of a node; `kind` is Camera, Light, Null and so on.
 struct Attribute {
     std::string kind;
     Properties properties;

@@ -2,7 +2,7 @@
 #pragma once
 
 // The tree of named elements in a binary or text FBX file. Assimp reads meshes, materials and animations from
-// it, but drops what cameras, pivots and axes need; this reader collects that.
+// such a file, but drops data of cameras, pivots and axes. This reader collects the dropped data.
 
 #include <cstddef>
 #include <cstdint>
