@@ -201,7 +201,7 @@ public:
     /// Composited in sRGB-encoded values onto the style's paper colour, as programs do, it equals the opaque
     /// picture to within 1/255.
     ///
-    /// The same scene, camera, style and settings give the same bytes on the same device and raster path. A
+    /// Identical scenes, cameras, styles and settings give identical bytes on one device and raster path. A
     /// film gives the same bytes if its frames are drawn in order from the first. Pages that are too large
     /// for the device are drawn in tiles without seams: lines are linked for the whole page, at up to 16.7
     /// megapixels. Each side may have up to 65535 pixels.
@@ -257,8 +257,8 @@ public:
     /// bytes do not come from such a renderer.
     void recall_film(std::span<const std::byte> memory);
 
-    /// Motion of the last picture since its RenderSettings::motion_since. Empty if that setting was not set,
-    /// and after draw_strokes(). Computing the motion does not change the picture.
+    /// Motion of the last picture since its RenderSettings::motion_since. Empty after draw_strokes(), or if
+    /// that setting was not set. Computing the motion does not change the picture.
     [[nodiscard]] const Motion& motion() const;
 
     /// Automatic decisions for the last frame, one line each, such as a lamp that the scene does not

@@ -17,9 +17,8 @@ struct FrameBuffers {
                                     ///< light spreads
     gpu::Buffer half_frame_globals; ///< FrameGlobals of the page at half resolution
     gpu::Buffer variant_of_draw;    ///< style variant of each draw call, if the plan has several variants
-    gpu::Buffer
-        subsurface_parameters; ///< SubsurfaceParameters of each style variant, with subsurface scattering
-    gpu::Buffer motion_pixels; ///< read back if the settings ask for motion
+    gpu::Buffer subsurface_parameters; ///< per style variant, if surfaces scatter light below them
+    gpu::Buffer motion_pixels;         ///< read back if the settings ask for motion
     Page page;
 };
 

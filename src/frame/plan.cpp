@@ -262,7 +262,8 @@ FramePlan plan_frame(const PlanInputs& in, PlanLists room)
     features::StrokePlan strokes =
         features::plan_strokes(in.loaded.layout, variants, std::move(room.kind_of_draw));
     if (in.loaded.scene.terrain) {
-        const float wind_rad = glm::radians(90.0F - in.loaded.scene.terrain->description().wind.towards_deg);
+        const float wind_rad =
+            glm::radians(wind::from_x_deg(in.loaded.scene.terrain->description().wind.towards_deg));
         strokes.ground_wind = {std::cos(wind_rad), std::sin(wind_rad)};
     }
     const LightPlan light = plan_light(in, strokes);

@@ -9,7 +9,6 @@
 
 #include <estampe/renderer.hpp>
 
-#include "features/common/shared_sections.hpp"
 #include "frame/frame.hpp"
 #include "frame/loaded_scene.hpp"
 #include "gpu/graph/compile_ahead.hpp"
@@ -51,9 +50,9 @@ struct Renderer::Impl {
     /// the loaded scene; valid until the next call.
     [[nodiscard]] const features::StyleTables& tables_of(const Style& style)
     {
-        static const std::optional<Terrain> none;
-        return features::with_shared_sections(features::with_drawing(style.tables(), drawn_style),
-                                              loaded ? loaded->scene.terrain : none, drawn_style);
+        const Terrain* const terrain = loaded && loaded->scene.terrain ? &*loaded->scene.terrain : nullptr;
+        return features::with_shared_sections(features::with_drawing(style.tables(), drawn_style), terrain,
+                                              drawn_style);
     }
 
     void update_pose(const ScenePose& scene_pose);

@@ -7,8 +7,8 @@
 // Dyadic line hatching: strokes are the iso-lines v = i S of a surface coordinate v. The spacing S is a power
 // of two in the unit of v, chosen from the page width and the darkness t so that S t lies between one and two
 // widths. Lines of the coarser spacing (old lines) have the full width W. Lines between them (newborn lines)
-// have the remaining ink, t S - W. So the ink is t at every distance and tilt, approaching only adds lines,
-// and a darker tone adds lines to those of a lighter tone. Nested strokes are from Praun et al., "Real-Time
+// have the remaining ink, t S - W. So the ink is t at every distance and tilt. Coming nearer only adds
+// lines, as does a darker tone. Nested strokes are from Praun et al., "Real-Time
 // Hatching", SIGGRAPH 2001.
 
 // Powers of two by bit operations, for x above 0: exact, and much cheaper than exp2 and log2.

@@ -3,9 +3,9 @@
 // clouds, particles and flowing ink.
 #pragma once
 
-#include "style/parameter.hpp"
-
 #include <cstdint>
+
+#include "style/parameter.hpp"
 
 namespace estampe::wind {
 
@@ -35,6 +35,12 @@ struct Wind {
 
     bool operator==(const Wind&) const = default;
 };
+
+/// The angle in degrees from +x towards +z of the bearing `towards_deg`.
+[[nodiscard]] inline float from_x_deg(float towards_deg)
+{
+    return 90.0F - towards_deg;
+}
 
 /// The wind speed of a feature with its own key: `own_m_per_s`, or the wind's speed if `own_m_per_s` is
 /// negative.

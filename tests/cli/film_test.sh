@@ -28,7 +28,7 @@ frames_of() {
 "$make_example" scene.glb >/dev/null
 
 # A film whole, and in two runs
-count=40
+count=72
 draw -o whole.mp4 --frames $count
 [[ $status -eq 0 && "$(frames_of whole.mp4)" -eq $count ]] || wrong "whole.mp4: $(cat said)"
 [[ ! -e whole.mp4.partial ]] || wrong "frames of a whole film are left"

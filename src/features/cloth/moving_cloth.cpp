@@ -7,7 +7,6 @@
 #include <tuple>
 #include <utility>
 
-#include "features/common/shared_sections.hpp"
 #include "shaders/scene.glsl.h"
 
 namespace estampe::features {
@@ -307,16 +306,15 @@ void MovingCloth::done(const RenderSettings& settings, const StyleTables& style,
     has_moved = true;
 }
 
-cloth::Surroundings MovingCloth::surroundings(double time_s, const Scene& scene, const StyleTables& style,
+cloth::Surroundings MovingCloth::surroundings(double time_s, const StyleTables& style,
                                               const RenderSettings& settings, const glm::dvec3& anchor) const
 {
     cloth::Surroundings result{.time_s = time_s,
-                               .wind = wind_over(scene.terrain, style.wind),
+                               .wind = style.wind,
                                .origin_m = anchor,
                                .effort = style.cloth.effort,
                                .rest_m_per_s = 1e-3F * style.cloth.rest_mm_per_s};
-    const bool is_of_terrain = style.wind.from == wind::WindSource::automatic && scene.terrain;
-    if (!is_of_terrain && style.wind.blown_m >= 0.0F) {
+    if (style.wind.blown_m >= 0.0F) {
         result.ahead_m = static_cast<double>(style.wind.blown_m) -
                          static_cast<double>(style.wind.speed_m_per_s) * settings.time_s;
     }
@@ -335,7 +333,7 @@ std::vector<ClothSteps> MovingCloth::steps_between(double from_s, double to_s, c
     const double step_s = (to_s - from_s) / step_count;
     for (uint32_t done = 0; done < step_count;) {
         const double begin_s = from_s + done * step_s;
-        cloth::Surroundings around = surroundings(begin_s, scene, style, settings, anchor);
+        cloth::Surroundings around = surroundings(begin_s, style, settings, anchor);
         around.step_s = static_cast<float>(step_s);
         const uint32_t most = sheets_.most_steps(around);
         const uint32_t at_once = scene.animations.empty() ? most : std::min(most, steps_between_poses);

@@ -138,8 +138,8 @@ private:
     };
 
     /// Wind, time and origin for the steps that begin at a moment.
-    [[nodiscard]] cloth::Surroundings surroundings(double time_s, const Scene& scene,
-                                                   const StyleTables& style, const RenderSettings& settings,
+    [[nodiscard]] cloth::Surroundings surroundings(double time_s, const StyleTables& style,
+                                                   const RenderSettings& settings,
                                                    const glm::dvec3& anchor) const;
     [[nodiscard]] std::vector<glm::mat4> places_of_draws(const pose::PoseData& pose) const;
     [[nodiscard]] std::vector<SheetPlace> sheet_places(const pose::PoseData& pose) const;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "features/common/shared_sections.hpp"
+#include "features/common/style_tables.hpp"
 
 #include <gtest/gtest.h>
 
 namespace estampe::features {
 namespace {
 
-const std::optional<Terrain> no_ground;
+const Terrain* const no_ground = nullptr;
 
 Terrain windy_ground()
 {
@@ -44,12 +44,12 @@ TEST(SharedSections, TheDefaultWindCopiesNothing)
 
 TEST(SharedSections, OverATerrainItIsTheTerrainsUnlessTheStyleSaysSo)
 {
+    const Terrain ground = windy_ground();
     StyleTables style;
     StyleTables room;
-    expect_all(with_shared_sections(style, windy_ground(), room),
-               {.speed_m_per_s = 11.0F, .towards_deg = 30.0F});
+    expect_all(with_shared_sections(style, &ground, room), {.speed_m_per_s = 11.0F, .towards_deg = 30.0F});
     style.wind.from = wind::WindSource::style;
-    EXPECT_EQ(&with_shared_sections(style, windy_ground(), room), &style);
+    EXPECT_EQ(&with_shared_sections(style, &ground, room), &style);
 }
 
 TEST(SharedSections, ASpeedOfItsOwnGoesBeforeThatOfTheWind)

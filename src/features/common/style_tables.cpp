@@ -60,6 +60,45 @@ const style::Schema<StyleTables>& style_schema()
 
 namespace {
 
+wind::WindStyle wind_over(const Terrain* terrain, const wind::WindStyle& style)
+{
+    wind::WindStyle over = style;
+    if (terrain != nullptr && style.from == wind::WindSource::automatic) {
+        over.speed_m_per_s = terrain->description().wind.speed_m_per_s;
+        over.towards_deg = terrain->description().wind.towards_deg;
+        over.blown_m = wind::WindStyle().blown_m; // a distance at the style's speed
+    }
+    return over;
+}
+
+} // namespace
+
+const StyleTables& with_shared_sections(const StyleTables& style, const Terrain* terrain, StyleTables& room)
+{
+    const wind::WindStyle over = wind_over(terrain, style.wind);
+    const wind::Wind wind{.speed_m_per_s = over.speed_m_per_s, .towards_deg = over.towards_deg};
+    const haze::HazeStyle& haze = style.haze;
+    if (wind == wind::Wind() && over == style.wind && haze.tint == 0.0F && haze.hatching == 1.0F) {
+        return style;
+    }
+    if (&room != &style) {
+        room = style;
+    }
+    room.wind = over;
+    room.hatch.wind = wind;
+    room.clouds.wind = wind;
+    room.smoke.wind = wind;
+    room.particles.wind = wind;
+    room.wash.air = room.haze.tint;
+    room.wash.air_color = room.haze.tint_color;
+    room.wash.air_distance_m = room.haze.tint_distance_m;
+    room.hatch.fade = room.haze.hatching;
+    room.hatch.fade_distance_m = room.haze.hatching_distance_m;
+    return room;
+}
+
+namespace {
+
 using By = style::Surfaces::By;
 
 /// Returns for each override whether the override applies.

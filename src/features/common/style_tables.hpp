@@ -8,9 +8,11 @@
 #include <vector>
 
 #include <estampe/scene.hpp>
+#include <estampe/terrain.hpp>
 
 #include "features/common/drawing.hpp"
 #include "style/schema.hpp"
+#include "style/wind.hpp"
 #include "techniques/bleed/bleed.hpp"
 #include "techniques/cloth/cloth_style.hpp"
 #include "techniques/contour/contour.hpp"
@@ -82,6 +84,14 @@ struct StyleTables {
 /// Describes every parameter; built once. Reads and writes StyleTables: `style_schema().set(tables,
 /// "hatch.width_mm=0.5")`.
 [[nodiscard]] const style::Schema<StyleTables>& style_schema();
+
+/// Copies sections that several features read to the tables of those features: the wind to hatch, clouds,
+/// smoke and particles, and the fading of paint and hatching in haze to wash and hatch. Where wind.from is
+/// auto and there is a terrain, which may be null, its wind replaces that of the style. Returns `style`
+/// itself if wind and fading have their default values, or else `room` with the changed style. `style` may be
+/// `room`.
+[[nodiscard]] const StyleTables& with_shared_sections(const StyleTables& style, const Terrain* terrain,
+                                                      StyleTables& room);
 
 /// The distinct styles within one picture, and the style of each draw call.
 struct StyleVariants {

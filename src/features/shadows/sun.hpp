@@ -139,8 +139,8 @@ public:
     ///
     /// Cost    nothing if nothing must be drawn. Otherwise raster::add_depth(), for a clipmap once per piece
     ///         with only the static casters of the piece, or in compute raster::add_depth_views() for all
-    ///         levels. With a map of static casters, moving casters are drawn too, and merged at their old
-    ///         and new places
+    ///         levels. With a map of static casters, moving casters are drawn and merged, too, at their
+    ///         previous and current places
     [[nodiscard]] gpu::BufferId record(gpu::Graph& graph, const ShadowScene& scene, const SunMapPlan& plan,
                                        const SunMapWork& work);
 

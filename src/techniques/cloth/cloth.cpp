@@ -62,7 +62,7 @@ float small_steps_per_s(uint32_t particles)
 
 glm::vec3 direction_of(const wind::WindStyle& wind)
 {
-    const float from_x_rad = (90.0F - wind.towards_deg) * std::numbers::pi_v<float> / 180.0F;
+    const float from_x_rad = wind::from_x_deg(wind.towards_deg) * std::numbers::pi_v<float> / 180.0F;
     return {std::cos(from_x_rad), 0.0F, std::sin(from_x_rad)};
 }
 

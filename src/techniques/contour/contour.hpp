@@ -167,8 +167,7 @@ struct ContourInputs {
     float pixel_m_at_one = 0.001F; ///< size of a pixel at a distance of one; parallel: at any distance
     glm::uvec2 size_px{0};
     std::optional<gpu::BufferId> variant_of_draw; ///< set if surfaces have style variants: r32ui texels
-    std::optional<gpu::BufferId>
-        variant_lines; ///< set with it: VariantLines of each variant; only for chains
+    std::optional<gpu::BufferId> variant_lines;   ///< set with it, for chains: one VariantLines per variant
     /// Visibility of the surfaces that hide chains, if it differs from all solid surfaces: clear glass hides
     /// none.
     std::optional<gpu::BufferId> line_hiders;

@@ -20,11 +20,10 @@ SHARED_CONSTANT uint ramp_length = 256U;
 SHARED_CONSTANT uint ramp_steps = 8U;
 
 // Variant bits of darkness.comp.
-SHARED_CONSTANT uint darkness_has_fade = 1U << 0U;   // strokes fade with distance
-SHARED_CONSTANT uint darkness_has_screen = 1U << 1U; // there are transparent surfaces
-SHARED_CONSTANT uint darkness_has_variants = 1U
-                                             << 2U; // surfaces have style variants, and one variant is drawn
-SHARED_CONSTANT uint darkness_keeps_ink = 1U << 3U; // adds to the ink of variants drawn before
+SHARED_CONSTANT uint darkness_has_fade = 1U << 0U;     // strokes fade with distance
+SHARED_CONSTANT uint darkness_has_screen = 1U << 1U;   // there are transparent surfaces
+SHARED_CONSTANT uint darkness_has_variants = 1U << 2U; // draws one of several style variants
+SHARED_CONSTANT uint darkness_keeps_ink = 1U << 3U;    // adds to the ink of variants drawn before
 
 // Variant bits of overrun.comp.
 SHARED_CONSTANT uint overrun_is_first = 1U << 0U; // first step: each pixel is its own source

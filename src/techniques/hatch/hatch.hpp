@@ -141,11 +141,10 @@ struct HatchInputs {
     std::optional<MapInputs> map;      ///< set if the style asks for a map
     float pixels_per_mm = 1.0F;
     glm::uvec2 size_px{0};
-    std::optional<gpu::BufferId>
-        variant_of_draw;                    ///< style variant of each draw call, r32ui; unset if only one
-    std::optional<gpu::BufferId> draws;     ///< needed by dots
-    uint32_t variant = 0;                   ///< the style variant to draw
-    std::optional<gpu::ImageId> ink_before; ///< ink of style variants drawn before
+    std::optional<gpu::BufferId> variant_of_draw; ///< r32ui, per draw call; unset with one style variant
+    std::optional<gpu::BufferId> draws;           ///< needed by dots
+    uint32_t variant = 0;                         ///< the style variant to draw
+    std::optional<gpu::ImageId> ink_before;       ///< ink of style variants drawn before
 };
 
 /// Hatching of the surfaces of one style variant.

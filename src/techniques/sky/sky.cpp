@@ -41,7 +41,7 @@ Disc disc_of(const SkyStyle& style, const glm::vec3& towards_sun, const std::opt
 
 } // namespace
 
-SkyColors look_at(const SkyStyle& style, double sun_elevation_rad)
+SkyColors colors_at(const SkyStyle& style, double sun_elevation_rad)
 {
     const auto deg = static_cast<float>(glm::degrees(sun_elevation_rad));
     const SkyColors night{style.night_horizon, style.night_zenith, style.night_darkness};
@@ -67,7 +67,7 @@ SkyColors colors_under(const SkyStyle& style, const glm::vec3& towards_sun,
                        const std::optional<float>& daylight_rad)
 {
     const auto elevation_rad = followed_elevation_rad(style, towards_sun, daylight_rad);
-    return elevation_rad ? look_at(style, *elevation_rad)
+    return elevation_rad ? colors_at(style, *elevation_rad)
                          : SkyColors{style.horizon, style.zenith, style.darkness};
 }
 

@@ -75,7 +75,7 @@ struct SkyColors {
 
 /// The colours at a sun elevation: night up to -10 degrees, dusk at -2, the style's horizon and zenith from 4
 /// to 12, noon from 40, with smooth transitions.
-[[nodiscard]] SkyColors look_at(const SkyStyle& style, double sun_elevation_rad);
+[[nodiscard]] SkyColors colors_at(const SkyStyle& style, double sun_elevation_rad);
 
 /// Paints the sky of the page; returns blank images of one texel if no sky is drawn. Cost: one dispatch over
 /// the page or a list of tiles; next to nothing without a sky.

@@ -114,7 +114,7 @@ TEST(Sky, WashDoesNotDependOnThePicturesSize)
 TEST(Sky, FollowsTheHourFromNightToNoonWithoutJumps)
 {
     const SkyStyle style;
-    const auto at = [&](double deg) { return look_at(style, deg * std::numbers::pi / 180.0); };
+    const auto at = [&](double deg) { return colors_at(style, deg * std::numbers::pi / 180.0); };
     EXPECT_EQ(at(-30.0).zenith, style.night_zenith);
     EXPECT_EQ(at(-10.0).horizon, style.night_horizon);
     EXPECT_EQ(at(-30.0).darkness, style.night_darkness);

@@ -7,6 +7,7 @@
 #include "shaders/drift_ink_comp.hpp"
 #include "shaders/drift_streaks_comp.hpp"
 #include "style/parameter.hpp"
+#include "style/wind.hpp"
 #include "techniques/terrain/graph/program.hpp"
 
 namespace estampe::terrain {
@@ -33,7 +34,7 @@ std::optional<DriftPlan> drift_at(const TerrainWind& wind, const DriftStyle& sty
     const glm::dvec2 first = glm::round(view.eye_m / cell_m) - 0.5 * grid_side;
     const glm::vec2 corner_m(first * cell_m - view.anchor_m);
     const double lives = view.time_s / life_s;
-    const double direction_rad = glm::radians(static_cast<double>(90.0F - wind.towards_deg));
+    const double direction_rad = glm::radians(static_cast<double>(wind::from_x_deg(wind.towards_deg)));
     return DriftPlan{.streaks = {.corner_m = corner_m,
                                  .cell_m = static_cast<float>(cell_m),
                                  .side = grid_side,

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "style/names.hpp"
+#include "style/wind.hpp"
 #include "techniques/terrain/graph/language.hpp"
 #include "techniques/terrain/graph/program.hpp"
 
@@ -190,7 +191,7 @@ private:
 
     [[nodiscard]] double wind_rad() const
     {
-        return (90.0F - terrain_.wind.towards_deg) * std::numbers::pi / 180.0;
+        return wind::from_x_deg(terrain_.wind.towards_deg) * std::numbers::pi / 180.0;
     }
 
     Frame inner_frame(const NodeKind& kind, const Arguments& arguments, const Frame& frame)

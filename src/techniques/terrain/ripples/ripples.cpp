@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "shaders/ripples_comp.hpp"
+#include "style/wind.hpp"
 #include "techniques/terrain/graph/program.hpp"
 
 namespace estampe::terrain {
@@ -15,7 +16,8 @@ std::optional<shared::RippleConstants> ripples_at(const TerrainDescription& terr
     if (ripples.height_m <= 0.0F) {
         return std::nullopt;
     }
-    const double direction_rad = glm::radians(static_cast<double>(90.0F - terrain.wind.towards_deg));
+    const double direction_rad =
+        glm::radians(static_cast<double>(wind::from_x_deg(terrain.wind.towards_deg)));
     const glm::dvec2 wind(std::cos(direction_rad), std::sin(direction_rad));
     const glm::dvec2 place(anchor_m.x, anchor_m.z);
     const double along_m = glm::dot(place, wind) - static_cast<double>(ripples.drift_m_per_s) * time_s;

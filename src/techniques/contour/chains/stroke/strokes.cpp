@@ -333,11 +333,11 @@ add_class(gpu::Graph& graph, const ContourInputs& page, const ChainInputs& mesh,
 
 shared::VariantLines variant_lines_of(const ContourStyle& style, float pixels_per_mm)
 {
-    shared::VariantLines style_variant{.ink = style.ink};
+    shared::VariantLines lines{.ink = style.ink};
     for (uint32_t kind = 0; kind < shared::line_kind_count && style.enabled; ++kind) {
-        set_width(style, kind, pixels_per_mm, style_variant);
+        set_width(style, kind, pixels_per_mm, lines);
     }
-    return style_variant;
+    return lines;
 }
 
 ShapedStrokes add_shaped_strokes(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
