@@ -107,7 +107,7 @@ bake::BakeSettings lit_settings(const Scene& scene, const Style& style, const Ba
 
 struct LightmapBake::Impl {
     Impl(Scene own_scene, const Style& style, const BakeSettings& settings)
-        : scene(features::lit_by_style(shown(std::move(own_scene)), style.tables().light)),
+        : scene(features::lit_by_style(shown(std::move(own_scene)), style.tables())),
           bake(scene, lit_settings(scene, style, settings))
     {
     }

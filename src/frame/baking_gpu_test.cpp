@@ -3,6 +3,7 @@
 #include "frame/baking.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <estampe/shapes.hpp>
@@ -73,14 +74,15 @@ struct Likeness {
 };
 
 /// Bakes the lamps' own light, and lights a page by the same style.
-Likeness compare(const Scene& plain, const char* lights, const char* objects)
+Likeness compare(const Scene& plain, const std::vector<std::string>& changes)
 {
     features::StyleTables style;
-    style.light.lights = lights;
-    style.light.objects = objects;
+    for (const std::string& change : changes) {
+        features::style_schema().set(style, change);
+    }
     style.light.ambient = 0.0F;
     style.light.falloff = 1.0F;
-    const Scene scene = features::lit_by_style(plain, style.light);
+    const Scene scene = features::lit_by_style(plain, style);
     bake::BakeSettings settings{.size = 256, .samples = 32, .bounces = 0, .smooth = false};
     set_light(settings, scene, style, {.direct = baked_point | baked_spot});
     bake::Bake bake(scene, settings);
@@ -120,16 +122,18 @@ Likeness compare(const Scene& plain, const char* lights, const char* objects)
 TEST(Baking, LampsAreWhatTheFrameMakesOfThem)
 {
     const Scene scene = lit_floor();
-    const std::pair<const char*, const char*> kinds[] = {
-        {"", ""},
-        {"Spot=pyramid, Lamp=off", ""},
-        {"Spot=pyramid unit_volume range:4 intensity:0.1, Lamp=unit_volume range:3", ""},
-        {"Spot=casters:2, Lamp=no_shadow", "Box=casts:1"},
-        {"Spot=groups:2, Lamp=groups:1", "Box=no_cast"},
+    const std::vector<std::vector<std::string>> kinds{
+        {},
+        {"object.Spot.light.spot_volume=pyramid", "object.Lamp.light.enabled=false"},
+        {"object.Spot.light.spot_volume=pyramid", "light.attenuation=unit_volume",
+         "object.Spot.light.range_m=4", "object.Spot.light.intensity=0.1", "object.Lamp.light.range_m=3"},
+        {"object.Spot.light.shadow_groups=2", "object.Lamp.light.shadows=false",
+         "object.Box.light.shadow_groups=1"},
+        {"object.Spot.light.groups=2", "object.Lamp.light.groups=1", "object.Box.light.shadows=false"},
     };
-    for (const auto& [lights, objects] : kinds) {
-        const Likeness found = compare(scene, lights, objects);
-        fmt::print("{:72} {:14} mean {:.3f} off by {:.4f}, {} of {} by more than 0.04\n", lights, objects,
+    for (const std::vector<std::string>& changes : kinds) {
+        const Likeness found = compare(scene, changes);
+        fmt::print("{:160} mean {:.3f} off by {:.4f}, {} of {} by more than 0.04\n", fmt::join(changes, " "),
                    found.mean, found.mean_off, found.off, found.compared);
         EXPECT_GT(found.mean, 0.05);
         EXPECT_LT(found.mean_off, 0.02 * found.mean + 0.002);

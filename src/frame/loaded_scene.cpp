@@ -227,14 +227,13 @@ bool swap_terrain(gpu::Device& device, LoadedScene& loaded, const Terrain& terra
     return change.is_cut_otherwise;
 }
 
-bool style_lighting(gpu::Device& device, LoadedScene& loaded, const light::LightStyle& style)
+bool style_lighting(gpu::Device& device, LoadedScene& loaded, const features::StyleTables& style)
 {
-    if (loaded.styled_by && loaded.styled_by->lights == style.lights &&
-        loaded.styled_by->objects == style.objects) {
+    if (loaded.styled_by && loaded.styled_by->are_of(style)) {
         return false;
     }
     features::LightingOfScene wanted = features::styled_lighting(loaded.own_lighting, loaded.scene, style);
-    loaded.styled_by = {style.lights, style.objects};
+    loaded.styled_by.emplace(style);
     if (wanted == loaded.styled_lighting) {
         return false;
     }

@@ -29,7 +29,7 @@ struct LoadedScene {
     Scene scene;
     features::LightingOfScene own_lighting;    ///< lights and light links as the file has them
     features::LightingOfScene styled_lighting; ///< lights and light links of `scene` with the style applied
-    std::optional<features::LightingWords>
+    std::optional<features::LightingSettings>
         styled_by; ///< the style's lighting settings that produced `styled_lighting`
     pose::MeshData layout;
     uint32_t layout_number = 0; ///< incremented each time the meshes are laid out
@@ -79,7 +79,8 @@ void lay_out(gpu::Device& device, LoadedScene& loaded);
 /// Applies the lighting settings of `style` to lights and objects, and lays the scene out again when light
 /// links change. Returns whether shadows may change; a change of brightness alone never changes shadows.
 /// Throws Error as styled_lighting() does.
-[[nodiscard]] bool style_lighting(gpu::Device& device, LoadedScene& loaded, const light::LightStyle& style);
+[[nodiscard]] bool style_lighting(gpu::Device& device, LoadedScene& loaded,
+                                  const features::StyleTables& style);
 
 /// Distance from the eye to the nearby objects of the scene. A terrain surrounds the eye, so it limits the
 /// result to a short distance.

@@ -97,7 +97,7 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const features::S
         throw Error("there is no scene to draw", "", "call set_scene first");
     }
     frame::check_page(settings);
-    if (frame::style_lighting(device, *loaded, tables.light)) {
+    if (frame::style_lighting(device, *loaded, tables)) {
         posed_scene = {};
         features.invalidate(features::Event::lights_changed);
     }

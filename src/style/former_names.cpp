@@ -116,8 +116,19 @@ constexpr std::array former_keys{Pair{"cloth.rest_mm_s", "cloth.rest_mm_per_s"},
                                  Pair{"wash.air", "haze.tint"},
                                  Pair{"wash.air_color", "haze.tint_color"},
                                  Pair{"wash.air_distance_m", "haze.tint_distance_m"},
-                                 Pair{"wind.direction_deg", "wind.towards_deg"},
                                  Pair{"wind.speed_m_s", "wind.speed_m_per_s"}};
+
+/// Former keys whose values are written in another way today, sorted, and how.
+constexpr std::array changed_keys{
+    Pair{"ink.zones",
+         "name the object: put zone.blow_mm_per_s, zone.turn_deg_per_s, zone.give or zone.amount "
+         "below a line [object.\"NAME\".ink]"},
+    Pair{"light.lights", "name the light: put enabled, intensity, range_m, radius_m, shadows, attenuation, "
+                         "spot_volume, groups or shadow_groups below a line [object.\"NAME\".light]"},
+    Pair{"light.objects", "name the object: put shadows, receives_shadows, groups or shadow_groups below a "
+                          "line [object.\"NAME\".light] or [material.\"NAME\".light]"},
+    Pair{"wind.direction_deg",
+         "write wind.towards_deg = 90 - direction_deg, which counts from +z like all bearings"}};
 
 /// Other programs' names of parameters, by the last word of the key, sorted.
 constexpr std::array foreign_words{Pair{"alpha", "paper.transparent"},
@@ -153,7 +164,8 @@ constexpr std::array foreign_words{Pair{"alpha", "paper.transparent"},
                                    Pair{"thickness", "drawing.line_weight"},
                                    Pair{"transparent", "paper.transparent"}};
 
-static_assert(std::ranges::is_sorted(former_keys) && std::ranges::is_sorted(foreign_words));
+static_assert(std::ranges::is_sorted(former_keys) && std::ranges::is_sorted(changed_keys) &&
+              std::ranges::is_sorted(foreign_words));
 
 template <typename Names>
 std::string_view find_in(const Names& names, std::string_view word)
@@ -170,6 +182,11 @@ std::string_view name_today(std::string_view key)
         return now;
     }
     return find_in(foreign_words, key.substr(key.rfind('.') + 1));
+}
+
+std::string_view advice_for(std::string_view key)
+{
+    return find_in(changed_keys, key);
 }
 
 std::vector<Pair> names_known_otherwise()

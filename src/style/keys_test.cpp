@@ -108,8 +108,12 @@ TEST(StyleKeys, StandInTheJsonSchemaAsTheyDoInToml)
     EXPECT_EQ(outline.at("properties").at("width_mm").at("type"), "number");
     EXPECT_EQ(outline.at("additionalProperties"), false);
     EXPECT_EQ(contour.at("properties").at("sky").at("enum"), nlohmann::json({"auto", true, false}));
-    EXPECT_TRUE(
-        schema.at("$defs").at("surface").at("properties").at("contour").at("properties").contains("outline"));
+    EXPECT_TRUE(schema.at("$defs")
+                    .at("material")
+                    .at("properties")
+                    .at("contour")
+                    .at("properties")
+                    .contains("outline"));
 }
 
 TEST(StyleKeys, AToggleMayBeLeftToTheScene)

@@ -128,14 +128,14 @@ std::string_view word_of(Surfaces::By by)
     return by == Surfaces::By::material ? "material" : "object";
 }
 
-/// Describes the sections whose parameters may differ by material or object.
-Json describe_surface(std::span<const Section> sections)
+/// Describes the sections with parameters that may differ at least by `least`.
+Json describe_overrides(std::span<const Section> sections, Overridable least)
 {
     Json properties = Json::object();
     for (const Section& section : sections) {
         Json keys = Json::object();
         for (const Parameter& parameter : section.parameters) {
-            if (parameter.by_surface) {
+            if (parameter.overridable >= least) {
                 Json description = describe(parameter);
                 description.erase("default");
                 add_key(keys, parameter.key, std::move(description));
@@ -152,14 +152,13 @@ Json describe_surface(std::span<const Section> sections)
 }
 
 /// Lists the parameters that may differ by material or object, for the manual.
-std::string surface_help(std::span<const Section> sections)
+std::string overrides_help(std::span<const Section> sections, Overridable overridable)
 {
-    std::string text = "Parameters that may differ by material or object, in a section such as "
-                       "[material.\"brick*\".hatch]:\n";
+    std::string text;
     for (const Section& section : sections) {
         std::vector<std::string> keys;
         for (const Parameter& parameter : section.parameters) {
-            if (parameter.by_surface) {
+            if (parameter.overridable == overridable) {
                 keys.push_back(parameter.key);
             }
         }
@@ -234,7 +233,12 @@ std::string AnySchema::help(std::string_view section_name) const
         }
     }
     if (overrides_ && section_name.empty()) {
-        text += fmt::format("\n{}", surface_help(sections_));
+        text += fmt::format("\nParameters that may differ by material or object, in a section such as "
+                            "[material.\"brick*\".hatch]:\n{}",
+                            overrides_help(sections_, Overridable::by_surface));
+        text += fmt::format("\nParameters that may differ by object, in a section such as "
+                            "[object.\"Lamp\".light]:\n{}",
+                            overrides_help(sections_, Overridable::by_object));
     }
     return text;
 }
@@ -262,12 +266,15 @@ std::string AnySchema::json_schema() const
                    {"properties", properties},
                    {"additionalProperties", false}};
     if (overrides_) {
-        schema["$defs"]["surface"] = describe_surface(sections_);
-        const Json patterns = {{"type", "object"}, {"additionalProperties", {{"$ref", "#/$defs/surface"}}}};
-        schema["properties"]["material"] = patterns;
+        schema["$defs"]["material"] = describe_overrides(sections_, Overridable::by_surface);
+        schema["$defs"]["object"] = describe_overrides(sections_, Overridable::by_object);
+        const auto patterns = [](const char* definition) {
+            return Json{{"type", "object"}, {"additionalProperties", {{"$ref", definition}}}};
+        };
+        schema["properties"]["material"] = patterns("#/$defs/material");
         schema["properties"]["material"]["description"] =
             "Sections for materials whose names match a pattern, such as brick*";
-        schema["properties"]["object"] = patterns;
+        schema["properties"]["object"] = patterns("#/$defs/object");
         schema["properties"]["object"]["description"] =
             "Sections for objects whose names match a pattern, such as tower*";
     }

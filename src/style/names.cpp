@@ -7,9 +7,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <estampe/error.hpp>
 
 #include "core/text.hpp"
 #include "style/toml.hpp"
@@ -54,33 +51,6 @@ std::string nearest(std::string_view word, std::span<const std::string> candidat
         }
     }
     return best == nullptr ? std::string() : *best;
-}
-
-std::vector<Assignment> assignments(std::string_view text, const std::string& key, const std::string& form,
-                                    const std::string& example)
-{
-    std::vector<Assignment> parts;
-    while (!trimmed(text, " ").empty()) {
-        const std::string_view item = text.substr(0, text.find(','));
-        text.remove_prefix(std::min(item.size() + 1, text.size()));
-        const size_t equals = item.rfind('=');
-        if (equals == std::string_view::npos) {
-            throw Error(fmt::format("{} is not of the form {}", in_quotes(item), form), key,
-                        fmt::format("write for instance {}", in_quotes(example)));
-        }
-        parts.push_back({std::string(trimmed(item.substr(0, equals), " ")),
-                         std::string(trimmed(item.substr(equals + 1), " "))});
-    }
-    return parts;
-}
-
-void fail_unknown(const std::string& wanted, const std::string& name, const std::string& key,
-                  const std::vector<std::string>& names)
-{
-    const std::string meant = nearest(name, names);
-    throw Error(fmt::format("{} {}", wanted, in_quotes(name)), key,
-                meant.empty() ? fmt::format("it has {}", fmt::join(names, ", "))
-                              : fmt::format("did you mean {}?", in_quotes(meant)));
 }
 
 std::vector<std::string> between_commas(std::string_view text)

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Names in texts: lists of names, assignments to names ("Skin=form, Sea=wind"), and suggestions for a
-// misspelt name.
+// Names in texts: lists of names, and suggestions for misspelt and for former names.
 
 #include <cstddef>
 #include <span>
@@ -24,23 +23,11 @@ namespace estampe::style {
 /// with or without a section); empty when `key` is unknown.
 [[nodiscard]] std::string_view name_today(std::string_view key);
 
+/// How to write what a former key said, if the value has another form today; empty for other keys.
+[[nodiscard]] std::string_view advice_for(std::string_view key);
+
 /// All names that name_today() knows, each with its present key.
 [[nodiscard]] std::vector<std::pair<std::string_view, std::string_view>> names_known_otherwise();
-
-struct Assignment {
-    std::string name;
-    std::string value;
-};
-
-/// Splits `text` at commas; the last "=" of each part ends its name. Throws Error with `key` as its place
-/// when a part has no "="; the message names the required `form` ("material=kind") and shows `example`.
-[[nodiscard]] std::vector<Assignment> assignments(std::string_view text, const std::string& key,
-                                                  const std::string& form, const std::string& example);
-
-/// Throws Error with the message `wanted` ("the scene has no material") and `name`. Suggests the nearest of
-/// `names`, or lists all.
-[[noreturn]] void fail_unknown(const std::string& wanted, const std::string& name, const std::string& key,
-                               const std::vector<std::string>& names);
 
 /// Splits a list of a style at commas, trims spaces, and skips empty parts.
 [[nodiscard]] std::vector<std::string> between_commas(std::string_view text);

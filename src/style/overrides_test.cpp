@@ -26,7 +26,8 @@ struct Sample {
 const Schema<Sample>& schema()
 {
     static const Table<test::HatchStyle> hatch_table = Table(test::hatch_table()).by_surface_but({"seed"});
-    static const Table<test::LineStyle> line_table = Table(test::line_table()).by_surface({"width_mm"});
+    static const Table<test::LineStyle> line_table =
+        Table(test::line_table()).by_surface({"width_mm"}).by_object({"wobble"});
     static const auto schema = Schema<Sample>()
                                    .section(hatch_table, &Sample::hatch)
                                    .section(line_table, &Sample::line)
@@ -115,9 +116,14 @@ TEST(StyleOverrides, MistakesSayWhereAndWhat)
               "[object.\"brick*\".hatch]");
     EXPECT_EQ(sample.error_of("[object.tower.hatch]\nseed = 1\n"),
               "a.toml:2:1: \"hatch.seed\" is the same all over the picture; put it below a line [hatch]");
+    EXPECT_EQ(test::message_of([&] { schema().set(sample, "object.a.hatch.seed=5"); }),
+              "--set: \"hatch.seed\" is the same all over the picture; put it below a line [hatch]");
     EXPECT_EQ(test::message_of([&] { schema().set(sample, "material.a.line.wobble=0.5"); }),
-              "--set: \"line.wobble\" is the same all over the picture; put it below a line [line]");
+              "--set: \"line.wobble\" cannot differ by material; name an object: put it below a line "
+              "[object.\"NAME\".line]");
     EXPECT_TRUE(sample.overrides.empty());
+    schema().set(sample, "object.a.line.wobble=0.5");
+    EXPECT_EQ(sample.overrides.size(), 1U);
 }
 
 TEST(StyleOverrides, AreAnErrorWhereNothingDiffers)
@@ -132,14 +138,15 @@ TEST(StyleOverrides, AreInTheSchemaAndTheManual)
 {
     Sample sample;
     const auto json = nlohmann::json::parse(schema().json_schema());
-    const auto& sections = json["$defs"]["surface"]["properties"];
-    EXPECT_TRUE(sections["hatch"]["properties"].contains("width_mm"));
-    EXPECT_FALSE(sections["hatch"]["properties"].contains("seed"));
-    EXPECT_FALSE(sections["line"]["properties"].contains("wobble"));
-    for (const char* by : {"material", "object"}) {
-        EXPECT_EQ(json["properties"][by]["additionalProperties"]["$ref"], "#/$defs/surface");
+    for (const std::string by : {"material", "object"}) {
+        const auto& sections = json["$defs"][by]["properties"];
+        EXPECT_TRUE(sections["hatch"]["properties"].contains("width_mm"));
+        EXPECT_FALSE(sections["hatch"]["properties"].contains("seed"));
+        EXPECT_EQ(sections["line"]["properties"].contains("wobble"), by == "object");
+        EXPECT_EQ(json["properties"][by]["additionalProperties"]["$ref"], "#/$defs/" + by);
     }
     EXPECT_NE(schema().help().find("\n  line: width_mm\n"), std::string::npos);
+    EXPECT_NE(schema().help().find("\n  line: wobble\n"), std::string::npos);
 }
 
 TEST(StyleOverrides, PatternsAreThoseOfFileNames)

@@ -40,6 +40,13 @@ namespace estampe::style {
 
 enum class Kind : uint8_t { number, integer, toggle, color, choice, text, file };
 
+/// Where a parameter may have values that differ from that of the picture.
+enum class Overridable : uint8_t {
+    nowhere,
+    by_object,  ///< for single objects and lights
+    by_surface, ///< for single objects and single materials
+};
+
 /// A parameter's value without its C++ type. A colour is linear; a choice is stored as its name, a file as
 /// its path.
 using Value = std::variant<float, int64_t, bool, glm::vec3, std::string>;
@@ -80,7 +87,7 @@ struct Parameter {
                                       ///< accepted instead of a path
     std::string unit;                 ///< "mm", "px", "deg"; empty for none
     std::string help;                 ///< a full clause, as it is also shown as a tooltip
-    bool by_surface = false;          ///< may differ between materials and between objects
+    Overridable overridable = Overridable::nowhere;
     Value default_value;
     std::function<Value(const void*)> get;
     std::function<void(void*, const Value&)> set;
@@ -163,8 +170,9 @@ public:
     }
 
     /// Adds a choice between names, one per value of an enumeration.
-    template <typename Enum>
-    Table& choice(std::string key, Enum Style::*member, std::vector<std::pair<std::string, Enum>> names,
+    template <typename Member,
+              typename Enum = std::remove_cvref_t<std::invoke_result_t<const Member&, Style&>>>
+    Table& choice(std::string key, Member member, std::vector<std::pair<std::string, Enum>> names,
                   std::string help)
     {
         Parameter& parameter = add(std::move(key), Kind::choice, {}, std::move(help));
@@ -172,7 +180,7 @@ public:
             parameter.choices.push_back(name.first);
         }
         parameter.get = [member, names](const void* style) -> Value {
-            const Enum held = static_cast<const Style*>(style)->*member;
+            const Enum held = std::invoke(member, *static_cast<const Style*>(style));
             for (const auto& [name, value] : names) {
                 if (value == held) {
                     return name;
@@ -183,7 +191,7 @@ public:
         parameter.set = [member, names](void* style, const Value& chosen) {
             for (const auto& [name, value] : names) {
                 if (name == std::get<std::string>(chosen)) {
-                    static_cast<Style*>(style)->*member = value;
+                    std::invoke(member, *static_cast<Style*>(style)) = value;
                 }
             }
         };
@@ -192,7 +200,8 @@ public:
     }
 
     /// Adds a text that the technique itself interprets.
-    Table& text(std::string key, std::string Style::*member, std::string help)
+    template <typename Member>
+    Table& text(std::string key, Member member, std::string help)
     {
         connect<std::string>(add(std::move(key), Kind::text, {}, std::move(help)), member);
         return *this;
@@ -218,22 +227,38 @@ public:
     /// Allows the parameters of these keys to differ between materials and between objects.
     Table& by_surface(const std::vector<std::string>& keys)
     {
-        for (Parameter& parameter : parameters_) {
-            parameter.by_surface |= std::ranges::find(keys, parameter.key) != keys.end();
-        }
-        return *this;
+        return allow(Overridable::by_surface, keys, true);
     }
 
     /// Allows all parameters but those of these keys to differ between materials and between objects.
     Table& by_surface_but(const std::vector<std::string>& keys)
     {
+        return allow(Overridable::by_surface, keys, false);
+    }
+
+    /// Allows the parameters of these keys to differ between objects.
+    Table& by_object(const std::vector<std::string>& keys)
+    {
+        return allow(Overridable::by_object, keys, true);
+    }
+
+    /// Allows all parameters but those of these keys to differ between objects.
+    Table& by_object_but(const std::vector<std::string>& keys)
+    {
+        return allow(Overridable::by_object, keys, false);
+    }
+
+private:
+    Table& allow(Overridable overridable, const std::vector<std::string>& keys, bool is_listed)
+    {
         for (Parameter& parameter : parameters_) {
-            parameter.by_surface |= std::ranges::find(keys, parameter.key) == keys.end();
+            if ((std::ranges::find(keys, parameter.key) != keys.end()) == is_listed) {
+                parameter.overridable = overridable;
+            }
         }
         return *this;
     }
 
-private:
     Parameter& add(std::string key, Kind kind, std::string unit, std::string help)
     {
         Parameter& parameter = parameters_.emplace_back();
@@ -290,5 +315,16 @@ struct Override {
 
     bool operator==(const Override&) const = default;
 };
+
+/// Sets the parameter of a table to the value of an override, if the override is of this table.
+template <typename Style>
+void apply(const Table<Style>& table, Style& style, const Override& change)
+{
+    for (const Parameter& parameter : table.parameters()) {
+        if (table.section() == change.section && parameter.key == change.key) {
+            parameter.set(&style, change.value);
+        }
+    }
+}
 
 } // namespace estampe::style

@@ -171,10 +171,16 @@ public:
             changes_.push_back({{section, parameter}, std::move(value)});
             return;
         }
-        if (!parameter->by_surface) {
+        if (parameter->overridable == Overridable::nowhere) {
             throw Error(
                 fmt::format("{} is the same all over the picture", in_quotes(full_key(*section, *parameter))),
                 entry.key_where, fmt::format("put it below a line [{}]", section->name));
+        }
+        if (parameter->overridable == Overridable::by_object && entry.surfaces.by == Surfaces::By::material) {
+            throw Error(
+                fmt::format("{} cannot differ by material", in_quotes(full_key(*section, *parameter))),
+                entry.key_where,
+                fmt::format("name an object: put it below a line [object.\"NAME\".{}]", section->name));
         }
         overrides_.push_back({entry.surfaces, section->name, parameter->key, std::move(value)});
     }
@@ -242,6 +248,9 @@ private:
         if (schema_.has_table(name)) {
             throw Error(fmt::format("{} is a section, not a key", in_quotes(name)), where,
                         fmt::format("put its keys below a line [{}]", name));
+        }
+        if (const std::string_view advice = advice_for(name); !advice.empty()) {
+            throw Error(fmt::format("{} is no longer a key", in_quotes(name)), where, std::string(advice));
         }
         const std::string meant = suggestion(name, key);
         throw Error(fmt::format("unknown key {}", in_quotes(name)), where,

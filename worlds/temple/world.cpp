@@ -114,7 +114,9 @@ void dress_ink(Setter& set, const estampe::Style& base)
     set("ink.enabled", "true");
     set("ink.source", "things");
     set("ink.objects", R"("body of demon*")");
-    set("ink.zones", R"("stain*=give:0.6 turn:12, eddy*=turn:110")");
+    set("object.stain*.ink.zone.give", 0.6);
+    set("object.stain*.ink.zone.turn_deg_per_s", 12.0);
+    set("object.eddy*.ink.zone.turn_deg_per_s", 110.0);
     set("ink.color", "#0b0a0e");
     set("ink.thin_color", "#2b2830");
     set("ink.spot_mm", 0.9);

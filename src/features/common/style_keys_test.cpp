@@ -62,6 +62,14 @@ TEST(FormerNames, AreAnsweredInErrors)
               "--set: unknown key \"hatch.drawn\"; did you mean \"hatch.enabled\"?");
     EXPECT_EQ(answer("contour.line_width=2"),
               "--set: unknown key \"contour.line_width\"; did you mean \"contour.outline.width_mm\"?");
+    EXPECT_EQ(
+        answer("wind.direction_deg=20"),
+        "--set: \"wind.direction_deg\" is no longer a key; write wind.towards_deg = 90 - direction_deg, "
+        "which counts from +z like all bearings");
+    for (const char* key :
+         {"light.lights=Lamp=off", "light.objects=Glass=no_cast", "ink.zones=Fan=blow:20"}) {
+        EXPECT_NE(answer(key).find("below a line [object.\"NAME\"."), std::string::npos) << answer(key);
+    }
     EXPECT_EQ(answer("background=white"), "--set: unknown key \"background\"; did you mean \"paper.color\"?");
 }
 

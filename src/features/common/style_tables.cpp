@@ -188,6 +188,17 @@ contour::ContourStyle lines_of(const std::vector<StyleTables>& styles)
 
 } // namespace
 
+namespace {
+
+/// Whether the override changes how a surface is drawn. Overrides of other sections are of lights, zones and
+/// emitters, which are found by their nodes.
+bool is_of_surface(const style::Override& change)
+{
+    return change.section != "light" && change.section != "ink" && change.section != "particles";
+}
+
+} // namespace
+
 StyleVariants style_variants(const pose::MeshData& meshes, const Scene& scene, const StyleTables& style,
                              std::vector<StyleTables> room)
 {
@@ -212,6 +223,9 @@ StyleVariants style_variants(const pose::MeshData& meshes, const Scene& scene, c
             if (meshes.draws[draw].material < of_materials.size()) {
                 add(matches, of_materials[meshes.draws[draw].material]);
             }
+        }
+        for (size_t i = 0; i < matches.size(); ++i) {
+            matches[i] = matches[i] && is_of_surface(style.overrides[i]);
         }
         const auto [variant, is_new] =
             variants.try_emplace(matches, static_cast<uint32_t>(plan.styles.size()));
@@ -253,18 +267,45 @@ StyleVariants style_variants_of_nodes(const Scene& scene, const StyleTables& sty
     return plan;
 }
 
+namespace {
+
+bool has_light(const Scene& scene, const std::string& pattern)
+{
+    for (Index light = 0; light < scene.lights.size(); ++light) {
+        if (is_named_light(scene, light, pattern)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// What the override needs and the scene does not have; empty if the scene has it.
+std::string missing(const Scene& scene, const style::Override& change)
+{
+    const std::string& pattern = change.surfaces.pattern;
+    const auto is_meant = [&](const auto& named) { return style::matches(pattern, named.name); };
+    if (change.surfaces.by == By::material) {
+        return std::ranges::any_of(scene.materials, is_meant) ? "" : "materials";
+    }
+    const bool is_of_lights = change.section == "light";
+    const auto found = style_schema().find(change.section + "." + change.key);
+    if (is_of_lights && found.parameter->overridable == style::Overridable::by_object) {
+        return has_light(scene, pattern) ? "" : "lights";
+    }
+    const bool is_there =
+        std::ranges::any_of(scene.nodes, is_meant) || (is_of_lights && has_light(scene, pattern));
+    return is_there ? "" : "objects";
+}
+
+} // namespace
+
 std::vector<std::string> idle_overrides(const Scene& scene, const StyleTables& style)
 {
     std::vector<std::string> notes;
     for (const style::Override& change : style.overrides) {
-        const style::Surfaces& surfaces = change.surfaces;
-        const auto is_meant = [&](const auto& named) { return style::matches(surfaces.pattern, named.name); };
-        const bool by_material = surfaces.by == By::material;
-        if (by_material ? std::ranges::none_of(scene.materials, is_meant)
-                        : std::ranges::none_of(scene.nodes, is_meant)) {
-            std::string note =
-                fmt::format("the style speaks of {} {}, of which the scene has none",
-                            by_material ? "materials" : "objects", style::in_quotes(surfaces.pattern));
+        if (const std::string things = missing(scene, change); !things.empty()) {
+            std::string note = fmt::format("the style speaks of {} {}, of which the scene has none", things,
+                                           style::in_quotes(change.surfaces.pattern));
             if (std::ranges::find(notes, note) == notes.end()) {
                 notes.push_back(std::move(note));
             }
@@ -277,6 +318,19 @@ bool is_named(const Scene& scene, Index node, const std::string& pattern)
 {
     for (; node != no_index; node = scene.nodes[node].parent) {
         if (style::matches(pattern, scene.nodes[node].name)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool is_named_light(const Scene& scene, Index light, const std::string& pattern)
+{
+    if (style::matches(pattern, scene.lights[light].name)) {
+        return true;
+    }
+    for (Index node = 0; node < scene.nodes.size(); ++node) {
+        if (scene.nodes[node].light == light && is_named(scene, node, pattern)) {
             return true;
         }
     }

@@ -104,8 +104,9 @@ struct StyleVariants {
     [[nodiscard]] bool has_several() const { return styles.size() > 1; }
 };
 
-/// Draw calls with the same overrides share a style variant. The list of styles reuses the memory of `room`.
-/// Cost: linear in draw calls times overrides.
+/// Draw calls with the same overrides share a style variant; overrides of lights, zones of ink and emitters
+/// of particles make none. The list of styles reuses the memory of `room`. Cost: linear in draw calls times
+/// overrides.
 [[nodiscard]] StyleVariants style_variants(const pose::MeshData& meshes, const Scene& scene,
                                            const StyleTables& style, std::vector<StyleTables> room = {});
 
@@ -113,10 +114,14 @@ struct StyleVariants {
 /// applies to the node's descendants. Cost: linear in nodes times overrides.
 [[nodiscard]] StyleVariants style_variants_of_nodes(const Scene& scene, const StyleTables& style);
 
-/// One message per pattern of the style's overrides that matches nothing in the scene.
+/// One message per pattern of the style's overrides that matches nothing in the scene, or no light where the
+/// override changes a light.
 [[nodiscard]] std::vector<std::string> idle_overrides(const Scene& scene, const StyleTables& style);
 
 /// Whether a pattern matches the name of a node or of one of its ancestors.
 [[nodiscard]] bool is_named(const Scene& scene, Index node, const std::string& pattern);
+
+/// Whether a pattern matches the name of a light, or is_named() a node with that light.
+[[nodiscard]] bool is_named_light(const Scene& scene, Index light, const std::string& pattern);
 
 } // namespace estampe::features

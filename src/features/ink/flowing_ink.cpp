@@ -5,13 +5,9 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <sstream>
 
 #include <fmt/format.h>
 
-#include <estampe/error.hpp>
-
-#include "core/text.hpp"
 #include "features/common/solver_meter.hpp"
 #include "features/common/style_tables.hpp"
 #include "style/names.hpp"
@@ -22,48 +18,6 @@
 
 namespace estampe::features {
 namespace {
-
-constexpr const char* zones_key = "ink.zones";
-
-void note_if_idle(const Scene& scene, const std::string& pattern, const char* key,
-                  std::vector<std::string>& notes)
-{
-    const auto is_meant = [&](const Node& node) { return style::matches(pattern, node.name); };
-    if (std::ranges::none_of(scene.nodes, is_meant)) {
-        notes.push_back(fmt::format("{} speaks of objects {}, of which the scene has none", key,
-                                    style::in_quotes(pattern)));
-    }
-}
-
-/// The effect of a zone, without its place.
-struct ZoneWords {
-    float blow_mm_per_s = 0.0F;
-    float turn_deg_s = 0.0F;
-    float give = 0.0F;
-    float amount = 1.0F;
-};
-
-ZoneWords zone_words(const std::string& text)
-{
-    ZoneWords words;
-    std::istringstream stream(text);
-    for (std::string word; stream >> word;) {
-        const size_t colon = word.find(':');
-        const std::string name = word.substr(0, colon);
-        float* const value = name == "blow"     ? &words.blow_mm_per_s
-                             : name == "turn"   ? &words.turn_deg_s
-                             : name == "give"   ? &words.give
-                             : name == "amount" ? &words.amount
-                                                : nullptr;
-        const auto number = number_from<float>(colon == std::string::npos ? "" : word.substr(colon + 1));
-        if (value == nullptr || !number || !(std::abs(*number) <= 1e4F)) {
-            throw Error(fmt::format("{} says nothing of ink", style::in_quotes(word)), zones_key,
-                        "allowed: blow:20, turn:90, give:1, amount:0.5, with numbers up to 10000");
-        }
-        *value = *number;
-    }
-    return words;
-}
 
 /// A point's position on the page in millimetres; none for a point behind the eye.
 std::optional<glm::dvec2> page_place_mm(const ZoneView& view, const glm::dvec3& point)
@@ -77,7 +31,7 @@ std::optional<glm::dvec2> page_place_mm(const ZoneView& view, const glm::dvec3& 
 }
 
 std::optional<shared::InkZone> zone_at(const ZoneView& view, const glm::dmat4& world_from_node,
-                                       const ZoneWords& words)
+                                       const ink::ZoneStyle& style)
 {
     const glm::dvec3 middle(world_from_node[3]);
     const double radius_m =
@@ -104,10 +58,10 @@ std::optional<shared::InkZone> zone_at(const ZoneView& view, const glm::dmat4& w
     constexpr double smallest_mm = 0.1;
     return shared::InkZone{.middle_mm = glm::vec2(*middle_mm),
                            .radius_mm = static_cast<float>(std::max(radius_mm, smallest_mm)),
-                           .amount = words.amount,
-                           .velocity_mm_per_s = words.blow_mm_per_s * glm::vec2(blows),
-                           .turn_rad_s = glm::radians(words.turn_deg_s),
-                           .gives = words.give};
+                           .amount = style.amount,
+                           .velocity_mm_per_s = style.blow_mm_per_s * glm::vec2(blows),
+                           .turn_rad_s = glm::radians(style.turn_deg_per_s),
+                           .gives = style.give};
 }
 
 } // namespace
@@ -120,7 +74,11 @@ std::vector<uint32_t> ink_mask(const pose::MeshData& meshes, const Scene& scene,
         return {};
     }
     for (const std::string& pattern : parts) {
-        note_if_idle(scene, pattern, "ink.objects", notes);
+        const auto is_meant = [&](const Node& node) { return style::matches(pattern, node.name); };
+        if (std::ranges::none_of(scene.nodes, is_meant)) {
+            notes.push_back(fmt::format("ink.objects speaks of objects {}, of which the scene has none",
+                                        style::in_quotes(pattern)));
+        }
     }
     std::vector<uint32_t> mask(std::max<size_t>(meshes.draws.size(), 1), 0);
     for (size_t draw = 0; draw < meshes.sources.size(); ++draw) {
@@ -131,19 +89,28 @@ std::vector<uint32_t> ink_mask(const pose::MeshData& meshes, const Scene& scene,
     return mask;
 }
 
-std::vector<shared::InkZone> ink_zones(const ZoneView& view, std::string_view text,
-                                       std::vector<std::string>& notes)
+std::vector<shared::InkZone> ink_zones(const ZoneView& view, const StyleTables& style)
 {
+    const auto is_of_zone = [](const style::Override& change) {
+        return change.surfaces.by == style::Surfaces::By::object && change.section == "ink" &&
+               change.key.starts_with("zone.");
+    };
     std::vector<shared::InkZone> zones;
-    for (const style::Assignment& part :
-         style::assignments(text, zones_key, "object=words", "Fan=blow:20, Well=give:1")) {
-        const ZoneWords words = zone_words(part.value);
-        note_if_idle(view.scene, part.name, zones_key, notes);
-        for (size_t node = 0; node < view.scene.nodes.size(); ++node) {
-            if (!style::matches(part.name, view.scene.nodes[node].name)) {
+    std::vector<bool> is_done(view.scene.nodes.size(), false);
+    for (const style::Override& first : style.overrides) {
+        for (size_t node = 0; is_of_zone(first) && node < view.scene.nodes.size(); ++node) {
+            const std::string& name = view.scene.nodes[node].name;
+            if (is_done[node] || !style::matches(first.surfaces.pattern, name)) {
                 continue;
             }
-            const auto zone = zone_at(view, view.pose.world_from_node[node], words);
+            is_done[node] = true;
+            ink::InkStyle styled = style.ink;
+            for (const style::Override& change : style.overrides) {
+                if (is_of_zone(change) && style::matches(change.surfaces.pattern, name)) {
+                    style::apply(ink::ink_table(), styled, change);
+                }
+            }
+            const auto zone = zone_at(view, view.pose.world_from_node[node], styled.zone);
             if (zone && zones.size() < shared::most_ink_zones) {
                 zones.push_back(*zone);
             }
@@ -525,8 +492,8 @@ std::optional<InkPlan> FlowingInk::ensure(gpu::Device& device, gpu::Executor& ex
     const std::optional<double> before = is_there ? before_s(in.settings, style) : std::nullopt;
     const ink::Time time = ink::time_of(style, in.settings.time_s, before);
     const shared::FrameGlobals seen = page_seen_by(in, in.camera);
-    const std::vector<shared::InkZone> zones = ink_zones(
-        {.scene = in.scene, .pose = in.pose, .anchor = in.layout.anchor, .page = seen}, style.zones, notes);
+    const std::vector<shared::InkZone> zones =
+        ink_zones({.scene = in.scene, .pose = in.pose, .anchor = in.layout.anchor, .page = seen}, in.style);
     const Camera& before_camera = time.is_fresh ? in.camera : camera_before_;
     const MotionPlan moved{.clip_from_anchor = seen.clip_from_anchor,
                            .clip_from_anchor_before = page_seen_by(in, before_camera).clip_from_anchor,

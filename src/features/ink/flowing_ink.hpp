@@ -42,11 +42,10 @@ struct ZoneView {
     const shared::FrameGlobals& page;
 };
 
-/// Reads zones from `text`: "Fan*=blow:20, Well=give:1 turn:90 amount:0". A zone is as large as a sphere of
-/// one metre radius in the node's space. Nodes behind the eye get none; at most `most_ink_zones` are made.
-/// Throws Error for unknown words; patterns that match nothing are reported in `notes`.
-[[nodiscard]] std::vector<shared::InkZone> ink_zones(const ZoneView& view, std::string_view text,
-                                                     std::vector<std::string>& notes);
+/// The zones of the style: nodes whose names match an override by object of `ink.zone`. A zone is as large as
+/// a sphere of one metre radius in the node's space. Nodes behind the eye get none; at most `most_ink_zones`
+/// are made, in the order of the overrides. Cost: linear in nodes times overrides.
+[[nodiscard]] std::vector<shared::InkZone> ink_zones(const ZoneView& view, const StyleTables& style);
 
 /// The state of the water at the end of a picture, for the next picture of a film.
 struct KeptWater {

@@ -10,6 +10,7 @@
 #include <estampe/error.hpp>
 #include <estampe/shapes.hpp>
 
+#include "features/common/style_tables.hpp"
 #include "features/common/view.hpp"
 #include "support/scenes.hpp"
 
@@ -42,15 +43,18 @@ Scene hung_box()
     return scene;
 }
 
-std::vector<shared::InkZone> zones_of(const std::string& text, std::vector<std::string>& notes)
+std::vector<shared::InkZone> zones_of(const std::vector<std::string>& assignments)
 {
+    StyleTables style;
+    for (const std::string& assignment : assignments) {
+        style_schema().set(style, assignment);
+    }
     const Scene scene = hung_box();
     const Camera camera{.eye = {0.0, 0.0, 10.0}, .target = {0.0, 0.0, 0.0}};
     const auto page =
         frame_globals(camera, {}, glm::dvec3(0.0), {.size_px = size_px, .page_height_mm = 50.0});
     return ink_zones(
-        {.scene = scene, .pose = pose_scene(scene, 0.0), .anchor = glm::dvec3(0.0), .page = page}, text,
-        notes);
+        {.scene = scene, .pose = pose_scene(scene, 0.0), .anchor = glm::dvec3(0.0), .page = page}, style);
 }
 
 TEST(InkMask, NamesObjectsAndWhatHangsOnThem)
@@ -81,8 +85,9 @@ TEST(InkMask, NamesObjectsAndWhatHangsOnThem)
 
 TEST(InkZones, StandOnThePageWhereTheirObjectsAre)
 {
-    std::vector<std::string> notes;
-    const auto zones = zones_of("fan=blow:20 turn:90 give:0.5 amount:0.25", notes);
+    const auto zones =
+        zones_of({"object.fan.ink.zone.blow_mm_per_s=20", "object.f*.ink.zone.turn_deg_per_s=90",
+                  "object.fan.ink.zone.give=0.5", "ink.zone.amount=0.25"});
     ASSERT_EQ(zones.size(), 1U) << "one of the two is behind the eye";
     EXPECT_NEAR(zones[0].middle_mm.x, 50.0F, 1e-3F);
     EXPECT_NEAR(zones[0].middle_mm.y, 25.0F, 1e-3F);
@@ -93,18 +98,16 @@ TEST(InkZones, StandOnThePageWhereTheirObjectsAre)
     EXPECT_NEAR(zones[0].turn_rad_s, 1.5708F, 1e-3F);
     EXPECT_EQ(zones[0].gives, 0.5F);
     EXPECT_EQ(zones[0].amount, 0.25F);
-    EXPECT_TRUE(notes.empty());
-    EXPECT_TRUE(zones_of("nothing=give:1", notes).empty());
-    EXPECT_EQ(notes.size(), 1U);
 }
 
-TEST(InkZones, RefusesWordsThatMeanNothing)
+TEST(InkZones, AreOnlyWhereAnOverrideNamesThem)
 {
-    std::vector<std::string> notes;
-    for (const char* text : {"fan", "fan=blow", "fan=blow:", "fan=blow:x", "fan=blow:1e9", "fan=blow:nan",
-                             "fan=shine:1", "fan=give:1 2"}) {
-        EXPECT_THROW(static_cast<void>(zones_of(text, notes)), Error) << text;
-    }
+    EXPECT_TRUE(zones_of({"ink.zone.give=1", "object.fan.wash.strength=0.5"}).empty());
+    EXPECT_TRUE(zones_of({"object.nothing.ink.zone.give=1"}).empty());
+    EXPECT_EQ(zones_of({"object.post.ink.zone.give=1"}).size(), 1U) << "without its child";
+    EXPECT_THROW(static_cast<void>(zones_of({"material.fan.ink.zone.give=1"})), Error);
+    EXPECT_THROW(static_cast<void>(zones_of({"object.fan.ink.zone.shine=1"})), Error);
+    EXPECT_THROW(static_cast<void>(zones_of({"object.fan.ink.zone.give=nan"})), Error);
 }
 
 } // namespace

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
-#include <sstream>
 
 #include <fmt/format.h>
 
@@ -15,7 +15,6 @@
 #include "core/text.hpp"
 #include "gpu/resources.hpp"
 #include "style/names.hpp"
-#include "style/toml.hpp"
 #include "techniques/light/light.glsl.h"
 
 namespace estampe::features {
@@ -45,176 +44,94 @@ ViewAnalysis DefaultLight::analysis(const Scene& scene, const light::LightStyle&
 
 namespace {
 
-constexpr const char* lights_key = "light.lights";
-constexpr const char* objects_key = "light.objects";
 constexpr int group_count = 16;
-
-[[noreturn]] void fail_word(const std::string& word, const char* key, const char* allowed)
-{
-    throw Error(fmt::format("{} says nothing of it", style::in_quotes(word)), key,
-                fmt::format("allowed: {}", allowed));
-}
-
-/// The part of `word` after `name` and a colon.
-std::optional<std::string> argument(const std::string& word, const std::string& name)
-{
-    if (word.size() <= name.size() || word.compare(0, name.size(), name) != 0 || word[name.size()] != ':') {
-        return std::nullopt;
-    }
-    return word.substr(name.size() + 1);
-}
 
 /// Reads "1+3" as bits 0 and 2.
 Groups parse_groups(const std::string& text, const char* key)
 {
     uint32_t bits = 0;
-    std::istringstream parts(text);
-    for (std::string part; std::getline(parts, part, '+');) {
+    for (size_t begin = 0; begin <= text.size();) {
+        const size_t end = std::min(text.find('+', begin), text.size());
+        const std::string part(trimmed(std::string_view(text).substr(begin, end - begin)));
         const int group = number_from<int>(part).value_or(0);
         if (group < 1 || group > group_count) {
             throw Error(fmt::format("{} is not a group", style::in_quotes(part)), key,
-                        fmt::format("groups are 1 to {}, joined as in 1+3", group_count));
+                        fmt::format("groups are numbers from 1 to {}, joined as in 1+3", group_count));
         }
         bits |= 1U << static_cast<uint32_t>(group - 1);
+        begin = end + 1;
     }
     return static_cast<Groups>(bits);
 }
 
-float parse_number(const std::string& text, const char* key)
-{
-    const float number = number_from<float>(text).value_or(-1.0F);
-    if (!std::isfinite(number) || number < 0.0F) {
-        throw Error(fmt::format("{} is not a number that can be used here", style::in_quotes(text)), key,
-                    "it is 0 or more");
+/// The values of the style for one light, node or material.
+struct Changes {
+    light::LightStyle style;
+    std::optional<bool> shadows;          ///< set if an override sets `light.shadows`
+    std::optional<bool> receives_shadows; ///< set if an override sets `light.receives_shadows`
+
+    void add(const style::Override& change)
+    {
+        style::apply(light::light_table(), style, change);
+        shadows = change.key == "shadows" ? std::optional(style.shadows) : shadows;
+        if (change.key == "receives_shadows") {
+            receives_shadows = style.changes.receives_shadows;
+        }
     }
-    return number;
+};
+
+/// The groups for which shadows are thrown: those of the style, else those of the file; none without shadows.
+/// `shadows = true` throws shadows for all groups where the file throws none.
+Groups shadow_groups(Groups of_file, const Changes& changes)
+{
+    const std::string& groups = changes.style.changes.shadow_groups;
+    Groups result = groups.empty() ? of_file : parse_groups(groups, "light.shadow_groups");
+    if (changes.shadows) {
+        result = !*changes.shadows ? Groups{0} : result == 0 ? all_groups : result;
+    }
+    return result;
 }
 
-void apply_to_light(Light& light, const std::string& word)
+void apply(Light& light, const Changes& all)
 {
-    if (word == "off") {
-        light.intensity = 0.0F;
-    } else if (word == "shadow") {
-        light.casters = light.casters != 0 ? light.casters : all_groups;
-    } else if (word == "no_shadow") {
-        light.casters = 0;
-    } else if (word == "inverse_square") {
-        light.falloff = LightFalloff::inverse_square;
-    } else if (word == "unit_volume") {
-        light.falloff = LightFalloff::unit_volume;
-    } else if (word == "cone") {
-        light.shape = SpotShape::cone;
-    } else if (word == "pyramid") {
-        light.shape = SpotShape::pyramid;
-    } else if (const auto groups = argument(word, "groups")) {
-        light.groups = parse_groups(*groups, lights_key);
-    } else if (const auto casters = argument(word, "casters")) {
-        light.casters = parse_groups(*casters, lights_key);
-    } else if (const auto factor = argument(word, "intensity")) {
-        light.intensity *= parse_number(*factor, lights_key);
-    } else if (const auto range_m = argument(word, "range")) {
-        light.range_m = parse_number(*range_m, lights_key);
-    } else if (const auto radius_m = argument(word, "radius")) {
-        light.radius_m = parse_number(*radius_m, lights_key);
-    } else {
-        fail_word(word, lights_key,
-                  "off, shadow, no_shadow, inverse_square, unit_volume, cone, pyramid, groups:1+2, "
-                  "casters:1+2, intensity:2, range:5, radius:0.1");
+    const light::LightChanges& changes = all.style.changes;
+    light.intensity = changes.enabled ? changes.intensity * light.intensity : 0.0F;
+    light.range_m = changes.range_m >= 0.0F ? changes.range_m : light.range_m;
+    light.radius_m = changes.radius_m >= 0.0F ? changes.radius_m : light.radius_m;
+    if (changes.attenuation != light::Attenuation::file) {
+        light.falloff = changes.attenuation == light::Attenuation::unit_volume ? LightFalloff::unit_volume
+                                                                               : LightFalloff::inverse_square;
     }
+    if (changes.spot_volume != light::SpotVolume::file) {
+        light.shape =
+            changes.spot_volume == light::SpotVolume::pyramid ? SpotShape::pyramid : SpotShape::cone;
+    }
+    light.groups = changes.groups.empty() ? light.groups : parse_groups(changes.groups, "light.groups");
+    light.casters = shadow_groups(light.casters, all);
 }
 
-void apply_to_object(LightLinks& links, const std::string& word)
+void apply(LightLinks& links, const Changes& all)
 {
-    if (word == "cast") {
-        links.casts_for = all_groups;
-    } else if (word == "no_cast") {
-        links.casts_for = 0;
-    } else if (word == "receive") {
-        links.receives_shadows = true;
-    } else if (word == "no_receive") {
-        links.receives_shadows = false;
-    } else if (const auto groups = argument(word, "groups")) {
-        links.lit_by = parse_groups(*groups, objects_key);
-    } else if (const auto casts = argument(word, "casts")) {
-        links.casts_for = parse_groups(*casts, objects_key);
-    } else {
-        fail_word(word, objects_key, "cast, no_cast, receive, no_receive, groups:1+2, casts:1+2");
-    }
+    const light::LightChanges& changes = all.style.changes;
+    links.lit_by = changes.groups.empty() ? links.lit_by : parse_groups(changes.groups, "light.groups");
+    links.casts_for = shadow_groups(links.casts_for, all);
+    links.receives_shadows =
+        all.receives_shadows.value_or(links.receives_shadows && changes.receives_shadows);
 }
 
-template <class Item, class Apply>
-void apply_words(Item& item, const std::string& words, Apply apply)
-{
-    std::istringstream stream(words);
-    for (std::string word; stream >> word;) {
-        apply(item, word);
-    }
-}
+constexpr const char* light_section = "light";
 
-void apply_lights(LightingOfScene& lighting, const Scene& scene, const std::string& text)
+/// The picture's values with those overrides of section `light` that are accepted.
+template <typename Accepts>
+Changes changes_for(const StyleTables& style, Accepts accepts)
 {
-    for (const style::Assignment& part :
-         style::assignments(text, lights_key, "light=words", "Lamp=unit_volume no_shadow, Sun=off")) {
-        std::vector<std::string> names;
-        std::vector<bool> meant(lighting.lights.size(), false);
-        for (Index i = 0; i < lighting.lights.size(); ++i) {
-            names.push_back(lighting.lights[i].name);
-            meant[i] = names.back() == part.name;
-        }
-        for (const Node& node : scene.nodes) {
-            if (node.light != no_index) {
-                names.push_back(node.name);
-                meant[node.light] = meant[node.light] || node.name == part.name;
-            }
-        }
-        bool is_known = false;
-        for (Index i = 0; i < meant.size(); ++i) {
-            if (meant[i]) {
-                is_known = true;
-                apply_words(lighting.lights[i], part.value, apply_to_light);
-            }
-        }
-        if (!is_known) {
-            style::fail_unknown("the scene has no light", part.name, lights_key, names);
+    Changes changes{.style = style.light, .shadows = {}, .receives_shadows = {}};
+    for (const style::Override& change : style.overrides) {
+        if (change.section == light_section && accepts(change.surfaces)) {
+            changes.add(change);
         }
     }
-}
-
-void apply_below(LightingOfScene& lighting, const Scene& scene, Index top, const std::string& words)
-{
-    std::vector<Index> open{top};
-    while (!open.empty()) {
-        const Index node = open.back();
-        open.pop_back();
-        apply_words(lighting.node_links[node], words, apply_to_object);
-        open.insert(open.end(), scene.nodes[node].children.begin(), scene.nodes[node].children.end());
-    }
-}
-
-void apply_objects(LightingOfScene& lighting, const Scene& scene, const std::string& text)
-{
-    for (const style::Assignment& part :
-         style::assignments(text, objects_key, "object=words", "Glass=no_cast, Floor=no_receive")) {
-        std::vector<std::string> names;
-        bool is_known = false;
-        for (Index i = 0; i < scene.nodes.size(); ++i) {
-            names.push_back(scene.nodes[i].name);
-            if (names.back() == part.name) {
-                is_known = true;
-                apply_below(lighting, scene, i, part.value);
-            }
-        }
-        for (Index i = 0; i < scene.materials.size(); ++i) {
-            names.push_back(scene.materials[i].name);
-            if (names.back() == part.name) {
-                is_known = true;
-                apply_words(lighting.material_links[i], part.value, apply_to_object);
-            }
-        }
-        if (!is_known) {
-            style::fail_unknown("the scene has no node or material", part.name, objects_key, names);
-        }
-    }
+    return changes;
 }
 
 } // namespace
@@ -263,13 +180,48 @@ void brighten(LightingOfScene& lighting, std::span<const LightBrightness> lights
     }
 }
 
-LightingOfScene styled_lighting(const LightingOfScene& own, const Scene& scene,
-                                const light::LightStyle& style)
+LightingOfScene styled_lighting(const LightingOfScene& own, const Scene& scene, const StyleTables& style)
 {
+    using By = style::Surfaces::By;
     LightingOfScene lighting = own;
-    apply_lights(lighting, scene, style.lights);
-    apply_objects(lighting, scene, style.objects);
+    for (Index i = 0; i < lighting.lights.size(); ++i) {
+        apply(lighting.lights[i], changes_for(style, [&](const style::Surfaces& surfaces) {
+                  return surfaces.by == By::object && is_named_light(scene, i, surfaces.pattern);
+              }));
+    }
+    for (Index i = 0; i < lighting.node_links.size(); ++i) {
+        apply(lighting.node_links[i], changes_for(style, [&](const style::Surfaces& surfaces) {
+                  return surfaces.by == By::object && is_named(scene, i, surfaces.pattern);
+              }));
+    }
+    for (Index i = 0; i < lighting.material_links.size(); ++i) {
+        apply(lighting.material_links[i], changes_for(style, [&](const style::Surfaces& surfaces) {
+                  return surfaces.by == By::material &&
+                         style::matches(surfaces.pattern, scene.materials[i].name);
+              }));
+    }
     return lighting;
+}
+
+LightingSettings::LightingSettings(const StyleTables& style) : changes_(style.light.changes)
+{
+    std::ranges::copy_if(style.overrides, std::back_inserter(overrides_),
+                         [](const style::Override& change) { return change.section == light_section; });
+}
+
+bool LightingSettings::are_of(const StyleTables& style) const
+{
+    if (changes_ != style.light.changes) {
+        return false;
+    }
+    size_t next = 0;
+    for (const style::Override& change : style.overrides) {
+        if (change.section == light_section &&
+            (next == overrides_.size() || !(overrides_[next++] == change))) {
+            return false;
+        }
+    }
+    return next == overrides_.size();
 }
 
 void set_lighting(Scene& scene, const LightingOfScene& lighting)
@@ -283,7 +235,7 @@ void set_lighting(Scene& scene, const LightingOfScene& lighting)
     }
 }
 
-Scene lit_by_style(Scene scene, const light::LightStyle& style)
+Scene lit_by_style(Scene scene, const StyleTables& style)
 {
     set_lighting(scene, styled_lighting(lighting_of(scene), scene, style));
     return scene;

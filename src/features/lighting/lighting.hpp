@@ -6,13 +6,13 @@
 
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include <estampe/renderer.hpp>
 #include <estampe/scene.hpp>
 
 #include "features/common/feature.hpp"
+#include "features/common/style_tables.hpp"
 #include "scene/view_analysis/view_analysis.hpp"
 #include "techniques/light/exposure/exposure.hpp"
 #include "techniques/light/light.glsl.h"
@@ -43,12 +43,17 @@ struct LightingOfScene {
     bool operator==(const LightingOfScene& other) const = default;
 };
 
-/// The style's text that changes lights and links, unparsed.
-struct LightingWords {
-    std::string lights;
-    std::string objects;
+/// The part of a style that changes lights and links.
+class LightingSettings {
+public:
+    explicit LightingSettings(const StyleTables& style);
 
-    bool operator==(const LightingWords& other) const = default;
+    /// Whether the style has the same settings. Does not allocate. Cost: linear in the style's overrides.
+    [[nodiscard]] bool are_of(const StyleTables& style) const;
+
+private:
+    light::LightChanges changes_;
+    std::vector<style::Override> overrides_; ///< of section `light`
 };
 
 [[nodiscard]] LightingOfScene lighting_of(const Scene& scene);
@@ -63,15 +68,15 @@ struct LightingWords {
 /// finite.
 void brighten(LightingOfScene& lighting, std::span<const LightBrightness> lights);
 
-/// Applies the style's `light.lights` and `light.objects` to `own`. A light is found by its name or its
-/// node's name. An object is found by its node's name, which includes all descendants, or by its material's
-/// name. Throws Error if a text cannot be parsed, or contains a name that is not in the scene. Cost: linear
-/// in nodes and words.
+/// Applies light::LightChanges of the style and of its overrides to `own`. An override by object applies to
+/// the node of that name and its descendants, and to the lights that is_named_light() finds; an override by
+/// material applies to the links of that material. Throws Error if light groups cannot be parsed. Cost:
+/// linear in lights, nodes and materials, times overrides.
 [[nodiscard]] LightingOfScene styled_lighting(const LightingOfScene& own, const Scene& scene,
-                                              const light::LightStyle& style);
+                                              const StyleTables& style);
 
 /// The scene with the style's lighting. Throws as styled_lighting() does.
-[[nodiscard]] Scene lit_by_style(Scene scene, const light::LightStyle& style);
+[[nodiscard]] Scene lit_by_style(Scene scene, const StyleTables& style);
 
 /// Writes `lighting` into the scene.
 void set_lighting(Scene& scene, const LightingOfScene& lighting);

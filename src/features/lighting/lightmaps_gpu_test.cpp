@@ -164,7 +164,8 @@ TEST_F(WornLightmaps, GroupsByStyleLeaveTheMapWhereItIs)
     const Image plain = draw(scene, &map, bare(0.0F));
     EXPECT_GT(mean(plain, 20, 40, 16, 32), mean(plain, 56, 76, 16, 32) + 60.0);
     Style grouped = bare(0.0F);
-    grouped.set("light.objects=left=groups:2 casts:2");
+    grouped.set("object.left.light.groups=2");
+    grouped.set("object.left.light.shadow_groups=2");
     EXPECT_EQ(draw(scene, &map, grouped), plain);
 }
 

@@ -5,6 +5,8 @@
 
 namespace estampe::ink {
 
+using style::within;
+
 const style::Table<InkStyle>& ink_table()
 {
     static const auto table =
@@ -68,10 +70,21 @@ const style::Table<InkStyle>& ink_table()
             .number("drag", &InkStyle::drag, {0.0F, 1.0F}, "",
                     "How much flowing ink moves along with the moving object on which the ink lies: 0 not at "
                     "all, 1 fully. Not used when ink.follow is surface, where ink always moves along fully.")
-            .text("zones", &InkStyle::zones,
-                  "Objects without a mesh that act on flowing ink near them: blow (mm/s along the object's "
-                  "-z), turn (degrees per second), give and amount (strength 0 to 1). Example: "
-                  "\"Fan=blow:20, Well=give:1 turn:90\".")
+            .number("zone.blow_mm_per_s", within(&InkStyle::zone, &ZoneStyle::blow_mm_per_s),
+                    {-10000.0F, 10000.0F}, "mm/s",
+                    "Speed at which a zone blows flowing ink along the -z axis of its object. Example of a "
+                    "zone: [object.\"Fan\".ink] zone.blow_mm_per_s = 20.")
+            .number("zone.turn_deg_per_s", within(&InkStyle::zone, &ZoneStyle::turn_deg_per_s),
+                    {-10000.0F, 10000.0F}, "deg/s",
+                    "Speed at which a zone turns flowing ink around its object, clockwise on the page. "
+                    "Example of a zone: [object.\"Eddy\".ink] zone.turn_deg_per_s = 90.")
+            .number("zone.give", within(&InkStyle::zone, &ZoneStyle::give), {0.0F, 1.0F}, "",
+                    "How much ink flows out of a zone: 0 gives none, more gives denser ink. Example of a "
+                    "zone: [object.\"Well\".ink] zone.give = 1.")
+            .number(
+                "zone.amount", within(&InkStyle::zone, &ZoneStyle::amount), {0.0F, 100.0F}, "",
+                "Factor on the ink that the drawing gives in a zone: 0 gives none, more gives denser ink. "
+                "Example of a zone: [object.\"Calm\".ink] zone.amount = 0.")
             .number("life_s", &InkStyle::life_s, {0.05F, 1000.0F}, "s",
                     "How long wet flowing ink lasts: about a third is left after this time")
             .number("soak", &InkStyle::soak, {0.0F, 1.0F}, "",
@@ -108,7 +121,8 @@ const style::Table<InkStyle>& ink_table()
             .number(
                 "oversize", &InkStyle::oversize, {1.0F, 3.0F}, "",
                 "Size of the grid of flowing ink, as a factor of the page: more keeps ink farther outside "
-                "the view, so that the ink can come back. Only used when ink.follow is turn or advance.");
+                "the view, so that the ink can come back. Only used when ink.follow is turn or advance.")
+            .by_object({"zone.blow_mm_per_s", "zone.turn_deg_per_s", "zone.give", "zone.amount"});
     return table;
 }
 

@@ -19,6 +19,14 @@ enum class Follow : uint8_t {
 
 enum class Source : uint8_t { strokes, light, things };
 
+/// How an object without a mesh acts on flowing ink near the object.
+struct ZoneStyle {
+    float blow_mm_per_s = 0.0F; ///< along the object's -z
+    float turn_deg_per_s = 0.0F;
+    float give = 0.0F;
+    float amount = 1.0F;
+};
+
 struct InkStyle {
     bool enabled = false;
     Follow follow = Follow::surface;
@@ -38,7 +46,7 @@ struct InkStyle {
     std::string flow_map;
     float flow_mm_per_s = 15.0F;
     float drag = 0.5F;
-    std::string zones;
+    ZoneStyle zone; ///< the default of each zone
     float life_s = 3.0F;
     float soak = 0.15F;
     float stain_s = 8.0F;

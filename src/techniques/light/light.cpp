@@ -10,6 +10,8 @@
 
 namespace estampe::light {
 
+using style::within;
+
 const style::Table<LightStyle>& light_table()
 {
     static const auto table =
@@ -55,18 +57,48 @@ const style::Table<LightStyle>& light_table()
             .number("paling", &LightStyle::paling, {0.0F, 1.0F}, "",
                     "How much the scene's shadow on the blank ground gets paler towards its far end: 0 keeps "
                     "the same darkness everywhere, 1 fades the far end into the lit ground")
-            .toggle("shadows", &LightStyle::shadows, "Turns the shadows of all lights on")
+            .toggle("shadows", &LightStyle::shadows,
+                    "Turns shadows on. Example for a light or an object that throws no shadow: "
+                    "[object.\"Glass\".light] shadows = false.")
             .integer("shadow_size", &LightStyle::shadow_size, {0, 4096}, "texels",
                      "Width and height of the sun's shadow map: more gives sharper edges of shadows and "
                      "takes more memory. 0 uses about one texel per pixel of the picture.")
-            .text("lights", &LightStyle::lights,
-                  "Changes to single lights, by the name of the light or its node: off, intensity:2, "
-                  "range:5, radius:0.1, no_shadow, groups:1+3, casters:2, cone, pyramid, unit_volume. "
-                  "Example: \"Lamp=intensity:2 no_shadow, Sun=off\".")
-            .text("objects", &LightStyle::objects,
-                  "How single objects throw and receive light and shadow, by the name of the node or "
-                  "material: no_cast, no_receive, casts:1+2, groups:1+3. Example: \"Glass=no_cast, "
-                  "Figure=groups:2 no_receive\".");
+            .toggle("enabled", within(&LightStyle::changes, &LightChanges::enabled),
+                    "If false, a light of the file does not shine. Example for one light: "
+                    "[object.\"Lamp\".light] enabled = false.")
+            .number("intensity", within(&LightStyle::changes, &LightChanges::intensity), {0.0F, 1000.0F}, "",
+                    "Factor on the brightness of a light of the file: 2 doubles the light, 0.5 halves the "
+                    "light. Example for one light: [object.\"Lamp\".light] intensity = 2.")
+            .number("range_m", within(&LightStyle::changes, &LightChanges::range_m), {-1.0F, 1e6F}, "m",
+                    "Distance at which a lamp of the file ends: less lights only what is near, 0 has no "
+                    "limit. -1 keeps the range of the file.")
+            .number("radius_m", within(&LightStyle::changes, &LightChanges::radius_m), {-1.0F, 1000.0F}, "m",
+                    "Radius of a lamp of the file: more gives softer edges of shadows, 0 gives sharp edges. "
+                    "-1 keeps the radius of the file, or shadow.lamp_radius_m where the file has none.")
+            .choice("attenuation", within(&LightStyle::changes, &LightChanges::attenuation),
+                    {{"file", Attenuation::file},
+                     {"inverse_square", Attenuation::inverse_square},
+                     {"unit_volume", Attenuation::unit_volume}},
+                    "How the light of a lamp of the file gets weaker with distance. file: as the file says; "
+                    "inverse_square: as in nature, strong near the lamp; unit_volume: evenly to the end of "
+                    "the lamp's range.")
+            .choice(
+                "spot_volume", within(&LightStyle::changes, &LightChanges::spot_volume),
+                {{"file", SpotVolume::file}, {"cone", SpotVolume::cone}, {"pyramid", SpotVolume::pyramid}},
+                "Shape of the light of a spot of the file. file: as the file says; cone: a round patch of "
+                "light; pyramid: a square patch of light.")
+            .toggle("receives_shadows", within(&LightStyle::changes, &LightChanges::receives_shadows),
+                    "If false, no shadows fall on an object. Example for one object: "
+                    "[object.\"Figure\".light] receives_shadows = false.")
+            .text("groups", within(&LightStyle::changes, &LightChanges::groups),
+                  "Light groups of a light or of an object, as numbers from 1 to 16 such as 1+3. A light "
+                  "lights the objects that share a group with the light. If empty, the groups of the file.")
+            .text(
+                "shadow_groups", within(&LightStyle::changes, &LightChanges::shadow_groups),
+                "Shadow groups of a light or of an object, as numbers such as 1+3. An object throws a "
+                "shadow in the lights that share a group with the object. If empty, the groups of the file.")
+            .by_surface({"shadows", "receives_shadows", "groups", "shadow_groups"})
+            .by_object({"enabled", "intensity", "range_m", "radius_m", "attenuation", "spot_volume"});
     return table;
 }
 

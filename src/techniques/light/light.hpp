@@ -22,6 +22,28 @@ enum class LightSource : uint8_t { automatic, scene, sun };
 /// Determines the exposure: from the scene's lights, from the page's brightness, or from the style.
 enum class Metering : uint8_t { lights, page, manual };
 
+/// How the lights of a file decrease with distance: as the file says, or by one of the laws of LightFalloff.
+enum class Attenuation : uint8_t { file, inverse_square, unit_volume };
+
+/// The lit volume of a spot: as the file says, or one of SpotShape.
+enum class SpotVolume : uint8_t { file, cone, pyramid };
+
+/// Changes to lights and objects of a file. The values of the picture apply to all lights and objects, and
+/// overrides to single ones. The defaults change nothing.
+struct LightChanges {
+    bool enabled = true;
+    float intensity = 1.0F; ///< factor
+    float range_m = -1.0F;  ///< -1: as in the file
+    float radius_m = -1.0F; ///< -1: as in the file
+    Attenuation attenuation = Attenuation::file;
+    SpotVolume spot_volume = SpotVolume::file;
+    bool receives_shadows = true;
+    std::string groups;        ///< numbers, "1+3"; empty: as in the file
+    std::string shadow_groups; ///< numbers; empty: as in the file
+
+    bool operator==(const LightChanges&) const = default;
+};
+
 struct LightStyle {
     LightSource source = LightSource::automatic;
     float sun_azimuth_deg = house_sun_azimuth_deg;
@@ -37,8 +59,7 @@ struct LightStyle {
     float paling = 0.5F;
     bool shadows = true;
     int shadow_size = 0;
-    std::string lights;
-    std::string objects;
+    LightChanges changes;
 };
 
 [[nodiscard]] const style::Table<LightStyle>& light_table();

@@ -65,7 +65,7 @@ const style::Table<ParticleStyle>& particle_table()
             .number("soft_m", &ParticleStyle::soft_m, {0.001F, 100.0F}, "m",
                     "Distance in front of a surface over which particles fade out: more hides the hard edge "
                     "where particles cut into the surface")
-            .by_surface_but({"emitters"});
+            .by_object_but({"emitters"});
     return table;
 }
 
