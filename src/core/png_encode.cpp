@@ -344,17 +344,16 @@ void PngFile::add_rows(std::span<const uint8_t> rgba)
 {
     Writer& writer = *writer_;
     const size_t row_bytes = size_t{4} * writer.head.width;
-    const size_t rows = rgba.size() / row_bytes;
-    if (rgba.size() % row_bytes != 0 || rows > writer.head.height - writer.next_row) {
+    if (rgba.size() % row_bytes != 0 || rgba.size() / row_bytes > writer.head.height - writer.next_row) {
         throw Error("these are no rows of the picture", writer.target.string());
     }
     if (setjmp(writer.failure.jump) != 0) {
         writer.fail();
     }
-    for (size_t row = 0; row < rows; ++row) {
-        png_write_row(writer.png, rgba.data() + row_bytes * row);
+    for (size_t at = 0; at < rgba.size(); at += row_bytes) {
+        png_write_row(writer.png, rgba.data() + at);
+        ++writer.next_row;
     }
-    writer.next_row += static_cast<uint32_t>(rows);
 }
 
 void PngFile::publish()
