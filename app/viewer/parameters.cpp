@@ -84,8 +84,23 @@ bool edit_integer(const Parameter& parameter, Value& value)
     return changed;
 }
 
-bool edit_color(Value& value)
+/// Edits a colour. One that may be "auto" has a checkbox before it, which turns it black at first.
+bool edit_color(const Parameter& parameter, Value& value)
 {
+    if (!parameter.choices.empty()) {
+        bool has_color = std::holds_alternative<glm::vec3>(value);
+        const bool toggled = ImGui::Checkbox("##own", &has_color);
+        if (toggled) {
+            value = has_color ? Value(glm::vec3(0.0F)) : Value(parameter.choices.front());
+        }
+        ImGui::SameLine();
+        if (!has_color) {
+            ImGui::TextDisabled("%s", parameter.choices.front().c_str());
+        }
+        if (toggled || !has_color) {
+            return toggled;
+        }
+    }
     const glm::dvec3 srgb = style::srgb_from_linear(std::get<glm::vec3>(value));
     std::array<float, 3> parts{static_cast<float>(srgb.x), static_cast<float>(srgb.y),
                                static_cast<float>(srgb.z)};
@@ -144,7 +159,7 @@ bool edit(const Parameter& parameter, Value& value)
         return changed;
     }
     case Kind::color:
-        return edit_color(value);
+        return edit_color(parameter, value);
     case Kind::choice:
         return edit_choice(parameter, value);
     case Kind::text:

@@ -226,14 +226,16 @@ contour::LineWidths hidden_widths_px(const contour::ContourStyle& contour, float
     return widths;
 }
 
-/// The ink of a line, from its LinePoint::ink.
-glm::vec3 ink_of(uint32_t number, const Scene& scene, const features::StyleVariants& variants)
+/// The ink of a line along a surface of draw call `draw`.
+glm::vec3 ink_of(const contour::LinePath& path, uint32_t draw, const Scene& scene,
+                 const features::StyleVariants& variants)
 {
-    if ((number & shared::ink_of_variant) != 0) {
-        return variants.styles.at(number & ~shared::ink_of_variant).contour.ink;
+    const bool is_of_material = path.ink > 0 && (path.ink & shared::ink_of_variant) == 0;
+    if (is_of_material && scene.materials.at(path.ink - 1).toon) {
+        return scene.materials[path.ink - 1].toon->outline_color;
     }
-    return number > 0 && scene.materials.at(number - 1).toon ? scene.materials[number - 1].toon->outline_color
-                                                             : variants.lines.ink;
+    const uint32_t variant = variants.has_several() ? variants.variant_of_draw.at(draw) : 0U;
+    return contour::ink_of_kind(variants.styles.at(variant).contour, path.kind);
 }
 
 void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene& drawn,
@@ -265,7 +267,7 @@ void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene&
         if (has_width) {
             gathering.add(
                 {.kind = kind_of_line(path.kind), .is_hidden = path.is_hidden, .is_closed = path.is_closed},
-                draw, ink_of(path.ink, drawn.scene, variants), path.points);
+                draw, ink_of(path, draw, drawn.scene, variants), path.points);
         }
     }
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Keys in tables of a section, automatic switches, and colours by name.
+#include <optional>
+
 #include <estampe/error.hpp>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -12,6 +14,7 @@ namespace {
 struct Kind {
     bool enabled = true;
     float width_mm = 0.5F;
+    std::optional<glm::vec3> ink;
 
     bool operator==(const Kind&) const = default;
 };
@@ -40,6 +43,7 @@ const Schema<Drawing>& drawing_schema()
         auto made = Table<Lines>("contour", "Ink lines of every kind");
         made.toggle("outline.enabled", outline(&Kind::enabled), "Turns outlines on")
             .number("outline.width_mm", outline(&Kind::width_mm), {0.02F, 20.0F}, "mm", "Width of outlines")
+            .color_or_auto("outline.ink", outline(&Kind::ink), "Colour of outlines")
             .toggle("crease.enabled", crease(&Kind::enabled), "Turns creases on")
             .number("crease.width_mm", crease(&Kind::width_mm), {0.02F, 20.0F}, "mm", "Width of creases")
             .auto_toggle("sky", &Lines::sky, "Draws a sky")
@@ -127,6 +131,26 @@ TEST(StyleKeys, AToggleMayBeLeftToTheScene)
     EXPECT_NE(drawing_schema().to_toml(drawing).find("\nsky = true\n"), std::string::npos);
     EXPECT_EQ(message_of([] { read("[contour]\nsky = 1\n"); }),
               "test.toml:2:7: contour.sky = 1 is not a name in quotes; allowed: auto, true, false");
+}
+
+TEST(StyleKeys, AColorMayBeAuto)
+{
+    EXPECT_EQ(read("[contour]\noutline.ink = \"navy\"\n").lines.outline.ink, srgb(0x000080));
+    const Drawing set = read("[contour]\noutline.ink = [1, 0, 0]\n");
+    EXPECT_EQ(set.lines.outline.ink, srgb(0xff0000));
+    EXPECT_EQ(read(drawing_schema().to_toml(set)), set);
+    Drawing drawing = set;
+    drawing_schema().set(drawing, "contour.outline.ink=auto");
+    EXPECT_FALSE(drawing.lines.outline.ink);
+    EXPECT_EQ(read(drawing_schema().to_toml(drawing)), drawing);
+    EXPECT_NE(
+        message_of([] { read("[contour]\noutline.ink = \"none\"\n"); }).find("allowed: \"auto\", \"#rr"),
+        std::string::npos);
+    EXPECT_THROW(drawing_schema().set(drawing, "contour.ink=auto"), Error) << "always a colour";
+    const auto schema = nlohmann::json::parse(drawing_schema().json_schema());
+    const auto& ink = schema.at("properties").at("contour").at("properties").at("outline").at("properties");
+    EXPECT_EQ(ink.at("ink").at("default"), "auto");
+    EXPECT_EQ(ink.at("ink").at("anyOf").back().at("enum"), nlohmann::json({"auto"}));
 }
 
 TEST(StyleKeys, ColorsHaveTheNamesOfCss)

@@ -28,7 +28,7 @@ std::string range_column(const Parameter& parameter)
 {
     switch (parameter.kind) {
     case Kind::color:
-        return "#rrggbb, name";
+        return parameter.choices.empty() ? "#rrggbb, name" : "auto, #rrggbb, name";
     case Kind::text:
         return "text";
     case Kind::file:
@@ -90,6 +90,9 @@ Json describe(const Parameter& parameter)
         const Json hex = {{"type", "string"}, {"pattern", "^(#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})|[a-zA-Z]+)$"}};
         const Json array = {{"type", "array"}, {"items", part}, {"minItems", 3}, {"maxItems", 3}};
         json["anyOf"] = Json::array({hex, array});
+        if (!parameter.choices.empty()) {
+            json["anyOf"].push_back({{"enum", parameter.choices}});
+        }
         json["default"] = Json::parse(format_value(parameter.default_value));
         break;
     }

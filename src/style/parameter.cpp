@@ -152,6 +152,9 @@ public:
     [[nodiscard]] Value color() const
     {
         if (const auto* text = std::get_if<std::string>(&raw_.value)) {
+            if (std::ranges::find(parameter_.choices, *text) != parameter_.choices.end()) {
+                return *text;
+            }
             if (const auto linear = text->starts_with('#') ? parse_color(*text) : named_color(*text)) {
                 return *linear;
             }
@@ -265,7 +268,8 @@ std::string allowed(const Parameter& parameter)
     case Kind::toggle:
         return "true or false";
     case Kind::color:
-        return "\"#rrggbb\", a name of CSS such as \"ivory\", or [r, g, b] of 0 to 1";
+        return fmt::format("{}\"#rrggbb\", a name of CSS such as \"ivory\", or [r, g, b] of 0 to 1",
+                           parameter.choices.empty() ? "" : "\"auto\", ");
     case Kind::text:
         return "a text in quotes";
     case Kind::file:

@@ -83,10 +83,10 @@ struct Parameter {
     Kind kind = Kind::number;
     Range range;                      ///< only for numbers
     IntegerRange integers;            ///< only for integers
-    std::vector<std::string> choices; ///< for choices, in the order of the table; for files, names that are
-                                      ///< accepted instead of a path
-    std::string unit;                 ///< "mm", "px", "deg"; empty for none
-    std::string help;                 ///< a full clause, as it is also shown as a tooltip
+    std::vector<std::string> choices; ///< for choices, in the order of the table; for files and colours,
+                                      ///< names that are accepted instead of a path or a colour
+    std::string unit; ///< "mm", "px", "deg"; empty for none
+    std::string help; ///< a full clause, as it is also shown as a tooltip
     Overridable overridable = Overridable::nowhere;
     Value default_value;
     std::function<Value(const void*)> get;
@@ -166,6 +166,24 @@ public:
     Table& color(std::string key, Member member, std::string help)
     {
         connect<glm::vec3>(add(std::move(key), Kind::color, {}, std::move(help)), member);
+        return *this;
+    }
+
+    /// Adds a colour that may be "auto", for members of type std::optional<glm::vec3>: none is "auto".
+    template <typename Member>
+    Table& color_or_auto(std::string key, Member member, std::string help)
+    {
+        Parameter& parameter = add(std::move(key), Kind::color, {}, std::move(help));
+        parameter.choices = {"auto"};
+        parameter.get = [member](const void* style) -> Value {
+            const std::optional<glm::vec3>& held = std::invoke(member, *static_cast<const Style*>(style));
+            return held ? Value(*held) : Value(std::string("auto"));
+        };
+        parameter.set = [member](void* style, const Value& value) {
+            const auto* const color = std::get_if<glm::vec3>(&value);
+            std::invoke(member, *static_cast<Style*>(style)) = color ? std::optional(*color) : std::nullopt;
+        };
+        parameter.default_value = parameter.get(&defaults_);
         return *this;
     }
 

@@ -61,24 +61,29 @@ class Change {
 public:
     explicit Change(StyleTables& style) : style_(style) {}
 
-    /// Multiplies a number of the picture's style, and of every override that sets it.
+    /// Replaces the value of the picture's style, and of every override that sets the key, by changed(value).
+    template <typename Changed>
+    void replace(std::string_view key, const Changed& changed)
+    {
+        const style::AnySchema::Found found = style_schema().find(key);
+        void* const values = found.section->place.in(static_cast<void*>(&style_));
+        found.parameter->set(values, changed(found.parameter->get(values)));
+        for (style::Override& other : style_.overrides) {
+            if (other.section == found.section->name && other.key == found.parameter->key) {
+                other.value = changed(other.value);
+            }
+        }
+    }
+
     void multiply(std::string_view key, float factor)
     {
         if (factor == 1.0F) {
             return;
         }
-        const style::AnySchema::Found found = style_schema().find(key);
-        void* const values = found.section->place.in(static_cast<void*>(&style_));
-        const auto scaled = [&](const style::Value& value) {
-            const style::Range& range = found.parameter->range;
+        const style::Range& range = style_schema().find(key).parameter->range;
+        replace(key, [&](const style::Value& value) -> style::Value {
             return std::clamp(std::get<float>(value) * factor, range.minimum, range.maximum);
-        };
-        found.parameter->set(values, scaled(found.parameter->get(values)));
-        for (style::Override& other : style_.overrides) {
-            if (other.section == found.section->name && other.key == found.parameter->key) {
-                other.value = scaled(other.value);
-            }
-        }
+        });
     }
 
     template <typename Keys>
@@ -118,30 +123,35 @@ constexpr std::array<std::string_view, 4> fewer_inner_lines{
     "contour.crease.angle_deg", "contour.ridge.turn_deg", "contour.suggestive.growth",
     "contour.crest.angle_deg"};
 
+constexpr std::array<std::string_view, 7> inner_lines{
+    "contour.border.enabled",     "contour.crease.enabled",     "contour.ridge.enabled",
+    "contour.valley.enabled",     "contour.suggestive.enabled", "contour.intersection.enabled",
+    "contour.shadow_edge.enabled"};
+constexpr std::array<std::string_view, 21> painted{
+    "sky.horizon",     "sky.zenith",        "sky.noon_horizon",  "sky.noon_zenith",    "sky.dusk_horizon",
+    "sky.dusk_zenith", "sky.night_horizon", "sky.night_zenith",  "sky.high_band",      "sky.low_band",
+    "sky.sun_color",   "sky.moon_color",    "clouds.color",      "clouds.shade_color", "wash.shadow_tint",
+    "haze.tint_color", "smoke.color",       "smoke.shade_color", "smoke.deep_color",   "smoke.flame_color",
+    "particles.color"};
+
 /// Blends a colour towards the grey of equal luminance (ITU-R BT.709); `kept` = 1 returns the colour
 /// unchanged.
-void fade_to_grey(glm::vec3& color, float kept)
+glm::vec3 faded_to_grey(const glm::vec3& color, float kept)
 {
     const float grey = glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F));
-    color = glm::mix(glm::vec3(grey), color, kept);
+    return glm::mix(glm::vec3(grey), color, kept);
 }
 
-void change_color(StyleTables& style, Change& change, float color)
+void change_color(Change& change, float color)
 {
     change.multiply("wash.strength", color);
     change.multiply("wash.saturation", color);
-    if (color >= 1.0F) {
-        return;
-    }
-    for (glm::vec3* const each :
-         {&style.sky.horizon,       &style.sky.zenith,         &style.sky.noon_horizon,
-          &style.sky.noon_zenith,   &style.sky.dusk_horizon,   &style.sky.dusk_zenith,
-          &style.sky.night_horizon, &style.sky.night_zenith,   &style.sky.high_band,
-          &style.sky.low_band,      &style.sky.sun_color,      &style.sky.moon_color,
-          &style.clouds.color,      &style.clouds.shade_color, &style.wash.shadow_tint,
-          &style.haze.tint_color,   &style.smoke.color,        &style.smoke.shade_color,
-          &style.smoke.deep_color,  &style.smoke.flame_color,  &style.particles.color}) {
-        fade_to_grey(*each, color);
+    for (const std::string_view key : painted) {
+        if (color < 1.0F) {
+            change.replace(key, [&](const style::Value& value) -> style::Value {
+                return faded_to_grey(std::get<glm::vec3>(value), color);
+            });
+        }
     }
 }
 
@@ -180,15 +190,13 @@ const StyleTables& with_drawing(const StyleTables& style, StyleTables& room)
     change.multiply("tone.contrast", drawing.contrast);
     change.multiply_all(texture, drawing.detail);
     change.multiply_all(fewer_inner_lines, 1.0F / std::max(drawing.detail, 1e-3F));
-    if (drawing.detail == 0.0F) {
-        for (contour::LineStyle* const line :
-             {&room.contour.border, &room.contour.crease, &room.contour.ridge, &room.contour.valley,
-              &room.contour.suggestive, &room.contour.intersection, &room.contour.shadow_edge}) {
-            line->enabled = false;
+    for (const std::string_view key : inner_lines) {
+        if (drawing.detail == 0.0F) {
+            change.replace(key, [](const style::Value&) -> style::Value { return false; });
         }
     }
     change.multiply_all(unsteadiness, drawing.wobble);
-    change_color(room, change, drawing.color);
+    change_color(change, drawing.color);
     change_paper(room.paper, drawing.paper);
     for (int* const seed : {&room.hatch.seed, &room.tam.seed, &room.contour.seed, &room.ink.seed,
                             &room.smoke.seed, &room.focus_lines.seed, &room.motion_blur.seed,

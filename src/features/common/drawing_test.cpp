@@ -63,6 +63,16 @@ TEST(DrawingFactors, WithoutColorLeaveGreys)
     }
 }
 
+TEST(DrawingFactors, ReachTogglesAndColorsOfSingleSurfaces)
+{
+    const StyleTables plain = drawn({"object.tower.contour.crease.enabled=true", "drawing.detail=0"});
+    EXPECT_FALSE(plain.contour.crease.enabled);
+    EXPECT_EQ(plain.overrides.at(0).value, style::Value(false));
+    const StyleTables grey = drawn({"material.brick.wash.shadow_tint=#ff0000", "drawing.color=0"});
+    const auto tint = std::get<glm::vec3>(grey.overrides.at(0).value);
+    EXPECT_FLOAT_EQ(tint.x, tint.y);
+}
+
 TEST(DrawingFactors, PaperReplacesThatOfThePreset)
 {
     EXPECT_EQ(drawn({"paper.color=#204060", "drawing.paper=white"}).paper.color, glm::vec3(1.0F));

@@ -188,6 +188,12 @@ contour::ContourStyle lines_of(const std::vector<StyleTables>& styles)
 
 } // namespace
 
+bool StyleVariants::has_inks_by_kind() const
+{
+    return std::ranges::any_of(
+        styles, [](const StyleTables& style) { return contour::has_inks_by_kind(style.contour); });
+}
+
 namespace {
 
 /// Whether the override changes how a surface is drawn. Overrides of other sections are of lights, zones and

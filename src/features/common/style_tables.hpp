@@ -102,6 +102,9 @@ struct StyleVariants {
     contour::ContourStyle lines;
 
     [[nodiscard]] bool has_several() const { return styles.size() > 1; }
+
+    /// Whether a kind of line has an ink of its own in some variant.
+    [[nodiscard]] bool has_inks_by_kind() const;
 };
 
 /// Draw calls with the same overrides share a style variant; overrides of lights, zones of ink and emitters

@@ -184,6 +184,60 @@ TEST(StyleVariantPictures, LinesInThePictureHaveTheInkOfTheirObject)
     EXPECT_GT(black, 50U);
 }
 
+/// Pixels of pure red and of pure blue ink.
+glm::uvec2 red_and_blue(const Image& image)
+{
+    glm::uvec2 counts(0);
+    for (size_t i = 0; i < image.rgba.size(); i += 4) {
+        const bool has_red = image.rgba[i] > 200;
+        const bool has_blue = image.rgba[i + 2] > 200;
+        counts.x += has_red && !has_blue && image.rgba[i + 1] < 80 ? 1 : 0;
+        counts.y += has_blue && !has_red && image.rgba[i + 1] < 80 ? 1 : 0;
+    }
+    return counts;
+}
+
+TEST(StyleVariantPictures, EachKindOfLineMayHaveAnInkOfItsOwn)
+{
+    const Assignments bare{
+        "hatch.enabled=false",        "wash.strength=0",          "paper.grain=0", "contour.ink=#000000",
+        "contour.outline.width_mm=4", "contour.crease.width_mm=4"};
+    EXPECT_EQ(red_and_blue(draw_variants(style_of_all(bare))), glm::uvec2(0));
+    Assignments colored = bare;
+    colored.insert(colored.end(), {"contour.outline.ink=#ff0000", "contour.crease.ink=#0000ff"});
+    const glm::uvec2 both = red_and_blue(draw_variants(style_of_all(colored)));
+    EXPECT_GT(both.x, 50U);
+    EXPECT_GT(both.y, 50U);
+    Assignments of_box = bare;
+    of_box.insert(of_box.end(), {"contour.outline.ink=#ff0000", "object.box.contour.crease.ink=#0000ff",
+                                 "object.ball.contour.outline.ink=auto"});
+    const glm::uvec2 single = red_and_blue(draw_variants(style_of_all(of_box)));
+    EXPECT_GT(single.x, 20U);
+    EXPECT_LT(single.x, both.x) << "the ball has the ink of all lines";
+    EXPECT_EQ(single.y, both.y) << "only the box has folds";
+}
+
+TEST(StyleVariantPictures, StrokesAsPathsHaveTheInkOfTheirKind)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(named_still_life());
+    const VectorDrawing drawing = renderer.draw_strokes(
+        test::corner_camera,
+        style_of_all({"hatch.enabled=false", "contour.ink=#000000", "contour.crease.ink=#0000ff",
+                      "object.ball.contour.outline.ink=#ff0000", "contour.hidden.enabled=true"}),
+        variants_page);
+    size_t creases = 0;
+    for (const VectorStroke& stroke : drawing.strokes) {
+        const bool is_crease = stroke.kind == StrokeKind::crease;
+        const bool is_of_ball = drawing.objects[stroke.object] == "ball";
+        EXPECT_EQ(drawing.inks_srgb[stroke.ink], is_crease    ? glm::vec3(0.0F, 0.0F, 1.0F)
+                                                 : is_of_ball ? glm::vec3(1.0F, 0.0F, 0.0F)
+                                                              : glm::vec3(0.0F));
+        creases += is_crease ? 1 : 0;
+    }
+    EXPECT_GT(creases, 0U);
+}
+
 TEST(StyleVariantPictures, PathsOfAMapAreAnErrorWhicheverVariantHasIt)
 {
     Renderer& renderer = test::shared_renderer();

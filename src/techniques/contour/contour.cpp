@@ -38,7 +38,11 @@ void add_line_keys(ContourTable& table, const LineKind& kind, const char* lines)
             fmt::format(
                 "Tool that draws lines {}: pen, pencil, charcoal, brush, or a PNG of one stroke, as in "
                 "contour.brush. If empty, contour.brush is used. Only used when contour.lines is chains.",
-                kind.place));
+                kind.place))
+        .color_or_auto(name + ".ink", of(&LineStyle::ink),
+                       fmt::format("Colour of lines {}. auto uses the colour contour.ink. Only used when "
+                                   "contour.lines is chains.",
+                                   kind.place));
 }
 
 void add_kind_keys(ContourTable& table)
@@ -161,6 +165,14 @@ void add_hidden_keys(ContourTable& table)
 
 } // namespace
 
+bool has_inks_by_kind(const ContourStyle& style)
+{
+    return std::ranges::any_of(line_kinds, [&](const LineKind& kind) {
+        const LineStyle& line = style.*kind.style;
+        return line.enabled && line.ink.has_value();
+    });
+}
+
 const style::Table<ContourStyle>& contour_table()
 {
     static const ContourTable table = [] {
@@ -186,7 +198,7 @@ const style::Table<ContourStyle>& contour_table()
         made.by_surface({"enabled", "ink"});
         for (const LineKind& kind : line_kinds) {
             made.by_surface({fmt::format("{}.enabled", kind.name), fmt::format("{}.width_mm", kind.name),
-                             fmt::format("{}.width_m", kind.name)});
+                             fmt::format("{}.width_m", kind.name), fmt::format("{}.ink", kind.name)});
         }
         return made;
     }();
@@ -291,8 +303,11 @@ gpu::ImageId add_contours(gpu::Graph& graph, const ContourInputs& in, const Cont
     pass.variant(in.own_outlines ? shared::stroke_has_own_outlines : 0U);
     const gpu::ImageId ink = pass.write(graph.image(
         "contour/ink", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba8}));
-    pass.push(shared::StrokeConstants{
-                  .width = in.size_px.x, .height = in.size_px.y, .reach_px = reach, .ink_color = style.ink})
+    pass.push(shared::StrokeConstants{.width = in.size_px.x,
+                                      .height = in.size_px.y,
+                                      .reach_px = reach,
+                                      .ink_color = in.only_cut ? ink_of_kind(style, shared::line_silhouette)
+                                                               : style.ink})
         .dispatch_over(in.size_px.x, in.size_px.y);
     return ink;
 }

@@ -29,9 +29,10 @@ enum class Joints : uint8_t { round, mitre };
 /// Settings of each kind of line.
 struct LineStyle {
     bool enabled = true;
-    float width_mm = 0.24F; ///< in millimetres on the page
-    float width_m = 0.0F;   ///< in metres of the scene; unless 0, replaces `width_mm`
-    std::string brush;      ///< empty uses ContourStyle::brush
+    float width_mm = 0.24F;       ///< in millimetres on the page
+    float width_m = 0.0F;         ///< in metres of the scene; unless 0, replaces `width_mm`
+    std::string brush;            ///< empty uses ContourStyle::brush
+    std::optional<glm::vec3> ink; ///< none uses ContourStyle::ink
 };
 
 /// Settings of hidden lines, which are drawn with dashes.
@@ -123,6 +124,15 @@ inline constexpr std::array<LineKind, shared::line_kind_count> line_kinds{
     return line.enabled ? line.width_mm : 0.0F;
 }
 
+[[nodiscard]] inline const glm::vec3& ink_of_kind(const ContourStyle& style, uint32_t kind)
+{
+    const std::optional<glm::vec3>& ink = line_style(style, kind).ink;
+    return ink ? *ink : style.ink;
+}
+
+/// Whether some kind of line has an ink of its own.
+[[nodiscard]] bool has_inks_by_kind(const ContourStyle& style);
+
 /// Names of the built-in brushes; any other name is the path of a picture.
 inline const std::vector<std::string>& brush_names()
 {
@@ -167,7 +177,10 @@ struct ContourInputs {
     float pixel_m_at_one = 0.001F; ///< size of a pixel at a distance of one; parallel: at any distance
     glm::uvec2 size_px{0};
     std::optional<gpu::BufferId> variant_of_draw; ///< set if surfaces have style variants: r32ui texels
-    std::optional<gpu::BufferId> variant_lines;   ///< set with it, for chains: one VariantLines per variant
+    /// One VariantLines per variant, for chains; set if surfaces have style variants, or if
+    /// has_inks_by_kind() of some variant.
+    std::optional<gpu::BufferId> variant_lines;
+    bool has_inks_by_kind = false;
     /// Visibility of the surfaces that hide chains, if it differs from all solid surfaces: clear glass hides
     /// none.
     std::optional<gpu::BufferId> line_hiders;

@@ -66,11 +66,12 @@ SHARED_CONSTANT uint shape_is_even_in_shade = 1U << 8U; // strokes do not get wi
 SHARED_CONSTANT uint shape_is_hidden = 1U << 9U;        // the pass shapes hidden lines
 SHARED_CONSTANT uint shape_stretches = 1U << 10U;       // brushes stretch over the whole stroke
 SHARED_CONSTANT uint shape_has_variants = 1U << 11U;    // surfaces have different style variants
+SHARED_CONSTANT uint shape_has_inks_by_kind = 1U << 12U;
 
 SHARED_CONSTANT uint joints_has_brushes = 1U << 0U; // corners of brushed lines are not mitred
 
 SHARED_CONSTANT uint ink_layer_has_own_outlines = 1U << 0U; // some material has its own outline
-SHARED_CONSTANT uint ink_layer_has_variants = 1U << 1U;     // surfaces have different style variants
+SHARED_CONSTANT uint ink_layer_has_variants = 1U << 1U;     // VariantLines are bound
 
 // Chains, and all lists from which they are made or that are made from them.
 
@@ -329,17 +330,21 @@ struct PartConstants {
     uint has_touches;
 };
 
-// Line widths and ink of a style variant, in four texels of 16 bytes.
+// Line widths and inks of a style variant.
 struct VariantLines {
     float width_of_kind[line_kind_count]; // full widths in pixels or metres
     uint metre_kinds;                     // bit mask of the kinds whose width is in metres
-    vec3 ink;
-    uint unused;
+    vec3 ink_of_kind[line_kind_count];    // linear
 };
 
-// Ink of a LinePoint: 0 is the style's ink, index + 1 the ink of a material; with this bit set, the ink of a
-// style variant.
+SHARED_CONSTANT uint variant_lines_words = 4U * line_kind_count + 1U;
+
+// Ink of a LinePoint, in 16 bits: 0 is the style's ink, index + 1 the ink of a material. With this bit set,
+// the ink of a kind of line in a style variant: line_kind_count - 1 - kind from bit ink_kind_shift on, and
+// the variant below. Where lines of equal coverage overlap, the higher number is drawn: outlines over folds.
 SHARED_CONSTANT uint ink_of_variant = 0x8000U;
+SHARED_CONSTANT uint ink_kind_shift = 11U;
+SHARED_CONSTANT uint most_ink_variants = 1U << ink_kind_shift;
 
 struct InkConstants {
     uint width;
@@ -368,7 +373,7 @@ static_assert(sizeof(VertexBending) == 32);
 static_assert(sizeof(LineSample) == 32);
 static_assert(sizeof(Stroke) == 24);
 static_assert(sizeof(DrawnSample) == 28);
-static_assert(sizeof(VariantLines) == 64);
+static_assert(sizeof(VariantLines) == sizeof(uint) * variant_lines_words);
 static_assert(sizeof(ShapeConstants) <= 128);
 static_assert(sizeof(BrushConstants) <= 128);
 } // namespace estampe::shared

@@ -221,7 +221,7 @@ struct ChainInputs {
 [[nodiscard]] ChainStrokes add_strokes(gpu::Graph& graph, const ChainSamples& in, gpu::BufferId grid,
                                        glm::uvec2 size_px, LineClass wanted = LineClass::seen);
 
-/// Widths and ink of a style variant, for ContourInputs::variant_lines.
+/// Widths and inks of a style variant, for ContourInputs::variant_lines.
 [[nodiscard]] shared::VariantLines variant_lines_of(const ContourStyle& style, float pixels_per_mm);
 
 /// Links lines and shapes their strokes: all steps before the ink. With a `history`, strokes continue from

@@ -47,7 +47,7 @@ void main()
     vec3 color = constants.ink_color;
     uint ink = word & 0xffffu;
     if (has_variants && (ink & ink_of_variant) != 0u) {
-        color = ink_of(ink & ~ink_of_variant);
+        color = ink_color_of(ink);
     } else if (has_own_outlines && ink != 0u) {
         color = outline_color_of(ink - 1u);
     }

@@ -24,7 +24,7 @@ struct PathPoint {
 struct LinePath {
     uint32_t kind = shared::line_silhouette; ///< the kind of most of its pieces
     uint32_t triangle = 0;                   ///< a triangle that it runs along
-    uint32_t ink = 0;                        ///< 0, or the index + 1 of the material with its own outline ink
+    uint32_t ink = 0;                        ///< that of its first LinePoint; 0 for hidden lines
     bool is_hidden = false;
     bool is_closed = false; ///< the last point is the first
     std::vector<PathPoint> points;

@@ -92,6 +92,7 @@ const bool swells_in_shade = (variant & shape_is_even_in_shade) == 0u;
 const bool is_hidden = (variant & shape_is_hidden) != 0u;
 const bool stretches = (variant & shape_stretches) != 0u;
 const bool has_variants = (variant & shape_has_variants) != 0u;
+const bool has_inks_by_kind = (variant & shape_has_inks_by_kind) != 0u;
 
 #include "techniques/contour/chains/stroke/stroke_places.glsl"
 
@@ -197,8 +198,10 @@ float full_width(uint index, Stroke stroke, out uint ink)
     vec2 outwards_px = page_position(outside) - point.page_px;
     float width = even_width(index, stroke) * pressure_at(index, stroke, -2.5 * outwards_px);
     ink = 0u;
-    if (has_variants) {
-        ink = ink_of_variant | style_variant_of(point.source);
+    if (has_variants || has_inks_by_kind) {
+        uint kind = has_inks_by_kind ? kind_now(point.source) : 0u;
+        ink = ink_of_variant | (line_kind_count - 1u - kind) << ink_kind_shift;
+        ink |= has_variants ? style_variant_of(point.source) : 0u;
     }
     if (has_own_outlines) {
         uint material = draw_at(drawn_by(point.source)).material;

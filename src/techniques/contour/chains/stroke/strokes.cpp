@@ -208,7 +208,8 @@ uint32_t shape_variant(const ShapeInputs& in, const ContourStyle& style)
                            (is_remembered ? shared::shape_is_remembered : 0U) |
                            (in.page.brushes != nullptr ? shared::shape_has_brushes : 0U) |
                            (style.wobble_mm > 0.0F ? shared::shape_has_sway : 0U) |
-                           (in.page.variant_of_draw ? shared::shape_has_variants : 0U);
+                           (in.page.variant_of_draw ? shared::shape_has_variants : 0U) |
+                           (in.page.has_inks_by_kind ? shared::shape_has_inks_by_kind : 0U);
     if (is_hidden) {
         return basic | shared::shape_is_hidden;
     }
@@ -333,9 +334,12 @@ add_class(gpu::Graph& graph, const ContourInputs& page, const ChainInputs& mesh,
 
 shared::VariantLines variant_lines_of(const ContourStyle& style, float pixels_per_mm)
 {
-    shared::VariantLines lines{.ink = style.ink};
-    for (uint32_t kind = 0; kind < shared::line_kind_count && style.enabled; ++kind) {
-        set_width(style, kind, pixels_per_mm, lines);
+    shared::VariantLines lines{};
+    for (uint32_t kind = 0; kind < shared::line_kind_count; ++kind) {
+        lines.ink_of_kind[kind] = ink_of_kind(style, kind);
+        if (style.enabled) {
+            set_width(style, kind, pixels_per_mm, lines);
+        }
     }
     return lines;
 }

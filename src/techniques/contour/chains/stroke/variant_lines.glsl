@@ -7,7 +7,7 @@ layout(binding = VARIANT_LINES_BINDING) uniform usamplerBuffer variant_line_texe
 
 uint variant_line_word(uint style_variant, uint word)
 {
-    return texelFetch(variant_line_texels, int(16u * style_variant + word)).x;
+    return texelFetch(variant_line_texels, int(variant_lines_words * style_variant + word)).x;
 }
 
 /// In pixels, or in metres if the kind's bit in metre_kinds is set.
@@ -21,11 +21,15 @@ bool is_in_metres(uint style_variant, uint kind)
     return (variant_line_word(style_variant, line_kind_count) >> kind & 1u) != 0u;
 }
 
-vec3 ink_of(uint style_variant)
+/// The colour of an ink with the bit ink_of_variant, see LinePoint.
+vec3 ink_color_of(uint ink)
 {
-    return vec3(uintBitsToFloat(variant_line_word(style_variant, line_kind_count + 1u)),
-                uintBitsToFloat(variant_line_word(style_variant, line_kind_count + 2u)),
-                uintBitsToFloat(variant_line_word(style_variant, line_kind_count + 3u)));
+    uint kind = line_kind_count - 1u - ((ink & ~ink_of_variant) >> ink_kind_shift);
+    uint style_variant = ink & (most_ink_variants - 1u);
+    uint first = line_kind_count + 1u + 3u * kind;
+    return vec3(uintBitsToFloat(variant_line_word(style_variant, first)),
+                uintBitsToFloat(variant_line_word(style_variant, first + 1u)),
+                uintBitsToFloat(variant_line_word(style_variant, first + 2u)));
 }
 
 #endif
