@@ -134,7 +134,7 @@ void main()
         color *= mix(vec3(1.0), constants.shadow_tint * shade_color_of(material), shadow) *
                  mix(vec3(1.0), hue, hue_share) * mix(vec3(1.0), light_tint(light.rgb), constants.light_tint);
         if (is_paper(word)) {
-            color = mix(vec3(1.0), mix(vec3(1.0), constants.shadow_tint, 0.6), shadow);
+            color = mix(vec3(1.0), mix(vec3(1.0), constants.shadow_tint, constants.ground_shadow), shadow);
         }
         if (has_air && !is_paper(word)) {
             float away =

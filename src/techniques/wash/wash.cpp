@@ -31,6 +31,7 @@ gpu::ImageId add_variant(gpu::Graph& graph, const WashInputs& in, const WashVari
                                     .shadow_tint = style.shadow_tint,
                                     .shadow_from = style.shadow_from,
                                     .softness = style.softness,
+                                    .ground_shadow = style.ground_shadow,
                                     .detail = style.detail,
                                     .least = style.least,
                                     .strength = style.strength,
@@ -81,6 +82,9 @@ const style::Table<WashStyle>& wash_table()
             .number("softness", &WashStyle::softness, {0.001F, 0.5F}, "",
                     "Softness of the edge between light and shadow in the colours: less is a crisp step, "
                     "more is gradual")
+            .number("ground_shadow", &WashStyle::ground_shadow, {0.0F, 1.0F}, "",
+                    "Strength of shadows on the blank ground: 0 leaves the ground white, 1 paints the shadow "
+                    "in the full colour of wash.shadow_tint")
             .number("light_tint", &WashStyle::light_tint, {0.0F, 1.0F}, "",
                     "How much the colour of light changes the painted colours: 0 treats all light as white, "
                     "1 takes on the full colour of the light")

@@ -19,6 +19,7 @@ struct WashStyle {
     glm::vec3 shadow_tint = style::srgb(0xbac7c3);
     float shadow_from = 0.40F;
     float softness = 0.03F;
+    float ground_shadow = 0.6F;
     float light_tint = 0.0F;
     float air = 0.0F;                            ///< haze.tint; no key of its own
     glm::vec3 air_color = style::srgb(0xf0dca2); ///< haze.tint_color

@@ -139,6 +139,18 @@ TEST(Wash, PaintsGreysAsBrightAsTheColoursWere)
     expect_everywhere(paint(page, style), glm::mix(glm::vec3(brightness), red, 0.5F), 3e-3F);
 }
 
+TEST(Wash, ShadowsOnBlankGroundHaveTheirShareOfTheShadowsColor)
+{
+    Page page;
+    page.light = [](glm::uvec2) { return glm::vec4(0.0F, 0.0F, 0.0F, 0.05F); };
+    page.draw = [](glm::uvec2) { return 1U | paper_bit; };
+    WashStyle style = strong();
+    for (const float share : {0.0F, 0.6F, 1.0F}) {
+        style.ground_shadow = share;
+        expect_everywhere(paint(page, style), glm::mix(glm::vec3(1.0F), style.shadow_tint, share));
+    }
+}
+
 TEST(Wash, LiesInShadowWhereOcclusionKeepsLightOff)
 {
     // Half of 0.9 is darker than the shadow's edge; 0.9 is not.
