@@ -237,18 +237,33 @@ std::vector<float> velocity_of(gpu::Device& device, gpu::Executor& executor, flu
     return fluid::run_and_read(device, executor, graph, velocity);
 }
 
+fluid::Solver solver_of(const ink::InkStyle& style)
+{
+    switch (style.solver) {
+    case ink::Solver::multigrid:
+        return fluid::Solver::multigrid;
+    case ink::Solver::jacobi:
+        return fluid::Solver::jacobi;
+    case ink::Solver::automatic:
+        break;
+    }
+    return fluid::Solver::automatic;
+}
+
 /// Advances the water from one time to another. Returns the meter's report; none if no step was needed.
-std::optional<SolverReport> pass(fluid::Fluid& fluid, SolverMeter meter, const Spoons& spoons, double from_s,
-                                 double to_s)
+std::optional<SolverReport> pass(fluid::Fluid& fluid, SolverMeter meter, const ink::InkStyle& ink,
+                                 const Spoons& spoons, double from_s, double to_s)
 {
     const auto count = static_cast<uint32_t>(std::ceil((to_s - from_s) * steps_per_s - 1e-6));
     const double step_s = count > 0 ? (to_s - from_s) / count : 0.0;
-    const fluid::FluidStyle style{.step_s = static_cast<float>(step_s),
-                                  .stepping = fluid::Stepping::project,
-                                  // MacCormack advection distributes motion over the page. Cubic
-                                  // interpolation would keep the motion in jets.
-                                  .velocity_advection = fluid::Advection::maccormack,
-                                  .forces = {.friction_per_s = 0.1F}};
+    const fluid::FluidStyle style{
+        .step_s = static_cast<float>(step_s),
+        .stepping = fluid::Stepping::project,
+        // MacCormack advection distributes motion over the page. Cubic
+        // interpolation would keep the motion in jets.
+        .velocity_advection = fluid::Advection::maccormack,
+        .projection = {.solver = solver_of(ink), .jacobi_rounds = ink.jacobi_passes},
+        .forces = {.friction_per_s = 0.1F}};
     for (uint32_t done = 0; done < count;) {
         const uint32_t now = std::min(count - done, fluid.most_steps(style));
         fluid.set_shapes({}, spoons.at(from_s + (done + 0.5 * now) * step_s));
@@ -304,7 +319,7 @@ std::vector<float> InkWater::stirred(gpu::Device& device, gpu::Executor& executo
         fluid_ = std::make_unique<fluid::Fluid>(device, grid);
         time_s_ = time.from_s - spin_up_s;
     }
-    auto found = pass(*fluid_, SolverMeter(device, executor, is_measured),
+    auto found = pass(*fluid_, SolverMeter(device, executor, is_measured), style,
                       Spoons(style, page.size_mm(), zones), time_s_, time.to_s);
     if (found || !is_measured) {
         solver_report_ = std::move(found);

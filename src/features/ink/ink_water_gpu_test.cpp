@@ -98,6 +98,28 @@ TEST(InkWater, GoesOnFromWhatItWas)
     EXPECT_EQ(stirred(other, style, next), after) << "to the bit from what was kept";
 }
 
+TEST(InkWater, IsSolvedAsTheStyleSays)
+{
+    const auto left_by = [](ink::Solver solver, uint32_t passes) {
+        ink::InkStyle style = solved(1.0F);
+        style.solver = solver;
+        style.jacobi_passes = passes;
+        InkWater water;
+        gpu::Executor executor(test::shared_device());
+        static_cast<void>(water.stirred(test::shared_device(), executor, style, page,
+                                        {.from_s = 0.0, .to_s = 0.5, .steps = 12, .is_fresh = true}, {},
+                                        true));
+        return water.solver_report().value();
+    };
+    const SolverReport usual = left_by(ink::Solver::automatic, 80);
+    EXPECT_EQ(usual.solver, "multigrid");
+    EXPECT_EQ(left_by(ink::Solver::multigrid, 80).divergence_left, usual.divergence_left);
+    const SolverReport rounds = left_by(ink::Solver::jacobi, 80);
+    EXPECT_EQ(rounds.solver, "jacobi");
+    EXPECT_GT(rounds.divergence_left, 10.0 * usual.divergence_left);
+    EXPECT_LT(left_by(ink::Solver::jacobi, 400).divergence_left, 0.8 * rounds.divergence_left);
+}
+
 TEST(InkWater, ZonesStirIt)
 {
     ink::InkStyle style = solved(1.0F);

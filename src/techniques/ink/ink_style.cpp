@@ -61,6 +61,15 @@ const style::Table<InkStyle>& ink_table()
             .number("solved", &InkStyle::solved, {0.0F, 1.0F}, "",
                     "How far simulated water moves flowing ink: 0 moves ink along smooth artificial swirls, "
                     "1 moves ink with simulated water that the swirls stir, with real eddies")
+            .choice("solver", &InkStyle::solver,
+                    {{"automatic", Solver::automatic},
+                     {"multigrid", Solver::multigrid},
+                     {"jacobi", Solver::jacobi}},
+                    "How the pressure of simulated water below flowing ink is computed. multigrid: exactly; "
+                    "jacobi: simplest, least exact; automatic: multigrid. Only used with ink.solved above 0.")
+            .integer("jacobi_passes", &InkStyle::jacobi_passes, {1, 400}, "",
+                     "Number of passes of the Jacobi solver per step of the water: more makes the water less "
+                     "compressible and is slower. Only used when ink.solver is jacobi.")
             .file("flow_map", &InkStyle::flow_map,
                   "Picture whose colours give the direction in which flowing ink moves: red moves ink to the "
                   "right and green down. A value of 0.5 does not move ink.")

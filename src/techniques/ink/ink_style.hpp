@@ -19,6 +19,9 @@ enum class Follow : uint8_t {
 
 enum class Source : uint8_t { strokes, light, things };
 
+/// How the pressure of simulated water is computed.
+enum class Solver : uint8_t { automatic, multigrid, jacobi };
+
 /// How an object without a mesh acts on flowing ink near the object.
 struct ZoneStyle {
     float blow_mm_per_s = 0.0F; ///< along the object's -z
@@ -43,6 +46,8 @@ struct InkStyle {
     float swirl_mm_per_s = 11.0F;
     float turn_s = 5.0F;
     float solved = 0.0F;
+    Solver solver = Solver::automatic;
+    uint32_t jacobi_passes = 80;
     std::string flow_map;
     float flow_mm_per_s = 15.0F;
     float drag = 0.5F;

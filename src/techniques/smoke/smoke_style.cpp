@@ -45,6 +45,9 @@ const style::Table<SmokeStyle>& smoke_table()
                     "How the air pressure in smoke is computed. spectral: directly, for an empty box; "
                     "multigrid: around obstacles; jacobi: simplest, least exact; automatic: spectral if the "
                     "box is empty, else multigrid.")
+            .integer("jacobi_passes", &SmokeStyle::jacobi_passes, {1, 100}, "",
+                     "Number of passes of the Jacobi solver per step of the smoke: more makes the air less "
+                     "compressible and is slower. Only used when smoke.solver is jacobi.")
             .choice("advection", &SmokeStyle::advection,
                     {{"automatic", Advection::automatic},
                      {"linear", Advection::linear},

@@ -37,6 +37,7 @@ struct SmokeStyle {
     float curl = 1.0F;
     bool obstacles = false;
     Solver solver = Solver::automatic;
+    uint32_t jacobi_passes = 80;
     Advection advection = Advection::automatic;
     Stepping stepping = Stepping::project;
     float life_s = 4.0F;
