@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Computes the position of an eye that sees given points within the page, for automatic framing and for views
-// from a side.
+// Computes the eye position from which given points fit on the page, for automatic framing and for views from
+// a side.
 
 #include <optional>
 #include <vector>
@@ -11,52 +11,55 @@
 
 namespace estampe {
 
-/// Margin of framed pictures, as a share of the shorter side.
+/// Margin between the subject and the edge of a framed picture, as a share of the shorter side of the
+/// picture.
 inline constexpr double framed_margin = 0.08;
 
-/// Tangents of the half angles that the subject may fill.
+/// The part of the picture that the subject may fill, as tangents of the half angles of view.
 struct Window {
     double side = 0.0;
     double top = 0.0;
     double bottom = 0.0;
 };
 
-/// Tangent of half the vertical angle of view of framed pictures. In wide pictures it is smaller, so that
-/// their sides are not stretched.
+/// Tangent of half the vertical angle of view of a framed picture. Wide pictures have a smaller angle, so
+/// that perspective does not stretch objects near the sides.
 [[nodiscard]] double framed_half_height(double aspect);
 
-/// The nearest eye from which every point lies in the window. `points` are in camera space, see
-/// ViewAxes::of().
+/// The eye position closest to `points` from which all points are inside the window. `points` are in camera
+/// space, see ViewAxes::of().
 [[nodiscard]] glm::dvec3 fit_eye(const std::vector<glm::dvec3>& points, const Window& window);
 
-/// Moves the eye sideways until the points' extent is in the middle of the window.
+/// Moves the eye sideways until the projected points are centred in the window.
 [[nodiscard]] glm::dvec3 centre_eye(const std::vector<glm::dvec3>& points, const Window& window,
                                     glm::dvec3 eye);
 
-/// The facts about a scene that automatic framing uses.
+/// Data about a scene that automatic framing uses.
 struct SceneSurvey {
-    Bounds whole; ///< bounds of all vertices in the pose, never empty
+    Bounds whole; ///< bounds of all vertices in the given pose; never empty
     SurfaceCloud cloud;
     ViewAnalysis analysis;
 };
 
-/// Surveys the scene; returns nothing if the scene has nothing to draw. Throws Error when the scene is so
-/// large, small or far away that it cannot be drawn. Cost: linear in vertices and triangles.
+/// Collects what automatic framing needs to know about a scene. Returns nothing if the scene has nothing to
+/// draw. Throws Error when the scene is so large, small or far away that it cannot be drawn. Cost: linear in
+/// vertices and triangles.
 [[nodiscard]] std::optional<SceneSurvey> survey(const Scene& scene, const ScenePose& pose);
 
 /// Decides which vertices a framed picture must contain.
 class Subject {
 public:
-    /// `analysis` is that of the scene, `whole` the bounds of the scene in `pose`.
+    /// `analysis` is the analysis of `scene`. `whole` are the bounds of the scene in `pose`.
     Subject(const Scene& scene, const ScenePose& pose, const ViewAnalysis& analysis, const Bounds& whole);
 
-    /// Bounds of everything except strays.
+    /// Bounds of the scene without strays, which are small parts far away from the rest.
     [[nodiscard]] const Bounds& bounds() const { return bounds_; }
 
-    /// False if the vertex is a stray or lies on the wide floor around the subject.
+    /// Whether the picture must contain the vertex. False for strays (small parts far away) and for a wide
+    /// floor around the subject.
     [[nodiscard]] bool holds_vertex(const glm::dvec3& position) const;
 
-    /// Whether the scene has a floor at this position that is much wider than the objects on it.
+    /// Whether `position` is on a floor that is much wider than the objects on it.
     [[nodiscard]] bool has_floor_at(const glm::dvec3& position) const;
 
 private:

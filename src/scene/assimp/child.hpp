@@ -9,7 +9,7 @@
 
 namespace estampe {
 
-/// Limits of a child process; exceeding one ends it.
+/// Resource limits of a child process. The parent ends a child that exceeds one of the limits.
 struct ChildLimits {
     double wall_s = 120.0;
     uint32_t cpu_s = 60;
@@ -17,10 +17,10 @@ struct ChildLimits {
                                                ///< under sanitizers
 };
 
-/// Runs `work` in a forked child process without terminal output and returns its result. If `work` crashes,
-/// hangs, runs out of memory or throws, this function throws Error with `where` as its place. The child has
-/// no other effect on the parent. Cost: a fork and a copy of the bytes through a pipe, about 1 ms plus 1 ms
-/// per megabyte.
+/// Runs `work` in a forked child process without terminal output and returns the result of `work`. If `work`
+/// crashes, hangs, runs out of memory or throws, this function throws Error with `where` as its place. The
+/// child has no other effect on the parent. Cost: a fork and a copy of the result through a pipe, about 1 ms
+/// plus 1 ms per megabyte.
 [[nodiscard]] std::vector<std::byte> run_in_child(const std::function<std::vector<std::byte>()>& work,
                                                   const ChildLimits& limits, const std::string& where);
 

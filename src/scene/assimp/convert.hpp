@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Converts Assimp's scene to Estampe's, with one function per subject. Runs in the child process.
+// Converts an Assimp scene to an Estampe scene, with one function for each kind of data. This code runs in
+// the child process.
 
 #include <filesystem>
 #include <map>
@@ -18,7 +19,7 @@
 
 namespace estampe {
 
-/// State of the conversion. Assimp refers to nodes by name, hence the map.
+/// State of the conversion from Assimp. Assimp refers to nodes by name, so a map finds the node of a name.
 struct Conversion {
     const aiScene& source;
     TransferScene transfer;
@@ -36,12 +37,13 @@ struct Conversion {
 void convert_materials(Conversion& conversion);
 [[nodiscard]] Primitive convert_primitive(const aiMesh& mesh);
 
-/// Fills joints and weights of `primitive` from the mesh's bones and returns the skin they belong to.
+/// Fills joints and weights of `primitive` from the bones of `mesh`. Returns the index of the skin that the
+/// joints belong to.
 [[nodiscard]] Index convert_skin(Conversion& conversion, const aiMesh& mesh, Primitive& primitive);
 
 void convert_lights(Conversion& conversion);
 
-/// Adds the cameras of a COLLADA file; `lenses` are those of dae::Document.
+/// Adds the cameras of a COLLADA file to the scene. `lenses` is Document::lenses of dae_document.hpp.
 void convert_cameras(Conversion& conversion, const std::vector<SceneCamera>& lenses);
 
 void convert_animations(Conversion& conversion);

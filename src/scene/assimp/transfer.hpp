@@ -14,7 +14,7 @@
 
 namespace estampe {
 
-/// A scene whose textures are not decoded yet; `images` has one entry per texture.
+/// A scene whose textures are not decoded yet. `images` has one entry per texture.
 struct TransferScene {
     Scene scene;
     std::vector<ImageSource> images;
@@ -22,9 +22,9 @@ struct TransferScene {
 
 [[nodiscard]] std::vector<std::byte> pack(const TransferScene& transfer);
 
-/// The inverse of pack(). Throws Error, with `where` as its place, when the bytes end early, a count is
-/// larger than the bytes that follow, or an enumeration has an unknown value. Does not check indices and
-/// numbers.
+/// Deserialises a scene that pack() has serialised. Throws Error, with `where` as its place, when the bytes
+/// end early, a count is larger than the bytes that follow, or an enumeration has an unknown value. Does not
+/// check whether indices are in range or numbers are finite.
 [[nodiscard]] TransferScene unpack(std::span<const std::byte> bytes, const std::string& where);
 
 } // namespace estampe

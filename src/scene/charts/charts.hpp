@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Makes a second set of texture coordinates in which no two triangles overlap. The surface is cut into nearly
-// flat charts, each chart is projected along its own normal, and the charts are packed into a square.
+// Computes a second set of texture coordinates in which no two triangles overlap. The surface is cut into
+// nearly flat charts, each chart is projected along its own normal, and the charts are packed into a square.
 
 #include <array>
 #include <cstdint>
@@ -15,69 +15,69 @@
 
 namespace estampe::charts {
 
-/// Adjacent triangles that lie nearly in one plane.
+/// Adjacent triangles that are nearly coplanar, and their projection into the plane.
 struct Chart {
     std::vector<uint32_t> triangles;
-    std::vector<glm::vec2> corners_m; ///< three per triangle, at the scale of the surface, not negative
+    std::vector<glm::vec2> corners_m; ///< three per triangle, in metres of the surface; never negative
     glm::vec2 size_m{0.0F};
 };
 
-/// Largest angle between a triangle and the plane of its chart. It limits how much the projection shrinks a
-/// triangle, to the cosine of this angle.
+/// Largest angle between a triangle and the plane of its chart. A triangle shrinks in the projection by the
+/// cosine of its angle, so this limit bounds the shrinking.
 inline constexpr float steepest_lean_rad = 0.785F;
 
-/// Cuts triangles into charts that do not overlap themselves. `corners` holds three positions per triangle;
-/// triangles without an area belong to no chart. Charts grow from the largest triangle over shared edges
-/// while normals agree (after Cohen-Steiner et al., "Variational Shape Approximation", 2004, with one refit).
-/// The result is deterministic. Cost: about 2 us per triangle.
+/// Cuts triangles into charts whose triangles do not overlap in the projection. `corners` holds three
+/// positions per triangle. Triangles with zero area belong to no chart. A chart starts at the largest free
+/// triangle and grows across shared edges while normals agree (after Cohen-Steiner et al., "Variational Shape
+/// Approximation", 2004, with one refit). The result is deterministic. Cost: about 2 us per triangle.
 [[nodiscard]] std::vector<Chart> cut_charts(std::span<const glm::vec3> corners);
 
-/// One chart made of the file's own texture coordinates; nothing if triangles overlap in them or have no area
-/// in them.
+/// Makes one chart of the texture coordinates in the file. Returns nothing if triangles overlap in texture
+/// space or have no area there.
 [[nodiscard]] std::optional<Chart> own_chart(std::span<const glm::vec3> corners,
                                              std::span<const glm::vec2> uvs);
 
-/// Places of the charts in a square picture.
+/// Positions of the charts in a square texture, the atlas.
 struct Atlas {
     uint32_t size = 0;               ///< texels per side
     std::vector<glm::vec2> corners;  ///< three per triangle, in texels from the top left; texel centres at .5
-    std::vector<uint32_t> triangles; ///< the triangles that lie in the picture
+    std::vector<uint32_t> triangles; ///< indices of the triangles that are in the atlas
     float texels_per_m = 0.0F;
 };
 
-/// Width in texels of the border around each chart. The border belongs to the chart, so that filters do not
-/// read other charts.
+/// Width in texels of the border around each chart. The border gets the colours of its chart, so that texture
+/// filters do not read texels of other charts.
 inline constexpr uint32_t gutter = 2;
 
-/// Packs the charts as large as they fit (with the skyline packer of stb). `triangle_count` counts all
-/// triangles, including those in no chart. Throws Error when even the smallest charts do not fit into `size`.
-/// Cost: about ten packings of all charts.
+/// Packs the charts into a square of `size` texels, as large as possible (with the skyline packer of stb).
+/// `triangle_count` counts all triangles, including those in no chart. Throws Error when the charts do not
+/// fit even at the smallest scale. Cost: about ten packings of all charts.
 [[nodiscard]] Atlas pack_charts(std::span<const Chart> charts, size_t triangle_count, uint32_t size);
 
-/// A texel that lies on a triangle or beside one.
+/// A texel of the atlas that is inside a triangle or next to one.
 struct Texel {
-    uint32_t place = 0; ///< index in the picture, row by row
+    uint32_t place = 0; ///< index of the texel in the atlas, row by row
     uint32_t triangle = 0;
-    /// Barycentric weights of the second and third corner, at the triangle's nearest point.
+    /// Barycentric weights of the second and third corner, at the point of the triangle nearest to the texel.
     glm::vec2 weights{0.0F};
 };
 
-/// The texels within one texel of a triangle, sorted by `place`. Cost: linear in texels.
+/// All texels at most one texel away from a triangle, sorted by `place`. Cost: linear in texels.
 [[nodiscard]] std::vector<Texel> covered_texels(const Atlas& atlas);
 
 using FlatTriangle = std::array<glm::vec2, 3>;
 
-/// Whether the interiors of two triangles intersect; sharing an edge or a corner does not count.
+/// Whether the interiors of two triangles intersect. Triangles that only share an edge or a corner do not.
 [[nodiscard]] bool overlap(const FlatTriangle& a, const FlatTriangle& b);
 
-/// Triangles of a plane that do not overlap, in a grid that finds the neighbours of a new one.
+/// Triangles in a plane that do not overlap each other, with a grid that finds the neighbours of a new one.
 class OverlapGrid {
 public:
     explicit OverlapGrid(float cell_m) : cell_m_(cell_m) {}
 
-    /// Adds the triangle unless it overlaps one in the grid; returns whether it was added. Cost: linear in
-    /// the triangles and cells of its bounding square, or in all triangles if that square has thousands of
-    /// cells.
+    /// Adds the triangle unless it overlaps a triangle in the grid. Returns whether the triangle was added.
+    /// Cost: linear in the triangles and grid cells of its bounding square. If that square has thousands of
+    /// cells, linear in all triangles.
     bool add(const FlatTriangle& triangle);
 
 private:
@@ -92,7 +92,7 @@ private:
     float cell_m_;
     std::vector<FlatTriangle> triangles_;
     std::unordered_map<uint64_t, std::vector<uint32_t>> cells_;
-    std::vector<uint32_t> wide_; ///< they cover many cells and are compared with every new triangle
+    std::vector<uint32_t> wide_; ///< large triangles; every new triangle is compared with them
 };
 
 } // namespace estampe::charts

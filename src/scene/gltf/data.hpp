@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A glTF file before conversion to a scene: its container, its document, and bounds-checked access to its
-// bytes.
+// A glTF file before its conversion to a scene: the container, the JSON document, and bounds-checked access
+// to the binary data.
 
 #include <cstddef>
 #include <filesystem>
@@ -21,7 +21,7 @@
 
 namespace estampe::gltf {
 
-/// The two parts of a glTF file: the JSON text, and for .glb the binary chunk.
+/// The two parts of a glTF file: the JSON text, and the binary chunk (.glb only).
 struct Container {
     std::string_view json;
     std::optional<std::span<const std::byte>> binary;
@@ -29,28 +29,28 @@ struct Container {
     size_t json_offset = 0; ///< byte offset of the JSON text in the file
 };
 
-/// The bytes of a glTF file, up to the length that it declares. The first bytes are checked before the rest
-/// is read, so that a large file of another type is refused at once. Throws Error as open_container() does.
+/// Reads a glTF file, up to the length that its header declares. Checks the first bytes before it reads the
+/// rest, so that a large file of another type is rejected at once. Throws Error as open_container() does.
 [[nodiscard]] std::vector<std::byte> read_gltf_bytes(const std::filesystem::path& path);
 
-/// Finds the parts of a glTF file without copying; the result points into `bytes`. Throws Error with a byte
-/// offset when the file is empty, truncated, of another version or not glTF, and when the JSON is nested
-/// deeper than 256 levels.
+/// Finds the JSON text and the binary chunk of a glTF file. The result points into `bytes`; nothing is
+/// copied. Throws Error with a byte offset when the file is empty, truncated, of another version or not glTF,
+/// and when the JSON is nested deeper than 256 levels.
 [[nodiscard]] Container open_container(std::span<const std::byte> bytes, const std::string& file);
 
 [[nodiscard]] bool is_data_uri(std::string_view uri);
 
-/// The bytes of "data:...;base64,..."; nothing when the URI is not base64 or is damaged.
+/// Decodes a URI of the form "data:...;base64,...". Returns nothing when the URI is not base64 or is damaged.
 [[nodiscard]] std::optional<std::vector<std::byte>> decode_data_uri(std::string_view uri);
 
-/// The percent-decoded file name in a relative URI; nothing for an absolute path, another scheme, or a name
-/// with a zero byte.
+/// Percent-decodes the file name in a relative URI. Returns nothing for an absolute path, another scheme, or
+/// a name with a zero byte.
 [[nodiscard]] std::optional<std::string> decode_relative_uri(std::string_view uri);
 
-/// Location of a buffer's bytes. Kept out of tinygltf's model, because tinygltf would read the buffers
+/// Location of a buffer's bytes. Stored outside of tinygltf's model, because tinygltf would read the buffers
 /// itself.
 struct BufferSource {
-    std::string uri; ///< empty for the binary chunk, or for a fallback that nobody reads
+    std::string uri; ///< empty for the binary chunk, or for an unused fallback buffer
     uint64_t byte_length = 0;
 };
 
@@ -66,36 +66,37 @@ struct Document {
     std::vector<BufferSource> buffers;
     std::vector<ImageSource> images;
 
-    /// The index accessor of each primitive of each mesh, or -1. Kept here because tinygltf refuses index
-    /// accessors without a buffer view, which glTF allows.
+    /// The index accessor of each primitive of each mesh; -1 for a primitive without indices. Stored here
+    /// because tinygltf refuses index accessors without a buffer view, which glTF allows.
     std::vector<std::vector<int>> indices;
 
-    /// Names of the material variants (KHR_materials_variants). Kept here because tinygltf drops variants
+    /// Names of the material variants (KHR_materials_variants). Stored here because tinygltf drops variants
     /// without a name.
     std::vector<std::string> variants;
 };
 
-/// Parses and checks the JSON. Afterwards every index in the model is inside its array and every number is in
-/// range. Throws Error with a JSON pointer, a line and column, or a byte offset.
+/// Parses and checks the JSON of a glTF file. In the result every index is inside its array and every number
+/// is in range. Throws Error with a JSON pointer, a line and column, or a byte offset.
 [[nodiscard]] Document read_document(const Container& container, const std::string& file);
 
-/// Checks the parsed JSON of a glTF file against what the importer relies on: every property that it reads
-/// has its type and range, required properties exist, and every index points into its array. Converts numbers
-/// with a zero fraction to integers where an integer is expected.
+/// Checks the parsed JSON of a glTF file: every property that the importer reads has the right type and
+/// range, required properties exist, and every index is inside its array. Converts numbers with a zero
+/// fraction to integers where an integer is expected.
 ///
-/// Throws Error with `file#/json/pointer`. After it, reading a property can neither fail nor overflow.
+/// Throws Error with `file#/json/pointer`. After this check, reading a property can neither fail nor
+/// overflow.
 void check_document(nlohmann::json& document, const std::string& file);
 
-/// Key in the `extras` of an object for the settings that only this library reads.
+/// Key in the `extras` of a glTF object. Its value holds the settings that only Estampe reads.
 inline constexpr const char* our_key = "estampe";
 
 /// A glTF file during its import: the parsed document and bounds-checked access to its bytes.
 ///
-/// Reading spends a budget of a few hundred times the files' size, so that a small file cannot ask for a
-/// large scene. All members throw Error with `file#/json/pointer`.
+/// Every read reduces a budget of a few hundred times the size of the files, so that a small file cannot
+/// request a huge scene. All members throw Error with `file#/json/pointer`.
 class Data {
 public:
-    /// Reads every buffer. Without a `folder`, external files cannot be read.
+    /// Reads every buffer of the file. Without a `folder`, external files cannot be read.
     Data(Document document, const Container& container, std::string file,
          std::optional<std::filesystem::path> folder);
 
@@ -115,15 +116,15 @@ public:
         return views_[static_cast<size_t>(index)];
     }
 
-    /// The bytes of a data URI or of a file beside the document. Throws Error with the resource's name as its
-    /// place.
+    /// The bytes of a data URI, or of an external file whose path is relative to the document. Throws Error
+    /// with the name of the resource as its place.
     [[nodiscard]] std::vector<std::byte> resource(const std::string& uri) const;
     [[nodiscard]] std::string resource_name(const std::string& uri) const;
 
-    /// Takes `bytes` from the budget.
+    /// Subtracts `bytes` from the memory budget of this import. Throws Error when the budget is used up.
     void spend(uint64_t bytes, const std::string& pointer);
 
-    /// Records a repair as one line; repeated lines are kept once.
+    /// Adds a line about a repair to the warnings. Equal lines are stored only once.
     void warn(const std::string& pointer, const std::string& what);
 
     [[nodiscard]] std::string place(const std::string& pointer) const { return file_ + "#" + pointer; }
@@ -134,7 +135,7 @@ public:
         throw Error(what, place(pointer), remedy);
     }
 
-    /// The recorded repairs: at most a hundred lines, and one line that counts the rest.
+    /// Returns the warnings: at most a hundred lines, and one more line that counts the rest.
     [[nodiscard]] std::vector<std::string> take_warnings();
 
 private:
@@ -158,15 +159,15 @@ private:
     size_t warning_count_ = 0;
 };
 
-/// The elements of an accessor as floats, `components` per element. Normalised integers become -1..1 or 0..1,
-/// other integers keep their value, and sparse entries are applied. Components that the file lacks are
-/// `fill`.
+/// Reads the elements of an accessor as floats, `components` per element. Normalised integers become -1..1 or
+/// 0..1. Other integers keep their value. Sparse entries are applied. Components that the file does not have
+/// get the value `fill`.
 [[nodiscard]] std::vector<float> read_floats(Data& data, int accessor, int components, float fill = 0.0F);
 
-/// The elements of an accessor as integers, for indices and joints.
+/// Reads the elements of an accessor as integers, such as vertex indices and joints.
 [[nodiscard]] std::vector<uint32_t> read_integers(Data& data, int accessor, int components);
 
-/// The elements of an accessor as GLM vectors or matrices of floats; see read_floats().
+/// Reads the elements of an accessor as GLM vectors or matrices of floats; see read_floats().
 template <typename Vector>
 [[nodiscard]] std::vector<Vector> read_vectors(Data& data, int accessor, float fill = 0.0F);
 
@@ -175,10 +176,10 @@ template <typename Vector>
 
 [[nodiscard]] const tinygltf::Accessor& accessor_of(const Data& data, int accessor);
 
-/// Components per element: 1 for SCALAR, 16 for MAT4.
+/// Number of components per element of an accessor: 1 for SCALAR, 16 for MAT4.
 [[nodiscard]] int component_count(const tinygltf::Accessor& accessor);
 
-/// Checks every accessor of the file, used or not, against its buffer view.
+/// Checks that every accessor of the file, used or unused, fits into its buffer view.
 void check_accessors(const Data& data);
 
 } // namespace estampe::gltf

@@ -25,28 +25,30 @@
 
 namespace estampe::gltf {
 
-/// These functions ignore settings that are not listed above, with a warning that names the key, its place
-/// and its owner.
+/// Reads the settings of a light from `extras`. All functions here ignore settings that are not listed above.
+/// A warning names the key of the setting, its place in the file and its owner.
 void read_light_extras(Data& data, const tinygltf::Value& extras, const std::string& pointer, Light& light);
 void read_link_extras(Data& data, const tinygltf::Value& extras, const std::string& pointer,
                       LightLinks& links);
 
 void read_cloth_extras(Data& data, const tinygltf::Value& extras, const std::string& pointer,
                        std::optional<Cloth>& cloth);
-/// The file's texture whose red says how strongly the vertices of cloth are held; nothing if there is none.
+/// The texture of the file whose red channel defines how strongly the vertices of cloth are held. Nothing if
+/// the extras name none.
 [[nodiscard]] std::optional<Index> held_texture(Data& data, const tinygltf::Value& extras,
                                                 const std::string& pointer);
 void read_collider_extras(Data& data, const tinygltf::Value& extras, const std::string& pointer,
                           ClothCollider& collider);
 
-/// Warns of unknown settings in the lightmaps that materials, nodes and scenes name; named_lightmap() reads
-/// them.
+/// Warns of unknown settings in the lightmaps of materials, nodes and scenes. The lightmaps themselves are
+/// read by named_lightmap().
 void check_lightmap_extras(Data& data);
 
-/// The owner of the extras at or below `pointer`, as in: node "Flag".
+/// Type and name of the object that owns the extras at or below `pointer`, for messages, such as: node
+/// "Flag".
 [[nodiscard]] std::string owner_at(const Data& data, const std::string& pointer);
 
-/// A number, or text that holds nothing but a number.
+/// Reads a JSON number, or a text that contains only a number.
 [[nodiscard]] std::optional<double> number_of(const tinygltf::Value& value);
 
 /// Whether `extras` has an object named "estampe".

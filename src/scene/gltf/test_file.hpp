@@ -50,7 +50,7 @@ inline size_t width_of(const std::string& type)
     return type == "SCALAR" ? 1 : type == "MAT4" ? 16 : static_cast<size_t>(type.back() - '0');
 }
 
-/// A glTF document and its one buffer.
+/// A glTF document with one buffer, built in memory for tests.
 struct TestFile {
     json document = {{"asset", {{"version", "2.0"}}}};
     Bytes binary;
@@ -122,8 +122,8 @@ struct TestFile {
     [[nodiscard]] Scene load() const { return load_gltf_bytes(glb(), "test.glb"); }
 };
 
-/// One triangle (0 0 0, 1 0 0, 0 1 0) with normals and indices, in one node.
-/// Accessors: 0 positions, 1 normals, 2 indices (uint16).
+/// A glTF file with one triangle (0 0 0, 1 0 0, 0 1 0) with normals and indices, in one node. Accessors: 0
+/// positions, 1 normals, 2 indices (uint16).
 inline TestFile triangle_file()
 {
     TestFile file;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What an FBX file says about its nodes, cameras, lights and settings, by name of property, and the
-// transforms of nodes and lenses of cameras computed from it.
+// Nodes, cameras, lights and settings of an FBX file, with their named properties. Also computes the
+// transforms of nodes and the lenses of cameras from these properties.
 
 #include <map>
 #include <memory>
@@ -22,8 +22,8 @@ namespace estampe::fbx {
 
 using PropertyMap = std::map<std::string, std::vector<Value>, std::less<>>;
 
-/// Properties of an object. A property that the object does not set has the value of its template, which the
-/// file also lists.
+/// Properties of an FBX object. `own` are the properties that the object sets. All others have the values of
+/// its template in the file, `defaults`.
 struct Properties {
     PropertyMap own;
     std::shared_ptr<const PropertyMap> defaults;
@@ -35,17 +35,18 @@ struct Properties {
     [[nodiscard]] std::string text(std::string_view name) const;
 };
 
-/// A node. Texts and numbers keep the file's units: centimetres times the file's unit, degrees.
+/// A node of an FBX file. Properties keep the units of the file: centimetres times the unit factor of the
+/// file, and degrees.
 struct Model {
     std::string name;
     Properties properties;
-    std::vector<int64_t> children;      ///< child models, in the order of the connections
-    std::vector<int64_t> attributes;    ///< cameras and lights
-    std::optional<int64_t> look_at;     ///< the model that this one always looks at
-    std::optional<int64_t> up_position; ///< the model that gives this one's upward direction
+    std::vector<int64_t> children;      ///< models below this one, in the order of the connections
+    std::vector<int64_t> attributes;    ///< cameras and lights of this model
+    std::optional<int64_t> look_at;     ///< the model that this model always faces
+    std::optional<int64_t> up_position; ///< the model that defines the upward direction of this model
 };
 
-/// A camera, light or other attribute of a node; `kind` is Camera, Light, Null and so on.
+/// A camera, light or other attribute of a node. `kind` is the FBX type name: Camera, Light, Null and so on.
 struct Attribute {
     std::string kind;
     Properties properties;
@@ -63,21 +64,21 @@ struct Document {
     std::map<int64_t, Model> models;
     std::map<int64_t, Attribute> attributes;
     std::vector<int64_t> roots;
-    std::map<std::string, TimeRange> ranges; ///< time ranges of the animations, by name
+    std::map<std::string, TimeRange> ranges; ///< time ranges of the animations, by animation name
 };
 
-/// Collects the objects of `tree`, and leaves out those of an unknown form.
+/// Collects the objects of an FBX file from `tree`. Skips objects of an unknown form.
 [[nodiscard]] Document read_document(const Tree& tree);
 
-/// Renames, in the file that `tree` was read from, all properties that give nodes a pivot or displace their
-/// geometry. Assimp applies some of these properties in the wrong order and passes others on to children;
-/// without them it finds nodes that are only translated, rotated and scaled. Names keep their length, so that
-/// offsets in the file stay valid.
+/// Overwrites the names of some properties in the bytes of an FBX file, so that Assimp ignores these
+/// properties. They give a node a pivot or displace its geometry. Assimp applies some of them in the wrong
+/// order and passes others on to children. Without them, Assimp reads only translation, rotation and scale.
+/// The new names have the old length, so that offsets in the file stay valid.
 void hide_pivots(const Tree& tree, std::span<char> file);
 
 /// The factors of a node's transform, in the order of multiplication: translation, before_rotation, rotation,
-/// before_scale, scale, after_scale. Animations change translation, rotation and scale; the other factors
-/// hold pivots and fixed rotations.
+/// before_scale, scale, after_scale. Animations change translation, rotation and scale. The other factors
+/// contain pivots and fixed rotations.
 struct Parts {
     glm::dvec3 translation{0.0};
     glm::dmat4 before_rotation{1.0};
@@ -95,7 +96,7 @@ struct Parts {
 
 [[nodiscard]] Parts parts_of(const Properties& model);
 
-/// Matrix from the axes and the unit of the file to right-handed metres with y up.
+/// Matrix that converts positions from the axes and the unit of the file to right-handed metres with y up.
 [[nodiscard]] glm::dmat4 world_from_file(const Properties& settings);
 
 /// Upward direction in the file's own axes.
@@ -104,8 +105,9 @@ struct Parts {
 /// Metres per unit of the file.
 [[nodiscard]] double unit_m(const Properties& settings);
 
-/// The lens of a camera of the file, in metres: the field of view that follows from its aperture mode and
-/// gate fit, or the height of a parallel projection, and the near plane. `name` is not set.
+/// Computes the lens of a camera of an FBX file, in metres and radians. The lens has a near plane, and either
+/// a field of view, which depends on aperture mode and gate fit, or the height of a parallel projection.
+/// `name` is not set.
 [[nodiscard]] SceneCamera lens_of(const Properties& camera, const Document& document);
 
 } // namespace estampe::fbx

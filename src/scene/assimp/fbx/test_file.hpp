@@ -9,7 +9,7 @@
 
 namespace estampe::fbx::test {
 
-/// The sections of an FBX file; each is a list of lines.
+/// The sections of an FBX text file. Each section is a list of lines.
 struct File {
     std::string creator = "FBX SDK/FBX Plugins version 2020.1";
     std::string settings;
@@ -35,7 +35,7 @@ struct File {
         connections += fmt::format("C: \"OP\",{},{}, \"{}\"\n", child, parent, property);
     }
 
-    /// `kind` is Mesh, Camera, Light or Null.
+    /// Adds a model (a node) to the file. `kind` is the FBX type: Mesh, Camera, Light or Null.
     void add_model(int id, const std::string& name, const std::string& kind, const std::string& properties,
                    int parent = 0)
     {
@@ -66,7 +66,7 @@ struct File {
         link(id, model);
     }
 
-    /// Animates one axis of a model's vector property between two keys.
+    /// Animates one axis of a vector property of a model, such as its translation along x, with two keys.
     void animate(int first_id, int model, const std::string& property, const std::string& axis,
                  double start_s, double stop_s, double from, double to)
     {
@@ -108,8 +108,8 @@ struct File {
     return fmt::format("P: \"{}\", \"Vector3D\", \"Vector\", \"\",{},{},{}\n", name, x, y, z);
 }
 
-/// Settings for the up, front and right axes: 1 to 3 stand for x to z, negative numbers for the opposite
-/// direction.
+/// FBX settings for the up, front and right axes of the file. 1 to 3 mean +x to +z; negative numbers mean the
+/// opposite direction.
 [[nodiscard]] inline std::string axes(int up, int front, int right)
 {
     const auto axis = [](const char* name, int value) {

@@ -18,25 +18,26 @@ using Value = std::variant<int64_t, double, std::string>;
 
 struct Element {
     std::string name;
-    std::vector<Value> values;     ///< numbers and texts; arrays are left out
+    std::vector<Value> values;     ///< numbers and texts of the element; arrays are left out
     size_t first_text_at = 0;      ///< byte offset in the file of the first text among `values`
-    std::vector<Element> children; ///< in the file's order
+    std::vector<Element> children; ///< child elements in the order of the file
 };
 
 struct Tree {
-    uint32_t version = 0; ///< 7400 is FBX 7.4; 0 means that the file does not say
+    uint32_t version = 0; ///< 7400 means FBX 7.4; 0 means that the file does not state its version
     std::vector<Element> elements;
 };
 
-/// Version of the FBX file that begins with `head` (its first kilobytes suffice); 0 if the file does not say.
+/// Version of an FBX file. `head` holds the first bytes of the file; a few kilobytes suffice. Returns 0 if
+/// the file does not state its version.
 [[nodiscard]] uint32_t file_version(std::span<const char> head);
 
-/// Reads the settings, the objects of kind Model, NodeAttribute and AnimationStack, and their connections;
-/// skips everything else. Throws Error without a place when the file is damaged. Memory stays within a
-/// multiple of the file's size, and the depth of nesting is limited.
+/// Reads from an FBX file the settings, the objects of type Model, NodeAttribute and AnimationStack, and
+/// their connections. Skips all other elements. Throws Error without a place when the file is damaged. Memory
+/// is at most a multiple of the file's size, and the nesting depth is limited.
 [[nodiscard]] Tree read_tree(std::span<const char> file);
 
-/// Throws Error naming the file if its version is below 7.1, because such files have another structure.
+/// Throws Error naming the file if the FBX version is below 7.1, because older files have another structure.
 void check_version(const std::filesystem::path& path);
 
 } // namespace estampe::fbx
