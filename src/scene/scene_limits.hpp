@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Limits of what can be drawn: distance, size and count.
+// Limits of the scenes that can be drawn: distance from the origin, size, and number of vertices.
 
 #include <cstdint>
 #include <string>
@@ -10,33 +10,35 @@
 
 namespace estampe {
 
-/// Largest distance from the origin at which the GPU can square and multiply lengths as floats.
+/// Largest distance from the origin in metres. Beyond it, squares and products of lengths exceed the range of
+/// floats on the GPU.
 inline constexpr double farthest_m = 1e12;
-/// Radius of the smallest scene, for the same reason. A scene that is a single point is allowed.
+/// Radius of the smallest scene, in metres; smaller lengths underflow as floats on the GPU. A scene that is a
+/// single point is allowed.
 inline constexpr double least_radius_m = 1e-9;
 
-/// Throws Error naming `scene` unless `bounds` are finite, near enough, and neither too large nor too small.
-/// Empty bounds are allowed.
+/// Throws Error naming `scene` unless `bounds` are finite, near enough to the origin, and neither too large
+/// nor too small. Empty bounds are allowed.
 void check_extent(const Bounds& bounds, const std::string& scene);
 
-/// Throws Error naming a node unless floats can hold the position in `pose` of everything drawn.
+/// Throws Error naming a node unless all drawn positions in `pose` fit into floats.
 void check_places(const Scene& scene, const ScenePose& pose);
 
-/// Throws Error unless the camera's numbers are finite and near enough, and its directions of view and up are
-/// defined.
+/// Throws Error unless the numbers of the camera are finite and within the limits, and its view direction and
+/// up vector are well defined.
 void check_camera(const Camera& camera);
 
-/// Number of vertices and triangles when every mesh is counted once for each place where it is shown.
+/// Number of vertices and triangles to draw. A mesh counts once for each node or instance that shows it.
 struct DrawnSize {
     uint64_t vertices = 0;
-    uint64_t triangles = 0; ///< lines and points count as the triangles that draw them
+    uint64_t triangles = 0; ///< lines and points count as the triangles with which they are drawn
 };
 
 [[nodiscard]] DrawnSize drawn_size(const Scene& scene);
 
-/// Throws Error when drawing the scene takes more memory than available, or more vertices than fit in 31
-/// bits; a small file can show one mesh any number of times. Messages name `where`, or the scene's name if it
-/// is empty. Cost: linear in nodes and primitives.
+/// Throws Error when drawing the scene needs more memory than available, or more vertices than fit in 31
+/// bits. Even a small file can do so, because it can show one mesh any number of times. Messages name
+/// `where`, or the name of the scene if `where` is empty. Cost: linear in nodes and primitives.
 void check_drawn_size(const Scene& scene, const std::string& where = {});
 
 } // namespace estampe

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Finds hidden nodes, and what a camera can see of the visible ones.
+// Determines which nodes are visible, and what a camera can see of the visible nodes.
 
 #include <vector>
 
@@ -9,38 +9,37 @@
 
 namespace estampe {
 
-/// Whether each node is visible: Node::visible of the node and of all its ancestors. All code that draws,
-/// lights, bounds or counts a scene uses this, or works on a scene that has been through hide_invisible().
+/// Returns one flag per node: whether Node::visible is set for the node and all its ancestors. All code that
+/// draws, lights, bounds or counts a scene calls this function, or works on a scene after hide_invisible().
 /// Cost: linear in nodes.
 [[nodiscard]] std::vector<bool> visible_nodes(const Scene& scene);
 
-/// Removes mesh, skin, instances and light from invisible nodes, and sets Node::visible of each to false. The
-/// nodes stay, because cameras, joints and the indices of other nodes depend on them.
+/// Removes mesh, skin, instances and light from invisible nodes, and sets their Node::visible to false. The
+/// nodes themselves are kept, because cameras, joints and the indices of other nodes refer to them.
 void hide_invisible(Scene& scene);
 
-/// Whether a visible node carries a light.
+/// Whether any visible node has a light.
 [[nodiscard]] bool has_visible_light(const Scene& scene);
 
 /// What a camera can see of a scene.
 enum class ViewContent : uint8_t {
-    nothing,    ///< certain: everything lies behind the camera, before its near plane or beside its view
-    backs_only, ///< certain: surfaces are in view, but all are one-sided and turn their undrawn backs to it
-    something,  ///< perhaps, since surfaces in view may still hide each other or miss every pixel
+    nothing,    ///< certain: everything is behind the camera, before its near plane or beside its view
+    backs_only, ///< certain: all surfaces in view are one-sided and face away, so none is drawn
+    something,  ///< possible: surfaces in view may still hide each other or cover no pixel
 };
 
-/// What is in view, and a node whose backs are in view.
+/// Result of find_in_view(): what is in view, and a node whose back faces are in view.
 struct InView {
     ViewContent content = ViewContent::nothing;
-    Index backs_of = no_index; ///< for backs_only: a node whose backs are in view; prefers the smallest box
-                               ///< with the eye inside
-    bool holds_eye = false;    ///< the box of `backs_of` holds the eye
+    Index backs_of = no_index; ///< for backs_only: a node whose back faces are in view; prefers the
+                               ///< smallest bounding box that contains the eye
+    bool holds_eye = false;    ///< the bounding box of `backs_of` contains the eye
 };
 
-/// Tests what `camera` can see of the scene on a page of this aspect (width / height). Hidden nodes are
-/// ignored. A terrain always counts as something, and so does a scene without meshes. Cost: a box for each
-/// mesh and each node and some triangles, until one in view is found that is two-sided or faces the camera;
-/// at most 4 million triangles, after which the answer is `something`. Linear in vertices if meshes deform
-/// and nothing else is in view.
+/// Tests what `camera` can see of the visible nodes on a page of this aspect (width / height). A scene with a
+/// terrain or without meshes always returns `something`. Cost: a box test for each mesh and each node, and
+/// triangle tests until a triangle in view is two-sided or faces the camera. After 4 million triangles the
+/// answer is `something`. Linear in vertices if meshes deform and nothing else is in view.
 [[nodiscard]] InView find_in_view(const Scene& scene, const ScenePose& pose, const Camera& camera,
                                   double aspect);
 

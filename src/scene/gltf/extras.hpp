@@ -15,8 +15,8 @@
 //     node, material  "groups": [1]       lit by lights of these     "casts": [1], true or false
 //                     "receives": true or false               "lightmap": see estampe/lightmap.hpp
 //
-// Groups have numbers from 1 to 16; an object that names none belongs to all. The settings of a node apply to
-// its children unless they override them.
+// Groups of lights have numbers from 1 to 16. An object without groups belongs to all groups. The settings of
+// a node apply to its children unless the children override them.
 //
 // Older versions of Blender have no boolean custom properties, and artists type numbers as text. So 0, 1,
 // "0", "true" and the like are accepted as booleans, "0.5" as a number, and one group as a list.

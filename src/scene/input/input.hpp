@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Input of the OBJ, PLY and STL readers: a buffer of lines or bytes, words of a line, and the origin of
-// coordinates far from zero.
+// Input of the OBJ, PLY and STL readers: a buffer of lines or bytes, the words of a line, and the origin that
+// is subtracted from coordinates far from zero.
 
 #include <algorithm>
 #include <array>
@@ -20,23 +20,23 @@
 
 namespace estampe {
 
-/// Parses a number in the spellings of 3D files: all spellings of std::from_chars, and also numbers with a
+/// Parses a number as 3D files spell it. Accepts all spellings of std::from_chars, and also numbers with a
 /// leading plus, with a decimal comma, or beyond the range of doubles. Returns NaN for any other word.
 [[nodiscard]] double number_of_word(std::string_view word);
 
-/// Splits a line at blanks. Inline, because a file has millions of words.
+/// Splits a line into words at blanks. Functions are inline for speed, because a file has millions of words.
 class Scanner {
 public:
     explicit Scanner(std::string_view line) : at_(line.data()), end_(line.data() + line.size()) {}
 
-    /// Whether nothing but blanks is left.
+    /// Whether the rest of the line is empty or blank.
     [[nodiscard]] bool is_done()
     {
         skip_blanks();
         return at_ == end_;
     }
 
-    /// The next word; empty at the end of the line.
+    /// Returns the next word of the line; empty at the end of the line.
     [[nodiscard]] std::string_view word()
     {
         skip_blanks();
@@ -58,7 +58,7 @@ public:
         return true;
     }
 
-    /// The rest of the line, without blanks around it.
+    /// Returns the rest of the line, without blanks before and after it.
     [[nodiscard]] std::string_view rest()
     {
         skip_blanks();
@@ -80,9 +80,9 @@ private:
             ++at_;
     }
 
-    /// Reads up to fifteen digits with an optional point. Both the digits and the power of ten are exact
-    /// doubles, so their quotient is rounded once, as std::from_chars rounds (Clinger 1990). Consumes nothing
-    /// if the word has another form.
+    /// Reads a decimal number of up to fifteen digits with an optional point. Both the digits and the power
+    /// of ten are exact doubles, so that their quotient is rounded only once, to the result of
+    /// std::from_chars (Clinger 1990). If the word has another form, the position in the line is not changed.
     bool plain_decimal(double& value)
     {
         static constexpr std::array<double, 16> powers{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
@@ -118,18 +118,19 @@ private:
     const char* end_;
 };
 
-/// Reads a file from front to back, by lines or by bytes, through a buffer of a few hundred kilobytes, so
-/// that the whole file is never in memory.
+/// Reads a file sequentially, by lines or by bytes. A buffer of a few hundred kilobytes is enough, so that
+/// the whole file is never in memory.
 ///
-/// Lines end with LF, CR LF or CR, also mixed. Text may be UTF-8 with or without a byte order mark, or
-/// UTF-16, recognised by its byte order mark or its content; next_line() returns UTF-8.
+/// Lines may end with LF, CR LF or CR, also mixed in one file. Text may be UTF-8 with or without a byte order
+/// mark, or UTF-16, which is detected by its byte order mark or its content. next_line() always returns
+/// UTF-8.
 class Input {
 public:
     /// Opens a regular file. Throws Error naming the file when it is missing, empty, a folder, a pipe or a
     /// device.
     explicit Input(const std::filesystem::path& path);
 
-    /// Reads from memory, which must outlive the input; `name` is for messages.
+    /// Reads from `bytes`, which must outlive this object. `name` is the name of the file in messages.
     Input(std::span<const std::byte> bytes, std::string name);
 
     Input(const Input&) = delete;
@@ -138,33 +139,35 @@ public:
 
     [[nodiscard]] const std::string& name() const { return name_; }
 
-    /// Bytes of the whole file.
+    /// Size of the whole file in bytes.
     [[nodiscard]] uint64_t size() const { return size_; }
 
-    /// Bytes of the file after the current position; not valid in UTF-16.
+    /// Number of bytes from the current position to the end of the file. Not valid in UTF-16.
     [[nodiscard]] uint64_t bytes_left() const { return size_ - offset_ + buffered(); }
 
     /// Detects a byte order mark or UTF-16 in the first bytes. Call this before reading anything.
     void detect_encoding();
 
-    /// The bytes at the current position: at least `wanted` of them, unless the file ends earlier. Valid
-    /// until the next call. The buffer grows to `wanted`, but never beyond the size of the file.
+    /// Returns the bytes at the current position: at least `wanted` of them, unless the file ends earlier.
+    /// The result is valid until the next call. The buffer grows to `wanted`, but never beyond the size of
+    /// the file.
     [[nodiscard]] std::string_view peek(size_t wanted);
 
     /// Advances by `count` bytes that peek() has returned.
     void skip(size_t count) { first_ += count; }
 
-    /// The next line without its line end; returns false if there is none. Valid until the next call.
+    /// Reads the next line without its line end. Returns false at the end of the file. `line` is valid until
+    /// the next call.
     [[nodiscard]] bool next_line(std::string_view& line);
 
     /// Number of the line that next_line() returned last, from 1.
     [[nodiscard]] uint64_t line_number() const { return line_number_; }
 
-    /// Whether the line that next_line() returned last had a line end; without one, the line may be
+    /// Whether the line that next_line() returned last had a line end. A line without a line end may be
     /// truncated.
     [[nodiscard]] bool line_was_ended() const { return line_was_ended_; }
 
-    /// "file:line" of the line that next_line() returned last.
+    /// Place for messages, "file:line", of the line that next_line() returned last.
     [[nodiscard]] std::string place() const;
 
 private:
@@ -181,30 +184,30 @@ private:
 
     std::string name_;
     uint64_t size_ = 0;
-    uint64_t offset_ = 0; ///< position in the file of the next byte to read into the buffer
+    uint64_t offset_ = 0; ///< offset in the file of the next byte to read into the buffer
     int descriptor_ = -1;
     std::span<const std::byte> memory_;
     Encoding encoding_ = Encoding::bytes;
     std::vector<char> buffer_;
-    size_t first_ = 0; ///< first byte in the buffer that is not consumed yet
+    size_t first_ = 0; ///< offset in the buffer of the first byte not consumed yet
     size_t last_ = 0;
-    size_t next_lf_ = 0; ///< no LF lies between first_ and this position; next_cr_ is the same for CR
+    size_t next_lf_ = 0; ///< no LF is between first_ and this offset; next_cr_ is the same for CR
     size_t next_cr_ = 0;
     uint32_t high_surrogate_ = 0;
     uint64_t line_number_ = 0;
     bool line_was_ended_ = true;
 };
 
-/// The point to subtract from the coordinates of a whole file before they are rounded to floats. The point is
-/// zero, unless the coordinates are farther from zero than sixteen times their extent. It is then a whole
-/// number near their centre. Floats up to that distance resolve a millionth of the extent.
+/// The origin to subtract from all coordinates of a file before they are rounded to floats. It is zero unless
+/// the distance of the coordinates from zero exceeds sixteen times their extent. Then it is an integer point
+/// near the centre of the coordinates. Up to that distance floats resolve a millionth of the extent.
 [[nodiscard]] glm::dvec3 file_origin(const Bounds& bounds);
 
-/// The point to subtract from the coordinates of one object, in a file whose own origin is `file`. An object
-/// that is tiny compared with its distance gets its own origin.
+/// The origin to subtract from the coordinates of one object. It is `file`, the origin of the whole file,
+/// unless the object is tiny compared with its distance from `file`.
 [[nodiscard]] glm::dvec3 object_origin(const Bounds& bounds, const glm::dvec3& file);
 
-/// Whether a coordinate can be drawn: finite, and its square within the range of floats.
+/// Whether a position can be drawn: its coordinates are finite, and their squares fit into floats.
 [[nodiscard]] bool is_usable(const glm::dvec3& position);
 
 } // namespace estampe

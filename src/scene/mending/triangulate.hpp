@@ -9,17 +9,19 @@
 
 namespace estampe {
 
-/// Triangulates polygons. One object serves a whole file: it reuses its memory and limits the total work.
+/// Triangulates polygons. One object is used for all polygons of a file: it reuses its memory and limits the
+/// total work.
 class Triangulation {
 public:
-    /// Appends three indices into `corners` to `triangles` for each triangle, with the winding of the
-    /// polygon. Triangles and convex polygons become fans from their first corner, others are clipped ear by
-    /// ear in their plane of largest area. A corner at the position of the one before it is left out. Cost:
-    /// linear for convex polygons, else at most quadratic in corners. After a file has used up its share of
-    /// work, later polygons may get wrong triangles, as may those that cross themselves.
+    /// Triangulates a polygon. Appends three indices into `corners` per triangle to `triangles`, with the
+    /// winding of the polygon. Convex polygons become fans from their first corner. Other polygons are
+    /// projected into the axis plane where their area is largest, and their ears are clipped. A corner at the
+    /// same position as the corner before it is skipped. Cost: linear for convex polygons, else at most
+    /// quadratic in corners. Polygons that cross themselves may get wrong triangles. So may later polygons of
+    /// a file that has used up its work limit.
     void cut(std::span<const glm::dvec3> corners, std::vector<uint32_t>& triangles);
 
-    /// Number of polygons that could not be triangulated cleanly.
+    /// Number of polygons whose triangulation may be wrong.
     [[nodiscard]] uint64_t unclean() const { return unclean_; }
 
 private:
@@ -28,7 +30,7 @@ private:
     void flatten(std::span<const glm::dvec3> corners);
     void fan(std::vector<uint32_t>& triangles) const;
 
-    std::vector<uint32_t> kept_; ///< corners that are left, in their order
+    std::vector<uint32_t> kept_; ///< indices of corners not cut off yet, in polygon order
     std::vector<glm::dvec2> flat_;
     std::vector<uint32_t> next_, last_;
     std::vector<uint32_t> reflex_;

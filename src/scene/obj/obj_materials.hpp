@@ -14,42 +14,42 @@
 
 namespace estampe::obj {
 
-/// A picture that a material names, with the options in front of its name.
+/// A picture that an OBJ material names, with the options in front of its file name.
 struct MtlMap {
-    std::string file; ///< empty if the material names none
+    std::string file; ///< empty if the material names no picture
     glm::dvec2 scale{1.0};
     glm::dvec2 offset{0.0};
     bool clamps = false; ///< the picture does not repeat
     double bump = 1.0;   ///< factor of the option -bm
 };
 
-/// A material as written in the file; members that the file does not give are not set.
+/// A material as written in an MTL file. Values that the file does not specify are not set.
 struct MtlMaterial {
     std::string name;
     std::optional<glm::vec3> diffuse;
     std::optional<glm::vec3> emissive;
-    std::optional<double> dissolve;     ///< d: 1 is opaque
-    std::optional<double> transparency; ///< Tr: 0 is opaque
+    std::optional<double> dissolve;     ///< statement `d`: 1 is opaque
+    std::optional<double> transparency; ///< statement `Tr`: 0 is opaque
     std::optional<double> roughness;
     std::optional<double> metallic;
     MtlMap diffuse_map;
     MtlMap emissive_map;
     MtlMap dissolve_map;
-    MtlMap bump_map;   ///< heights or normals, because programs write both under this name
-    MtlMap normal_map; ///< from `norm`: always normals
+    MtlMap bump_map;   ///< a height map or a normal map; programs write both under this name
+    MtlMap normal_map; ///< from statement `norm`: always a normal map
 };
 
-/// Reads a material library. If a name is given twice, the last statements win. Unknown statements are
-/// ignored: they are many, and none of them changes a drawing.
+/// Reads a material library (MTL). If a material occurs twice, its last statements apply. Unknown statements
+/// are ignored, because they are many and none of them changes a drawing.
 [[nodiscard]] std::vector<MtlMaterial> parse_mtl(Input& input);
 
-/// Reads the libraries that an OBJ file names and fills the scene's materials and textures: first one
-/// material for each of `used`, in this order, then all others of the libraries. If a library is not found
-/// under its own name, the name of the OBJ file is tried. Names what cannot be found in Scene::warnings; such
-/// materials are grey.
+/// Reads the material libraries of an OBJ file into the materials and textures of the scene. The first
+/// materials are those of `used`, in this order; all other materials of the libraries follow. If a library is
+/// not found, the name of the OBJ file with the ending .mtl is tried. Lines in Scene::warnings name what is
+/// missing. Missing materials are grey.
 ///
-/// `libraries` are the arguments of `mtllib` lines: one file name with blanks, or several names.
-/// `default_color` is the colour of materials without one.
+/// `libraries` are the arguments of the `mtllib` lines. Each argument is one file name with blanks, or
+/// several names. `default_color` is the colour of materials that specify none.
 void read_materials(const std::filesystem::path& file, const std::vector<std::string>& libraries,
                     const std::vector<std::string>& used, const glm::vec3& default_color, Scene& scene);
 

@@ -18,8 +18,8 @@
 
 namespace estampe::obj {
 
-/// A corner of a face: its position, texture coordinate and normal in the file's lists; `no_index` means
-/// none.
+/// A corner of a face, as indices into the lists of positions, texture coordinates and normals. `no_index`
+/// means that the corner has no such attribute.
 struct Corner {
     uint32_t position = no_index;
     uint32_t uv = no_index;
@@ -28,27 +28,28 @@ struct Corner {
     bool operator==(const Corner&) const = default;
 };
 
-/// Value of a face outside any `s` statement: the shape decides where the surface is smooth.
+/// Smoothing group of faces before any `s` statement. For such faces the crease angle decides where the
+/// surface is smooth.
 inline constexpr uint32_t no_smoothing_group = no_index;
 
-/// Elements of one kind, one object and one material; each piece becomes a primitive.
+/// Elements of one topology, one object and one material. Each piece becomes a primitive.
 struct Piece {
     uint32_t object = 0;
-    uint32_t material = no_index; ///< no_index if the file has named none
+    uint32_t material = no_index; ///< no_index if the file has not named a material
     Topology topology = Topology::triangles;
-    bool has_normals = false; ///< all corners name a normal, or none does
+    bool has_normals = false; ///< either all corners have a normal, or no corner has one
     std::vector<Corner> vertices;
     std::vector<uint32_t> indices;
-    std::vector<uint32_t> smoothing_groups; ///< empty, or one for each triangle; 0 is flat
+    std::vector<uint32_t> smoothing_groups; ///< empty, or one per triangle; group 0 is flat
 };
 
-/// An object or group, named by `o` or `g`.
+/// An object or a group of an OBJ file, named by an `o` or `g` statement.
 struct Object {
     std::string name;
-    uint32_t parent = no_index; ///< for a group, the object named before it in the file
+    uint32_t parent = no_index; ///< for a group, the last object before it in the file
 };
 
-/// Counts of elements that could not be read as written.
+/// Counts of elements that could not be read exactly as written.
 struct Losses {
     uint64_t faces_of_missing_vertices = 0;
     uint64_t short_faces = 0; ///< faces with fewer than three corners
@@ -57,17 +58,17 @@ struct Losses {
     uint64_t curves = 0;
     uint64_t unread_lines = 0;
     uint64_t first_unread_line = 0;
-    bool is_cut_off = false;    ///< the last line has no line end and cannot be read
-    uint64_t said_vertices = 0; ///< count in a comment of MeshLab's; 0 if there is none
+    bool is_cut_off = false;    ///< the last line has no line end and cannot be parsed
+    uint64_t said_vertices = 0; ///< vertex count in a comment written by MeshLab; 0 if there is none
     uint64_t said_faces = 0;
-    uint64_t faces = 0; ///< all faces of the file, good and bad
+    uint64_t faces = 0; ///< all faces of the file, valid and invalid
 };
 
-/// The content of a file. Corners of pieces are in range.
+/// The content of an OBJ file. Every index of a corner is in range.
 struct Data {
     std::vector<glm::dvec3> positions;
-    std::vector<glm::vec4> colors; ///< linear; empty, or one for each position
-    std::vector<glm::vec2> uvs;    ///< v points up, as in the file
+    std::vector<glm::vec4> colors; ///< linear colours; empty, or one per position
+    std::vector<glm::vec2> uvs;    ///< v points up, as in the OBJ format
     std::vector<glm::vec3> normals;
     std::vector<Object> objects;
     std::vector<std::string> materials; ///< names given by `usemtl`
@@ -76,35 +77,36 @@ struct Data {
     Losses losses;
 };
 
-/// Sorts faces, lines and points into pieces, triangulates polygons, and lets equal corners share a vertex.
+/// Sorts faces, lines and points into pieces, triangulates polygons, and merges equal corners into one
+/// vertex.
 class PieceBuilder {
 public:
     explicit PieceBuilder(Data& data) : data_(data) {}
 
-    /// The object and the material of the elements that follow.
+    /// Sets the object of the elements that are added next.
     void set_object(uint32_t object);
     void set_material(uint32_t material);
 
     void set_smoothing_group(uint32_t group) { smoothing_group_ = group; }
 
-    /// Adds a polygon. Its corners may name positions that the file has not listed yet.
+    /// Adds a polygon. Its corners may refer to positions that come later in the file.
     void add_face(std::span<const Corner> corners);
     void add_line(std::span<const Corner> corners);
     void add_points(std::span<const Corner> corners);
 
-    /// Triangulates the polygons that waited for their positions, and drops elements whose positions never
-    /// came.
+    /// Triangulates the polygons whose positions came later in the file, and drops elements whose positions
+    /// are missing.
     void finish();
 
 private:
-    /// A vertex of a piece, in a linked list of the vertices at one position.
+    /// A vertex of a piece, as an entry in the linked list of all vertices at one position.
     struct Entry {
         uint32_t next = no_index;
         uint32_t piece = 0;
         uint32_t vertex = 0;
     };
 
-    /// A polygon with positions that the file had not listed yet.
+    /// A polygon that refers to positions that come later in the file. finish() triangulates it.
     struct Waiting {
         uint32_t piece;
         uint32_t smoothing_group;
@@ -124,7 +126,7 @@ private:
     uint32_t smoothing_group_ = no_smoothing_group;
     std::map<std::tuple<uint32_t, uint32_t, Topology, bool>, uint32_t> pieces_;
     std::array<uint32_t, 6> current_pieces_{no_index, no_index, no_index, no_index, no_index, no_index};
-    std::vector<uint32_t> first_entries_; ///< one for each position
+    std::vector<uint32_t> first_entries_; ///< per position: first entry of its list
     std::vector<Entry> entries_;
     Triangulation triangulation_;
     std::vector<glm::dvec3> polygon_;
@@ -133,8 +135,8 @@ private:
     std::vector<Corner> waiting_corners_;
 };
 
-/// Reads all lines of an OBJ file. Corners of pieces are always in range afterwards; what was not understood
-/// is counted. Memory: the arrays of the file's numbers, and twelve bytes for each corner of a triangle.
+/// Parses all lines of an OBJ file. In the result all indices of corners are in range. Data::losses counts
+/// what could not be read. Memory: the numbers of the file, and twelve bytes for each corner of a triangle.
 /// Cost: about 0.4 s for a million triangles.
 [[nodiscard]] Data parse(Input& input);
 

@@ -14,25 +14,25 @@
 
 namespace estampe {
 
-/// Finds the files that a scene file names: its pictures and material libraries.
+/// Finds the pictures and material libraries that a scene file names.
 ///
-/// Scene files come from other machines, so a name is only a hint. Backslashes count as slashes; quotes and
-/// blanks around the name are ignored, and so is the case of letters in the whole path. Each folder of the
-/// list is searched for the given path, then for ever shorter ends of it, down to the file name alone. For an
-/// absolute path only such ends are tried: the path itself is never opened. Only regular files that are not
-/// empty are found, because reading a pipe or a device could wait forever, and files of /proc have no size.
+/// Scene files come from other machines, so their paths are often wrong here. Backslashes count as slashes.
+/// Quotes and blanks around a path and the case of letters are ignored. Each folder of the list is searched
+/// for the whole path, then for shorter and shorter ends of the path, down to the file name alone. An
+/// absolute path is never opened; only its ends are searched. Only regular files that are not empty are
+/// found: reading a pipe or a device could wait forever, and files of /proc have no size.
 ///
-/// Folders are listed once and remembered, so that a thousand names cost little more than a few. Not
+/// The listing of each folder is cached, so that a thousand look-ups cost little more than a few. Not
 /// thread-safe.
 class FileFinder {
 public:
-    /// `folders` are searched in this order; an empty path is the current folder.
+    /// `folders` are searched in this order. An empty path means the current folder.
     explicit FileFinder(const std::vector<std::filesystem::path>& folders);
 
-    /// Path of the file; nothing when it is in none of the folders.
+    /// Returns the path of the file; nothing if no folder contains it.
     [[nodiscard]] std::optional<std::filesystem::path> find(std::string_view name);
 
-    /// Also searches `folder`, after the others; does nothing if the folder is in the list already.
+    /// Appends `folder` to the folders that are searched. Does nothing if it is in the list already.
     void add_folder(const std::filesystem::path& folder);
 
 private:
@@ -48,15 +48,15 @@ private:
     std::map<std::filesystem::path, std::map<std::string, std::string>> listings_;
 };
 
-/// Source of a texture's picture: the name of a file, or the bytes of a picture inside the scene's own file.
+/// Source of a texture's picture: a file name, or the bytes of a picture embedded in the scene file.
 struct ImageSource {
     std::string file;
     std::vector<std::byte> bytes;
 };
 
-/// Reads the pictures of the scene's textures, with one source per texture; textures that have a picture keep
-/// it. A picture that cannot be found or read becomes one white pixel, with a warning that names it. A file
-/// that several textures name is decoded once.
+/// Reads the pictures of all textures of the scene. `sources` has one entry per texture. A texture that
+/// already has a picture is not changed. A picture that cannot be found or decoded becomes one white pixel,
+/// and a warning names it. A file that several textures use is decoded once.
 void load_pictures(Scene& scene, const std::vector<ImageSource>& sources, FileFinder& finder);
 
 } // namespace estampe

@@ -25,14 +25,14 @@ enum class Type : uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, 
 
 [[nodiscard]] size_t bytes_of(Type type);
 
-/// One number of a row, or a list of numbers preceded by its length.
+/// A property in each row of an element: one number, or a list of numbers preceded by its length.
 struct Property {
     std::string name; ///< in lower case
     Type type = Type::float32;
     std::optional<Type> length_type; ///< type of a list's length; not set for a single number
 };
 
-/// A table of `count` rows, each with all properties.
+/// A PLY element: a table of `count` rows. Each row has all properties.
 struct Element {
     std::string name; ///< in lower case
     uint64_t count = 0;
@@ -41,13 +41,13 @@ struct Element {
 
 struct Header {
     Format format = Format::ascii;
-    std::vector<Element> elements;          ///< in the order of their rows
-    std::vector<std::string> texture_files; ///< from comments that programs write for textured scans
+    std::vector<Element> elements;          ///< in the order in which their rows are stored
+    std::vector<std::string> texture_files; ///< from comments that begin with TextureFile
 };
 
-/// Reads the header and leaves the input at the first byte after its last line end, because binary data may
-/// begin with bytes that look like another line end. Throws Error naming file and line when the header is not
-/// one of PLY.
+/// Reads the header of a PLY file. Afterwards the input is at the first byte after the line end of the
+/// header. No further line end is skipped, because binary data may begin with bytes that look like one.
+/// Throws Error naming file and line when the header is not a PLY header.
 [[nodiscard]] Header read_header(Input& input);
 
 /// Rows of numbers as text, one row per line.
@@ -67,16 +67,16 @@ public:
         return true;
     }
 
-    /// Reads a number; returns false at the end of the row.
+    /// Reads the next number of the row. Returns false at the end of the row.
     bool read(Type /*type*/, double& value) { return words_.number(value); }
 
-    /// Whether the file is large enough for `count` more numbers.
+    /// Whether the file is large enough to contain `count` more numbers.
     [[nodiscard]] bool has_room(uint64_t count, Type /*type*/) const { return count <= input_.size(); }
 
-    /// Whether this row may be truncated by the end of the file.
+    /// Whether the end of the file may have truncated this row.
     [[nodiscard]] bool may_be_cut() const { return !input_.line_was_ended(); }
 
-    /// After a row that is too short, the next line is a new row.
+    /// If a text row is too short, the parser can continue with the next line as a new row.
     static constexpr bool goes_on_after_short_row = true;
 
 private:
@@ -177,20 +177,20 @@ private:
     size_t used_ = 0;
 };
 
-/// The content of a PLY file. Attributes of vertices are empty or have one entry per vertex. Indices are in
-/// range.
+/// The content of a PLY file. Attributes of vertices are empty or have one entry per vertex. All indices are
+/// in range.
 struct Data {
     std::vector<glm::dvec3> positions;
     std::vector<glm::vec3> normals;
-    std::vector<glm::vec2> uvs;    ///< v points up, as in the file
-    std::vector<glm::vec4> colors; ///< linear
+    std::vector<glm::vec2> uvs;    ///< v points up, as in the PLY file
+    std::vector<glm::vec4> colors; ///< linear colours
     std::vector<uint32_t> triangles;
     std::vector<glm::vec2> corner_uvs;   ///< empty, or one for each entry of `triangles`
     std::vector<glm::vec4> face_colors;  ///< empty, or one for each triangle; linear
-    std::vector<uint32_t> face_textures; ///< empty, or an index into `texture_files` for each triangle
+    std::vector<uint32_t> face_textures; ///< empty, or per triangle an index into `texture_files`
     std::vector<uint32_t> lines;
     std::vector<std::string> texture_files;
-    bool promises_faces = false; ///< the header lists faces, strips or edges, even if the file has none
+    bool promises_faces = false; ///< the header declares faces, strips or edges, even if there are none
     std::vector<std::string> warnings;
 };
 

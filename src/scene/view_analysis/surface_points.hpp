@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Samples a scene as a cloud of points on its surfaces, and renders the cloud into views of 64 x 64 cells.
-// That is enough to judge a view, a room or a shadow in a millisecond, whatever the number of triangles.
+// Samples a scene as a cloud of points on its surfaces, and renders this cloud into grids of 64 x 64 cells. A
+// grid is enough to judge a view, a room or a shadow in a millisecond, whatever the number of triangles.
 
 #include <cmath>
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace estampe {
 
-/// The axes of a camera at the origin. of() gives a point in camera space: right, up, forward.
+/// The axes of a camera at the origin. of() converts a vector to camera space: right, up, forward.
 struct ViewAxes {
     glm::dvec3 right;
     glm::dvec3 up;
@@ -32,14 +32,15 @@ struct ViewAxes {
     }
 };
 
-/// Unit vector towards a bearing and an elevation above the horizon: azimuth 0 is +z, a quarter turn is +x.
+/// Unit vector of a direction given by azimuth and elevation above the horizon. Azimuth 0 is +z, a quarter
+/// turn is +x.
 inline glm::dvec3 bearing(double azimuth_rad, double elevation_rad)
 {
     return {std::sin(azimuth_rad) * std::cos(elevation_rad), std::sin(elevation_rad),
             std::cos(azimuth_rad) * std::cos(elevation_rad)};
 }
 
-/// The view of an eye that stands at a bearing and looks at the origin; not valid straight from above or
+/// View axes of an eye at an azimuth and elevation that looks at the origin. Not valid straight from above or
 /// below.
 inline ViewAxes look_from(double azimuth_rad, double elevation_rad)
 {
@@ -51,22 +52,22 @@ inline ViewAxes look_from(double azimuth_rad, double elevation_rad)
 /// A sample point on a surface.
 struct SurfacePoint {
     glm::vec3 position{0.0F}; ///< relative to the cloud's origin
-    glm::vec3 normal{0.0F};   ///< computed from the winding, towards the visible side
-    float detail = 0.0F;      ///< fineness of the mesh: 1 / length of a triangle's side
+    glm::vec3 normal{0.0F};   ///< unit, from the winding of the triangle; points to the visible side
+    float detail = 0.0F;      ///< fineness of the mesh here: 1 / length of a triangle's side
     float area_m2 = 0.0F;     ///< area of the surface that the point represents
     bool two_sided = false;
-    bool glows = false; ///< its material emits light
+    bool glows = false; ///< the material emits light
 };
 
 struct SurfaceCloud {
-    glm::dvec3 origin{0.0}; ///< in the world; the centre of the bounds
-    Bounds bounds;          ///< bounds of all vertices, in the world
+    glm::dvec3 origin{0.0}; ///< in world space: the centre of the bounds
+    Bounds bounds;          ///< bounds of all vertices in world space
     std::vector<SurfacePoint> points;
 };
 
-/// Samples about `count` points on the triangles of `scene`, deterministically: half of them in proportion to
-/// area, half in equal numbers per primitive, so that a vast floor does not take them all. Cost: two visits
-/// of all vertices and triangles.
+/// Samples about `count` points on the triangles of `scene`. Half of the points are distributed in proportion
+/// to area, half in equal numbers per primitive, so that a vast floor does not get all points. The result is
+/// deterministic. Cost: two visits of all vertices and triangles.
 [[nodiscard]] SurfaceCloud surface_cloud(const Scene& scene, const ScenePose& pose, uint32_t count = 32768);
 
 struct SeenGrid {
@@ -78,24 +79,24 @@ struct SeenGrid {
     float cell_m = 1.0F;
 };
 
-/// The points within `frame` (world space) that a parallel view shows. Single-sided surfaces are visible from
-/// their front only, unless `all_sides` is set. Cost: linear in points.
+/// Renders the points inside `frame` (world space) with a parallel projection. Single-sided surfaces are
+/// visible only from their front, unless `all_sides` is set. Cost: linear in points.
 [[nodiscard]] SeenGrid see_from_afar(const SurfaceCloud& cloud, const ViewAxes& axes, const Bounds& frame,
                                      bool all_sides = false);
 
-/// The points that a grid shows, one per cell.
+/// Indices of the points that are visible in a grid, one per cell.
 [[nodiscard]] std::vector<uint32_t> seen_points(const SeenGrid& seen);
 
-/// Marks the points that a parallel view of the whole cloud shows from their front. Cost: two visits of all
-/// points.
+/// Marks the points that are visible from their front in a parallel projection of the whole cloud. Cost: two
+/// visits of all points.
 void mark_shown(const SurfaceCloud& cloud, const ViewAxes& axes, std::vector<bool>& shown);
 
-/// Amount of drawable detail in a view, about 0 to 1: silhouettes, depth discontinuities, bends of the
-/// surface, finely meshed parts, and area.
+/// Amount of drawable detail in a view, about 0 to 1. It counts silhouettes, depth discontinuities, bends of
+/// the surface, finely meshed parts, and area.
 [[nodiscard]] double interest(const SurfaceCloud& cloud, const SeenGrid& seen);
 
-/// Share of `points` (indices into the cloud's points) that face and receive a parallel light from
-/// `towards_light`. Cost: linear in the cloud's points.
+/// Share of `points` (indices into the cloud's points) that a parallel light from the direction
+/// `towards_light` reaches on their front. Cost: linear in the cloud's points.
 [[nodiscard]] double lit_share(const SurfaceCloud& cloud, std::span<const uint32_t> points,
                                const ViewAxes& from_eye, const glm::dvec3& towards_light);
 
