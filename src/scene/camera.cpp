@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cameras of a file, cameras typed as words, such as "eye=1,2,3 fov=35 ortho", and views from a side
+// Cameras of a scene file, cameras given as text, such as "eye=1,2,3 fov=35 ortho", and views from a side
 // (estampe/views.hpp).
 #include <algorithm>
 #include <array>
@@ -28,24 +28,25 @@
 namespace estampe {
 namespace {
 
-/// The words of a text, each "key=value" or a key alone. Numbers are parsed when they are queried. Every
-/// problem throws an Error that shows the correct form.
+/// Splits a text into words of the form "key=value" or "key". Numbers are parsed when they are queried. Every
+/// invalid word throws an Error that shows the correct form.
 class CameraWords {
 public:
-    /// `form` describes the syntax with an example, and must outlive this object. `lone` are the keys that
-    /// may have no value.
+    /// `form` describes the syntax with an example, for error messages; it must outlive this object. `lone`
+    /// lists the keys that may have no value.
     CameraWords(const std::string& text, const char* form, std::initializer_list<std::string_view> keys,
                 std::initializer_list<std::string_view> lone);
 
     /// Whether the key is present, with or without a value.
     [[nodiscard]] bool has(std::string_view key) const;
-    /// The number after the key; nothing if the key is missing or has no value.
+    /// The number after a key. Nothing if the key is missing or has no value.
     [[nodiscard]] std::optional<double> number(std::string_view key) const;
-    /// The three numbers after the key; nothing if the key is missing.
+    /// The three numbers after a key. Nothing if the key is missing.
     [[nodiscard]] std::optional<glm::dvec3> vector(std::string_view key) const;
-    /// The vertical angle of view in degrees, checked; nothing if it is missing.
+    /// The vertical angle of view in degrees, after a range check. Nothing if the key is missing.
     [[nodiscard]] std::optional<double> fov_deg() const;
-    /// Half the height of a parallel projection in metres, checked; nothing if it is missing.
+    /// Half the height of a parallel projection in metres, after a range check. Nothing if the key is
+    /// missing.
     [[nodiscard]] std::optional<double> half_height_m() const;
 
     [[noreturn]] void refuse(const std::string& what) const;
@@ -168,7 +169,8 @@ std::string list_cameras(const Scene& scene)
     return fmt::format("cameras of the scene: {}; or {}", list, other_forms);
 }
 
-/// The camera with that name (its own or its node's), else the camera with that number.
+/// Finds the node of the camera called `name`, which is the name of the camera or of its node. If there is
+/// none, `name` is the number of a camera.
 Index find_camera_node(const Scene& scene, const std::string& name)
 {
     const Index number = number_from<Index>(name).value_or(no_index);
@@ -248,7 +250,7 @@ constexpr const char* direction_form =
     "+z and sees the front, 90 looks from +x; and if need be distance=metres, target=x,y,z, fov=degrees, "
     "ortho or ortho=half_height";
 
-/// The axes of a view, also straight down or up.
+/// The axes of a view in a given direction. Also valid for views straight down or up.
 ViewAxes axes_of(const ViewDirection& from)
 {
     const double azimuth_rad = glm::radians(from.azimuth_deg);
@@ -257,16 +259,16 @@ ViewAxes axes_of(const ViewDirection& from)
     return {right, glm::cross(right, forward), forward};
 }
 
-/// Half the height in metres of a page that holds `seen` with the margin, in parallel projection.
+/// Half the height in metres of a parallel projection in which `seen` fits on the page with a margin.
 double fitting_half_height(const Bounds& seen, double aspect)
 {
     const glm::dvec3 half = 0.5 * (seen.max - seen.min);
-    const double rim = 2.0 * framed_margin * std::min(1.0, aspect); // relative to half the height
+    const double rim = 2.0 * framed_margin * std::min(1.0, aspect); // as a share of half the height
     return std::max(half.y / (1.0 - rim), half.x / (aspect - rim));
 }
 
-/// Points of the subject in camera space, relative to the middle of the scene; two points if the scene has no
-/// extent.
+/// The points of the subject in camera space, relative to the centre of the subject. Two points if the
+/// subject has no extent.
 std::vector<glm::dvec3> subject_points(const Scene& scene, const ScenePose& pose, const Subject& subject,
                                        const ViewAxes& axes)
 {
@@ -368,8 +370,9 @@ Camera view_camera(const Scene& scene, const ScenePose& pose, double aspect, con
     const SurfaceCloud& cloud = surveyed->cloud;
     ViewAnalysis& analysis = surveyed->analysis;
     if (analysis.standpoint == Standpoint::inside)
-        analysis.subject = whole; // the subject is seen from outside even if it is a room
-    // A requested view also shows the floor, unless the floor extends far beyond the objects on it.
+        analysis.subject = whole; // show the subject from outside even if it is a room
+    // A view from a requested side also shows the floor, unless the floor extends far beyond the objects on
+    // it.
     constexpr double far_wider = 4.0;
     const glm::dvec3 all_m = cloud.bounds.max - cloud.bounds.min;
     const glm::dvec3 subject_m = analysis.subject.max - analysis.subject.min;
@@ -385,8 +388,8 @@ Camera view_camera(const Scene& scene, const ScenePose& pose, double aspect, con
     Camera camera;
     camera.up = std::abs(from.elevation_deg) > 89.9 ? axes.up : glm::dvec3(0.0, 1.0, 0.0);
     camera.vertical_fov_rad = 2.0 * std::atan(half_height);
-    glm::dvec3 eye = seen.center(); // the points are relative to this position
-    double distance_m = 0.0;        // from the eye to the middle of what is seen
+    glm::dvec3 eye = seen.center(); // `points` are relative to the centre of the subject
+    double distance_m = 0.0;        // from the eye to the centre of the visible subject
     if (from.parallel || from.distance_m) {
         const double fitting_m = fitting_half_height(seen, aspect);
         const double half_m = from.half_height_m ? *from.half_height_m

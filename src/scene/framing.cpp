@@ -38,8 +38,8 @@ double framed_half_height(double aspect)
     return std::min(std::tan(0.25), 0.8 / aspect);
 }
 
-/// Each side of the window is a plane through the outermost point along the plane's normal, so one pass over
-/// the points is exact.
+/// On each side of the window, the outermost point along the normal of the bounding plane limits the eye. So
+/// one pass over the points gives the exact result.
 glm::dvec3 fit_eye(const std::vector<glm::dvec3>& points, const Window& window)
 {
     constexpr double lowest = -std::numeric_limits<double>::infinity();
@@ -111,10 +111,10 @@ bool Subject::has_floor_at(const glm::dvec3& position) const
 
 namespace {
 
-constexpr double shadow_room = 0.03; // below the subject, as a share of the shorter side
+constexpr double shadow_room = 0.03; // extra margin below the subject, as a share of the shorter side
 
-/// Horizontal extent of points in the picture, as tangents, and the depth of the nearer of the two outermost
-/// points.
+/// Horizontal extent of points in the picture, as tangents. `depth` is the depth of the leftmost or the
+/// rightmost point, whichever is nearer.
 struct Across {
     double left = std::numeric_limits<double>::infinity();
     double right = -std::numeric_limits<double>::infinity();
@@ -139,8 +139,8 @@ struct Across {
     }
 };
 
-/// Moves the eye from the middle of all points towards the middle of the subject, as far as all points stay
-/// inside.
+/// Moves the eye sideways to bring the subject nearer to the middle of the picture, as far as all points stay
+/// inside the picture.
 glm::dvec3 lean_to_subject(const std::vector<glm::dvec3>& all, const std::vector<glm::dvec3>& subject,
                            const Window& window, glm::dvec3 eye)
 {
@@ -156,7 +156,7 @@ glm::dvec3 lean_to_subject(const std::vector<glm::dvec3>& all, const std::vector
 /// The points that the picture must contain, in camera space relative to the middle of the subject.
 struct ViewPoints {
     std::vector<glm::dvec3> subject;
-    std::vector<glm::dvec3> shadow; ///< shadows of the subject's points on the ground
+    std::vector<glm::dvec3> shadow; ///< shadow on the ground of each point of the subject
 };
 
 glm::dvec3 towards(const SunBearing& sun, const ViewAnalysis& analysis)
@@ -165,8 +165,8 @@ glm::dvec3 towards(const SunBearing& sun, const ViewAnalysis& analysis)
                      : bearing(glm::radians(sun.azimuth_deg), glm::radians(sun.elevation_deg));
 }
 
-/// Direction of the light that casts the shadow: the scene's strongest directional light, or the sun if the
-/// scene has no light or the sun replaces its lights.
+/// Direction towards the light that casts the framed shadow. It is the strongest directional light of the
+/// scene. It is the default sun if the scene has no light or the sun replaces the scene's lights.
 std::optional<glm::dvec3> shadow_light(const Scene& scene, const ScenePose& pose,
                                        const ViewAnalysis& analysis, const SunBearing& sun)
 {
@@ -195,7 +195,7 @@ std::optional<glm::dvec3> shadow_light(const Scene& scene, const ScenePose& pose
 ViewPoints view_points(const Scene& scene, const ScenePose& pose, const ViewAxes& axes,
                        const ViewAnalysis& analysis, const SunBearing& sun, const Subject& subject)
 {
-    constexpr double lowest_sun = 0.26; // 15 degrees: longer shadows leave any page
+    constexpr double lowest_sun = 0.26; // 15 degrees; shadows of a lower sun are too long for the page
     ViewPoints points;
     const auto light = shadow_light(scene, pose, analysis, sun);
     const bool has_ground = sun.on_blank_ground.value_or(scene.cameras.empty());
@@ -216,7 +216,8 @@ ViewPoints view_points(const Scene& scene, const ScenePose& pose, const ViewAxes
     return points;
 }
 
-/// Returns the points, and for each point another one at the share `part` of the line to the point's shadow.
+/// Returns the subject's points. If there are shadows, also returns for each point the position at the share
+/// `part` of the way to the point's shadow.
 std::vector<glm::dvec3> with_shadow(const ViewPoints& points, double part)
 {
     std::vector<glm::dvec3> all = points.subject;
@@ -225,7 +226,8 @@ std::vector<glm::dvec3> with_shadow(const ViewPoints& points, double part)
     return all;
 }
 
-/// An eye, and the share of the way from the subject to its shadow that fits into the picture.
+/// An eye position, and the share of the way from the subject to the end of its shadow that fits into the
+/// picture.
 struct Fit {
     glm::dvec3 eye{0.0};
     double shadow_part = 0.0;
@@ -238,12 +240,12 @@ Fit fit_part(const ViewPoints& points, const Window& window, double part)
     return {lean_to_subject(all, points.subject, window, eye), part};
 }
 
-/// Fits as much of the shadow as possible: the whole shadow, or the largest part that leaves the subject
-/// large enough and near the middle.
+/// Finds the eye that shows as much of the shadow as possible: the whole shadow, or the largest part for
+/// which the subject remains large enough and near the middle of the picture.
 Fit fit_with_shadow(const ViewPoints& points, const Window& window)
 {
-    constexpr double least_size = 0.74; // share of the subject's size without the shadow
-    constexpr double most_aside = 0.42; // largest offset from the page's middle, of half its width
+    constexpr double least_size = 0.74; // smallest size of the subject, as a share of its size without shadow
+    constexpr double most_aside = 0.42; // largest offset from the page's middle, as a share of half its width
     const glm::dvec3 alone = fit_eye(points.subject, window);
     double nearest = std::numeric_limits<double>::infinity();
     for (const glm::dvec3& point : points.subject)
@@ -259,7 +261,7 @@ Fit fit_with_shadow(const ViewPoints& points, const Window& window)
     return {centre_eye(points.subject, window, alone), 0.0};
 }
 
-/// About 4096 of the points, evenly spaced in their order.
+/// Returns about 4096 of the points, at regular steps through the list.
 ViewPoints thinned(const ViewPoints& points)
 {
     ViewPoints few;
@@ -272,7 +274,7 @@ ViewPoints thinned(const ViewPoints& points)
     return few;
 }
 
-/// The inner part of a picture, which contains none of its outermost points.
+/// The inner part of the picture. Points inside it cannot be the outermost ones.
 struct Core {
     glm::dvec2 min{std::numeric_limits<double>::infinity()};
     glm::dvec2 max{-std::numeric_limits<double>::infinity()};
@@ -296,7 +298,8 @@ struct Core {
     }
 };
 
-/// The eye for all points: estimated from a few points, then corrected with the points near the rim.
+/// Computes the eye for all points: first estimates it from a few points, then corrects it with the points
+/// near the rim of the picture.
 glm::dvec3 framed_eye(const ViewPoints& points, const Window& window)
 {
     const ViewPoints few = thinned(points);
@@ -316,8 +319,8 @@ glm::dvec3 framed_eye(const ViewPoints& points, const Window& window)
     return fit_part(rim, window, rough.shadow_part).eye;
 }
 
-/// Chooses the direction of view. Objects are seen in three-quarter view from slightly above, characters from
-/// near their front at the height of their eyes.
+/// Chooses the direction of view. Objects are shown in three-quarter view from slightly above. Characters are
+/// shown from near their front, with the eye at the height of their eyes.
 ViewAxes axes_for(const Scene& scene, const SurfaceCloud& cloud, const ViewAnalysis& analysis, double aspect)
 {
     const std::optional<double> eyes_m = analysis.standpoint == Standpoint::outside
@@ -330,9 +333,9 @@ ViewAxes axes_for(const Scene& scene, const SurfaceCloud& cloud, const ViewAnaly
     const double distance_m = 0.5 * std::max(size.y, size.x / aspect) / (usable * framed_half_height(aspect));
     const double rise_m = *eyes_m - analysis.subject.center().y;
     const double elevation_rad = std::asin(std::clamp(rise_m / distance_m, 0.0, 0.3));
-    // Starts from the front, or from the back if the analysis chose a view from behind.
+    // The view is near the front, or near the back if the analysis has chosen a view from behind.
     const double middle_rad = std::cos(analysis.azimuth_rad) > 0.0 ? 0.0 : std::numbers::pi;
-    constexpr double aside = 0.5; // share of the way to the three-quarter view
+    constexpr double aside = 0.5; // share of the angle between front view and three-quarter view
     return look_from(glm::mix(middle_rad, analysis.azimuth_rad, aside), elevation_rad);
 }
 
@@ -371,7 +374,7 @@ Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect, 
                         .bottom = half_height - (framed_margin + shadow_room) * shorter};
 
     ViewPoints points = view_points(scene, pose, axes, analysis, sun, subject);
-    // A subject without extent gets a small size that is large enough for the arithmetic.
+    // A subject without extent gets a small positive size, so that the divisions below are valid.
     const double least = std::max({1e-12 * glm::length(bounds.center()), 1e-6 * bounds.radius(), 1e-9});
     Bounds extent;
     for (const glm::dvec3& point : points.subject)

@@ -28,7 +28,8 @@
 namespace estampe {
 namespace {
 
-/// Spacing of floats at the far end of a mesh, relative to the mesh's size.
+/// Spacing between adjacent floats at the vertex farthest from the mesh's origin, as a share of the mesh's
+/// size.
 double step_in_sizes(const Mesh& mesh)
 {
     Bounds bounds;
@@ -46,8 +47,8 @@ double step_in_sizes(const Mesh& mesh)
 
 constexpr double visible_step = 1e-4;
 
-/// Adds a warning when nodes are so far away that floats place them imprecisely relative to each other. The
-/// nodes of `scene` have been read as floats.
+/// Adds a warning when nodes are so far from the origin that floats cannot place them precisely relative to
+/// each other. Assimp reads the transforms of nodes as floats.
 void warn_of_far_nodes(Scene& scene)
 {
     const Bounds bounds = scene_bounds(scene, pose_scene(scene, 0.0, no_index));
@@ -59,7 +60,7 @@ void warn_of_far_nodes(Scene& scene)
         shown += node.mesh != no_index ? 1 : 0;
     }
     const double step = farthest * static_cast<double>(std::numeric_limits<float>::epsilon());
-    // In the file's unit. The size of the scene has the same unit, apart from the scale of the root.
+    // `unit_m` and the size of the scene are in the unit of the file, apart from the scale of the root node.
     const double unit_m =
         scene.roots.empty()
             ? 1.0
@@ -71,8 +72,8 @@ void warn_of_far_nodes(Scene& scene)
                                              step * unit_m));
 }
 
-/// Adds a warning when meshes are so far from their origin that reading their vertices as floats has damaged
-/// the meshes' shape.
+/// Adds a warning when meshes are so far from their own origin that rounding vertices to floats has visibly
+/// changed their shape.
 void warn_of_far_meshes(Scene& scene)
 {
     size_t count = 0;
@@ -140,7 +141,8 @@ Index add_mesh(Conversion& conversion, const std::string& name, std::vector<Prim
     return static_cast<Index>(conversion.scene().meshes.size() - 1);
 }
 
-/// Assimp has a skin per mesh, Estampe one per node, so each skinned mesh gets its own node.
+/// Adds a node for one skinned mesh. Assimp has a skin per mesh, Estampe one per node, so each skinned mesh
+/// needs its own node.
 void add_skinned(Conversion& conversion, unsigned source, Index parent)
 {
     const aiMesh& mesh = *conversion.source.mMeshes[source];
@@ -206,7 +208,7 @@ std::string name_of(const aiString& name)
 
 namespace {
 
-/// Opens external files only if they are regular files: reading a pipe or a device could wait forever.
+/// Lets Assimp open only regular files. Reading a pipe or a device could wait forever.
 class RegularFiles : public Assimp::DefaultIOSystem {
 public:
     bool Exists(const char* file) const override
@@ -277,14 +279,14 @@ TransferScene read_dae(Assimp::Importer& importer, const std::filesystem::path& 
     return std::move(conversion.transfer);
 }
 
-/// Reads `path` with Assimp and converts the result. Runs in the child process, because Assimp may crash or
-/// hang on a hostile file. Geometry is not changed: faces share no vertices, and normals exist only if the
-/// file has them. Throws Error or std::bad_alloc.
+/// Reads `path` with Assimp and converts the result to a scene. Runs in the child process, because Assimp may
+/// crash or hang on a malicious file. The geometry is not repaired yet: faces share no vertices, and normals
+/// exist only if the file has them. Throws Error or std::bad_alloc.
 TransferScene read_with_assimp(const std::filesystem::path& path)
 {
     constexpr unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType;
     Assimp::Importer importer;
-    importer.SetIOHandler(new RegularFiles); // the importer takes ownership
+    importer.SetIOHandler(new RegularFiles); // the importer takes ownership of this object
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
     const std::string extension = lower_extension(path);
     if (extension == ".fbx")
@@ -308,8 +310,9 @@ uint64_t size_of_file(const std::filesystem::path& path)
     return size;
 }
 
-/// Converts light intensities to physical units. In these formats a light of 1 fully lights a surface. In
-/// Estampe this needs pi lux; for lamps, at a distance equal to the scene's size.
+/// Converts light intensities to physical units. In FBX and DAE a light of intensity 1 lights a white surface
+/// fully. In Estampe this needs pi lux. For lamps, the conversion assumes a distance equal to the scene's
+/// size.
 void give_lights_units(Scene& scene)
 {
     if (scene.lights.empty())

@@ -27,7 +27,7 @@ namespace {
 
 constexpr const char* try_others = "check that the file opens in other programs, or convert it to glTF";
 
-// The first byte that the child sends tells whether it succeeded.
+// First byte that the child process sends: it tells the parent that `work` succeeded.
 constexpr std::byte went_well{'+'};
 constexpr std::byte threw{'-'};
 constexpr std::byte ran_out_of_memory{'m'};
@@ -103,11 +103,11 @@ void send(int pipe_end, std::span<const std::byte> bytes)
         send(pipe_end, {&threw, 1});
         send(pipe_end, std::as_bytes(std::span(error.what(), std::strlen(error.what()))));
     }
-    // Skips destructors and exit handlers, because they belong to the parent.
+    // Ends the child without destructors and exit handlers, because they belong to the parent.
     _exit(0);
 }
 
-/// Reads until the child closes its end of the pipe. Returns false if time runs out first.
+/// Reads from the pipe until the child closes its end. Returns false if `wall_s` seconds pass first.
 bool receive(int pipe_end, double wall_s, std::vector<std::byte>& bytes)
 {
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(wall_s);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Materials, geometry, lights, cameras and animations.
+// Converts materials, geometry, lights, cameras and animations from Assimp to Estampe.
 #include "scene/assimp/convert.hpp"
 
 #include <algorithm>
@@ -22,7 +22,8 @@ Wrap wrap_of(aiTextureMapMode mode)
     return mode == aiTextureMapMode_Wrap ? Wrap::repeat : Wrap::clamp;
 }
 
-/// An embedded picture is either an encoded file, which is kept as it is, or raw texels.
+/// Converts an embedded picture. It is either an encoded file, whose bytes are copied, or a list of raw
+/// texels.
 void take_embedded(const aiTexture& source, Texture& texture, ImageSource& image)
 {
     if (source.mHeight == 0) {
@@ -88,7 +89,7 @@ Material convert_material(Conversion& conversion, const aiMaterial& source)
     if (texture == no_index)
         texture = texture_of(conversion, source, aiTextureType_DIFFUSE);
     material.base_color_texture.texture = texture;
-    // Exporters often leave the colour black when a texture gives it.
+    // Exporters often write black as the colour of a material whose texture defines the colour.
     if (texture != no_index && glm::vec3(material.base_color) == glm::vec3(0.0F))
         material.base_color = glm::vec4(1.0F);
 
@@ -151,7 +152,7 @@ void convert_morph_targets(const aiMesh& mesh, Primitive& primitive)
     }
 }
 
-/// Keeps the eight largest joint weights of a vertex.
+/// Collects the joint weights of a vertex and keeps the eight largest.
 struct Influences {
     std::array<float, 8> weights{};
     std::array<uint16_t, 8> joints{};
@@ -235,8 +236,9 @@ glm::dvec3 exact(const aiVector3D& v)
     return {v.x, v.y, v.z};
 }
 
-/// Adds a child at `place`, looking along `direction`, to the node named `name`: Assimp's lights and cameras
-/// have a position within their node. Returns no_index if there is no such node.
+/// Adds a child node at `place` that looks along `direction` to the node named `name`. It is needed because
+/// Assimp's lights and cameras have a position and direction within their node. Returns no_index if no node
+/// has this name.
 Index add_looking_node(Conversion& conversion, const aiString& name, const glm::dvec3& place,
                        const glm::dvec3& direction, const glm::dvec3& up)
 {
@@ -260,7 +262,7 @@ Index add_looking_node(Conversion& conversion, const aiString& name, const glm::
     return static_cast<Index>(scene.nodes.size() - 1);
 }
 
-/// Fills a channel from `count` keys; `get(key)` returns time and value.
+/// Fills an animation channel with `count` keys. `get(key)` returns the time and the value of a key.
 template <typename Key, typename Put>
 AnimationChannel channel_of(Index node, AnimatedPath path, const Key* keys, unsigned count,
                             double ticks_per_s, Put put)
@@ -300,7 +302,7 @@ void add_channels(Conversion& conversion, const aiNodeAnim& source, double ticks
     add(channel_of(index, AnimatedPath::scale, source.mScalingKeys, source.mNumScalingKeys, ticks_per_s,
                    put_vector));
 
-    // The keys are of translation, rotation and scale, so an animated node must not use a matrix.
+    // The keys animate translation, rotation and scale, so an animated node must store these and no matrix.
     Node& node = conversion.scene().nodes[index];
     if (!node.matrix)
         return;

@@ -15,15 +15,16 @@
 namespace estampe {
 namespace {
 
-/// Upward direction of an object that looks at a target: towards `node` if there is one, else `direction` in
-/// world space.
+/// Defines the upward direction of an object that looks at a target. It is the direction to `node` if that is
+/// set, else `direction` in world space.
 struct Upward {
     glm::dvec3 direction{0.0, 1.0, 0.0};
     Index node = no_index;
-    double roll_rad = 0.0; ///< about the line of sight
+    double roll_rad = 0.0; ///< rotation about the line of sight
 };
 
-/// Axes of an object that looks at `target`; columns are right, up and back.
+/// World-space axes of an object at `eye` that looks at `target`. The columns of the matrix are right, up and
+/// back.
 std::optional<glm::dmat3> looking_axes(const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up,
                                        double roll_rad)
 {
@@ -41,8 +42,9 @@ std::optional<glm::dmat3> looking_axes(const glm::dvec3& eye, const glm::dvec3& 
     return glm::dmat3(c * right - s * upright, c * upright + s * right, back);
 }
 
-/// The rotation that gives a child the world-space axes `axes`. The parent's scale and mirroring are ignored,
-/// because they do not change where -z and y point.
+/// Rotation of a child node relative to its parent, for which the child has the world-space axes `axes`.
+/// Scale and mirroring of the parent are ignored, because they do not change where -z and y of the child
+/// point.
 std::optional<glm::dquat> turn_within(const glm::dmat4& world_from_parent, glm::dmat3 axes)
 {
     glm::dmat3 parent(world_from_parent);
@@ -82,7 +84,7 @@ std::vector<bool> nodes_above(const Scene& scene, std::initializer_list<Index> n
     return above;
 }
 
-/// Number of samples of an animated direction: one per frame, fewer if that would take too long.
+/// Number of samples of an animated direction: one per frame, or fewer if so many would take too long.
 size_t sample_count(const Scene& scene, float duration_s)
 {
     constexpr double most_node_samples = 2e7;
@@ -100,7 +102,7 @@ AnimationChannel aimed_channel(const Scene& scene, Index animation, Index lookin
     const size_t count = sample_count(scene, duration_s);
     for (size_t i = 0; i < count; ++i) {
         const float time_s = duration_s * static_cast<float>(i) / static_cast<float>(count - 1);
-        // Evaluated at its exact end, an animation has wrapped to its beginning.
+        // At its exact end an animation already wraps to its beginning, so it is evaluated just before.
         const double just_before_s = std::min<double>(time_s, 0.999999 * duration_s);
         const std::optional<glm::dquat> turn =
             turn_at(scene, pose_scene(scene, just_before_s, animation), looking, target, upward);
@@ -113,8 +115,8 @@ AnimationChannel aimed_channel(const Scene& scene, Index animation, Index lookin
     return channel;
 }
 
-/// Rotates the node `looking` so that its -z points at the origin of the node `target`, at rest and in every
-/// animation that moves either. A node at the position of its target is not changed.
+/// Rotates the node `looking` so that its -z points at the origin of the node `target`, in the rest pose and
+/// in every animation that moves one of them. A node at the position of its target is not changed.
 void aim_node(Scene& scene, Index looking, Index target, const Upward& upward)
 {
     const std::optional<glm::dquat> turn =
@@ -141,14 +143,14 @@ void aim_node(Scene& scene, Index looking, Index target, const Upward& upward)
     }
 }
 
-/// Maps a model of the file to the scene's node.
+/// Maps the id of an FBX model to the index of its node in the scene.
 using NodeOfModel = std::map<int64_t, Index>;
 
 void match_children(const aiNode& parent, const std::vector<int64_t>& models, const fbx::Document& document,
                     const Conversion& conversion, std::vector<std::pair<const aiNode*, int64_t>>& found)
 {
-    // Assimp keeps the order of children, but leaves out those it cannot read; names decide if any are
-    // missing.
+    // Assimp keeps the order of the children, but drops children that it cannot read. If any are missing,
+    // names decide which model belongs to which child.
     const bool same_count = parent.mNumChildren == models.size();
     size_t next = 0;
     for (unsigned i = 0; i < parent.mNumChildren; ++i) {
@@ -189,7 +191,7 @@ Index add_child(Scene& scene, Index parent, const std::string& name, const glm::
     return index;
 }
 
-/// Transforms the geometry of a node, but not its children.
+/// Applies `geometry` to the mesh of a node, but not to the node's children.
 void place_geometry(Scene& scene, Index index, const glm::dmat4& geometry)
 {
     if (geometry == glm::dmat4(1.0))
@@ -204,7 +206,7 @@ void place_geometry(Scene& scene, Index index, const glm::dmat4& geometry)
     scene.nodes[shown].mesh = std::exchange(scene.nodes[index].mesh, no_index);
 }
 
-/// The channels that animate one node.
+/// Returns all animation channels that animate `node`.
 std::vector<AnimationChannel*> channels_of(Scene& scene, Index node)
 {
     std::vector<AnimationChannel*> channels;
@@ -215,7 +217,8 @@ std::vector<AnimationChannel*> channels_of(Scene& scene, Index node)
     return channels;
 }
 
-/// Splits an animated node with pivots: each animated part of its transform moves to its own parent node.
+/// Splits an animated node with pivots into a chain of nodes. Each animated part of its transform
+/// (translation, rotation, scale) gets its own new parent node.
 void split_node(Scene& scene, Index index, const fbx::Parts& parts)
 {
     const Index parent = scene.nodes[index].parent;
@@ -264,13 +267,13 @@ void place_nodes(Scene& scene, const fbx::Document& document, const NodeOfModel&
         place_node(scene, index, fbx::parts_of(document.models.at(id).properties), is_animated[index]);
 }
 
-/// The upward direction of a camera or light that looks at a target.
+/// Upward direction of a camera or light that looks at a target.
 Upward upward_of(const fbx::Model& model, const fbx::Properties& attribute, const fbx::Document& document,
                  const NodeOfModel& nodes)
 {
     Upward upward;
     upward.roll_rad = glm::radians(attribute.number("Roll").value_or(0.0));
-    // Exporters write the y axis for an unset up vector, whatever the file's up axis is.
+    // Exporters write the y axis if the up vector is unset, whatever the up axis of the file is.
     const glm::dvec3 unset(0.0, 1.0, 0.0);
     const glm::dvec3 chosen = attribute.vector("UpVector").value_or(unset);
     const glm::dvec3 up = chosen == unset ? fbx::up_of_file(document.settings) : chosen;
@@ -281,7 +284,7 @@ Upward upward_of(const fbx::Model& model, const fbx::Properties& attribute, cons
     return upward;
 }
 
-/// FBX cameras look along their node's x axis, with y up.
+/// Adds a camera to the node `parent`. An FBX camera looks along the x axis of its node, with y up.
 Index add_camera(Scene& scene, Index parent, SceneCamera lens, const std::string& name)
 {
     const glm::dmat4 matrix(glm::dvec4(0.0, 0.0, 1.0, 0.0), glm::dvec4(0.0, 1.0, 0.0, 0.0),
@@ -301,7 +304,7 @@ Index light_below(const Scene& scene, Index parent)
     return no_index;
 }
 
-/// Viewport cameras of the program that wrote the file; they are not part of the scene.
+/// Whether a model is a viewport camera of the exporting program. Viewport cameras are not part of the scene.
 bool is_view_of_program(const fbx::Model& model)
 {
     constexpr std::array<std::string_view, 7> views{"Perspective", "Front", "Back",  "Right",
@@ -312,7 +315,7 @@ bool is_view_of_program(const fbx::Model& model)
                views.end();
 }
 
-/// Adds cameras and lights. Cameras are numbered in the order of their nodes.
+/// Adds the cameras and lights of the file. Cameras are added in the order of their nodes.
 void add_attributes(Scene& scene, const fbx::Document& document, const NodeOfModel& nodes)
 {
     std::vector<std::pair<Index, int64_t>> in_order;
@@ -341,7 +344,8 @@ void add_attributes(Scene& scene, const fbx::Document& document, const NodeOfMod
 
 std::optional<double> frames_per_s(const fbx::Properties& settings)
 {
-    // Frames per second by FBX time mode; 0 means none, and mode 14 is the custom rate.
+    // Frames per second for each FBX time mode. 0 means that the mode has no fixed rate; mode 14 is the
+    // custom rate.
     constexpr std::array<double, 19> rates{0.0,  120.0, 100.0,  60.0,   50.0, 48.0, 30.0, 30.0,  29.97, 29.97,
                                            25.0, 24.0,  1000.0, 23.976, 0.0,  96.0, 72.0, 59.94, 119.88};
     constexpr double custom = 14.0;
@@ -354,8 +358,8 @@ std::optional<double> frames_per_s(const fbx::Properties& settings)
     return rate > 0.0 && rate <= 1000.0 ? std::optional(rate) : std::nullopt;
 }
 
-/// Sets durations from the file, because the last pose may be held. Assimp has moved each animation's start
-/// to 0.
+/// Sets the durations of animations from the file, because an animation may hold its last pose beyond its
+/// last key. Assimp has already shifted the start of each animation to 0.
 void set_durations(Scene& scene, const fbx::Document& document)
 {
     for (Animation& animation : scene.animations) {
@@ -373,12 +377,12 @@ bool is_set_to_zero(const fbx::Properties& properties, std::string_view name)
     return properties.sets(name) && properties.number(name).value_or(1.0) == 0.0;
 }
 
-/// Hides a node's own content, but not the models below it. Assimp may have put the content on extra child
-/// nodes.
+/// Hides the mesh and light of a model, but not the models below it. Assimp may have moved this content to
+/// extra child nodes, which are hidden too.
 void hide_own(Scene& scene, Index index, const std::vector<bool>& is_model)
 {
     for (const Index child : scene.nodes[index].children)
-        if (child >= is_model.size() || !is_model[child]) // larger indices are nodes that hiding has added
+        if (child >= is_model.size() || !is_model[child]) // larger indices: nodes that hiding has added
             scene.nodes[child].visible = false;
     if (scene.nodes[index].mesh == no_index && scene.nodes[index].light == no_index)
         return;
@@ -389,21 +393,21 @@ void hide_own(Scene& scene, Index index, const std::vector<bool>& is_model)
     scene.nodes[shown].light = std::exchange(scene.nodes[index].light, no_index);
 }
 
-/// Hides models that `Show` or `Visibility` hides. `Show` hides only the model; `Visibility` also hides
-/// models below it that inherit visibility, which is the default.
+/// Hides the models that the FBX properties `Show` or `Visibility` hide. `Show` hides only the model itself.
+/// `Visibility` also hides models below it that inherit visibility, which is the default.
 void hide_models(Scene& scene, const fbx::Document& document, const NodeOfModel& nodes)
 {
     std::vector<bool> is_model(scene.nodes.size(), false);
     for (const auto& [id, index] : nodes)
         is_model[index] = true;
     std::set<int64_t> seen;
-    std::vector<std::pair<int64_t, bool>> pending; // models, each with a flag: its parent is invisible
+    std::vector<std::pair<int64_t, bool>> pending; // models to visit, and whether their parent is invisible
     for (const int64_t root : document.roots)
         pending.emplace_back(root, false);
     while (!pending.empty()) {
         const auto [id, hidden_above] = pending.back();
         pending.pop_back();
-        // A damaged file may link models in a cycle.
+        // The models of a damaged file may form a cycle.
         if (!seen.insert(id).second)
             continue;
         const fbx::Model& model = document.models.at(id);

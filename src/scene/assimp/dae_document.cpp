@@ -37,8 +37,8 @@ std::optional<double> positive(const pugi::xml_node& optics, const char* name)
     return number > 0.0 && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
-/// The height that follows from width, height and aspect ratio, of which some may be missing. Inputs must be
-/// proportional to lengths: tangents, not angles.
+/// Computes a height from those of height, width and aspect ratio that the file specifies. Inputs must be
+/// proportional to lengths: tangents of angles, not angles.
 std::optional<double> height_of(const std::optional<double>& width, const std::optional<double>& height,
                                 const std::optional<double>& aspect)
 {
@@ -81,9 +81,9 @@ void add_number(pugi::xml_node parent, const char* name, double value)
     parent.append_child(name).text().set(value);
 }
 
-/// Reads the lenses of all cameras, in metres and radians, and replaces each by a perspective camera whose
-/// far plane is its number, see lens_index(). Assimp does not know parallel projections, and computes a wrong
-/// angle for a camera with only a vertical field of view.
+/// Reads the lenses of all cameras, in metres and radians. Replaces each camera in the document by a
+/// perspective camera whose far plane is its index, see lens_index(). The reason is that Assimp does not
+/// support parallel projections, and computes a wrong angle for a camera with only a vertical field of view.
 std::vector<SceneCamera> number_cameras(const pugi::xml_node& collada)
 {
     const double metres = unit_m(collada);
@@ -94,7 +94,7 @@ std::vector<SceneCamera> number_cameras(const pugi::xml_node& collada)
             lenses.push_back(lens_of(optics.child("technique_common"), metres));
             const pugi::char_t* const name = camera.attribute("name").value();
             lenses.back().name = *name != '\0' ? name : camera.attribute("id").value();
-            // Assimp finds cameras by their name, which COLLADA leaves optional.
+            // Assimp identifies cameras by name, but COLLADA allows cameras without a name.
             if (*name == '\0') {
                 camera.remove_attribute("name");
                 camera.append_attribute("name").set_value(lenses.back().name.c_str());
@@ -120,8 +120,8 @@ size_t lens_index(double far_plane)
 
 namespace {
 
-/// A mesh is moved if its distance is this many times its size: floats then keep only five digits of the
-/// mesh.
+/// A mesh is moved to the origin if its distance from the origin is at least this many times its size. At
+/// such a distance floats store only five digits of its shape.
 constexpr double far_in_sizes = 50.0;
 
 std::string id_of_url(std::string_view url)
@@ -134,7 +134,7 @@ pugi::xml_node child_with_id(const pugi::xml_node& parent, const char* name, con
     return parent.find_child_by_attribute(name, "id", id.c_str());
 }
 
-/// The array of vertex positions; null unless it has exactly three numbers per vertex.
+/// The array of vertex positions of a mesh. Null unless the array has exactly three numbers per vertex.
 pugi::xml_node place_array(const pugi::xml_node& mesh)
 {
     const pugi::xml_node input =
@@ -146,7 +146,7 @@ pugi::xml_node place_array(const pugi::xml_node& mesh)
     return source.child("float_array");
 }
 
-/// Parses numbers; returns nothing if a word is not a number.
+/// Parses a list of numbers. Returns an empty list if any word is not a number.
 std::vector<double> numbers_of(std::string_view text)
 {
     std::vector<double> numbers;
@@ -196,7 +196,7 @@ bool move_places(pugi::xml_node array, glm::dvec3& offset)
     return array.text().set(fmt::to_string(text).c_str());
 }
 
-/// Geometries that a skin or a morph refers to.
+/// Ids of the geometries that a skin or a morph refers to.
 std::set<std::string> bent_geometries(const pugi::xml_node& collada)
 {
     std::set<std::string> bent;
@@ -234,7 +234,8 @@ struct FindInstances : pugi::xml_tree_walker {
     }
 };
 
-/// Inserts a child node of the same name for `instance`, so that the node's other contents are not displaced.
+/// Moves `instance` into a new child node with the same name and the translation `offset`. The other contents
+/// of the node are not displaced.
 void displace(const pugi::xml_node& instance, const glm::dvec3& offset)
 {
     pugi::xml_node parent = instance.parent();
@@ -248,7 +249,7 @@ void displace(const pugi::xml_node& instance, const glm::dvec3& offset)
     between.append_move(instance);
 }
 
-/// Moves vertices that lie far from their origin to it, and their nodes by the opposite offset, which is
+/// Moves vertices that are far from their origin to it, and their nodes by the opposite offset. The offset is
 /// exactly representable as a float. Skinned and morphed meshes are not moved. Returns whether anything was
 /// moved.
 bool move_to_origin(const pugi::xml_node& collada)
@@ -277,14 +278,14 @@ bool is_blank(char letter)
     return letter == ' ' || letter == '\t' || letter == '\r' || letter == '\n';
 }
 
-/// Recognises NaN as Windows programs print it, such as "-1.#IND".
+/// Whether a word is NaN as Windows programs print it, such as "-1.#IND".
 bool is_windows_nan(std::string_view word)
 {
     return word.find(".#") != std::string_view::npos;
 }
 
-/// Leaves one blank between words and none around them, because Assimp misreads extra blanks as numbers in
-/// some places.
+/// Replaces each run of blanks between words by a single blank, and removes blanks before and after the text.
+/// Assimp misreads extra blanks as numbers in some places.
 std::string tidied(std::string_view text)
 {
     std::string result;
@@ -306,7 +307,7 @@ std::string tidied(std::string_view text)
     return result;
 }
 
-/// File names keep their inner blanks.
+/// Whether an element contains a file name, in which runs of blanks must not be changed.
 bool holds_a_path(const pugi::xml_node& text)
 {
     const std::string_view parent = text.parent().name();

@@ -9,7 +9,8 @@
 namespace estampe {
 namespace {
 
-/// Writes or reads values in sequence; `exchange` below defines the order for both.
+/// Writes or reads values in sequence. The functions `exchange` below define the same order for both
+/// directions.
 class Packer {
 public:
     static constexpr bool reading = false;
@@ -287,7 +288,8 @@ void exchange(Archive& archive, TransferScene& transfer)
 std::vector<std::byte> pack(const TransferScene& transfer)
 {
     Packer packer;
-    // Packing only reads, but shares `exchange` with unpacking, which writes.
+    // The const_cast is safe because packing only reads. Unpacking uses the same function `exchange`, which
+    // then writes.
     exchange(packer, const_cast<TransferScene&>(transfer));
     return packer.take();
 }

@@ -10,7 +10,8 @@
 namespace estampe::charts {
 namespace {
 
-/// Whether the extents of two triangles along `axis` overlap by no more than 1e-4 of the shorter extent.
+/// Whether `axis` separates two triangles: their projections on it overlap by at most 1e-4 of the shorter
+/// one.
 bool separates(const glm::vec2& axis, const FlatTriangle& a, const FlatTriangle& b)
 {
     constexpr float tolerance = 1e-4F;
@@ -100,10 +101,10 @@ constexpr float sharpest_edge_cosine =
 struct Face {
     glm::vec3 normal{0.0F};
     float area_m2 = 0.0F;
-    std::vector<uint32_t> neighbours; ///< triangles across its edges
+    std::vector<uint32_t> neighbours; ///< triangles that share an edge with this one
 };
 
-/// A plane onto which triangles are projected.
+/// A plane into which the triangles of a chart are projected.
 struct Plane {
     explicit Plane(const glm::vec3& along)
         : normal(along), right(glm::normalize(glm::cross(
@@ -147,7 +148,7 @@ std::vector<Face> faces_of(std::span<const glm::vec3> corners)
         }
     }
     const std::vector<uint32_t> vertices = welded(corners);
-    std::vector<std::tuple<uint32_t, uint32_t, uint32_t>> edges; // two vertices and the triangle
+    std::vector<std::tuple<uint32_t, uint32_t, uint32_t>> edges; // two vertices, and their triangle
     for (uint32_t i = 0; i < vertices.size(); ++i) {
         const uint32_t next = vertices[i % 3 == 2 ? i - 2 : i + 1];
         edges.emplace_back(std::min(vertices[i], next), std::max(vertices[i], next), i / 3);
@@ -229,7 +230,8 @@ private:
         return face.area_m2 > 0.0F && glm::dot(face.normal, plane.normal) >= least_cosine;
     }
 
-    /// The triangles that can be reached from `seed` over edges, in the order in which they are reached.
+    /// Grows a chart: returns the triangles that are reachable from `seed` across edges and fit to `plane`,
+    /// in the order in which they are reached.
     std::vector<uint32_t> grown(uint32_t seed, const Plane& plane)
     {
         ++round_;
@@ -243,7 +245,7 @@ private:
             }
         };
         take(seed);
-        size_t next = 0; // `members` grows in this loop
+        size_t next = 0; // `members` grows during this loop
         while (next < members.size()) {
             const Face& face = faces_[members[next++]];
             for (const uint32_t neighbour : face.neighbours) {
@@ -259,7 +261,7 @@ private:
     std::span<const glm::vec3> corners_;
     std::vector<Face> faces_;
     std::vector<bool> taken_;
-    std::vector<uint32_t> queued_by_; ///< the last round that looked at each triangle
+    std::vector<uint32_t> queued_by_; ///< per triangle: last round in which it was tried
     uint32_t round_ = 0;
     float cell_m_ = 1.0F;
 };
@@ -278,7 +280,8 @@ glm::vec2 extent(const std::vector<glm::vec2>& corners, float angle_rad, glm::ve
     return high - low;
 }
 
-/// Rotates a chart to make its bounding box small: along its longest edge or one of twelve directions.
+/// Rotates a chart so that its bounding box gets small. Tries the direction of the longest edge and twelve
+/// fixed directions.
 void settle(Chart& chart)
 {
     std::vector<float> angles_rad;

@@ -23,7 +23,7 @@
 namespace estampe::charts {
 namespace {
 
-/// Packed rectangles of the charts at `texels_per_m`; nothing if they do not all fit.
+/// Packs one rectangle per chart at the scale `texels_per_m`. Returns nothing if not all rectangles fit.
 std::vector<stbrp_rect> packed(std::span<const Chart> charts, uint32_t size, double texels_per_m)
 {
     std::vector<stbrp_rect> rectangles(charts.size());
@@ -40,13 +40,13 @@ std::vector<stbrp_rect> packed(std::span<const Chart> charts, uint32_t size, dou
     std::vector<stbrp_node> nodes(size);
     const auto side = static_cast<int>(size);
     stbrp_init_target(&context, side, side, nodes.data(), side);
-    // stb would sort a null pointer if there are no rectangles.
+    // Skips stb if there are no rectangles, because stb would sort a null pointer.
     const bool all_fit = rectangles.empty() || stbrp_pack_rects(&context, rectangles.data(),
                                                                 static_cast<int>(rectangles.size())) != 0;
     return all_fit ? rectangles : std::vector<stbrp_rect>();
 }
 
-/// Barycentric weights (second and third corner) of the triangle's point nearest to the origin.
+/// Barycentric weights of the second and third corner, for the point of the triangle nearest to the origin.
 glm::vec2 nearest_weights(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c, float& distance_2)
 {
     const glm::vec2 ab = b - a;
@@ -78,7 +78,7 @@ glm::vec2 nearest_weights(const glm::vec2& a, const glm::vec2& b, const glm::vec
     return best;
 }
 
-/// The triangle that currently owns a texel.
+/// The triangle to which a texel is assigned so far, and its squared distance.
 struct Claim {
     float distance_2 = INFINITY;
     uint32_t triangle = 0;
@@ -87,7 +87,7 @@ struct Claim {
 
 void claim_texels(std::vector<Claim>& claims, const Atlas& atlas, uint32_t triangle)
 {
-    constexpr float reach = 1.0F; // texels
+    constexpr float reach = 1.0F; // largest distance in texels between a texel's centre and its triangle
     const glm::vec2* corner = &atlas.corners[3 * static_cast<size_t>(triangle)];
     const glm::vec2 low = glm::min(glm::min(corner[0], corner[1]), corner[2]) - reach;
     const glm::vec2 high = glm::max(glm::max(corner[0], corner[1]), corner[2]) + reach;

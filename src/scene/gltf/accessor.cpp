@@ -13,7 +13,8 @@ size_t component_bytes(int component_type)
     return static_cast<size_t>(tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(component_type)));
 }
 
-/// Elements in a buffer view: `count` of them, `stride` bytes apart.
+/// Elements in a buffer view. There are `count` elements, and each begins `stride` bytes after the one
+/// before.
 struct Elements {
     std::span<const std::byte> bytes;
     uint64_t count = 0;
@@ -111,7 +112,7 @@ Target convert(Source value, bool normalized)
     return static_cast<Target>(value);
 }
 
-/// Copies row `from` of `source` to `target`, converting each component.
+/// Copies row `from` of `source` to `target`, and converts the type of each component.
 template <typename Source, typename Target>
 void copy_row(const Elements& source, uint64_t from, Target* target, int components)
 {

@@ -29,13 +29,13 @@ std::optional<AnimatedPath> path_of(const std::string& path)
 
 constexpr auto pointer_extension = "KHR_animation_pointer";
 
-/// The animated property of a node.
+/// The node and the property that a channel animates.
 struct Target {
     Index node = no_index;
     AnimatedPath path = AnimatedPath::translation;
 };
 
-/// Splits "/nodes/3/rotation" into the node and the property.
+/// Splits a pointer such as "/nodes/3/rotation" into the node and the property.
 std::optional<std::pair<Index, std::string>> node_and_property(const Scene& scene, std::string_view pointer)
 {
     constexpr std::string_view nodes = "/nodes/";
@@ -52,7 +52,8 @@ std::optional<std::pair<Index, std::string>> node_and_property(const Scene& scen
     return std::pair(node, std::string(pointer.substr(1)));
 }
 
-/// Target of KHR_animation_pointer. Only properties of nodes are supported; others cause a warning.
+/// Finds the target of KHR_animation_pointer. Only properties of nodes are supported; all others cause a
+/// warning.
 std::optional<Target> pointer_target(Data& data, const Scene& scene, const tinygltf::AnimationChannel& source,
                                      const std::string& place)
 {
@@ -80,8 +81,8 @@ std::optional<Target> pointer_target(Data& data, const Scene& scene, const tinyg
     return std::nullopt;
 }
 
-/// The target of a channel; nothing if it has none here, with a warning if the file animates something
-/// unsupported.
+/// Finds the target of an animation channel. Returns nothing if the channel animates nothing in this scene.
+/// Adds a warning if the target is not supported.
 std::optional<Target> target_of(Data& data, const Scene& scene, const tinygltf::AnimationChannel& source,
                                 const std::string& place)
 {
@@ -100,7 +101,7 @@ std::optional<Target> target_of(Data& data, const Scene& scene, const tinygltf::
     return Target{.node = static_cast<Index>(source.target_node), .path = *path};
 }
 
-/// Floats per key, not counting the tangents of cubic splines; zero if there is nothing to animate.
+/// Number of floats per key, without the tangents of cubic splines. 0 if there is nothing to animate.
 size_t key_width(const Scene& scene, const AnimationChannel& channel)
 {
     switch (channel.path) {

@@ -19,7 +19,7 @@
 namespace estampe::gltf {
 namespace {
 
-/// Type of a property in a glTF object.
+/// Expected type of a property in the JSON of a glTF file.
 enum class Kind : uint8_t { index, integer, number, text, boolean, choice, object, index_map, list };
 
 constexpr double max_number = 3.0e38;      ///< largest value that fits in a float
@@ -29,12 +29,12 @@ constexpr double max_offset = 1099511627776.0;
 struct Rule {
     std::string_view key;
     Kind kind = Kind::object;
-    std::string target; ///< array of an index, schema of an object, or words of a choice
+    std::string target; ///< array that an index refers to, schema of an object, or valid words
     bool required = false;
     double min = -max_number;
     double max = max_number;
     Kind entry = Kind::object; ///< type of the entries of a list
-    int length = -1;           ///< length of a list; negative: any
+    int length = -1;           ///< number of entries of a list; negative means any number
 };
 
 Rule required(Rule rule)
@@ -117,7 +117,7 @@ Rule texts(std::string_view key)
 constexpr const char* component_types = "5120 5121 5122 5123 5125 5126";
 constexpr const char* wraps = "33071 33648 10497";
 
-// The properties the importer reads, from the JSON schemas of glTF 2.0 and of its extensions.
+// Rules for the properties that the importer reads, from the JSON schemas of glTF 2.0 and of its extensions.
 
 using Schemas = std::map<std::string_view, std::vector<Rule>>;
 
@@ -288,7 +288,7 @@ Schemas all_schemas()
     return all;
 }
 
-/// The rules of one kind of object: "root", "accessor", "node", ...
+/// The rules for one type of glTF object, such as "root", "accessor" or "node".
 std::span<const Rule> rules_of(std::string_view schema)
 {
     static const Schemas schemas = all_schemas();
@@ -318,7 +318,7 @@ public:
     }
 
 private:
-    /// Appends a step to the JSON pointer during its lifetime.
+    /// Appends a step to the JSON pointer of the current position; its destructor removes the step.
     class Step {
     public:
         template <typename Key>
@@ -420,7 +420,8 @@ private:
         }
     }
 
-    /// `target` is a path from the root to an array, such as "extensions/KHR_lights_punctual/lights".
+    /// Checks an index. `target` is the path from the root to the array, such as
+    /// "extensions/KHR_lights_punctual/lights".
     void index(json& value, const std::string& target) const
     {
         integer(value, -max_count, max_count);
@@ -452,7 +453,7 @@ private:
     std::string place_;
 };
 
-/// A camera must contain the object that its type names.
+/// Checks that a camera has the object (perspective or orthographic) that its type names.
 void check_cameras(const json& document, const std::string& file)
 {
     const json cameras = document.value("cameras", json::array());

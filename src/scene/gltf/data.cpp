@@ -30,7 +30,7 @@ struct MeshoptLayout {
     std::string filter; ///< NONE, OCTAHEDRAL, QUATERNION or EXPONENTIAL
 };
 
-/// Checks what the decoders of meshoptimizer only assert.
+/// Throws Error for parameters that the decoders of meshoptimizer only check with assertions.
 void check_layout(const MeshoptLayout& layout)
 {
     bool good = false;
@@ -51,8 +51,8 @@ void check_layout(const MeshoptLayout& layout)
     }
 }
 
-/// Decodes count * stride bytes. Throws Error without a place when layout and data do not fit together or the
-/// data is damaged.
+/// Decodes count * stride bytes with meshoptimizer. Throws Error without a place when the data is damaged or
+/// does not match `layout`.
 std::vector<std::byte> decode_meshopt(std::span<const std::byte> source, const MeshoptLayout& layout)
 {
     check_layout(layout);
@@ -92,8 +92,8 @@ const tinygltf::Value* compression_of(const tinygltf::BufferView& view)
     return found == view.extensions.end() ? nullptr : &found->second;
 }
 
-/// Whether a buffer may have no bytes: it is the fallback for readers without the extension, and only
-/// compressed views refer to it.
+/// Whether a buffer may have no bytes. This is allowed for a fallback buffer, which only readers without the
+/// extension use: only compressed views refer to it.
 bool is_fallback(const tinygltf::Model& model, size_t buffer)
 {
     for (const tinygltf::BufferView& view : model.bufferViews) {
@@ -124,7 +124,7 @@ Data::Data(Document document, const Container& container, std::string file,
 
 void Data::load_buffers(const Container& container)
 {
-    // Each file is read once, up to the longest length that its buffers declare.
+    // Reads each file only once, up to the largest length that its buffers declare.
     std::map<std::string_view, size_t> longest;
     for (size_t i = 0; i < document_.buffers.size(); ++i) {
         const BufferSource& source = document_.buffers[i];

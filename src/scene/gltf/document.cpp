@@ -35,7 +35,7 @@ uint32_t read_u32(std::span<const std::byte> bytes, size_t offset)
     throw Error(what, fmt::format("{}:byte {}", file, byte), remedy);
 }
 
-/// Returns the chunk at `offset`, and moves `offset` behind it.
+/// Returns the chunk at `offset`, and advances `offset` to the end of the chunk.
 std::span<const std::byte> take_chunk(std::span<const std::byte> bytes, size_t& offset, uint32_t& type,
                                       const std::string& file)
 {
@@ -60,7 +60,7 @@ bool is_binary(std::span<const std::byte> bytes)
     return std::memcmp(bytes.data(), magic.data(), std::min(bytes.size(), magic.size())) == 0;
 }
 
-/// The file length in the header of a .glb.
+/// The length of the whole file, as declared in the header of a .glb file.
 uint32_t promised_length(std::span<const std::byte> bytes, const std::string& file)
 {
     if (bytes.size() < header_bytes) {
@@ -116,7 +116,8 @@ Container open_binary(std::span<const std::byte> bytes, const std::string& file)
     return container;
 }
 
-/// Place of a byte of the JSON in messages: "file:line:column" for text, "file:byte N" for binary.
+/// Converts a byte offset in the JSON to a place for messages: "file:line:column" for text, "file:byte N" for
+/// binary.
 std::string place_in_json(const Container& container, const std::string& file, size_t json_byte)
 {
     if (container.is_binary) {
@@ -124,7 +125,7 @@ std::string place_in_json(const Container& container, const std::string& file, s
     }
     const std::string_view before = container.json.substr(0, std::min(json_byte, container.json.size()));
     const auto line = std::count(before.begin(), before.end(), '\n') + 1;
-    const size_t line_start = before.rfind('\n') + 1; // npos + 1 is 0
+    const size_t line_start = before.rfind('\n') + 1; // if nothing is found, npos + 1 is 0
     return fmt::format("{}:{}:{}", file, line, before.size() - line_start + 1);
 }
 
@@ -368,7 +369,8 @@ std::vector<std::string> variant_names(const json& document)
     return names;
 }
 
-/// Adds a node to channels without one, which glTF allows and tinygltf refuses.
+/// Adds a target node to animation channels without one. glTF allows such channels, but tinygltf rejects
+/// them.
 void complete_channels(json& document)
 {
     for (json& animation : document["animations"]) {

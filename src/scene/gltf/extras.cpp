@@ -52,7 +52,7 @@ namespace {
 
 constexpr int group_count = 16;
 
-/// Parses true and false, also as Blender's custom properties write them: 1, 0, "true", "0".
+/// Parses true and false. Also accepts 1, 0, "true" and "0", as Blender writes custom properties.
 std::optional<bool> boolean_of(const tinygltf::Value& value)
 {
     if (value.IsBool()) {
@@ -66,8 +66,8 @@ std::optional<bool> boolean_of(const tinygltf::Value& value)
     return word == "false" || number == 0.0 ? std::optional(false) : std::nullopt;
 }
 
-/// Reads an object named "estampe" key by key. Settings that are not understood are ignored with a warning
-/// that names the key and its owner, so that a mistake in a custom property does not stop the render.
+/// Reads an object named "estampe" key by key. Unknown or invalid settings are ignored, with a warning that
+/// names the key and its owner, so that a mistake in a custom property does not stop the render.
 class Reader {
 public:
     Reader(Data& data, const tinygltf::Value& extras, const std::string& pointer)
@@ -77,14 +77,14 @@ public:
         check_object();
     }
 
-    /// Reads an object within `whole`.
+    /// Reads the object with the key `key` inside the object of `whole`.
     Reader(const Reader& whole, const std::string& key)
         : data_(whole.data_), value_(whole.value_.Get(key)), pointer_(whole.at(key)), owner_(whole.owner_)
     {
         check_object();
     }
 
-    /// Warns of keys that are not among `known`.
+    /// Adds a warning for each key that is not in `known`.
     void expect_only(std::span<const std::string_view> known) const
     {
         if (!value_.IsObject()) {
@@ -109,8 +109,8 @@ public:
         return has(key) && value_.Get(key).IsObject();
     }
 
-    /// These functions return nothing if the key is missing, and also, with a warning, if its value is not
-    /// understood.
+    /// The functions below return nothing if the key is missing. They also return nothing, with a warning, if
+    /// the value is invalid.
     [[nodiscard]] std::optional<bool> boolean(const std::string& key) const
     {
         return take(key, "should be true or false", boolean_of);
@@ -124,7 +124,7 @@ public:
         });
     }
 
-    /// An index into a list of `count` entries.
+    /// Reads an index into a list of `count` entries.
     [[nodiscard]] std::optional<Index> index(const std::string& key, size_t count,
                                              std::string_view what) const
     {
@@ -137,7 +137,7 @@ public:
                     });
     }
 
-    /// The index of the key's word in `words`.
+    /// Reads a word, and returns its index in `words`.
     [[nodiscard]] std::optional<size_t> choice(const std::string& key,
                                                std::span<const std::string_view> words) const
     {
@@ -150,7 +150,7 @@ public:
         });
     }
 
-    /// A list of groups, or a single group.
+    /// Reads a list of group numbers, or a single group number.
     [[nodiscard]] std::optional<Groups> groups(const std::string& key) const
     {
         const std::string wanted =
@@ -335,8 +335,8 @@ void read_collider_extras(Data& data, const tinygltf::Value& extras, const std::
 
 namespace {
 
-/// Whether a name is "cloth", or "cloth" followed by a character that is not a letter: "cloth_flag",
-/// "Cloth.001".
+/// Whether a name is "cloth", or "cloth" followed by a character that is not a letter, such as "cloth_flag"
+/// or "Cloth.001". The case of letters is ignored.
 bool names_cloth(const std::string& name)
 {
     constexpr std::string_view word = "cloth";
@@ -348,7 +348,7 @@ bool names_cloth(const std::string& name)
     return name.size() == word.size() || std::isalpha(static_cast<unsigned char>(name[word.size()])) == 0;
 }
 
-/// The red of a texture at `uv`, bilinearly interpolated.
+/// Red channel of a texture at `uv`, with bilinear interpolation.
 float red_at(const Texture& texture, glm::vec2 uv)
 {
     const auto wrapped = [](int at, int size, Wrap wrap) {
@@ -373,8 +373,8 @@ float red_at(const Texture& texture, glm::vec2 uv)
            255.0F;
 }
 
-/// Sets how strongly vertices are held: from a texture if the primitive has UVs, else from its vertex
-/// colours.
+/// Sets how strongly the vertices of cloth are held in place: by a texture if there is one and the primitive
+/// has UVs, else by the red of the vertex colours.
 void hold(Primitive& primitive, const Scene& scene, Index texture)
 {
     if (texture != no_index && !primitive.uvs[0].empty()) {

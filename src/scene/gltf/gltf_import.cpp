@@ -12,8 +12,8 @@
 namespace estampe::gltf {
 namespace {
 
-// Names from Khronos, "glTF 2.0 Extension Registry" (KHR, EXT and vendors), and from the registries of VRM
-// and of the Open Metaverse Interoperability group (OMI).
+// Sources of the extension names: Khronos, "glTF 2.0 Extension Registry" (KHR, EXT and vendors), and the
+// registries of VRM and of the Open Metaverse Interoperability group (OMI).
 
 constexpr std::array<std::string_view, 18> understood = {
     "EXT_mesh_gpu_instancing",
@@ -42,15 +42,16 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 3> unread_pi
     {"MSFT_texture_dds", "DDS"},
 }};
 
-/// Words after the vendor's prefix of extensions that only change the appearance or add what is not drawn:
-/// "KHR_materials_sheen", "ADOBE_materials_thin_transparency", "OMI_physics_body".
+/// Subjects of harmless extensions, which only change the appearance or add data that is not drawn. The
+/// subject follows the vendor's prefix, as in "KHR_materials_sheen", "ADOBE_materials_thin_transparency" and
+/// "OMI_physics_body".
 constexpr std::array<std::string_view, 18> harmless_subjects = {
     "animation", "audio",    "environment", "feature", "image", "interactivity", "light",   "lights",  "link",
     "materials", "metadata", "packing",     "physics", "seat",  "spawn",         "texture", "vehicle", "xmp",
 };
 
-/// Full names of harmless extensions that the subjects do not cover. MSFT_lod adds coarser copies; Gaussian
-/// splats are drawn as points.
+/// Full names of harmless extensions whose subject is not listed above. MSFT_lod adds coarser copies, which
+/// are ignored. Gaussian splats are drawn as points.
 constexpr std::array<std::string_view, 23> harmless = {
     "AGI_articulations",
     "AGI_stk_metadata",
@@ -139,8 +140,8 @@ void list_extensions(const tinygltf::Model& model, Scene& scene)
     }
 }
 
-/// Warns of required extensions. Unsupported picture formats are left out, because each texture that has no
-/// other picture gets its own warning.
+/// Adds a warning for each required extension that is not supported. Picture formats are left out, because
+/// each texture without another picture gets its own warning.
 void warn_of_required(gltf::Data& data)
 {
     const std::vector<std::string>& required = data.model().extensionsRequired;

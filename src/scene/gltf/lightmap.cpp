@@ -22,17 +22,17 @@ namespace {
 constexpr const char* map_key = "lightmap";
 constexpr const char* extension_key = "MOZ_lightmap";
 
-/// A lightmap as named in `extras` or MOZ_lightmap, before its picture is read.
+/// A lightmap that `extras` or MOZ_lightmap names, before its picture is read.
 struct Entry {
     std::optional<std::string> uri;
-    int texture = -1;  ///< texture of the file, if there is no uri
-    std::string place; ///< JSON pointer of uri or texture
+    int texture = -1;  ///< texture of the file, used if there is no URI
+    std::string place; ///< JSON pointer of the URI or texture, for messages
     uint32_t uv_set = 1;
     float intensity = 1.0F;
 };
 
-/// Reads entries, and ignores with a warning what it does not understand. Returns nothing if no picture is
-/// named.
+/// Reads the entry of a lightmap. Unknown settings are ignored with a warning. Returns nothing if no picture
+/// is named.
 class EntryReader {
 public:
     EntryReader(Data& data, const tinygltf::Value& value, const std::string& pointer,
@@ -148,12 +148,12 @@ LightImage linear(const Image& image)
     return light;
 }
 
-/// Collects the lightmaps that a file names; each picture is read once.
+/// Collects the lightmaps that a file names, and reads each picture once.
 class NamedMaps {
 public:
     explicit NamedMaps(Data& data) : data_(data) {}
 
-    /// The collected lightmap; nothing if the file names none.
+    /// Returns the lightmap of the file; nothing if the file names none.
     [[nodiscard]] std::optional<Lightmap> take()
     {
         const tinygltf::Model& model = data_.model();
@@ -178,7 +178,8 @@ public:
     }
 
 private:
-    /// The settings of a node apply to its children unless they override them.
+    /// Assigns lightmaps to nodes. The lightmap of a node also applies to its children, unless they have
+    /// their own.
     void lay_on_nodes(const std::vector<int>& roots)
     {
         std::vector<bool> seen(map_.of_node.size(), false);
@@ -213,7 +214,8 @@ private:
         return WornPicture{.picture = *picture, .uv_set = entry->uv_set, .intensity = entry->intensity};
     }
 
-    /// Nothing if the file is a baked lightmap, which only the scene may name.
+    /// Reads the picture of a URI. Returns nothing if the file is a baked lightmap, which only the scene may
+    /// name.
     [[nodiscard]] std::optional<uint32_t> by_uri(const std::string& uri, const std::string& pointer)
     {
         return read(uri, pointer, [&] { return data_.resource(uri); });
@@ -259,7 +261,7 @@ private:
                 return entry->second;
             }
             baked_ = baked_lightmap(std::move(file), "");
-            numbers_.erase(entry); // the file is not a picture
+            numbers_.erase(entry); // a baked lightmap has no picture number
             return std::nullopt;
         } catch (const Error& error) {
             data_.fail(pointer, fmt::format("names a lightmap that cannot be read: {}", error.what()),

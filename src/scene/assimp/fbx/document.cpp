@@ -42,7 +42,7 @@ std::string text_at(const Element& element, size_t index)
     return text == nullptr ? std::string() : *text;
 }
 
-/// The name in "Model::Box", or in "Box\0\1Model" in binary files.
+/// Extracts the object's name from "Model::Box", or from "Box\0\1Model" in binary files.
 std::string object_name(const std::string& text)
 {
     if (const size_t split = text.find(std::string_view("\0\1", 2)); split != std::string::npos)
@@ -53,7 +53,7 @@ std::string object_name(const std::string& text)
 
 PropertyMap properties_of(const std::vector<Element>& children)
 {
-    constexpr size_t values_at = 4; // after name, type, label and flags
+    constexpr size_t values_at = 4; // name, type, label and flags come before the values
     PropertyMap map;
     for (const Element& property : children_of(children, "Properties70")) {
         const std::string name = text_at(property, 0);
@@ -229,7 +229,8 @@ namespace {
 
 constexpr int order_xyz = 0;
 
-/// Rotation from Euler angles; `order` is FBX's number, where XYZ rotates about x first.
+/// Rotation from Euler angles in degrees. `order` is the number that FBX gives to the rotation order; XYZ
+/// rotates about x first.
 glm::dquat turn(const glm::dvec3& degrees, int order)
 {
     constexpr std::array<std::array<int, 3>, 6> orders{
@@ -248,7 +249,7 @@ glm::dmat4 moved(const glm::dvec3& by)
     return glm::translate(glm::dmat4(1.0), by);
 }
 
-/// Reads an axis of the file: 0 to 2, with a sign.
+/// Unit vector of an axis in the file's settings, which store the axis as 0 to 2 and a sign.
 glm::dvec3 axis_of(const Properties& settings, const std::string& name, double fallback)
 {
     const double axis = settings.number(name).value_or(fallback);
@@ -328,7 +329,7 @@ namespace {
 
 constexpr double inch_mm = 25.4;
 
-// Values of enumerations in FBX files.
+// The enumerations here have the numeric values of FBX files.
 enum class ApertureMode { both, horizontal, vertical, focal_length };
 enum class GateFit { none, vertical, horizontal, fill, overscan, stretch };
 enum class AspectMode { window, fixed_ratio, fixed_resolution, fixed_width, fixed_height };
@@ -347,7 +348,7 @@ double positive(const Properties& camera, const char* name, double fallback)
     return value > 0.0 ? value : fallback;
 }
 
-/// Aspect ratio of the picture (width / height). FBX uses 320 by 200 if the file does not say.
+/// Aspect ratio (width / height) of a camera's picture. The FBX default is 320 by 200.
 double picture_aspect(const Properties& camera)
 {
     const double width = positive(camera, "AspectWidth", positive(camera, "AspectW", 320.0));
@@ -363,7 +364,7 @@ double picture_aspect(const Properties& camera)
     }
 }
 
-/// How the film gate is fitted to a picture of another aspect ratio.
+/// How the film gate of a camera is fitted to a picture with another aspect ratio.
 GateFit fit_of(const Properties& camera, double aspect, double film_aspect)
 {
     const GateFit fit = enum_of(camera, "GateFit", GateFit::none, GateFit::stretch);
@@ -379,10 +380,10 @@ double vertical_of(double horizontal_deg, double aspect)
     return 2.0 * std::atan(std::tan(0.5 * glm::radians(horizontal_deg)) / aspect);
 }
 
-/// Vertical field of view in radians; not plausible if the file's values are not.
+/// Vertical field of view in radians. The result is not checked for implausible values in the file.
 double vertical_fov(const Properties& camera, double aspect)
 {
-    // 0.816 by 0.612 inches, the film size of 35 mm television, is FBX's default.
+    // The FBX default is 0.816 by 0.612 inches, the film size of 35 mm television.
     const double film_width = positive(camera, "FilmWidth", 0.816);
     const double film_height =
         positive(camera, "FilmHeight", 0.612) * positive(camera, "FilmSqueezeRatio", 1.0);
@@ -411,7 +412,8 @@ double vertical_fov(const Properties& camera, double aspect)
     return 2.0 * std::atan2(0.5 * height_mm, focal_mm);
 }
 
-/// An orthographic zoom of 1 spans 30 units of the file; Blender writes metres.
+/// Half the height of a parallel projection, in metres. An FBX orthographic zoom of 1 shows 30 units of the
+/// file; Blender writes metres instead.
 double orthographic_half_height_m(const Properties& camera, const Document& document, double aspect)
 {
     constexpr double units_at_zoom_1 = 30.0;

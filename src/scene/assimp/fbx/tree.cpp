@@ -28,7 +28,7 @@ constexpr int deepest = 24;
     throw Error(fmt::format("is damaged at byte {}: {}", at, what));
 }
 
-/// Whether an element is used, by its depth and its parent.
+/// Whether an element is stored in the tree. This depends on its name, its depth and its parent.
 bool is_kept(int depth, std::string_view parent, std::string_view name)
 {
     constexpr std::array<std::string_view, 5> sections{"FBXHeaderExtension", "GlobalSettings", "Definitions",
@@ -96,7 +96,8 @@ private:
         return head;
     }
 
-    /// Reads elements from `at` on until an empty one closes the list; also returns where the list ends.
+    /// Reads a list of elements from `at` on, up to the empty element that ends the list. Also returns the
+    /// offset after the list.
     std::pair<std::vector<Element>, size_t> elements(size_t at, size_t end, int depth,
                                                      const std::string& parent) const
     {
@@ -221,7 +222,7 @@ public:
 private:
     [[nodiscard]] bool at_end() const { return at_ >= text_.size(); }
 
-    /// Skips blanks and comments, within the line or across lines.
+    /// Skips blanks and comments, either within the line only or across lines.
     void skip(bool across_lines)
     {
         while (!at_end()) {
@@ -313,7 +314,7 @@ private:
         const size_t first = at_;
         at_ = std::min(text_.find_first_of(" \t\r\n,;{}\"", at_), text_.size());
         const std::string_view found = text_.substr(first, at_ - first);
-        if (keep && !found.starts_with('*')) // a star announces the length of an array
+        if (keep && !found.starts_with('*')) // a star precedes the length of an array
             element.values.push_back(value_of_word(found));
     }
 
@@ -335,7 +336,7 @@ uint32_t file_version(std::span<const char> head)
         if (std::from_chars(text.data() + digits, text.data() + text.size(), version).ec == std::errc{})
             return version;
     }
-    // A text file may begin with: "; FBX 6.1.0 project file".
+    // A text file may begin with a line such as "; FBX 6.1.0 project file".
     constexpr std::string_view comment = "; FBX ";
     if (const size_t found = text.find(comment);
         found != std::string_view::npos && text.size() >= found + 9) {
