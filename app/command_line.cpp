@@ -212,6 +212,9 @@ Command to_command(const CLI::App& app, const TypedOptions& typed)
     if (app.got_subcommand("tam")) {
         return read_tam(typed);
     }
+    if (app.got_subcommand("normalmap")) {
+        return typed.normal_map.read();
+    }
     if (app.got_subcommand("batch")) {
         return typed.batch.read();
     }

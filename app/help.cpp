@@ -157,6 +157,10 @@ std::string completer(const CLI::Option& option)
     if (option.check_lname("format")) {
         return "_estampe_words png jpg webp exr ora svg";
     }
+    if (type == "wrap|clamp" || type == "up|down") {
+        return fmt::format("_estampe_words {} {}", type.substr(0, type.find('|')),
+                           type.substr(type.find('|') + 1));
+    }
     if (type == "DEVICE") {
         return "_estampe_words auto cpu";
     }

@@ -11,6 +11,7 @@
 
 #include <estampe/bake.hpp>
 #include <estampe/error.hpp>
+#include <estampe/normal_map.hpp>
 #include <estampe/renderer.hpp>
 #include <estampe/scene.hpp>
 #include <estampe/views.hpp>
@@ -160,6 +161,13 @@ struct TamCommand {
     std::string preview; ///< .png; empty: none
 };
 
+/// `estampe normalmap`: makes a normal map.
+struct NormalMapCommand {
+    std::string picture; ///< of heights
+    std::string output;  ///< .png
+    NormalMapSettings settings;
+};
+
 /// `estampe bake`: computes a lightmap.
 struct BakeCommand {
     std::string scene;
@@ -181,8 +189,9 @@ struct BatchCommand {
     RendererOptions device;
 };
 
-using Command = std::variant<BatchCommand, RenderCommand, GraphCommand, InfoCommand, DevicesCommand,
-                             StylesCommand, StyleManualCommand, TamCommand, BakeCommand, ViewCommand>;
+using Command =
+    std::variant<BatchCommand, RenderCommand, GraphCommand, InfoCommand, DevicesCommand, StylesCommand,
+                 StyleManualCommand, TamCommand, NormalMapCommand, BakeCommand, ViewCommand>;
 
 /// Reads the command line, the style it names, and its --set assignments. Returns nothing after it has
 /// printed help or the version. Throws UsageError for a mistake on the command line, Error for a style file

@@ -271,6 +271,7 @@ void add_commands(CLI::App& app, TypedOptions& typed)
     add_render(app, typed);
     add_view(app, typed);
     add_tam(app, typed);
+    typed.normal_map.add_to(app);
     typed.bake.add_to(app);
     typed.batch.add_to(app);
     CLI::App& info = *app.add_subcommand("info", "Print what a scene contains, or list the built-in worlds");

@@ -10,6 +10,7 @@
 
 #include "bake.hpp"
 #include "batch.hpp"
+#include "normal_map.hpp"
 #include "option_values.hpp"
 #include "options.hpp"
 #include "worlds.hpp"
@@ -61,6 +62,7 @@ struct TypedOptions {
     std::string shaders;
     bool verbose = false;
     bool warm_up = false;
+    NormalMapOptions normal_map;
     BakeOptions bake;
     BatchOptions batch;
     PictureOptions picture;

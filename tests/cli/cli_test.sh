@@ -474,6 +474,19 @@ expect_error 1 '--layer: .* "zzzzzzzz"; layers are paper, wash' render scene.glb
 expect_error 1 'has no layer "occlusion"' render scene.glb -o none.png "${small[@]}" --layer occlusion
 [[ ! -e none.png ]] || wrong "a layer that is not there was written"
 
+# Normal maps
+expect_success normalmap plain.png -o normal.png --relief 0.01
+[[ ! -s ../"$name".out ]] || wrong "normalmap printed on stdout"
+expect_success normalmap plain.png -o other.png --relief 0.01 --green down --edges clamp
+! cmp -s normal.png other.png || wrong "--green and --edges change nothing"
+expect_success normalmap plain.png -o steep.png --relief 5
+grep -q 'note: .*the map shows terraces' ../"$name".err || wrong "nothing said of terraces"
+expect_error 2 'must end in .png' normalmap plain.png -o normal.jpg
+expect_error 2 '--relief: 11 is out of range' normalmap plain.png -o normal.png --relief 11
+expect_error 2 '--edges: "mirror" is not one of its choices' normalmap plain.png -o normal.png --edges mirror
+expect_error 1 'nothing.png' normalmap nothing.png -o normal.png
+expect_error 1 'plain.png' normalmap plain.png -o plain.png
+
 # Tonal art maps
 tiny=(--set tam.size_px=64 --set tam.tones=4 --set tam.candidates=8)
 expect_success tam --help-all

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Tangent-space normal maps made from pictures of heights, for the normal textures of materials.
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include <estampe/image.hpp>
+
+namespace estampe {
+
+/// Heights of a surface: rows from top to bottom, 0 lowest and 1 highest.
+struct HeightMap {
+    uint32_t width = 0;
+    uint32_t height = 0;
+    std::vector<float> heights; ///< width * height numbers
+    uint32_t steps = 255;       ///< number of steps between 0 and 1 that the file can hold
+};
+
+struct NormalMapSettings {
+    double relief = 0.05;       ///< difference in height between 0 and 1, as a share of the picture's width
+    bool wraps = true;          ///< The left edge continues at the right edge, and the top at the bottom
+    bool is_green_down = false; ///< Green points down as in Direct3D, not up as in glTF and OpenGL
+};
+
+/// Reads the heights of a picture from its brightness: the stored values without conversion from sRGB,
+/// weighted by ITU-R BT.709. Alpha is ignored. A PNG with 16 bits per channel is read without loss, other
+/// pictures as load_image() reads them. Throws Error as load_image() does.
+[[nodiscard]] HeightMap load_height_map(const std::filesystem::path& path);
+
+/// Computes the normal at each texel from the slopes of the heights. Red is x, to the right; green is y; blue
+/// is z, out of the surface; each from -1 to 1 as 0 to 255. Alpha is 255. Throws Error if the heights are
+/// empty or their number is wrong, or if the relief is not from 0 to 10. Cost: linear in texels.
+///
+/// Source  derivatives by the filter of Scharr, "Optimale Operatoren in der digitalen Bildverarbeitung", 2000
+[[nodiscard]] Image make_normal_map(const HeightMap& map, const NormalMapSettings& settings = {});
+
+/// The difference in height between two neighbouring steps of the file, in texels. Above about 0.25 the
+/// normal map shows terraces; a picture with 16 bits per channel, or a smaller relief, avoids them.
+[[nodiscard]] double height_step_texels(const HeightMap& map, const NormalMapSettings& settings);
+
+} // namespace estampe
