@@ -120,7 +120,7 @@ void enable_features(VkPhysicalDeviceFeatures& core, VkPhysicalDeviceVulkan12Fea
     core.shaderClipDistance = VK_TRUE;
 }
 
-/// Loads Vulkan. Throws Error that names the package to install if there is no loader.
+/// Loads Vulkan. If there is no Vulkan loader, throws an Error that names the package to install.
 void load_vulkan()
 {
     if (volkInitialize() != VK_SUCCESS) {
@@ -128,8 +128,8 @@ void load_vulkan()
     }
 }
 
-/// Loads Vulkan through the host's loader and examines its physical device. Throws Error that says what the
-/// device lacks.
+/// Loads Vulkan through the host application's loader and examines the host's physical device. Throws an
+/// Error that names the features that the device lacks.
 Candidate host_candidate(const VulkanHost& host)
 {
     if (host.instance == VK_NULL_HANDLE || host.physical_device == VK_NULL_HANDLE) {
@@ -149,7 +149,7 @@ Candidate host_candidate(const VulkanHost& host)
     return candidate;
 }
 
-/// All devices of `instance`, each with whether it is usable or why not.
+/// Returns all physical devices of `instance`, each with the reason if this program cannot use the device.
 std::vector<Candidate> list_candidates(VkInstance instance)
 {
     uint32_t count = 0;
@@ -196,11 +196,12 @@ const Candidate& choose(const std::vector<Candidate>& candidates, const std::str
 
 namespace {
 
-/// Throws Error unless this process can start as many threads as a driver on the processor will start: Mesa
-/// waits forever for a thread that fails to start. Cost: about 1 ms.
+/// Throws Error unless this process can start as many threads as a CPU driver starts. Mesa would wait forever
+/// for a thread that fails to start. Cost: about 1 ms.
 void require_driver_threads()
 {
-    // One thread per core for triangles, one per core for compute, and a few threads that only wait.
+    // The driver starts one thread per core for triangles, one per core for compute, and a few threads that
+    // only wait.
     constexpr unsigned most_cores_used = 16;
     constexpr unsigned waiting = 4;
     const unsigned count = 2 * std::clamp(std::thread::hardware_concurrency(), 1U, most_cores_used) + waiting;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Lists the physical devices with what each lacks, and opens one.
+// Lists the physical Vulkan devices with the features that each lacks, and opens one device.
 
 #include <memory>
 #include <string>
@@ -15,10 +15,10 @@
 
 namespace estampe::gpu {
 
-/// One Vulkan device with one queue for compute, copies and raster.
+/// One Vulkan device with one queue for compute, transfer and graphics commands.
 ///
-/// Requires Vulkan 1.3 with scalar block layout. The constructors throw Error that says what the device
-/// lacks. Devices without 64-bit buffer atomics do not support raster in compute
+/// Requires Vulkan 1.3 with scalar block layout. The constructors throw an Error that names the missing
+/// features. Devices without 64-bit buffer atomics cannot rasterise in compute shaders
 /// (DeviceInfo::compute_raster).
 class Device {
 public:
@@ -74,23 +74,23 @@ private:
     bool is_borrowed_ = false;
     DeviceInfo info_;
     VkPhysicalDeviceLimits limits_{};
-    /// Allocated on the heap, because the messenger stores this address.
+    /// Allocated on the heap, because Vulkan's debug messenger stores the address of this function.
     std::unique_ptr<std::function<void(const std::string&)>> on_validation_message_;
     std::unique_ptr<MemoryAllocator> memory_;
 };
 
-/// A physical device with its properties and whether it is usable.
+/// A physical device, its properties, and whether this program can use it.
 struct Candidate {
     VkPhysicalDevice physical = VK_NULL_HANDLE;
     DeviceInfo info;
     bool discrete = false;
 };
 
-/// Selects a device by "auto" (discrete GPU, else other GPU, else processor), "cpu" or an index. Throws
-/// Error that lists the devices.
+/// Selects a device by "auto" (discrete GPU, else another GPU, else CPU), "cpu" or an index. Throws an Error
+/// that lists the devices if none matches.
 [[nodiscard]] const Candidate& choose(const std::vector<Candidate>& candidates, const std::string& choice);
 
-/// The chain of Vulkan feature structures, to query a device or to enable features on it.
+/// The linked chain (pNext) of Vulkan feature structures, for querying or enabling features of a device.
 struct Features {
     Features();
     Features(const Features&) = delete;
@@ -101,11 +101,11 @@ struct Features {
     VkPhysicalDeviceFeatures2 core{};
 };
 
-/// Names of the required features that `have` lacks; empty if there are none.
+/// Returns the names of the required features that `have` lacks; empty if no feature is missing.
 [[nodiscard]] std::string missing_features(const Features& have);
 
-/// Whether the device supports 64-bit atomics. With them, compute shaders rasterise depth and triangle number
-/// by an atomic maximum.
+/// Whether the device supports 64-bit buffer atomics. Compute shaders then rasterise depth and triangle
+/// number with an atomic maximum.
 [[nodiscard]] bool offers_compute_raster(const Features& have);
 
 } // namespace estampe::gpu

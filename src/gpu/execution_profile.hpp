@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How a device runs threads, for passes that divide their work accordingly. Pictures do not depend on the
-// profile.
+// Describes how a device runs threads, so that passes can divide their work accordingly. Pictures do not
+// depend on this profile.
 
 #include <cstdint>
 
@@ -10,32 +10,33 @@ namespace estampe::gpu {
 
 /// A GPU runs thousands of threads in parallel, and the threads of a workgroup in lockstep. A processor
 /// (lavapipe) runs a few workgroups in parallel, and the threads of a workgroup one after another; each
-/// barrier costs it one more loop over these threads. Each member function names one choice that depends on
-/// this difference. Device::execution() returns the profile.
+/// barrier in a shader costs one more loop over these threads. Each member function is one choice that
+/// depends on this difference. Device::execution() returns the profile.
 struct ExecutionProfile {
     bool is_processor = false;
 
-    /// Threads of a workgroup load data together and share it.
+    /// Whether the threads of a workgroup load data together into shared memory.
     [[nodiscard]] bool shares_by_groups() const { return !is_processor; }
 
-    /// Sums and scans use many workgroups instead of one workgroup.
+    /// Whether sums and prefix sums (scans) use many workgroups instead of one.
     [[nodiscard]] bool spreads_scans() const { return !is_processor; }
 
-    /// A list of the tiles with work costs less than a test in every pixel.
+    /// Whether a pass lists the screen tiles that have work. On a CPU this list costs less than a test in
+    /// every pixel.
     [[nodiscard]] bool lists_tiles() const { return is_processor; }
 
-    /// A pixel samples its neighbourhood only as far as necessary, instead of loading all candidates at
+    /// Whether a pixel stops reading its neighbours as soon as possible, instead of loading all candidates at
     /// once.
     [[nodiscard]] bool looks_only_where_needed() const { return is_processor; }
 
-    /// Images are cleared by a transfer instead of a dispatch.
+    /// Whether images are cleared by a transfer command instead of a compute dispatch.
     [[nodiscard]] bool clears_by_transfer() const { return is_processor; }
 
-    /// Heights are swept row by row, which needs the least work, instead of searched in pyramids, which keep
-    /// many threads busy.
+    /// Whether height fields are processed row by row, which needs the least work. Otherwise they are
+    /// searched in mip pyramids, which occupy many threads.
     [[nodiscard]] bool sweeps() const { return is_processor; }
 
-    /// Items per workgroup of 64 threads, for passes with a short test per item.
+    /// Number of items per workgroup of 64 threads, for passes with a short test per item.
     [[nodiscard]] uint32_t items_per_group() const { return is_processor ? 256 : 64; }
 };
 

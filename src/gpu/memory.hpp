@@ -10,9 +10,9 @@
 namespace estampe::gpu {
 
 enum class MemoryUse : uint8_t {
-    device,   ///< Only the GPU accesses it
-    upload,   ///< Written by the processor, read by the GPU; mapped
-    readback, ///< Written by the GPU, read by the processor; mapped, and cached if the device supports that
+    device,   ///< Only the GPU accesses the memory
+    upload,   ///< The CPU writes the memory, the GPU reads it; mapped
+    readback, ///< The GPU writes the memory, the CPU reads it; mapped, and cached if supported
 };
 
 /// A range of device memory. `mapped` is null for MemoryUse::device.
@@ -24,8 +24,8 @@ struct Allocation {
     uint32_t block = UINT32_MAX;
 };
 
-/// Allocates device memory from 64 MiB blocks, first fit; allocations of 16 MiB or more get their own
-/// memory.
+/// Allocates device memory from blocks of 64 MiB, with the first-fit strategy. Each allocation of 16 MiB or
+/// more gets its own device memory.
 ///
 /// Images and buffers use separate blocks, so bufferImageGranularity does not apply. Not thread-safe.
 class MemoryAllocator {
@@ -35,19 +35,19 @@ public:
     MemoryAllocator(const MemoryAllocator&) = delete;
     MemoryAllocator& operator=(const MemoryAllocator&) = delete;
 
-    /// Throws Error if the device has too little memory of this kind left.
+    /// Allocates memory. Throws Error if the device has too little free memory of this kind.
     [[nodiscard]] Allocation allocate(const VkMemoryRequirements& needs, MemoryUse use, bool for_image);
     void free(const Allocation& allocation);
 
     /// Throws Error unless `bytes` of MemoryUse::device can still be allocated. Call this before large
-    /// allocations: drivers on the processor promise more memory than the machine has.
+    /// allocations, because CPU drivers report more memory than the machine has.
     void require(VkDeviceSize bytes) const;
     [[nodiscard]] bool has(VkDeviceSize bytes) const;
 
-    /// Bytes that are allocated at present.
+    /// Number of bytes that are allocated now.
     [[nodiscard]] VkDeviceSize used_bytes() const;
 
-    /// Total size of the device's own memory, used or not.
+    /// Total size of the device's own memory, both used and free.
     [[nodiscard]] VkDeviceSize whole_bytes() const;
 
 private:
@@ -71,7 +71,8 @@ private:
     [[nodiscard]] bool take(Block& block, const VkMemoryRequirements& needs, VkDeviceSize& offset) const;
 
     VkDevice device_;
-    /// On a processor, heap sizes are the free memory of the machine.
+    /// Memory types and heaps of the device. For CPU devices, the heap sizes are set to the machine's free
+    /// memory.
     VkPhysicalDeviceMemoryProperties properties_{};
     std::vector<Block> blocks_;
 };

@@ -41,7 +41,7 @@ std::vector<PassTiming> PassHistory::medians() const
 
 namespace {
 
-/// Opcodes with the numbers of the specification.
+/// Numbers of SPIR-V opcodes, from the specification.
 namespace code {
 constexpr uint32_t undefined = 1;
 constexpr uint32_t ext_inst = 12;
@@ -103,7 +103,7 @@ constexpr uint32_t ext_mix = 46;
 
 struct Instruction {
     uint32_t op = 0;
-    std::span<const uint32_t> operands; ///< Words of the instruction after the first
+    std::span<const uint32_t> operands; ///< All words of the instruction except the first
 
     [[nodiscard]] uint32_t at(size_t i) const
     {
@@ -114,7 +114,7 @@ struct Instruction {
     }
 };
 
-/// Result of an integer operation with known operands; empty for other operations.
+/// Computes an integer operation on the known operands `a` and `b`; empty if `op` is not supported.
 std::optional<uint32_t> value_of(uint32_t op, uint32_t a, uint32_t b)
 {
     switch (op) {
@@ -178,7 +178,7 @@ public:
 
 private:
     struct Function {
-        /// The first block is the entry; each block includes its label.
+        /// Basic blocks of the function. The first block is the entry; each block includes its label.
         std::vector<std::vector<Instruction>> blocks;
         std::optional<uint64_t> operations;
     };
@@ -243,7 +243,7 @@ private:
         }
     }
 
-    /// Whether the operands begin with result type and result id.
+    /// Whether the operands of instruction `op` begin with a result type and a result id.
     static bool has_result(uint32_t op)
     {
         constexpr std::array without{56U, 62U, 63U, 64U, 99U}; // OpFunctionEnd, stores, copies, image writes
@@ -318,7 +318,7 @@ private:
         return counts ? components(instruction.at(0)) : 0;
     }
 
-    /// Labels that a block branches to; only the taken one if the condition is known.
+    /// Returns the labels that a block can branch to; only the taken label if the branch condition is known.
     [[nodiscard]] std::vector<uint32_t> targets(const Instruction& end) const
     {
         if (end.op == code::branch) {
@@ -377,13 +377,13 @@ private:
     uint32_t variant_;
     uint32_t variant_id_ = 0;
     uint32_t entry_ = 0;
-    uint32_t here_ = 0; ///< Function that is being read
+    uint32_t here_ = 0; ///< Id of the function that is being read
     glm::uvec3 group_{1U};
     std::unordered_map<uint32_t, Function> functions_;
     std::unordered_map<uint32_t, size_t> block_of_label_;
     std::unordered_map<uint32_t, uint32_t> known_;   ///< Values of constants, by id
     std::unordered_map<uint32_t, uint32_t> type_of_; ///< Types of results, by id
-    /// Component type and component count, by type id.
+    /// Component type and number of components of each composite type, by type id.
     std::unordered_map<uint32_t, std::pair<uint32_t, uint32_t>> parts_of_type_;
 };
 
@@ -421,7 +421,7 @@ bool are_runs_watched()
 
 namespace {
 
-/// Reports a run to the watcher.
+/// Reports the costs of a run to the function that watch_runs() has set.
 void tell_run(std::span<const PassWork> passes)
 {
     watching()(passes);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Costs of passes: their times in each frame, the bytes that they bind, and the arithmetic in their shaders.
+// Measures the cost of passes: GPU time in each frame, bytes of the bound resources, and number of arithmetic
+// operations in their shaders.
 
 #include <cstdint>
 #include <functional>
@@ -18,7 +19,8 @@
 
 namespace estampe::gpu {
 
-/// GPU times of frames, per pass. A frame whose number of passes differs discards the frames before it.
+/// GPU times of each pass over many frames. Adding a frame with a different number of passes discards all
+/// earlier frames.
 class PassHistory {
 public:
     void add(const std::vector<PassTiming>& passes);
@@ -40,13 +42,13 @@ struct ShaderOps {
     /// Arithmetic operations on floats and integers, counted per component; a fused multiply-add counts as
     /// two, a square root or a sine as one.
     uint64_t operations = 0;
-    glm::uvec3 group{1U}; ///< Threads of a workgroup
+    glm::uvec3 group{1U}; ///< Workgroup size in threads
 };
 
-/// Counts the operations of one thread, as if no branch skipped code and each loop ran once, with
-/// specialization constant 0 set to `variant`. Of a branch on that constant, only the taken side is counted.
-/// The result is a lower bound for kernels with loops, and may be too high for kernels with branches. Throws
-/// std::logic_error if the words are not SPIR-V.
+/// Counts the arithmetic operations of one thread, with specialization constant 0 set to `variant`. The count
+/// assumes that no branch skips code and that each loop runs once. For a branch on that constant, only the
+/// taken side is counted. The result is a lower bound for kernels with loops, and may be too high for kernels
+/// with branches. Throws std::logic_error if `spirv` is not a SPIR-V module.
 ///
 /// Cost    linear in words, about 0.1 ms for a large shader
 /// Source  Khronos, "SPIR-V Specification", version 1.6
@@ -55,27 +57,29 @@ struct ShaderOps {
 /// Measured costs of one pass.
 struct PassWork {
     std::string name;
-    double ms = 0.0; ///< GPU time; on a processor wall time minus the time of an empty run
-    /// Size of the images and buffers that the pass binds, counted twice if it reads and writes them. This
-    /// is the least memory traffic, unless a buffer is larger than its content.
+    double ms = 0.0; ///< GPU time; on a CPU device, wall time minus that of an empty run
+    /// Total size of the images and buffers that the pass binds. A resource that the pass both reads and
+    /// writes counts twice. The sum is a lower bound of the memory traffic, unless a buffer is larger than
+    /// its content.
     uint64_t bytes = 0;
-    /// Threads times the count of ops_of(). Empty for passes without a shader, and if only the device knows
-    /// the number of threads.
+    /// Number of threads times the operation count of ops_of(). Empty if the pass has no shader, or if the
+    /// number of threads is known only on the device.
     std::optional<uint64_t> operations;
 };
 
 using RunWatch = std::function<void(std::span<const PassWork>)>;
 
-/// From now on, every executor of this process runs its graphs pass by pass, waits for each pass, and
-/// reports to `watch` afterwards. An empty `watch` ends this. Must not be called during a run.
+/// Makes every executor of this process run its graphs pass by pass and wait for each pass. The executor
+/// calls `watch` after each run. An empty `watch` restores the normal execution. Must not be called during a
+/// run.
 void watch_runs(RunWatch watch);
 
 [[nodiscard]] bool are_runs_watched();
 
-/// The value of PassWork::bytes for `pass`.
+/// Computes PassWork::bytes for `pass`.
 [[nodiscard]] uint64_t bytes_of(const Graph& graph, const PassRecord& pass);
 
-/// The value of PassWork::operations for `pass`.
+/// Computes PassWork::operations for `pass`.
 [[nodiscard]] std::optional<uint64_t> operations_of(const Graph& graph, const PassRecord& pass);
 
 } // namespace estampe::gpu

@@ -18,7 +18,7 @@ PipelineOwner some_owner()
     return {.vendor = 1, .device = 2, .driver_version = 3, .uuid = {4, 5, 6}};
 }
 
-/// Cache data as a driver returns it: a header that identifies the owner, and further bytes.
+/// Returns cache data like a driver's: a header that identifies the device and driver, and further bytes.
 std::vector<std::byte> pipelines_of(const PipelineOwner& owner)
 {
     VkPipelineCacheHeaderVersionOne head{.headerSize = sizeof head,
@@ -71,7 +71,7 @@ TEST(PipelineStore, KeepsOwnersApart)
         (part == 0 ? other.vendor : part == 1 ? other.device : other.driver_version) += part < 3 ? 1 : 0;
         other.uuid[0] = static_cast<uint8_t>(other.uuid[0] + (part == 3 ? 1 : 0));
         EXPECT_NE(pipeline_file(other), pipeline_file(some_owner())) << part;
-        if (part != 2) { // The driver's header has no such field
+        if (part != 2) { // The driver's cache header has no field for this part
             EXPECT_TRUE(read_pipelines(file, other).empty()) << part;
         }
     }

@@ -27,7 +27,7 @@ std::atomic<bool>& are_kept_on_disk()
 
 constexpr uint64_t most_bytes = 256ULL << 20U;
 
-/// Header of the cache file, before the driver's bytes.
+/// Header of the pipeline cache file; the driver's cache data follows.
 struct FileHead {
     std::array<char, 8> magic{};
     uint64_t size_bytes = 0;
@@ -43,7 +43,8 @@ FileHead head_of(std::span<const std::byte> pipelines)
     return {.magic = magic_of_pipelines, .size_bytes = pipelines.size(), .hash = hash.value()};
 }
 
-/// Whether the driver's bytes match this owner. Drivers should check this themselves, but some do not.
+/// Whether the driver's cache data belong to this device and driver. Drivers should check this themselves,
+/// but some do not.
 bool is_for(std::span<const std::byte> pipelines, const PipelineOwner& owner)
 {
     VkPipelineCacheHeaderVersionOne head{};
@@ -100,7 +101,7 @@ std::vector<std::byte> read_pipelines(const std::filesystem::path& file, const P
             head.magic == wanted.magic && head.size_bytes == wanted.size_bytes && head.hash == wanted.hash;
         return is_whole && is_for(bytes, owner) ? bytes : std::vector<std::byte>();
     } catch (const std::exception&) {
-        return {}; // Usually the file does not exist yet
+        return {}; // In most cases the file does not exist yet
     }
 }
 
@@ -114,7 +115,7 @@ void write_pipelines(const std::filesystem::path& file, std::span<const std::byt
         bytes.insert(bytes.end(), pipelines.begin(), pipelines.end());
         write_file_atomically(file, bytes);
     } catch (const std::exception&) {
-        return; // The next run compiles again
+        return; // Without a cache file, the next run compiles the pipelines again
     }
 }
 
@@ -145,7 +146,7 @@ void PipelineStore::write_back() const
 {
     size_t size = 0;
     const bool is_known = vkGetPipelineCacheData(device_, cache_, &size, nullptr) == VK_SUCCESS;
-    // An empty cache consists of the header only.
+    // An empty pipeline cache consists only of Vulkan's header.
     if (!is_known || size <= std::max(size_read_, sizeof(VkPipelineCacheHeaderVersionOne)) ||
         size > most_bytes) {
         return;
@@ -190,7 +191,8 @@ VkShaderModule make_module(VkDevice device, const Shader& shader)
     return made;
 }
 
-/// Triangles without vertex buffers, reversed depth, no blending, dynamic viewport and scissor.
+/// Creates a pipeline that draws triangles without vertex buffers and without blending. Depth is reversed;
+/// viewport and scissor are dynamic.
 VkResult create_draw_pipeline(VkDevice device, VkPipelineCache kept, const DrawState& state,
                               const std::vector<VkPipelineShaderStageCreateInfo>& stages, Pipeline& made)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Pipelines, compiled at first use and cached on disk between runs.
+// Compiles Vulkan pipelines at first use and caches them on disk between runs of the program.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,11 +16,11 @@
 
 namespace estampe::gpu {
 
-/// Whether devices that are opened from now on cache pipelines on disk. The default is true. Thread-safe.
+/// Sets whether devices that are opened later cache pipelines on disk. The default is true. Thread-safe.
 void keep_pipelines(bool are_kept);
 
-/// Identifies the device and driver of cached pipelines. Each device, driver and version of the program has
-/// its own file.
+/// Identifies the device and driver that compiled the cached pipelines. Each combination of device, driver
+/// and program version has its own cache file.
 struct PipelineOwner {
     uint32_t vendor = 0;
     uint32_t device = 0;
@@ -30,20 +30,21 @@ struct PipelineOwner {
 
 [[nodiscard]] PipelineOwner owner_of(VkPhysicalDevice physical);
 
-/// Path of the cache file: in `estampe` under $XDG_CACHE_HOME or ~/.cache. Empty if neither is a folder.
+/// Path of the pipeline cache file, in the folder `estampe` of $XDG_CACHE_HOME or ~/.cache. Empty if neither
+/// is an absolute path.
 [[nodiscard]] std::filesystem::path pipeline_file(const PipelineOwner& owner);
 
-/// Content of the cache file; empty if the file does not exist, is truncated or changed, or belongs to
-/// another owner.
+/// Reads the pipeline data of a cache file. The result is empty if the file does not exist, is truncated or
+/// changed, or belongs to another device or driver.
 [[nodiscard]] std::vector<std::byte> read_pipelines(const std::filesystem::path& file,
                                                     const PipelineOwner& owner);
 
-/// Creates the folder and replaces the file as a whole. A failure keeps the old file and is not reported,
-/// because the file is only a cache.
+/// Writes pipeline data to a cache file, and creates its folder. The file is replaced atomically. If writing
+/// fails, the old file stays and no error is reported, because the file is only a cache.
 void write_pipelines(const std::filesystem::path& file, std::span<const std::byte> pipelines);
 
-/// Vulkan's pipeline cache of a device. It is read from disk by the constructor, and written by the
-/// destructor if it has grown. Drivers whose cache stays empty, such as lavapipe, have no file.
+/// The VkPipelineCache of a device. The constructor reads the cache from disk; the destructor writes the
+/// cache if it has grown. No file is written for drivers whose cache stays empty, such as lavapipe.
 class PipelineStore {
 public:
     explicit PipelineStore(Device& device);
@@ -58,7 +59,7 @@ private:
 
     VkDevice device_;
     VkPipelineCache cache_ = VK_NULL_HANDLE;
-    std::filesystem::path file_; ///< Empty: not cached on disk
+    std::filesystem::path file_; ///< Empty: pipelines are not cached on disk
     size_t size_read_ = 0;
 };
 
@@ -71,15 +72,16 @@ struct DrawState {
     bool cull_back_faces = false;
 };
 
-/// A pipeline with the layouts that follow from the pass's declaration.
+/// A Vulkan pipeline with the layouts that match the declaration of its pass.
 struct Pipeline {
     VkDescriptorSetLayout set_layout = VK_NULL_HANDLE;
     VkPipelineLayout layout = VK_NULL_HANDLE;
     VkPipeline pipeline = VK_NULL_HANDLE;
 };
 
-/// Creates pipelines at first use and keeps them, also on disk (see PipelineStore). Cost of a first use: 1
-/// to 100 ms of driver compilation, less if an earlier run has compiled it.
+/// Creates pipelines at first use and caches them in memory and on disk (see PipelineStore). Cost of a
+/// pipeline's first use: 1 to 100 ms of driver compilation, or less if an earlier run has compiled the
+/// pipeline.
 class PipelineCache {
 public:
     explicit PipelineCache(Device& device);
@@ -87,8 +89,8 @@ public:
     PipelineCache(const PipelineCache&) = delete;
     PipelineCache& operator=(const PipelineCache&) = delete;
 
-    /// Returns the compute pipeline of `shader`, whose bindings 0, 1, ... have the types `bindings`. It has
-    /// `push_bytes` of push constants, and specialization constant 0 is `variant`.
+    /// Returns the compute pipeline of `shader`. Bindings 0, 1, ... have the descriptor types `bindings`. The
+    /// pipeline has `push_bytes` bytes of push constants, and its specialization constant 0 is `variant`.
     [[nodiscard]] const Pipeline& get(const Shader& shader, std::span<const VkDescriptorType> bindings,
                                       uint32_t push_bytes, uint32_t variant);
 
@@ -102,9 +104,9 @@ public:
     }
 
 private:
-    /// Lookup key of a pipeline as views of the caller's data; a lookup does not allocate.
+    /// Lookup key of a pipeline. The key refers to the caller's data, so that a lookup does not allocate.
     struct Wanted {
-        const uint32_t* words = nullptr; ///< Words of the compute or vertex shader
+        const uint32_t* words = nullptr; ///< SPIR-V of the compute or vertex shader
         const uint32_t* fragment = nullptr;
         VkFormat depth_format = VK_FORMAT_UNDEFINED;
         bool cull_back_faces = false;
@@ -114,7 +116,7 @@ private:
     };
 
     struct Key {
-        Wanted wanted; ///< Its spans refer to the vectors below
+        Wanted wanted; ///< The spans of `wanted` refer to the vectors below
         std::vector<VkFormat> color_formats;
         std::vector<VkDescriptorType> bindings;
     };

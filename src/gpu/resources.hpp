@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Buffers and images: creation, upload and import into a graph; Vulkan's equivalents of formats, layouts and
-// accesses.
+// Creates buffers and images, uploads their content and imports them into a frame graph. Converts formats,
+// layouts and accesses to Vulkan's values.
 
 #include <algorithm>
 #include <cstddef>
@@ -20,13 +20,13 @@
 
 namespace estampe::gpu {
 
-/// A buffer in device or mapped memory. Move-only. The device must outlive it, and no frame may be in flight
-/// when it is destroyed.
+/// A buffer in device or mapped memory. Move-only. The device must outlive the buffer, and no frame may be in
+/// flight when the buffer is destroyed.
 class Buffer {
 public:
     Buffer() = default;
-    /// A `size_bytes` of zero makes a 16-byte buffer, which can still be bound. Throws Error if memory runs
-    /// out or the buffer exceeds the device's largest binding.
+    /// Creates a buffer. A `size_bytes` of zero creates a 16-byte buffer, which can still be bound. Throws
+    /// Error if memory runs out, or if the buffer is larger than the device can bind.
     Buffer(Device& device, const std::string& name, uint64_t size_bytes, MemoryUse use);
 
     ~Buffer() { destroy(); }
@@ -43,11 +43,12 @@ public:
 
     [[nodiscard]] bool empty() const { return buffer_ == VK_NULL_HANDLE; }
 
-    /// The bytes of a mapped buffer; empty for MemoryUse::device.
+    /// The mapped bytes of the buffer; empty if its memory is MemoryUse::device, which is not mapped.
     [[nodiscard]] std::span<std::byte> mapped() const;
 
-    /// View of the buffer as texels of `format`, for a samplerBuffer or usamplerBuffer; created at the first
-    /// call. Throws Error if it has more texels than the device can view.
+    /// Returns a view of the buffer as texels of `format`, for a samplerBuffer or usamplerBuffer. The first
+    /// call for each format creates the view. Throws Error if the buffer has more texels than the device can
+    /// view.
     [[nodiscard]] VkBufferView texels(Format format) const;
 
 private:
@@ -60,11 +61,13 @@ private:
     uint64_t size_bytes_ = 0;
 };
 
-/// An image in device memory with one view of the whole image (2D or 2D array). Move-only, as Buffer.
+/// An image in device memory, with one view of the whole image (2D or 2D array). Move-only. The device must
+/// outlive the image.
 class Image {
 public:
     Image() = default;
-    /// `as_array` makes the view an array even for a single layer, as a sampler2DArray requires.
+    /// Creates an image. `as_array` makes its view a 2D array even if it has a single layer, because a
+    /// sampler2DArray requires an array view.
     Image(Device& device, const std::string& name, const ImageDesc& desc, bool as_array = false);
 
     ~Image() { destroy(); }
@@ -81,7 +84,7 @@ public:
 
     [[nodiscard]] const ImageDesc& desc() const { return desc_; }
 
-    /// Whether the view is an array.
+    /// Whether the image view is a 2D array view.
     [[nodiscard]] bool is_array() const { return is_array_; }
 
     [[nodiscard]] bool empty() const { return image_ == VK_NULL_HANDLE; }
@@ -103,14 +106,15 @@ private:
     return graph.import_buffer(name, buffer, {.size_bytes = buffer.size_bytes()});
 }
 
-/// Imports all of `image`, in the layout that an upload leaves. It must outlive the run of `graph`.
+/// Imports all of `image`, which must be in the layout that upload_layers() leaves and must outlive the run
+/// of `graph`.
 [[nodiscard]] inline ImageId import_uploaded(Graph& graph, std::string_view name, Image& image)
 {
     return graph.import_image(name, image, image.desc(), Layout::shader_read);
 }
 
-/// A host-visible buffer that holds `items`. Without items it has room for one item, which is not
-/// initialised.
+/// Creates a host-visible buffer that holds `items`. If `items` is empty, the buffer has room for one item,
+/// which is not initialised.
 template <std::ranges::contiguous_range Items>
 [[nodiscard]] Buffer mapped_buffer(Device& device, const char* name, const Items& items)
 {
@@ -121,8 +125,8 @@ template <std::ranges::contiguous_range Items>
     return buffer;
 }
 
-/// Copies `items` into `buffer`, which no running frame may read. Allocates a new buffer only if the size
-/// differs.
+/// Copies `items` into `buffer`. No running frame may read `buffer`. A new buffer is allocated only if the
+/// size differs.
 template <std::ranges::contiguous_range Items>
 void upload_items(Device& device, const char* name, const Items& items, Buffer& buffer)
 {
@@ -135,10 +139,11 @@ void upload_items(Device& device, const char* name, const Items& items, Buffer& 
     std::ranges::copy(bytes, buffer.mapped().begin());
 }
 
-/// Records commands with `record`, runs them, and waits; for uploads and read-backs outside the frame.
+/// Records commands with `record`, runs the commands, and waits until they finish. Used for uploads and
+/// read-backs outside the frame.
 void run_once(Device& device, const std::function<void(VkCommandBuffer)>& record);
 
-/// A device buffer filled with `bytes`. Cost: one staging copy and one wait.
+/// Creates a device buffer that holds `bytes`. Cost: one staging copy and one wait for the device.
 [[nodiscard]] Buffer upload_buffer(Device& device, const std::string& name, std::span<const std::byte> bytes);
 
 template <class T>
@@ -147,13 +152,13 @@ template <class T>
     return upload_buffer(device, name, std::as_bytes(std::span(items)));
 }
 
-/// The mip levels of one image layer, finest first, each tightly packed.
+/// The texels of one image layer: one array of tightly packed bytes per mip level, finest level first.
 struct LayerPixels {
     std::vector<std::vector<std::byte>> levels;
 };
 
-/// Fills all layers and levels of `image` and leaves it in the shader-read layout. Layers share one staging
-/// buffer, so the peak of host memory is one layer.
+/// Fills all layers and mip levels of `image`, and leaves the image in the shader-read layout. All layers
+/// share one staging buffer, so the peak host memory is the size of one layer.
 void upload_layers(Device& device, Image& image,
                    const std::function<LayerPixels(uint32_t layer)>& layer_pixels);
 
@@ -162,18 +167,19 @@ struct StageAccess {
     VkAccessFlags2 access = VK_ACCESS_2_NONE;
 };
 
-/// Vulkan's pipeline stage and access mask of an access.
+/// Returns Vulkan's pipeline stage and access mask for `access`.
 [[nodiscard]] StageAccess stage_access(Access access);
 
-/// Union of the stages and accesses of a set; none for the empty set.
+/// Returns the union of the pipeline stages and access masks for a set of accesses; none for the empty set.
 [[nodiscard]] StageAccess stage_access(AccessSet accesses);
 
 [[nodiscard]] VkImageLayout vulkan_layout(Layout layout);
 
-/// Vulkan's name for a format.
+/// Returns Vulkan's equivalent of `format`.
 [[nodiscard]] VkFormat vulkan_format(Format format);
 
-/// Memory of the texels of an image, with all layers and mip levels. A driver may need more.
+/// Returns the size of an image's texels, including all layers and mip levels. A driver may need more memory
+/// than this size.
 [[nodiscard]] uint64_t size_bytes(const ImageDesc& desc);
 
 } // namespace estampe::gpu

@@ -43,12 +43,12 @@ enum StorageClass : uint32_t { class_uniform_constant = 0, class_uniform = 2, cl
 constexpr uint32_t dim_buffer = 5;
 constexpr uint32_t image_is_sampled = 1;
 
-/// Words of an instruction after the first.
+/// All words of a SPIR-V instruction except the first.
 using Operands = std::span<const uint32_t>;
 
 struct Type {
     Op op = op_type_struct;
-    Operands operands; ///< Starting with the result id
+    Operands operands; ///< Operands from the result id on
 };
 
 /// The parts of a SPIR-V module that describe its bindings.
@@ -57,7 +57,7 @@ struct Module {
     std::unordered_map<uint32_t, uint32_t> constants;
     std::unordered_map<uint32_t, uint32_t> binding_of_variable;
     std::unordered_map<uint32_t, uint32_t> set_of_variable;
-    /// Variable ids with the ids of their pointer types.
+    /// The id of each variable, and the id of its pointer type.
     std::vector<std::pair<uint32_t, uint32_t>> variables;
 };
 
@@ -119,7 +119,8 @@ TexelKind texel_kind(const Module& module, uint32_t type)
     return component.operands[2] != 0 ? TexelKind::signed_whole : TexelKind::unsigned_whole;
 }
 
-/// Operands of OpTypeImage: result, component, dimensions, depth, arrayed, multisampled, sampled, format.
+/// Converts an OpTypeImage to a binding. Its operands are: result, component, dimensions, depth, arrayed,
+/// multisampled, sampled, format.
 Binding image_binding(const Module& module, Operands image)
 {
     const bool is_sampled_image = image[6] == image_is_sampled;
@@ -173,7 +174,7 @@ struct NamedFormat {
     const char* name;
 };
 
-/// Formats of storage images, with SPIR-V's numbers.
+/// Formats of storage images, each with SPIR-V's number and name.
 constexpr std::array named_formats{NamedFormat{Format::r32ui, 33, "r32ui"},
                                    NamedFormat{Format::rg32ui, 35, "rg32ui"},
                                    NamedFormat{Format::rgba32ui, 30, "rgba32ui"},
@@ -239,8 +240,8 @@ std::string element_in_words(const Binding& binding)
     return "something that no pass can bind";
 }
 
-/// The bindings that the shader declares, by binding number. Declarations that the compiler removed as
-/// unused are missing. Throws std::logic_error if the words are not SPIR-V.
+/// Returns the bindings that the shader declares, by binding number. Unused declarations are missing if the
+/// compiler removed them. Throws std::logic_error if the shader's words are not SPIR-V.
 ///
 /// Cost    linear in words, about 50 us for a large shader
 /// Source  Khronos, "SPIR-V Specification", version 1.6
@@ -261,7 +262,7 @@ std::map<uint32_t, Binding> bindings_of(const Shader& shader)
     return bindings;
 }
 
-/// The binding that results from a pass's use of a resource.
+/// Returns the binding that a pass fills by this use of `resource`.
 Binding binding_of(const Use& use, const ResourceRecord& resource)
 {
     if (resource.is_image) {
@@ -289,7 +290,7 @@ std::string in_words(const Binding& binding)
     return words;
 }
 
-/// The use at a binding number; null if the pass binds fewer.
+/// Returns the resource use with this binding number; null if the pass has fewer bindings.
 const Use* bound_at(const PassRecord& pass, uint32_t number)
 {
     for (const Use& use : pass.uses) {
@@ -339,13 +340,14 @@ namespace {
 
 struct Replacement {
     Shader shader;
-    bool is_checked = false; ///< Checked against the original
+    bool is_checked = false; ///< Its bindings were checked against the original shader
 };
 
 struct Replacements {
     std::atomic<bool> any = false;
     std::mutex guard;
-    /// All replacements ever made: pipelines are identified by the address of their words.
+    /// SPIR-V of all replacements ever made. No entry is ever removed, because pipelines are identified by
+    /// the address of their SPIR-V.
     std::deque<std::vector<uint32_t>> words;
     std::map<std::string, Replacement> by_name;
 };

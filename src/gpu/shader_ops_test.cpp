@@ -26,7 +26,7 @@ private:
     std::vector<uint32_t> words_{0x07230203U, 0x00010600U, 0U, 100U, 0U};
 };
 
-// Arbitrary result ids.
+// Arbitrary SPIR-V result ids.
 constexpr uint32_t void_type = 1;
 constexpr uint32_t function_type = 2;
 constexpr uint32_t float_type = 3;
@@ -41,7 +41,8 @@ constexpr uint32_t zero = 11;
 constexpr uint32_t vector = 20;
 constexpr uint32_t entry = 30;
 
-/// A shader with a specialization constant whose lowest bit is `is_set`, up to its first block.
+/// Returns the beginning of a shader, up to its first block. `is_set` is the lowest bit of the shader's
+/// specialization constant.
 Assembly begun()
 {
     Assembly words;
@@ -71,7 +72,7 @@ TEST(ShaderOps, CountsComponentsOfArithmetic)
     words.add(148, {float_type, 51, vector, vector});               // Dot: 7
     words.add(12, {vec4_type, 52, 99, 50, vector, vector, vector}); // Fma: 8
     words.add(12, {float_type, 53, 99, 31, 51});                    // Sqrt: 1
-    words.add(61, {vec4_type, 54, 98});                             // A load: not counted
+    words.add(61, {vec4_type, 54, 98});                             // A load is not counted
     words.add(253, {}).add(56, {});
     const ShaderOps ops = ops_of(words.all(), 0);
     EXPECT_EQ(ops.operations, 4U + 7U + 8U + 1U);

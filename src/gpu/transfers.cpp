@@ -12,8 +12,8 @@
 namespace estampe::gpu {
 namespace {
 
-/// A new buffer: `words` if `zeros_from` is not 0, and zeros from there on. A GPU runs each of these
-/// commands alone.
+/// Adds a new buffer of zeros; if `zeros_from` is not 0, the buffer starts with `words`, and the zeros start
+/// at `zeros_from`. A GPU runs these two commands one at a time.
 BufferId add_words(Graph& graph, std::string_view name, uint64_t size_bytes, const glm::uvec4& words,
                    uint64_t zeros_from)
 {
@@ -80,7 +80,8 @@ BufferId add_empty_group_list(Graph& graph, std::string_view name, uint64_t most
 
 namespace {
 
-/// Calls `copy` with the recorder and the handle of `to`.
+/// Adds a pass that copies `from` to `to`. The pass calls `copy` with the recorder and the graph's handle of
+/// `to`.
 template <class Id, class Copy>
 void add_copy(Graph& graph, std::string_view name, Id from, Buffer& to, const Copy& copy)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The only header that includes Vulkan. volk loads Vulkan at run time, so binaries do not link a loader, and
-// share no symbols with an application that links one.
+// The only header that includes Vulkan. volk loads Vulkan at run time. Therefore binaries do not link a
+// Vulkan loader, and share no symbols with a host application that links a loader.
 
 #include "gpu/volk_names.hpp"
 
@@ -11,8 +11,8 @@
 
 namespace estampe::gpu {
 
-/// Throws Error that names `call` if `result` is a failure. A lost device and exhausted memory have their
-/// own messages.
+/// Throws an Error that names `call` if `result` is a failure code. A lost device and exhausted memory have
+/// special messages.
 void vk_check(VkResult result, const char* call);
 
 } // namespace estampe::gpu

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT
-// The exact barrier lists for every kind of hazard, and the errors for handles used in the wrong order.
+// SPDX-License-Identifier: MIT Tests the exact barrier lists for every kind of hazard, and the errors for
+// handles that are used in the wrong order.
 #include <gtest/gtest.h>
 
 #include "gpu/graph/compile.hpp"
@@ -143,7 +143,8 @@ TEST(BarrierTest, AnImageStartsUndefinedAndChangesLayout)
     EXPECT_EQ(frame.before("s"), Barriers{frame.between(compute_storage_write, compute_sampled,
                                                         Layout::general, Layout::shader_read)});
     EXPECT_EQ(frame.before("s again"), Barriers{});
-    // A layout change counts as a write, so it waits for the readers in the old layout.
+    // A layout change counts as a write. Therefore the change waits for the passes that read in the old
+    // layout.
     EXPECT_EQ(frame.before("copy"), Barriers{frame.between(compute_sampled, transfer_read,
                                                            Layout::shader_read, Layout::transfer_source)});
     EXPECT_EQ(frame.before("s at last"),
@@ -209,7 +210,7 @@ TEST(BarrierTest, TheNextHolderOfASlotWaitsForTheLast)
 TEST(BarrierTest, TheNextHolderOfAnImageSlotStartsUndefined)
 {
     Frame frame;
-    // No pass reads it, so the next access waits for the write itself.
+    // No pass reads the image "w", so the next access waits for the write itself.
     frame.write_image("w", compute_storage_write);
     const ImageId next = frame.graph.image("next", small_image);
     (void)frame.graph.custom("reuse").keep().touch_write(next, compute_storage_write);
@@ -231,7 +232,7 @@ TEST(BarrierTest, ImportedImagesStartFromTheirLayout)
     (void)pass.write(target);
     (void)graph.custom("overwrite").touch_write(albedo, transfer_write);
     const CompiledGraph compiled = compile(graph);
-    // The barrier comes before both passes, which may overlap.
+    // The one barrier is recorded before both passes, so that these passes may overlap.
     EXPECT_EQ(barriers_of(graph, compiled, "r"), (Barriers{{.resource = target.resource,
                                                             .after = compute_storage_write,
                                                             .old_layout = Layout::shader_read,

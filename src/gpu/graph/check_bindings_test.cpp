@@ -13,11 +13,11 @@ namespace {
 
 using Words = std::vector<uint32_t>;
 
-/// Builds a module with only the requested declarations, in the order of the calls. Types and variables get
-/// consecutive ids.
+/// Builds a SPIR-V module that has only the requested declarations, in the order of the calls. Types and
+/// variables get consecutive ids.
 class Assembler {
 public:
-    /// A one-word block behind a pointer of a storage (12) or uniform (2) buffer.
+    /// Declares a buffer of one word, with the storage class of storage buffers (12) or uniform buffers (2).
     Assembler& buffer(uint32_t number, uint32_t storage_class)
     {
         const uint32_t block = type(30, {natural_});
@@ -72,7 +72,8 @@ private:
     uint32_t real_ = type(22, {32});
 };
 
-/// A shader with a uniform buffer, texels, an image, a storage image and a storage buffer, in that order.
+/// Builds a shader with a uniform buffer, a texel buffer, an image, a storage image and a storage buffer, in
+/// that order.
 Assembler shader_of_five()
 {
     Assembler made;
@@ -207,7 +208,7 @@ TEST(CheckBindings, RefuseWordsThatAreNoShader)
     Assembler cut;
     cut.put(71, {});
     Words words(cut.shader().spirv.begin(), cut.shader().spirv.end());
-    words.back() = 9U << 16U | 71U; // Claims nine words, of which eight are missing
+    words.back() = 9U << 16U | 71U; // The instruction claims nine words; eight are missing
     const Shader shader{"cut.comp", words};
     EXPECT_EQ(complaint(graph, pass_of_five(graph, shader)), "shader 'cut.comp' ends within an instruction");
 }

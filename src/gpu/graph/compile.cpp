@@ -18,7 +18,7 @@ namespace {
 
 constexpr uint32_t none = UINT32_MAX;
 
-/// State of a resource while checks walk the passes in order.
+/// State of a resource while the checks visit the passes in order.
 struct History {
     uint32_t version = 0;
     const PassRecord* writer = nullptr;
@@ -67,11 +67,11 @@ void check(const Graph& graph, std::vector<History>& histories)
     }
 }
 
-/// Assignment of resources to slots.
+/// Working memory for assigning transient resources to memory slots.
 struct Sharing {
-    std::vector<size_t> last_use;   ///< Level of the last use, by resource
-    std::vector<uint8_t> unshared;  ///< Whether the resource needs its own slot, by resource
-    std::vector<size_t> busy_until; ///< Last busy level, by slot; SIZE_MAX: never shared
+    std::vector<size_t> last_use;   ///< Level of passes that last uses a resource, by resource
+    std::vector<uint8_t> unshared;  ///< Whether a resource needs its own slot, by resource
+    std::vector<size_t> busy_until; ///< Last level that uses a slot, by slot; SIZE_MAX: never shared
 };
 
 void find_last_uses(const Graph& graph, const Schedule& schedule, Sharing& sharing)
@@ -123,18 +123,19 @@ void assign_slots(const Graph& graph, const Schedule& schedule, Sharing& sharing
     }
 }
 
-/// Earlier accesses to one piece of memory: a slot or an imported resource.
+/// Earlier accesses to the memory of one slot or of one imported resource.
 struct MemoryState {
     uint32_t holder = none; ///< Resource that occupies the memory
     Layout layout = Layout::undefined;
     AccessSet source;  ///< The last write, or the accesses that waited for the last layout change
-    AccessSet readers; ///< Reads since `source`; all of them have waited for `source`
-    /// The subset of `readers` that another reader has waited for, so later accesses need not wait for it.
+    AccessSet readers; ///< Reads since `source`; each read has waited for `source`
+    /// The subset of `readers` that another reader has waited for. Later accesses need not wait for these
+    /// readers.
     AccessSet covered;
 };
 
-/// Updates `state` with `use` and returns the barrier before it; its `after` is empty if no barrier is
-/// required.
+/// Updates `state` with `use`, and returns the barrier that `use` requires. If no barrier is required, the
+/// returned barrier has an empty `after`.
 Barrier advance(MemoryState& state, const PassUse& use)
 {
     const bool changes_layout = state.layout != use.layout;
@@ -143,7 +144,8 @@ Barrier advance(MemoryState& state, const PassUse& use)
     state.holder = use.resource;
     state.layout = use.layout;
     if (use.writes || changes_layout || changes_holder) {
-        // The readers have waited for the source, so waiting for the readers includes the source.
+        // The readers have waited for `source`, so an access that waits for the readers also waits for
+        // `source`.
         barrier.before = state.readers.empty() ? state.source : state.readers.without(state.covered);
         if (changes_layout || !barrier.before.empty())
             barrier.after = use.accesses;
@@ -156,7 +158,7 @@ Barrier advance(MemoryState& state, const PassUse& use)
         barrier.before = state.source;
         barrier.after = use.accesses.without(state.readers);
     }
-    // If a reader changed the layout, the source is that reader.
+    // If the barrier of a reader changed the layout, `source` consists of that reader.
     if (!barrier.after.empty())
         state.covered |= state.source.without(state.source.without(state.readers));
     state.covered = state.covered.without(use.accesses);
@@ -169,8 +171,8 @@ struct Memory {
     std::vector<MemoryState> slots;
     std::vector<MemoryState> imported;
     std::vector<PassUse> uses_of_level;
-    std::vector<uint32_t> use_in_level;      ///< Index into `uses_of_level`, by resource
-    std::vector<std::vector<Barrier>> spare; ///< Barrier lists of the previous graph, for reuse
+    std::vector<uint32_t> use_in_level;      ///< Index into `uses_of_level`, for each resource
+    std::vector<std::vector<Barrier>> spare; ///< Barrier lists of the previous graph, whose memory is reused
 };
 
 void take_back(CompiledGraph& compiled, Memory& memory)
@@ -180,7 +182,7 @@ void take_back(CompiledGraph& compiled, Memory& memory)
         memory.spare.push_back(std::move(pass.barriers));
     }
     compiled.passes.clear();
-    std::ranges::reverse(memory.spare); // Gives each pass its previous list
+    std::ranges::reverse(memory.spare); // Gives each pass the list that it had before
 }
 
 void add_pass(CompiledGraph& compiled, Memory& memory, uint32_t pass)
@@ -192,8 +194,8 @@ void add_pass(CompiledGraph& compiled, Memory& memory, uint32_t pass)
     }
 }
 
-/// Merges the uses of each resource by the passes of a level of the graph into one use. The uses must require
-/// one layout.
+/// Merges all uses of a resource within one level of passes into one use. All uses within the level must
+/// require the same layout.
 void add_uses(std::span<const PassUse> uses, Memory& memory)
 {
     for (const PassUse& use : uses) {
@@ -268,7 +270,7 @@ Layout layout_for(Access access)
     case Access::raster_uniform:
     case Access::indirect:
     case Access::host_read:
-        break; // Buffers only
+        break; // Accesses to buffers only
     }
     return Layout::undefined;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Compiles a declared graph to an execution order, lists of barriers between passes, and an assignment of
-// transient resources to memory slots. It is a pure function and needs no device.
+// Compiles a declared frame graph to an execution order, lists of barriers between passes, and an assignment
+// of transient resources to memory slots. Compilation is a pure function and needs no device.
 
 #include <cstdint>
 #include <memory>
@@ -14,7 +14,7 @@
 
 namespace estampe::gpu {
 
-/// A set of accesses.
+/// A set of Access values.
 class AccessSet {
 public:
     constexpr AccessSet() = default;
@@ -43,7 +43,7 @@ public:
 
     constexpr bool operator==(const AccessSet&) const = default;
 
-    /// Calls `visit(Access)` for each member, in the order of the enumeration.
+    /// Calls `visit(Access)` for each access in the set, in the order of the enumeration.
     template <class Visit>
     constexpr void for_each(Visit&& visit) const
     {
@@ -69,24 +69,25 @@ constexpr AccessSet operator|(Access a, Access b)
     return AccessSet(a) | AccessSet(b);
 }
 
-/// A dependency that is recorded before a pass; at most one per resource and pass. Its source scope is the
-/// union of the accesses in `before`, its destination scope the union in `after`. The barrier must name
-/// every earlier access, because a layout change is ordered only after the source scope of its own barrier.
+/// A barrier on one resource, recorded before a pass. A pass has at most one barrier per resource. The source
+/// scope is the union of the accesses in `before`. The destination scope is the union of the accesses in
+/// `after`. `before` must list every earlier access, because Vulkan orders a layout change only after the
+/// source scope of the same barrier.
 struct Barrier {
     uint32_t resource = 0;
     AccessSet before = {};                 ///< Accesses that must have finished; if empty, see first_use()
-    AccessSet after = {};                  ///< Accesses that wait
-    Layout old_layout = Layout::undefined; ///< Images only; equal to `new_layout` if the layout stays
-    Layout new_layout = Layout::undefined; ///< Images only
+    AccessSet after = {};                  ///< Accesses that wait for those in `before`
+    Layout old_layout = Layout::undefined; ///< For images; equals `new_layout` if unchanged
+    Layout new_layout = Layout::undefined; ///< Set for images
     bool operator==(const Barrier&) const = default;
 
-    /// Whether the resource and its slot were not used before in this frame, so the barrier only changes the
-    /// layout. The executor must itself wait for accesses of earlier frames, before the first pass and in
-    /// the source scope of these barriers.
+    /// Whether this is the first use of the resource and its memory slot in this frame. The barrier then only
+    /// changes the layout. The executor must itself wait for accesses of earlier frames, before the first
+    /// pass and in the source scope of these barriers.
     [[nodiscard]] constexpr bool first_use() const { return before.empty(); }
 };
 
-/// Memory that several transient resources with the same description share, one after another.
+/// Memory that several transient resources use one after another. These resources have equal descriptions.
 struct Slot {
     bool is_image = false;
     ImageDesc image;
@@ -96,14 +97,14 @@ struct Slot {
 
 struct CompiledPass {
     uint32_t pass = 0;             ///< Index into Graph::passes()
-    std::vector<Barrier> barriers; ///< Recorded together before the first pass of the level
+    std::vector<Barrier> barriers; ///< Recorded together before the first pass of a level of passes
 };
 
 struct CompiledGraph {
-    std::vector<CompiledPass> passes;       ///< In execution order, level by level; without culled passes
-    std::vector<uint32_t> slot_of_resource; ///< UINT32_MAX for imported and unused resources
+    std::vector<CompiledPass> passes;       ///< Kept passes in execution order, level by level
+    std::vector<uint32_t> slot_of_resource; ///< Index into `slots`; UINT32_MAX: imported or unused
     std::vector<Slot> slots;
-    std::vector<Layout> final_layout; ///< Final layout of each image, by resource
+    std::vector<Layout> final_layout; ///< Layout of each image after the frame, by resource
 };
 
 /// Image layout that an access requires.
@@ -112,25 +113,27 @@ struct CompiledGraph {
 /// The enumerator's name, for messages and graph drawings.
 [[nodiscard]] std::string_view name_of(Access access);
 
-/// Compiles `graph`. Throws std::logic_error that names pass and resource if a pass reads a version that was
-/// never written or is overwritten, binds one resource twice with incompatible accesses, or overwrites what
-/// the host reads after the frame; and if an exported resource is never written. A depth attachment needs no
-/// earlier write, because its first pass clears it.
+/// Compiles `graph`. Throws std::logic_error if a pass reads a version that was never written or that is
+/// already overwritten. Also throws if a pass binds one resource twice with incompatible accesses, if a pass
+/// overwrites content that the host reads after the frame, or if an exported resource is never written. The
+/// message names the pass and the resource. A depth attachment needs no earlier write, because its first pass
+/// clears it.
 ///
-/// Order: passes are grouped into levels; see Scheduler. The passes of a level do not depend on each other
-/// and share the barriers before the level's first pass, so a device may overlap them. Passes with side
-/// effects keep their order. Culling: a pass is kept if it has a side effect, is a host read, writes an
-/// exported or imported resource, or writes what a kept pass reads. Slots: transient resources with equal
-/// descriptions (buffers: equal sizes) share a slot if their levels do not overlap; a barrier orders them.
-/// Exported resources and those read by the host have their own slots.
+/// Order: the scheduler groups passes into levels; see Scheduler. The passes of one level do not depend on
+/// each other. Their barriers are recorded before the first of them, so a device may run these passes in
+/// parallel. Passes with side effects keep their order. Culling: a pass is kept if it has a side effect, is a
+/// host read, writes an exported or imported resource, or writes content that a kept pass reads. Memory
+/// slots: transient resources with equal descriptions (buffers: equal sizes) share a slot if the levels that
+/// use them do not overlap; a barrier orders their accesses. Exported resources, and resources that the host
+/// reads, have their own slots.
 ///
-/// Barriers: a write waits for every access since the last write. A read waits for the last write, unless
-/// its kind of access has already waited. A layout change counts as a write. Cost: linear in uses, plus the
-/// slots, quadratic at worst, and a sort of the passes.
+/// Barriers: a write waits for every access since the last write. A read waits for the last write, unless an
+/// earlier read of that access kind has already waited. A layout change counts as a write. Cost: linear in
+/// resource uses, plus the assignment of slots (quadratic at worst) and a sort of the passes.
 [[nodiscard]] CompiledGraph compile(const Graph& graph);
 
-/// Compiles graphs repeatedly with reused memory: a graph that is no larger than the earlier ones causes no
-/// heap allocation.
+/// Compiles graphs repeatedly and reuses memory. Compiling a graph that is no larger than earlier graphs
+/// allocates nothing on the heap.
 class Compiler {
 public:
     Compiler();
@@ -138,7 +141,8 @@ public:
     Compiler(const Compiler&) = delete;
     Compiler& operator=(const Compiler&) = delete;
 
-    /// As estampe::gpu::compile(), but writes to `compiled`, whose memory is also reused.
+    /// Compiles `graph` as estampe::gpu::compile() does, but writes the result to `compiled` and reuses the
+    /// memory of `compiled`.
     void compile(const Graph& graph, CompiledGraph& compiled);
 
 private:
@@ -146,8 +150,8 @@ private:
     std::unique_ptr<Room> room_;
 };
 
-/// The graph as Graphviz text: passes are boxes, each version of a resource is an ellipse, culled passes are
-/// dashed.
+/// Returns the graph as Graphviz text. Passes are boxes, culled passes are dashed boxes, and each version of
+/// a resource is an ellipse.
 [[nodiscard]] std::string to_dot(const Graph& graph, const CompiledGraph& compiled);
 
 } // namespace estampe::gpu

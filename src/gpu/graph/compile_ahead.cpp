@@ -33,8 +33,8 @@ void Executor::use_shaders(const Graph& graph, const std::function<bool()>& go_o
     graph_ = nullptr;
 }
 
-/// Creates one stand-in for each resource, because the compiled code may depend on an image's size and
-/// format.
+/// Creates a placeholder for each resource of the graph, because the compiled code may depend on the size and
+/// format of images.
 void Executor::ensure_stand_ins()
 {
     for (const ResourceRecord& resource : graph_->resources()) {
@@ -63,7 +63,7 @@ void Executor::use_shader(const PassRecord& pass)
     record_barriers(commands_, layouts);
     PassRecord unrun = pass;
     unrun.dispatch = {};
-    unrun.draw.vertex_count = 3; // An empty triangle: all corners are the same
+    unrun.draw.vertex_count = 3; // A triangle without area: all corners are equal
     unrun.draw.indirect_resource = UINT32_MAX;
     if (pass.shader != nullptr) {
         record_dispatch(commands_, unrun);
@@ -75,9 +75,9 @@ void Executor::use_shader(const PassRecord& pass)
 
 namespace {
 
-/// A shader takes less time than this if it is cached, and more time if it must be compiled.
+/// Using a cached shader takes less time than this; compiling a shader takes more.
 constexpr std::chrono::milliseconds cached_time{25};
-/// If this many of the last passes are cached, all are assumed to be cached.
+/// If the shaders of this many last passes are cached, the shaders of all passes are assumed to be cached.
 constexpr int passes_tried = 2;
 
 void compile_on_twin(RendererOptions options, std::future<const Graph*> wanted, const std::atomic<bool>& stop)
@@ -99,7 +99,7 @@ void compile_on_twin(RendererOptions options, std::future<const Graph*> wanted, 
             return !stop && passes_cached < passes_tried;
         });
     } catch (const std::exception&) {
-        // The device that draws either has this problem too and reports it, or does not have it.
+        // If the drawing device has the same problem, that device reports it.
         return;
     }
 }
@@ -113,7 +113,7 @@ CompileAhead::CompileAhead(const RendererOptions& options)
             compile_on_twin(options, std::move(wanted), stop_);
         });
     } catch (const std::system_error&) {
-        // Without a second thread, the device that draws compiles everything itself.
+        // Without a second thread, the drawing device compiles all shaders itself.
         return;
     }
 }

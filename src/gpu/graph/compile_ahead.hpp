@@ -11,13 +11,13 @@
 
 namespace estampe::gpu {
 
-/// Compiles the shaders of a graph with two threads, on devices that are processors.
+/// Compiles the shaders of a graph with two threads, on CPU devices such as lavapipe.
 ///
 /// Such a driver compiles each shader at its first use, one after another in the queue's thread, and stores
-/// the result in its disk cache. A second device of the same kind, in its own thread, therefore uses the
-/// shaders without running them, from the last pass to the first. Where the two threads meet, each finds the
-/// results of the other in the cache. The second thread ends at once if the last passes are already cached.
-/// Its failures are ignored.
+/// the result in its disk cache. Therefore a second device of the same kind, in a second thread, uses the
+/// shaders without running them, from the last pass to the first. Each thread then finds in the disk cache
+/// the shaders that the other thread has compiled. The second thread ends at once if the last passes are
+/// already cached. Failures in the second thread are ignored.
 ///
 /// Memory  address space for a second copy of the graph's resources, hardly touched
 /// Cost    on two cores, a cold start of 17 shaders takes about 0.6 of the time; a warm start adds a few ms
@@ -25,15 +25,15 @@ class CompileAhead {
 public:
     /// Opens the second device in its own thread.
     explicit CompileAhead(const RendererOptions& options);
-    /// May be called once at most; `graph` must outlive this object.
+    /// Starts to compile the shaders of `graph`, which must outlive this object. Call this at most once.
     void start(const Graph& graph);
-    /// Waits for the shader that is being compiled, if any.
+    /// Waits until the shader that is now being compiled is finished, if there is one.
     ~CompileAhead();
     CompileAhead(const CompileAhead&) = delete;
     CompileAhead& operator=(const CompileAhead&) = delete;
 
 private:
-    std::promise<const Graph*> graph_; ///< Null: no graph will follow
+    std::promise<const Graph*> graph_; ///< Null: start() was not called
     bool has_graph_ = false;
     std::atomic<bool> stop_ = false;
     std::thread thread_;

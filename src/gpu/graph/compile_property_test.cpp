@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: MIT
-// Compiles random graphs and checks them with a simulator that shares no code with compile.cpp: hazards,
-// wrong layouts and overlapping slots. The simulator is tested too: it must complain about every graph from
-// which one part of one barrier is removed.
+// SPDX-License-Identifier: MIT Compiles random graphs and checks the results with a simulator that shares no
+// code with compile.cpp. The simulator detects hazards, wrong layouts and overlapping memory slots. The
+// simulator is also tested: it must report an error in every graph from which one part of one barrier is
+// removed.
 #include <algorithm>
 #include <map>
 #include <random>
@@ -16,12 +16,13 @@ namespace {
 
 using enum Access;
 
-/// An access to a piece of memory, with the accesses that later barriers order after it.
+/// An access to memory, with the accesses that later barriers order after this event.
 struct Event {
     std::string what;
     uint32_t resource;
     bool writes;
-    /// Its own accesses and all that have waited for it, from which a later barrier may continue.
+    /// The accesses of this event and all accesses that have waited for it. A later barrier may name any of
+    /// them to wait for this event.
     AccessSet reached;
     AccessSet waited; ///< Accesses that have waited for this event
 };
@@ -37,13 +38,13 @@ bool covers(AccessSet all, AccessSet some)
 }
 
 /// Replays a compiled graph, access by access. A barrier orders an event before the accesses in `after` if
-/// its `before` names the event or an access already ordered after the event. A layout change is an event of
-/// its own.
+/// `before` names the event, or names an access that is already ordered after the event. A layout change is a
+/// separate event.
 class Simulator {
 public:
     Simulator(const Graph& graph, const CompiledGraph& compiled) : graph_(graph), compiled_(compiled) {}
 
-    /// Returns the complaints; none if the graph is correct.
+    /// Returns the errors that were found; empty if the compiled graph is correct.
     std::vector<std::string> run()
     {
         for (const CompiledPass& pass : compiled_.passes) {
@@ -128,7 +129,7 @@ private:
     std::vector<std::string> complaints_;
 };
 
-/// Generates random graphs that are valid by construction, and so small that resources often conflict.
+/// Generates random valid graphs. The graphs are so small that passes often conflict over resources.
 class GraphMaker {
 public:
     explicit GraphMaker(uint32_t seed) : random_(seed) {}
@@ -193,8 +194,8 @@ private:
         }
     }
 
-    /// Whether a resource is in use at a pass. Each is used only for a part of the frame, so that others can
-    /// share its memory.
+    /// Whether a resource may be used at a pass. Each resource is used only in a part of the frame, so that
+    /// other resources can share its memory.
     static bool is_alive(uint32_t resource, uint32_t pass)
     {
         return pass >= 2 * resource && pass < 2 * resource + 8;
@@ -255,7 +256,7 @@ TEST(CompilePropertyTest, RandomGraphsHaveNoHazards)
             std::ranges::count_if(compiled.slot_of_resource, [](uint32_t s) { return s != UINT32_MAX; });
         shared_count += static_cast<size_t>(in_slots) - compiled.slots.size();
     }
-    // The random graphs must contain enough barriers and shared slots.
+    // The random graphs must contain enough barriers and shared slots for a meaningful test.
     EXPECT_GT(barrier_count, 5 * compiled_graphs);
     EXPECT_GT(shared_count, compiled_graphs / 2);
 }
@@ -284,7 +285,7 @@ TEST(CompilePropertyTest, ACompilerThatHasSeenOtherGraphsDoesTheSame)
     }
 }
 
-/// Calls `check` for each variant of `compiled` in which one part of one barrier is missing.
+/// Calls `check` for each copy of `compiled` from which one part of one barrier is removed.
 template <class Check>
 void for_each_weakened(const CompiledGraph& compiled, Check&& check)
 {
@@ -332,7 +333,7 @@ TEST(CompilePropertyTest, SlotsHoldOneResourceAtATime)
     for (uint32_t seed = 0; seed < compiled_graphs; ++seed) {
         const Graph graph = GraphMaker(seed).make();
         const CompiledGraph compiled = compile(graph);
-        std::map<uint32_t, std::vector<uint32_t>> holders; // By slot, one entry per use, in order
+        std::map<uint32_t, std::vector<uint32_t>> holders; // For each slot, its resource at each use
         for (const CompiledPass& pass : compiled.passes) {
             for (const Use& use : graph.passes()[pass.pass].uses) {
                 const uint32_t slot = compiled.slot_of_resource[use.resource];
@@ -357,7 +358,8 @@ TEST(CompilePropertyTest, SlotsHoldOneResourceAtATime)
     }
 }
 
-/// Whether the work of each pass is needed, found by repeating the search until no further reason is found.
+/// Returns for each pass whether its results are needed. The search is repeated until it finds no further
+/// needed pass.
 std::vector<bool> wanted_passes(const Graph& graph)
 {
     const std::span<const PassRecord> passes = graph.passes();

@@ -13,13 +13,13 @@ ImageId made_image(Graph& graph, const std::string& name, const ImageDesc& desc 
     return graph.compute("make " + name, fake_shader).write(graph.image(name, desc));
 }
 
-/// Adds a pass that reads `image` and is kept.
+/// Adds a pass that reads `image` and is never culled.
 void show(Graph& graph, const std::string& name, ImageId image)
 {
     graph.compute(name, fake_shader).sample(image).keep();
 }
 
-/// Like made_image(), but after the passes with side effects that precede it.
+/// Like made_image(), but the pass has a side effect, so it stays after earlier passes with side effects.
 ImageId made_after(Graph& graph, const std::string& name, ImageDesc desc = small_image)
 {
     return graph.compute("make " + name, fake_shader).keep().write(graph.image(name, desc));
@@ -128,8 +128,8 @@ TEST(CullingTest, CulledPassesLeaveNoBarriersAndNoLifetimes)
     const ImageId a = made_image(graph, "a");
     show(graph, "show a", a);
     const ImageId b = made_after(graph, "b");
-    // If it were kept, it would extend the lifetime of `a` beyond the creation of `b`, and change its
-    // layout.
+    // If the pass "culled" were kept, it would extend the lifetime of `a` beyond the creation of `b`, and
+    // change the layout of `a`.
     auto culled = graph.custom("culled");
     culled.touch(a, Access::transfer_read);
     (void)culled.touch_write(graph.image("c", small_image), Access::transfer_write);

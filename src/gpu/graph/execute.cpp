@@ -165,7 +165,7 @@ uint64_t Executor::find_slots()
 
 void Executor::ensure_slots()
 {
-    // Graphs of other kinds run between frames, such as cloth steps. A frame should still find its
+    // Other graphs, such as cloth simulation steps, run between frames. The next frame should still find its
     // resources.
     constexpr uint64_t runs_kept = 8;
     drop_unused(runs_kept);
@@ -228,8 +228,8 @@ void Executor::record_barriers(VkCommandBuffer commands, const std::vector<Barri
     buffer_barriers_.clear();
     for (const Barrier& barrier : barriers) {
         const ResourceRecord& resource = graph_->resources()[barrier.resource];
-        // The resource has no earlier use in this frame and the previous frame has finished, so there is
-        // nothing to wait for.
+        // A resource without an earlier use in this frame waits for nothing, because the previous frame has
+        // finished.
         const StageAccess before = stage_access(barrier.before);
         const StageAccess after = stage_access(barrier.after);
         if (resource.is_image) {
@@ -378,7 +378,7 @@ void Executor::note_timing(const std::string& pass, double gpu_ms)
     if (timing_count_ == timings_.size()) {
         timings_.emplace_back();
     }
-    timings_[timing_count_].name = pass; // Reuses the memory of the previous name
+    timings_[timing_count_].name = pass; // The assignment reuses the memory of the previous name
     timings_[timing_count_].gpu_ms = gpu_ms;
     ++timing_count_;
 }
@@ -391,11 +391,11 @@ void Executor::end_timings()
     }
 }
 
-// Raster passes use dynamic rendering into the attachments that they declare.
+// Raster passes render into their declared attachments with Vulkan's dynamic rendering.
 
 namespace {
 
-constexpr size_t most_colors = 8; // Vulkan guarantees four
+constexpr size_t most_colors = 8; // Vulkan guarantees only four color attachments
 
 /// Attachments of a raster pass.
 struct Targets {
@@ -414,7 +414,7 @@ void add_target(Targets& targets, const Use& use, const Image& image, bool clear
                                          .loadOp = clears ? VK_ATTACHMENT_LOAD_OP_CLEAR
                                                           : VK_ATTACHMENT_LOAD_OP_LOAD,
                                          .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
-                                         .clearValue = {}}; // Zero is the farthest in reversed depth
+                                         .clearValue = {}}; // In reversed depth, zero is the farthest depth
     targets.extent = {std::min(targets.extent.width, image.desc().width),
                       std::min(targets.extent.height, image.desc().height)};
     if (use.access == Access::depth_attachment) {

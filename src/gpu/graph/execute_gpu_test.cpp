@@ -37,7 +37,7 @@ TEST(Execute, RunsPassesInOrderWithBarriersBetween)
     EXPECT_TRUE(test::take_validation_messages().empty());
 }
 
-// Checks the check: validation must report a hazard inside one pass, which the graph cannot know about.
+// Tests that validation is active: it must report a hazard inside one pass, which the graph cannot detect.
 TEST(Execute, ValidationSeesAPlantedHazard)
 {
     Graph graph;
@@ -63,7 +63,7 @@ TEST(Execute, TheGateFailsATestThatLeavesAMessage)
     };
     test::validated().on_validation_message("planted");
     EXPECT_NONFATAL_FAILURE(gate(), "validation: planted");
-    gate(); // All messages have been taken
+    gate(); // The test has already consumed all messages
 }
 
 TEST(Execute, TimesEachPass)
@@ -124,7 +124,7 @@ TEST(Execute, TimesTheWholeWhenPassesAreNotTimed)
     EXPECT_EQ(executor.gpu_ms(), 0.0);
 }
 
-/// Graphs that run alternately keep their transient memory.
+/// Two graphs that run alternately keep their transient images and buffers.
 TEST(Execute, KeepsTransientMemoryWhileOtherGraphsRun)
 {
     Device& device = test::shared_device();

@@ -53,7 +53,8 @@ void require_kind(const PassRecord& pass, Access access, bool wants_write)
                                            is_write(access) ? "touch_write" : "touch"));
 }
 
-/// The access of the pass's own kind, compute or raster.
+/// Returns the access for the pass's own kind: `by_compute` for compute passes, `by_raster` for raster
+/// passes.
 Access read_by(const PassRecord& pass, Access by_compute, Access by_raster)
 {
     return pass.is_raster() ? by_raster : by_compute;
@@ -242,7 +243,7 @@ Pass& Pass::estimated_duration_us(uint32_t us)
 
 void Pass::dispatch_items(uint32_t count)
 {
-    constexpr uint32_t most_groups_x = 32768; // Vulkan guarantees 65535 per dimension
+    constexpr uint32_t most_groups_x = 32768; // Vulkan guarantees 65535 workgroups per dimension
     const uint32_t groups = (count + 63) / 64;
     const uint32_t across = std::min(groups, most_groups_x);
     dispatch(across, across == 0 ? 0 : (groups + across - 1) / across);
@@ -369,7 +370,7 @@ uint32_t Graph::take_in(std::string_view name, const ResourceRecord& imported)
     }
     const bool is_alike = known->image == imported.image && known->buffer == imported.buffer &&
                           known->initial_layout == imported.initial_layout;
-    // After a write it is unclear whether the caller means the first version or the newest.
+    // If a pass has written the resource, the caller could mean the first version or the newest version.
     if (!is_alike || known->newest_version > 0) {
         throw std::logic_error(fmt::format("'{}' is imported again, as '{}', {}", known->name, name,
                                            is_alike ? "after a pass has written it: use that pass's handle"

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The frame graph: passes declare what they read and write; order, culling, memory reuse and barriers are
-// derived.
+// The frame graph. Each pass declares which resources it reads and writes. The graph derives the order of
+// passes, culling, memory reuse and barriers from these declarations.
 //
-// A technique is a function from handles to handles. Writing to a handle returns a new version of it. Passes
-// declared before the write may still read the old version; later reads are an error. A graph is built and
-// compiled (and tested) without a device; src/gpu/graph/execute.hpp records the result.
+// A technique is a function that takes resource handles and returns resource handles. A write returns a
+// handle to a new version of the resource. Passes declared before the write may still read the old version;
+// later passes that read the old version cause an error. Building, compiling and testing a graph needs no
+// device; src/gpu/graph/execute.hpp records the compiled graph.
 //
 //     auto pass = graph.compute("hatch", shaders::hatch_comp);
 //     pass.sample(in.light).sample(in.coordinates);
@@ -32,13 +33,13 @@ namespace estampe::gpu {
 
 class Image;    // A device image owned outside the graph
 class Buffer;   // A device buffer owned outside the graph
-class Recorder; // Argument of a custom pass while it is recorded
+class Recorder; // Gives a custom pass its command buffer and resources
 
-/// Name of a pass or resource, in inline storage: graphs are declared every frame and must not allocate.
-/// Truncated to 119 characters.
+/// Name of a pass or resource, in inline storage, because graphs are declared every frame and must not
+/// allocate. Longer names are truncated to 119 characters.
 class Name {
 public:
-    Name(std::string_view text) { *this += text; } // NOLINT(google-explicit-constructor): names are texts
+    Name(std::string_view text) { *this += text; } // NOLINT(google-explicit-constructor): a text is a name
 
     Name(const char* text) : Name(std::string_view(text)) {} // NOLINT(google-explicit-constructor)
 
@@ -63,8 +64,8 @@ private:
     size_t size_ = 0;
 };
 
-/// What a custom pass records: a callable that takes Recorder&, or nothing. Like std::function, but stores
-/// captures of up to 256 bytes inline instead of on the heap.
+/// Callable that records the commands of a custom pass; it takes a Recorder&, and may be empty. Like
+/// std::function, but stores captures of up to 256 bytes inline instead of on the heap.
 class Recording {
 public:
     Recording() = default;
@@ -72,7 +73,7 @@ public:
     template <class Callable>
 
     requires(!std::is_same_v<std::remove_cvref_t<Callable>, Recording>)
-        Recording(Callable&& callable) // NOLINT: implicit, and of no recordings
+        Recording(Callable&& callable) // NOLINT: implicit by intent; never a copy
     {
         using Held = std::remove_cvref_t<Callable>;
         static_assert(sizeof(Held) <= room_bytes && alignof(Held) <= alignof(std::max_align_t));
@@ -165,8 +166,8 @@ struct BufferDesc {
     bool operator==(const BufferDesc&) const = default;
 };
 
-/// One version of an image of one graph. It has no default constructor and no null value, so a forgotten
-/// input does not compile.
+/// Handle to one version of an image in one graph. The handle has no default constructor and no null value,
+/// so code that forgets an input does not compile.
 struct ImageId {
     constexpr ImageId(uint32_t resource_index, uint32_t version_number)
         : resource(resource_index), version(version_number)
@@ -178,7 +179,7 @@ struct ImageId {
     bool operator==(const ImageId&) const = default;
 };
 
-/// One version of a buffer of one graph. It has no default constructor and no null value.
+/// Handle to one version of a buffer in one graph. The handle has no default constructor and no null value.
 struct BufferId {
     constexpr BufferId(uint32_t resource_index, uint32_t version_number)
         : resource(resource_index), version(version_number)
@@ -190,23 +191,23 @@ struct BufferId {
     bool operator==(const BufferId&) const = default;
 };
 
-/// How a pass accesses a resource; determines stage, access mask and image layout.
+/// How a pass accesses a resource. Determines the pipeline stage, the access mask and the image layout.
 enum class Access : uint8_t {
-    compute_sampled,        ///< texelFetch or a sampler
-    compute_storage_read,   ///< Storage image or buffer, read
-    compute_storage_write,  ///< Storage image or buffer, written wherever its content is used
-    compute_storage_modify, ///< Read and written, atomics
-    compute_uniform,        ///< Uniform buffer
-    raster_sampled,         ///< As compute_sampled, in the vertex or fragment stage
-    raster_storage_read,    ///< As compute_storage_read, in the vertex or fragment stage
-    raster_uniform,         ///< As compute_uniform, in the vertex or fragment stage
-    indirect,               ///< Arguments of a dispatch or a draw
+    compute_sampled,        ///< A compute shader samples it, or calls texelFetch
+    compute_storage_read,   ///< A compute shader reads a storage image or buffer
+    compute_storage_write,  ///< A compute shader writes all content that is used later
+    compute_storage_modify, ///< A compute shader reads and writes it, or uses atomics
+    compute_uniform,        ///< A compute shader reads a uniform buffer
+    raster_sampled,         ///< Like compute_sampled, in the vertex or fragment stage
+    raster_storage_read,    ///< Like compute_storage_read, in the vertex or fragment stage
+    raster_uniform,         ///< Like compute_uniform, in the vertex or fragment stage
+    indirect,               ///< The device reads arguments of a dispatch or draw call
     transfer_read,
     transfer_write,
-    color_attachment,        ///< Cleared, then drawn into
-    color_attachment_modify, ///< Drawn over
-    depth_attachment,        ///< Tested and written; cleared first if it has no content
-    host_read,               ///< Read back after the frame
+    color_attachment,        ///< The image is cleared, then drawn into
+    color_attachment_modify, ///< Draws over the existing content
+    depth_attachment,        ///< Depth is tested and written; an image without content is cleared first
+    host_read,               ///< The host reads it after the frame
 };
 
 [[nodiscard]] constexpr bool is_write(Access access)
@@ -216,7 +217,8 @@ enum class Access : uint8_t {
            access == Access::color_attachment_modify || access == Access::depth_attachment;
 }
 
-/// Whether the access depends on the earlier content; false for an overwrite.
+/// Whether the access depends on the earlier content of the resource; false if the access overwrites all of
+/// it.
 [[nodiscard]] constexpr bool is_read(Access access)
 {
     return access != Access::compute_storage_write && access != Access::transfer_write &&
@@ -254,39 +256,39 @@ enum class Sampling : uint8_t { nearest, linear, linear_repeat };
 
 struct Use {
     uint32_t resource = 0;
-    uint32_t version = 0; ///< Version read; for a write, the version before
+    uint32_t version = 0; ///< Version that is read; for a write, the version before the write
     Access access = Access::compute_sampled;
     Sampling sampling = Sampling::nearest;
     Format texel = Format::rgba32ui; ///< Only for sampled buffers
-    bool bound = true;               ///< Takes the next binding number of the pass; indirect arguments do not
+    bool bound = true;               ///< Uses the next binding number; false for indirect arguments
 };
 
 struct Dispatch {
     uint32_t groups_x = 0, groups_y = 0, groups_z = 0;
-    uint32_t indirect_resource = UINT32_MAX; ///< If set, this buffer holds the number of groups
+    uint32_t indirect_resource = UINT32_MAX; ///< If set, the buffer that holds the workgroup counts
     uint64_t indirect_offset_bytes = 0;
 };
 
 /// Draw call of a raster pass.
 struct Draw {
     const Shader* vertex = nullptr;
-    const Shader* fragment = nullptr; ///< Null: only depth is drawn
+    const Shader* fragment = nullptr; ///< Null: the pass draws only depth
     uint32_t vertex_count = 0;
-    uint32_t indirect_resource = UINT32_MAX; ///< If set, this buffer holds the counts
+    uint32_t indirect_resource = UINT32_MAX; ///< If set, the buffer that holds the draw counts
     bool cull_back_faces = false;
 };
 
 struct PassRecord {
     std::string name;
-    const Shader* shader = nullptr; ///< Compute passes only
-    Draw draw = {};                 ///< Raster passes only
+    const Shader* shader = nullptr; ///< Used only by compute passes
+    Draw draw = {};                 ///< Used only by raster passes
     std::vector<Use> uses = {};
     std::vector<std::byte> push = {};
-    uint32_t variant = 0; ///< The shaders' specialization constant 0
+    uint32_t variant = 0; ///< Value of the shaders' specialization constant 0
     Dispatch dispatch = {};
     uint32_t estimated_duration_us = 0; ///< See Pass::estimated_duration_us(); 0: unknown
-    Recording record = {};              ///< Custom passes only
-    bool has_side_effect = false;       ///< Never culled
+    Recording record = {};              ///< Used only by custom passes
+    bool has_side_effect = false;       ///< The pass is never culled
 
     [[nodiscard]] bool is_raster() const { return draw.vertex != nullptr; }
 };
@@ -311,8 +313,8 @@ class Graph;
 class Pass {
 public:
     Pass& sample(ImageId image, Sampling sampling = Sampling::nearest);
-    /// Binds a buffer as texels (usamplerBuffer, samplerBuffer), by default of four unsigned words.
-    /// Processors gather texels for several threads at once, but storage buffers word by word.
+    /// Binds a buffer as texels (usamplerBuffer, samplerBuffer), by default of four unsigned words. CPU
+    /// drivers gather texels for several threads at once, but read storage buffers word by word.
     Pass& sample(BufferId buffer, Format texel = Format::rgba32ui);
     Pass& read(ImageId image);
     Pass& read(BufferId buffer);
@@ -326,21 +328,23 @@ public:
     /// into an image of the graph clears it to zeros. Later passes, and all passes on imported images, keep
     /// the content.
     [[nodiscard]] ImageId color(ImageId image);
-    /// Raster passes: depth test with reversed depth; of equal depths, the later wins. The first pass clears
-    /// the image to the farthest depth, as with color().
+    /// Raster passes: enables the depth test with reversed depth. Of two fragments at equal depth, the later
+    /// fragment is kept. The first pass that draws into an image of the graph clears it to the farthest
+    /// depth.
     [[nodiscard]] ImageId depth(ImageId image);
-    /// Raster passes: skips triangles whose corners are clockwise on the page.
+    /// Raster passes: culls triangles whose corners are in clockwise order on the page.
     Pass& cull_back_faces();
 
-    /// Custom passes: declares an access without a binding; `touch` for reads, `touch_write` for writes.
-    /// Throws std::logic_error for the wrong kind of access, for an access that the resource does not allow,
-    /// and, as all functions of the graph do, for a handle of another graph.
+    /// Custom passes: declares an access without a binding. `touch` declares reads, `touch_write` declares
+    /// writes. Both throw std::logic_error for the wrong kind of access and for an access that the resource
+    /// does not allow. Like all functions of the graph, they throw std::logic_error for a handle of another
+    /// graph.
     Pass& touch(ImageId image, Access access);
     Pass& touch(BufferId buffer, Access access);
     [[nodiscard]] ImageId touch_write(ImageId image, Access access);
     [[nodiscard]] BufferId touch_write(BufferId buffer, Access access);
 
-    /// Push constants: any trivially copyable struct of at most 128 bytes.
+    /// Sets the push constants of the pass: any trivially copyable struct of at most 128 bytes.
     template <class T>
 
     requires(std::is_trivially_copyable_v<T> && sizeof(T) <= 128) Pass& push(const T& constants)
@@ -348,31 +352,33 @@ public:
         return push_bytes(std::as_bytes(std::span<const T, 1>(&constants, 1)));
     }
 
-    /// Sets specialization constant 0 of the pass's shaders: bits for the parts that this scene uses, so
-    /// that the driver removes the rest. Each value compiles its own pipeline.
+    /// Sets specialization constant 0 of the pass's shaders. Its bits select the shader parts that this scene
+    /// uses; the driver removes the other parts. Each value compiles its own pipeline.
     Pass& variant(uint32_t bits);
 
-    /// Approximate duration on a large GPU of a pass that leaves most of the GPU idle: few groups that run
-    /// long, or threads with long dependency chains. Such passes are scheduled in parallel.
+    /// Sets the approximate duration, on a large GPU, of a pass that leaves most of the GPU idle. Such a pass
+    /// has few workgroups that run long, or threads with long dependency chains. It is scheduled in parallel
+    /// with other passes.
     Pass& estimated_duration_us(uint32_t us);
 
-    /// Dispatches one thread per pixel, in groups of 8 x 8 as the shaders declare.
+    /// Dispatches one thread per pixel, in workgroups of 8 x 8 threads. The shader must declare this
+    /// workgroup size.
     void dispatch_over(uint32_t width, uint32_t height, uint32_t layers = 1);
-    /// Dispatches one thread per pixel in groups of 8 x 32; starting a page's number of 8 x 8 groups takes a
-    /// GPU long.
+    /// Dispatches one thread per pixel, in workgroups of 8 x 32 threads. A GPU needs much longer to start
+    /// workgroups of 8 x 8 threads for a whole page.
     void dispatch_over_page(uint32_t width, uint32_t height, uint32_t layers = 1);
-    /// Dispatches one thread per item, in groups of 64; shaders get the item's index from item_index() of
-    /// shaders/loops.glsl.
+    /// Dispatches one thread per item, in workgroups of 64 threads. Shaders get the index of the item from
+    /// item_index() in shaders/loops.glsl.
     void dispatch_items(uint32_t count);
     void dispatch(uint32_t groups_x, uint32_t groups_y = 1, uint32_t groups_z = 1);
     void dispatch_indirect(BufferId arguments, uint64_t offset_bytes = 0);
-    /// Raster passes: draws one triangle per three vertices. The vertex shader fetches them by
+    /// Raster passes: draws one triangle per three vertices. The vertex shader loads vertices by
     /// gl_VertexIndex.
     void draw(uint32_t vertex_count);
-    /// Raster passes: draws with the vertex and instance counts of a buffer that holds a
+    /// Raster passes: draws with the vertex and instance counts in `arguments`, a buffer that holds a
     /// VkDrawIndirectCommand.
     void draw_indirect(BufferId arguments);
-    /// Custom passes: `record` is called when the pass is executed.
+    /// Custom passes: sets the function that is called when the pass is executed.
     void execute(const Recording& record);
     /// Keeps the pass even if no pass reads its results.
     Pass& keep();
@@ -385,7 +391,7 @@ private:
     Pass& push_bytes(std::span<const std::byte> bytes);
     PassRecord& record();
     uint32_t use(uint32_t resource, uint32_t version, bool is_image,
-                 Use how); ///< Returns the version afterwards
+                 Use how); ///< Returns the resource's version after the use
 
     Graph& graph_;
     uint32_t index_;
@@ -393,35 +399,37 @@ private:
 
 class Graph {
 public:
-    /// A transient resource: it exists from its first write to its last read, and shares memory with other
-    /// resources outside that time.
+    /// Declares a transient resource. It exists from its first write to its last read; outside that time its
+    /// memory may hold other resources.
     [[nodiscard]] ImageId image(std::string_view name, const ImageDesc& desc);
     [[nodiscard]] BufferId buffer(std::string_view name, const BufferDesc& desc);
 
-    /// Importing the same image or buffer again returns the same handle, with its first name. Throws
-    /// std::logic_error if the descriptions differ, or if a pass has already written it: use the handle that
-    /// the pass returned.
+    /// Declares an image or buffer that exists outside the graph. A second import of the same image or buffer
+    /// returns the first handle, with the first name. The second import throws std::logic_error if the
+    /// descriptions differ, or if a pass has already written the resource. In the latter case, use the handle
+    /// that the pass returned.
     [[nodiscard]] ImageId import_image(std::string_view name, Image& image, const ImageDesc& desc,
                                        Layout initial_layout);
     [[nodiscard]] BufferId import_buffer(std::string_view name, Buffer& buffer, const BufferDesc& desc);
 
-    /// Marks the content as needed after the frame: its pass is not culled and its memory not reused. Throws
-    /// std::logic_error if the handle is overwritten.
+    /// Marks the content of the resource as needed after the frame. The pass that writes the content is then
+    /// not culled, and the memory is not reused. Throws std::logic_error if a pass has already overwritten
+    /// this version.
     void export_image(ImageId image);
     void export_buffer(BufferId buffer);
 
     [[nodiscard]] Pass compute(std::string_view name, const Shader& shader);
-    /// A pass that draws triangles with the device's rasteriser. It may sample, read and take uniforms, and
-    /// writes only attachments.
+    /// Adds a pass that draws triangles with the device's rasteriser. The pass may sample images and read
+    /// buffers and uniforms, but writes only attachments.
     [[nodiscard]] Pass raster(std::string_view name, const Shader& vertex, const Shader& fragment);
-    /// A raster pass without a fragment shader, which only draws depth.
+    /// Adds a raster pass without a fragment shader, which draws only depth.
     [[nodiscard]] Pass raster(std::string_view name, const Shader& vertex);
     [[nodiscard]] Pass custom(std::string_view name);
 
     [[nodiscard]] const ImageDesc& describe(ImageId image) const;
     [[nodiscard]] const BufferDesc& describe(BufferId buffer) const;
 
-    /// Removes all passes and resources but keeps their memory, so that the next declarations do not
+    /// Removes all passes and resources but keeps their host memory, so that later declarations do not
     /// allocate.
     void clear();
 
@@ -445,7 +453,7 @@ private:
     /// Adds an imported resource and returns its index.
     uint32_t take_in(std::string_view name, const ResourceRecord& imported);
 
-    std::vector<PassRecord> passes_; ///< Entries from `pass_count_` on are spare
+    std::vector<PassRecord> passes_; ///< Entries from index `pass_count_` on are unused spares
     std::vector<ResourceRecord> resources_;
     uint32_t pass_count_ = 0;
     uint32_t resource_count_ = 0;

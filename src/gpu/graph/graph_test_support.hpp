@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Helpers of the frame graph tests: imported resources that are never accessed, readable failures, and the
-// message of a thrown error.
+// Helpers for the frame graph tests: fake imported resources that are never accessed, readable test failures,
+// and the message of a thrown error.
 
 #include <array>
 #include <cstddef>
@@ -17,7 +17,8 @@ namespace estampe::gpu {
 
 inline constexpr size_t fake_count = 16;
 
-/// Building and compiling only pass these references on, so any address is valid; each number has its own.
+/// Returns a reference that is not an image. Building and compiling a graph never access the image, so any
+/// address is valid. Each number has its own address.
 inline Image& fake_image(size_t number = 0)
 {
     static std::array<std::max_align_t, fake_count> storage;
@@ -51,7 +52,7 @@ inline std::ostream& operator<<(std::ostream& out, const Barrier& barrier)
                << static_cast<int>(barrier.new_layout);
 }
 
-/// The barriers before the kept pass named `name`.
+/// Returns the barriers before the pass named `name`, which must not be culled.
 inline std::vector<Barrier> barriers_of(const Graph& graph, const CompiledGraph& compiled,
                                         const std::string& name)
 {

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT
-// Raster passes without a device: their declarations, the barriers around attachments, and misuse.
+// SPDX-License-Identifier: MIT Tests raster passes without a device: their declarations, the barriers for
+// attachments, and errors for misuse.
 #include <gtest/gtest.h>
 
 #include "gpu/graph/compile.hpp"
@@ -28,7 +28,7 @@ struct RasterFrame {
     {
     }
 
-    /// Adds a pass that draws `points` into both images.
+    /// Adds a raster pass that draws `points` into `ids` and `depth`.
     void draw(const char* name)
     {
         auto pass = graph.raster(name, vertex_shader, fragment_shader);

@@ -13,7 +13,7 @@
 namespace estampe::gpu {
 namespace {
 
-/// Adds a buffer of zeros and a read-back of it.
+/// Adds a pass that fills a buffer with zeros, and a pass that copies the buffer to `back`.
 void declare_copy(Graph& graph, Buffer& back)
 {
     add_read_back(graph, "back", add_zeros(graph, "zeros", 64), back);
@@ -45,7 +45,7 @@ TEST(RunWatch, TellsEachPassOfARunThatDoesTheSame)
     EXPECT_EQ(executor.timings().size(), 3U);
     told.clear();
     executor.run(graph);
-    EXPECT_TRUE(told.empty()); // Watching has ended
+    EXPECT_TRUE(told.empty()); // The empty watch function has ended the watching
     EXPECT_TRUE(test::take_validation_messages().empty());
 }
 
@@ -61,7 +61,7 @@ TEST(RunWatch, CountsBytesThatAreReadAndWrittenTwice)
     second.dispatch_indirect(list);
     EXPECT_EQ(bytes_of(graph, graph.passes()[0]), 100U);
     EXPECT_EQ(bytes_of(graph, graph.passes()[1]), 2U * 100U + 10U * 5U * 8U);
-    // Only the device knows the number of threads.
+    // The number of threads is in a buffer, so only the device knows this number.
     EXPECT_FALSE(operations_of(graph, graph.passes()[1]).has_value());
 }
 

@@ -11,7 +11,7 @@
 namespace estampe::gpu {
 namespace {
 
-/// Adds the uses of `pass` to `merged`.
+/// Adds the resource uses of `pass` to `merged`, one entry per resource.
 void merge_uses(const Graph& graph, const PassRecord& pass, std::vector<PassUse>& merged)
 {
     const size_t first = merged.size();
@@ -33,7 +33,7 @@ void merge_uses(const Graph& graph, const PassRecord& pass, std::vector<PassUse>
     }
 }
 
-/// Covers all passes: incompatible accesses are also an error in culled passes.
+/// Finds the resource uses of all passes, because incompatible accesses are an error in culled passes too.
 void find_uses(const Graph& graph, Schedule& schedule)
 {
     schedule.uses.clear();
@@ -45,8 +45,8 @@ void find_uses(const Graph& graph, Schedule& schedule)
     schedule.first_use.push_back(static_cast<uint32_t>(schedule.uses.size()));
 }
 
-/// Whether a pass fills a device by itself. The group count of an indirect pass is not known here; such
-/// passes mostly process lists.
+/// Whether a pass alone occupies a whole device. The workgroup count of an indirect pass is not known here;
+/// indirect passes mostly process short lists.
 bool is_wide(const PassRecord& pass)
 {
     constexpr uint64_t groups_that_fill = 1024;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Decides which passes of a graph run, and in which order; independent passes may overlap.
+// Decides which passes of a frame graph run, and in which order. Independent passes may run in parallel.
 
 #include <cstdint>
 #include <span>
@@ -16,16 +16,16 @@ struct PassUse {
     uint32_t resource = 0;
     AccessSet accesses;
     bool writes = false;
-    Layout layout = Layout::undefined; ///< Images only
+    Layout layout = Layout::undefined; ///< Set for images
 };
 
-/// The kept passes in execution order, with their uses.
+/// The passes that are not culled, in execution order, with the resources that they use.
 struct Schedule {
     std::vector<uint32_t> passes;
-    /// Level of each kept pass, ascending; passes of one level are independent.
+    /// Level number of each kept pass, in ascending order. Passes of one level are independent of each other.
     std::vector<uint32_t> levels;
-    std::vector<PassUse> uses;       ///< Uses of all passes of the graph, consecutively
-    std::vector<uint32_t> first_use; ///< Index of each pass's first use, and the total at the end
+    std::vector<PassUse> uses;       ///< Resource uses of all passes of the graph, pass by pass
+    std::vector<uint32_t> first_use; ///< Index of each pass's first use; the last entry is the total
 
     [[nodiscard]] std::span<const PassUse> uses_of(size_t step) const
     {
@@ -34,26 +34,27 @@ struct Schedule {
     }
 };
 
-/// Computes schedules repeatedly with reused memory.
+/// Computes schedules repeatedly and reuses memory.
 class Scheduler {
 public:
-    /// Keeps the passes of `graph` whose results are needed, and assigns each to a level after its inputs
-    /// and before its users. The number of levels is that of the longest dependency chain. A level lasts
-    /// about as long as its longest pass. Therefore passes with Pass::estimated_duration_us() go to levels
-    /// with passes of similar duration, passes of many groups to the levels with the fewest such passes (the
-    /// first of several), and all others to their earliest level, in declared order. Within a level, passes
-    /// of few groups come first, so that the others hide their memory latency. Passes with side effects keep
-    /// their order.
+    /// Keeps the passes of `graph` whose results are needed. Assigns each kept pass to a level after the
+    /// passes that write its inputs and before the passes that read its results. The number of levels is the
+    /// length of the longest dependency chain. A level lasts about as long as its longest pass. Therefore,
+    /// passes with Pass::estimated_duration_us() are assigned to levels with passes of similar duration.
+    /// Passes of many workgroups are assigned to the levels with the fewest such passes (the first of
+    /// several). All other passes are assigned to their earliest level, in declared order. Within a level,
+    /// passes of few workgroups are first, so that the larger passes hide their memory latency. Passes with
+    /// side effects keep their order.
     ///
-    /// Throws std::logic_error if a pass, kept or not, binds one resource twice with incompatible accesses.
-    /// Cost: linear in uses, a sort of the passes, all levels for each pass of many groups, and all levels
-    /// and long passes for each long pass.
+    /// Throws std::logic_error if a pass, kept or culled, binds one resource twice with incompatible
+    /// accesses. Cost: linear in resource uses, plus a sort of the passes. Each pass of many workgroups also
+    /// visits all levels. Each pass with an estimated duration visits all levels and all other such passes.
     void run(const Graph& graph, Schedule& schedule);
 
 private:
-    /// Versions of resources that a kept pass reads.
+    /// Marks the versions of resources that a kept pass reads.
     struct Wanted {
-        std::vector<uint32_t> first; ///< Index of a resource's first version, by resource
+        std::vector<uint32_t> first; ///< Index of each resource's first version in `is_wanted`
         std::vector<uint8_t> is_wanted;
 
         void forget(const Graph& graph);
@@ -64,23 +65,25 @@ private:
         }
     };
 
-    /// Uses of a resource that may overlap, while the passes are walked in order or backwards.
+    /// Consecutive uses of a resource that may overlap. The scheduler tracks them while it visits the passes
+    /// in order or in reverse order.
     struct Wave {
         bool is_begun = false;
         bool writes = false;
         Layout layout = Layout::undefined;
-        uint32_t from_level = 0; ///< First level of the uses, counted in the direction of the walk
-        uint32_t past_level = 0; ///< First level after all of the uses
+        uint32_t from_level = 0; ///< First level of these uses, in the direction of the visit
+        uint32_t past_level = 0; ///< First level after all of these uses
     };
 
-    /// A pass with an estimated duration.
+    /// A pass with an estimated duration, which leaves most of the GPU idle.
     struct Long {
         uint32_t step = 0;
         uint32_t us = 0;
     };
 
     void find_kept(const Graph& graph, Schedule& schedule);
-    /// The earliest level of a pass after those walked so far, whose waves are started.
+    /// Returns the earliest level for a pass, after all passes visited so far that it depends on. Also starts
+    /// waves for the resources of the pass.
     [[nodiscard]] uint32_t next_level(const Schedule& schedule, size_t step);
     void take_level(Schedule& schedule, size_t step, uint32_t level);
     void find_latest(const Graph& graph, Schedule& schedule);
@@ -90,8 +93,8 @@ private:
     void sort_by_levels(const Graph& graph, Schedule& schedule);
 
     Wanted wanted_;
-    std::vector<Wave> waves_;        ///< By resource
-    std::vector<uint32_t> level_of_; ///< Latest level of each kept pass, until its level is chosen
+    std::vector<Wave> waves_;        ///< The current uses of each resource, by resource
+    std::vector<uint32_t> level_of_; ///< Latest possible level of each kept pass; its level once chosen
     std::vector<uint32_t> wide_in_level_;
     std::vector<Long> long_;
     uint32_t level_count_ = 0;

@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: MIT
-// Tests which passes share a level. compile_property_test.cpp checks that the barriers are then still
-// sufficient.
+// SPDX-License-Identifier: MIT Tests which passes are scheduled on one level, so that they may overlap.
+// compile_property_test.cpp checks that the barriers between the levels are sufficient.
 #include <algorithm>
 #include <random>
 #include <string>
@@ -80,7 +79,8 @@ TEST(ScheduleTest, WhatFillsADeviceGoesWhereNothingElseDoesAndStandsBehindInItsL
         join.sample(image);
     }
     join.sample(end).keep();
-    // All three could be in the last level; each in turn goes to the level with the most room.
+    // The three wide passes could all be in the last level. The scheduler assigns each to the level with the
+    // fewest wide passes.
     EXPECT_EQ(kept_names(graph, compile(graph)),
               (Names{"not as wide", "make first", "a", "second", "b", "third", "c", "join"}));
     EXPECT_EQ(schedule_of(graph).levels, (std::vector<uint32_t>{0, 0, 0, 1, 1, 2, 2, 3}));
@@ -104,7 +104,8 @@ TEST(ScheduleTest, WhatWaitsGoesBesideWhatWaitsAsLong)
     const ImageId end = next(graph, "third", waiting("second", 100, 12, next(graph, "first", few)));
     auto join = graph.compute("join", fake_shader);
     join.sample(early).sample(wide).sample(longer).sample(end).keep();
-    // All could overlap "first": 40 us cost nothing beside 100 us, and 200 us cost the least there.
+    // All long passes could overlap "first". Beside a pass of 100 us, a pass of 40 us costs nothing, and a
+    // pass of 200 us costs least.
     EXPECT_EQ(kept_names(graph, compile(graph)),
               (Names{"make few", "make source", "first", "waits a little, few", "waits longer", "second",
                      "waits a little, many", "third", "join"}));
@@ -151,7 +152,7 @@ TEST(ScheduleTest, ReadersInOneLayoutGoSideBySideAndThoseInTwoDoNot)
     EXPECT_EQ(schedule_of(graph).levels, (std::vector<uint32_t>{0, 1, 1, 2, 3}));
 }
 
-/// Random passes, each of which reads some buffers and images and writes others.
+/// Builds a graph of random passes; each pass reads some buffers and images and writes others.
 Graph random_graph(uint32_t seed)
 {
     std::mt19937 random(seed);
@@ -216,7 +217,7 @@ TEST(ScheduleTest, EachPassIsAfterThoseItHangsOnInNoMoreLevelsThanTheLongestChai
         }
         std::vector<uint32_t> in_declared_order = schedule.passes;
         std::ranges::sort(in_declared_order);
-        // Length of the longest dependency chain that ends with each pass.
+        // For each pass, the length of the longest dependency chain that ends with this pass.
         std::vector<uint32_t> chain(graph.passes().size(), 1);
         uint32_t longest = 0;
         for (const uint32_t later : in_declared_order) {
