@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: MIT Tests the exact barrier lists for every kind of hazard, and the errors for
-// handles that are used in the wrong order.
+// SPDX-License-Identifier: MIT
+// Tests the exact barrier lists for every kind of hazard, and the errors for handles that are used in the
+// wrong order.
 #include <gtest/gtest.h>
 
 #include "gpu/graph/compile.hpp"

@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: MIT Compiles random graphs and checks the results with a simulator that shares no
-// code with compile.cpp. The simulator detects hazards, wrong layouts and overlapping memory slots. The
-// simulator is also tested: it must report an error in every graph from which one part of one barrier is
-// removed.
+// SPDX-License-Identifier: MIT
+// Compiles random graphs and checks the results with a simulator that shares no code with compile.cpp. The
+// simulator detects hazards, wrong layouts and overlapping memory slots. The simulator is also tested: it
+// must report an error in every graph from which one part of one barrier is removed.
 #include <algorithm>
 #include <map>
 #include <random>

@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: MIT Tests raster passes without a device: their declarations, the barriers for
-// attachments, and errors for misuse.
+// SPDX-License-Identifier: MIT
+// Tests raster passes without a device: their declarations, the barriers for attachments, and errors for
+// misuse.
 #include <gtest/gtest.h>
 
 #include "gpu/graph/compile.hpp"

@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: MIT Tests which passes are scheduled on one level, so that they may overlap.
-// compile_property_test.cpp checks that the barriers between the levels are sufficient.
+// SPDX-License-Identifier: MIT
+// Tests which passes are scheduled on one level, so that they may overlap. compile_property_test.cpp checks
+// that the barriers between the levels are sufficient.
 #include <algorithm>
 #include <random>
 #include <string>
