@@ -173,9 +173,10 @@ float kept_share(HatchLineStyle style, float gap_scale)
     return 1.0f - mean_opening(style, gap_scale) * (style.gap_px + style.taper_px) / style.cell_px;
 }
 
-// Width factor along a line: 0 in gaps, rising over the taper. Cells are dyadic in u, with a length of one
-// to two cell_px. As the paper fills up, or with distance, gaps shrink to a third and then close one after
-// another. Each closes almost at once, because a nearly closed gap would be a white nick.
+// Width factor along a line: 0 in gaps, rising to 1 over the taper. The line is divided along u into cells
+// with a gap at their boundaries; the length of a cell is a power of two in u, one to two cell_px on the
+// page. In darker tones and with distance, gaps shrink to a third and then close one after another. Each
+// closes almost at once, because a nearly closed gap would be a white speck.
 float stroke_profile(LineField field, HatchLineStyle style, LineScale scale, uint identity)
 {
     float u = field.u + 16.0f * trait(identity, 3u);

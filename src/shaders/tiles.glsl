@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_TILES
 #define ESTAMPE_TILES
 
-// Tiles of the page with a common blur radius, and their neighbours.
+// Divides the page into tiles; all pixels of a tile use one blur radius. Finds the neighbours of a tile, too.
 
 // Pixel `i`, row by row, of a tile of `side` x `side` pixels.
 ivec2 pixel_of_tile(ivec2 tile, int side, int i)

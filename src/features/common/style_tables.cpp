@@ -101,7 +101,7 @@ namespace {
 
 using By = style::Surfaces::By;
 
-/// Returns for each override whether the override applies.
+/// One entry per override: true if the override applies.
 using Matches = std::vector<bool>;
 
 Matches matches_of(const std::vector<style::Override>& overrides, By by, const std::string& name)

@@ -367,7 +367,7 @@ public:
         return length > 0.0F ? glm::normalize(sum / length) : glm::vec3(0.0F, 1.0F, 0.0F);
     }
 
-    /// Whether the corner uses the shared average of a position with many faces.
+    /// Whether the corner takes the average normal of all faces at its position, which is computed once.
     [[nodiscard]] bool shares_average(std::span<const uint32_t> corners, uint32_t corner) const
     {
         return corners.size() > crowd &&

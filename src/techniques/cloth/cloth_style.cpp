@@ -20,9 +20,9 @@ const style::Table<ClothStyle>& cloth_table()
                     "rests until something moves the cloth. 0 lets no cloth rest.")
             .choice("bodies", &ClothStyle::bodies,
                     {{"capsules", ClothBodies::capsules}, {"depth", ClothBodies::depth}},
-                    "Shape of skinned bodies when cloth touches them. capsules: a rounded cylinder around "
-                    "each bone; depth: the body between its front and back, seen along its thinnest "
-                    "direction, which is more exact.");
+                    "Shape that cloth touches instead of an animated character's body. capsules: a rounded "
+                    "cylinder around each bone; depth: the front and back surfaces of the body, which is "
+                    "more exact.");
     return table;
 }
 

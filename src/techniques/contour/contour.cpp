@@ -63,7 +63,7 @@ void add_kind_keys(ContourTable& table)
                  "Smallest angle by which a surface must turn to get a ridge or valley line. The angle is "
                  "measured over one hundredth of the object's size. Less draws more lines. Only used when "
                  "contour.lines is chains.");
-    add(shared::line_valley, "valley lines: lines along rounded folds that point inwards");
+    add(shared::line_valley, "valley lines: lines along grooves, which are rounded folds that point inwards");
     add(shared::line_suggestive,
         "suggestive contours: lines where an outline would appear if the eye moved a little");
     table
@@ -180,9 +180,9 @@ const style::Table<ContourStyle>& contour_table()
         made.toggle("enabled", &ContourStyle::enabled,
                     "Turns ink lines on: outlines, folds, material boundaries and other contours")
             .choice("lines", &ContourStyle::lines, {{"chains", Lines::chains}, {"page", Lines::page}},
-                    "How ink lines are found. chains: along the edges of the mesh, as connected strokes; "
-                    "page: between pixels of the picture, without the effects of strokes, which is quicker "
-                    "for large meshes.")
+                    "How ink lines are found. chains: along the edges of the 3D model, as connected strokes "
+                    "with taper, brushes and dashes; page: from the pixels of the picture, without taper, "
+                    "brushes and dashes, which is quicker for large models.")
             .choice("silhouettes", &ContourStyle::silhouettes,
                     {{"smooth", Silhouettes::smooth}, {"edges", Silhouettes::edges}},
                     "Where the outline of a smooth surface runs. smooth: across triangles, along the curve "

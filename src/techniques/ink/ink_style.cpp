@@ -92,7 +92,7 @@ const style::Table<InkStyle>& ink_table()
                     "zone: [object.\"Well\".ink] zone.give = 1.")
             .number(
                 "zone.amount", within(&InkStyle::zone, &ZoneStyle::amount), {0.0F, 100.0F}, "",
-                "Factor on the ink that the drawing gives in a zone: 0 gives none, more gives denser ink. "
+                "Factor on the flowing ink that strokes release in a zone: 0 releases none, more is denser. "
                 "Example of a zone: [object.\"Calm\".ink] zone.amount = 0.")
             .number("life_s", &InkStyle::life_s, {0.05F, 1000.0F}, "s",
                     "How long wet flowing ink lasts: about a third is left after this time")

@@ -25,9 +25,9 @@ const style::Table<OcclusionStyle>& occlusion_table()
                      {"splats", Method::splats},
                      {"uv", Method::uv},
                      {"unsharp", Method::unsharp}},
-                    "How ambient occlusion is computed. horizon: from visible surfaces around each pixel; "
-                    "discs: between all vertices, for fine meshes; splats: from all vertices, per pixel; uv: "
-                    "from all vertices, in a texture; unsharp: darkens things behind edges.")
+                    "How ambient occlusion is computed. horizon: from visible surfaces; discs: from all "
+                    "points of the models, once per point; splats: from all points, once per pixel; uv: from "
+                    "all points, in a texture; unsharp: darkens what is behind edges.")
             .choice("feeds", &OcclusionStyle::feeds,
                     {{"ambient", Feeds::ambient}, {"tone", Feeds::tone}, {"layer", Feeds::layer}},
                     "What ambient occlusion darkens. ambient: ambient and fill light; tone: all light; "

@@ -37,14 +37,15 @@ const style::Table<SmokeStyle>& smoke_table()
             .toggle("obstacles", &SmokeStyle::obstacles,
                     "If true, smoke flows around solid objects in its box. The place of each object is the "
                     "one where it stands when the smoke starts.")
-            .choice("solver", &SmokeStyle::solver,
-                    {{"automatic", Solver::automatic},
-                     {"spectral", Solver::spectral},
-                     {"multigrid", Solver::multigrid},
-                     {"jacobi", Solver::jacobi}},
-                    "How the air pressure in smoke is computed. spectral: directly, for an empty box; "
-                    "multigrid: around obstacles; jacobi: simplest, least exact; automatic: spectral if the "
-                    "box is empty, else multigrid.")
+            .choice(
+                "solver", &SmokeStyle::solver,
+                {{"automatic", Solver::automatic},
+                 {"spectral", Solver::spectral},
+                 {"multigrid", Solver::multigrid},
+                 {"jacobi", Solver::jacobi}},
+                "How the pressure of the air in smoke is computed. spectral: exactly, if no objects stand "
+                "in the smoke; multigrid: around objects; jacobi: simplest, least exact; automatic: "
+                "spectral without objects, else multigrid.")
             .integer("jacobi_passes", &SmokeStyle::jacobi_passes, {1, 100}, "",
                      "Number of passes of the Jacobi solver per step of the smoke: more makes the air less "
                      "compressible and is slower. Only used when smoke.solver is jacobi.")
@@ -102,9 +103,11 @@ const style::Table<SmokeStyle>& smoke_table()
             .number("step", &SmokeStyle::step, {0.1F, 4.0F}, "",
                     "Distance from one sample of the smoke to the next, in cells of the grid: less is "
                     "smoother and slower")
-            .number("scatter", &SmokeStyle::scatter, {0.0F, 1.0F}, "",
-                    "How far samples of the smoke move at random within their step: more turns visible bands "
-                    "in thin smoke into noise. Only used when smoke.sampling is rays.")
+            .number(
+                "scatter", &SmokeStyle::scatter, {0.0F, 1.0F}, "",
+                "Smoke is sampled at points along each line of sight. More shifts these points at random, "
+                "which turns visible bands in thin smoke into fine grain. Only used when smoke.sampling "
+                "is rays.")
             .number("edge", &SmokeStyle::edge, {0.02F, 0.98F}, "",
                     "Opacity of smoke at which its outline is drawn: less draws the outline farther out")
             .choice("medium", &SmokeStyle::medium,

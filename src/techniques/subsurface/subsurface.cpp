@@ -65,8 +65,8 @@ const style::Table<SubsurfaceStyle>& subsurface_table()
                     "How the spreading of light under surfaces is computed. page: between visible pixels; "
                     "texture: over all surfaces, so light also comes from parts that are not visible.")
             .integer("texels", &SubsurfaceStyle::texels, {64, 4096}, "texels",
-                     "Width and height of the texture in which light spreads: more is finer and slower. Only "
-                     "used when subsurface.space is texture.")
+                     "Width and height of the texture in which Estampe computes how light spreads below "
+                     "surfaces: more is finer and slower. Only used when subsurface.space is texture.")
             .by_surface_but({"reach_mm", "space", "texels"});
     return table;
 }

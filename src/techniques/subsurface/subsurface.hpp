@@ -161,7 +161,7 @@ struct TextureInputs {
 struct TextureSurface {
     gpu::ImageId draw;   ///< r32ui: like Surface::draw, 0 for unused texels
     gpu::ImageId normal; ///< rg32ui
-    gpu::ImageId points; ///< rgba32f: position in anchor space, and size of a texel there
+    gpu::ImageId points; ///< rgba32f: xyz position in anchor space, w size of a texel in that space
 };
 
 /// Places the map's texels on the posed surfaces. Cost: one dispatch over the map.

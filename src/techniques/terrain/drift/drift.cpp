@@ -81,7 +81,8 @@ const style::Table<DriftStyle>& drift_table()
             .number("length_m", &DriftStyle::length_m, {0.05F, 20.0F}, "m",
                     "Length of an average streak of drifting sand")
             .number("lift_m", &DriftStyle::lift_m, {0.0F, 20.0F}, "m",
-                    "Largest height above its crest to which drifting sand rises: more gives higher plumes")
+                    "Largest height above the crest of a dune to which drifting sand rises: more gives "
+                    "higher plumes")
             .number("width_mm", &DriftStyle::width_mm, {0.05F, 5.0F}, "mm",
                     "Width on the page of a streak of drifting sand, in the middle of the streak")
             .number("reach_m", &DriftStyle::reach_m, {5.0F, 1000.0F}, "m",
