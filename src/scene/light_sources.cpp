@@ -15,7 +15,7 @@ float share_along(const SpotBeam& beam, const glm::vec3& along)
 {
     float cosine = glm::dot(along, beam.direction);
     if (beam.shape == SpotShape::pyramid) {
-        // The larger of the angles to the two axes of the pyramid decides.
+        // The direction is outside the pyramid if the larger of its angles to the two axes is too large.
         const float aside = std::max(std::abs(glm::dot(along, beam.side)),
                                      std::abs(glm::dot(along, glm::cross(beam.side, beam.direction))));
         cosine /= std::sqrt(std::max(cosine * cosine + aside * aside, 1e-12F));
@@ -43,7 +43,7 @@ int days_of(int year, int month)
     return days.at(static_cast<size_t>(month - 1)) + (month == 2 && is_leap_year ? 1 : 0);
 }
 
-/// Days from noon of 1 January 2000 to midnight of the date (Meeus, chapter 7).
+/// Number of days from noon of 1 January 2000 to midnight of the date (Meeus, chapter 7).
 double days_since_2000(const Date& date)
 {
     const bool counts_to_last_year = date.month <= 2;
@@ -56,7 +56,7 @@ double days_since_2000(const Date& date)
     return julian_day - 2451545.0;
 }
 
-/// Values that do not depend on the place on earth.
+/// Position of the sun as far as it does not depend on the place on earth.
 struct Course {
     double declination_rad;
     double equation_of_time_hours;
@@ -135,7 +135,8 @@ SunPosition sun_position_by_sundial(const Date& date, double hour, double latitu
 
 double refraction_rad(double elevation_rad)
 {
-    // The formula has a pole at lower elevations, where the sun is not visible anyway.
+    // The formula has a pole at a lower elevation, so the elevation is clamped. The sun is not visible there
+    // anyway.
     const double deg = std::clamp(elevation_rad / degree, -1.0, 90.0);
     return std::max(degree * 1.02 / 60.0 / std::tan(degree * (deg + 10.3 / (deg + 5.11))), 0.0);
 }

@@ -21,7 +21,7 @@ glm::dmat4 Transform::matrix() const
 
 namespace {
 
-/// The two keys around a moment, and its position between them (0 to 1).
+/// The two animation keys before and after a moment, and the position of the moment between them (0 to 1).
 struct KeySpan {
     size_t before = 0;
     size_t after = 0;
@@ -44,7 +44,7 @@ KeySpan find_keys(const std::vector<float>& times_s, double time_s)
     return {.before = after - 1, .after = after, .part = (time_s - start_s) / length_s, .length_s = length_s};
 }
 
-/// Number of values per key; 0 when the sizes of the channel's arrays do not match.
+/// Number of values per animation key. 0 when the sizes of the channel's arrays do not match.
 size_t values_per_key(const AnimationChannel& channel)
 {
     const size_t keys =
@@ -61,7 +61,8 @@ glm::dquat quaternion_of(const std::vector<double>& xyzw)
     return length > 0.0 ? quaternion / length : glm::dquat(1.0, 0.0, 0.0, 0.0);
 }
 
-/// Hermite spline as in glTF: each key holds in-tangent, value, out-tangent; tangents are per second.
+/// Evaluates a Hermite spline as in glTF: each key consists of in-tangent, value and out-tangent. Tangents
+/// are per second.
 std::vector<double> sample_cubic(const AnimationChannel& channel, const KeySpan& span, size_t count)
 {
     const double t = span.part;
@@ -136,7 +137,8 @@ double looped(double time_s, double duration_s)
     return rest_s < 0.0 ? rest_s + duration_s : rest_s;
 }
 
-/// The node's own morph weights, or its mesh's; resized to the mesh's number of targets.
+/// The morph weights of the node, or those of its mesh if it has none. The result has one weight per morph
+/// target.
 std::vector<float> rest_weights(const Scene& scene, const Node& node)
 {
     if (node.mesh >= scene.meshes.size())
@@ -197,7 +199,7 @@ std::vector<glm::dmat4> world_from_bind(const Scene& scene, const ScenePose& pos
     return matrices;
 }
 
-/// Morphed positions of every `stride`-th vertex.
+/// Returns the positions of every `stride`-th vertex after morphing.
 std::vector<glm::dvec3> morphed(const Primitive& primitive, const std::vector<float>& weights, size_t stride)
 {
     std::vector<glm::dvec3> positions;
@@ -237,7 +239,8 @@ bool turns_inside_out(const glm::dmat4& matrix)
     return glm::determinant(glm::dmat3(matrix)) < 0.0;
 }
 
-/// `stride_of` returns the stride at which vertices are visited, for a number of vertices.
+/// Visits primitives like visit_posed(), but not all vertices. `stride_of` returns the stride for a given
+/// number of vertices.
 void visit_some(const Scene& scene, const ScenePose& pose, const std::function<size_t(size_t)>& stride_of,
                 const std::function<void(const PosedPrimitive&)>& visit)
 {

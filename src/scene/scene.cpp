@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Functions of estampe/scene.hpp: cloth, material variants, and load_scene(), which selects a reader.
+// Functions of estampe/scene.hpp: cloth, material variants, and load_scene(), which selects a reader for the
+// file.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -56,7 +57,8 @@ Primitive cloth_sheet(uint32_t columns, uint32_t rows, const glm::vec3& corner_m
             }
             const uint32_t i = y * columns + x;
             const uint32_t j = i + columns;
-            // Diagonals alternate, so that neither direction is stiffer.
+            // The diagonals of adjacent quads alternate, so that the cloth is not stiffer in one diagonal
+            // direction.
             const auto corners = (x + y) % 2 == 0 ? std::array{i, j, j + 1, i, j + 1, i + 1}
                                                   : std::array{i, j, i + 1, i + 1, j, j + 1};
             sheet.indices.insert(sheet.indices.end(), corners.begin(), corners.end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Basic geometric shapes, and architectural ones: extruded outlines, arches, columns, stairs.
+// Builds basic geometric shapes, and architectural shapes: extruded outlines, arches, columns and stairs.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -30,7 +30,7 @@ void add_triangle(Primitive& mesh, uint32_t a, uint32_t b, uint32_t c)
     mesh.indices.insert(mesh.indices.end(), {a, b, c});
 }
 
-/// A rectangle from `corner` along `right` and `up`, facing cross(right, up).
+/// Adds a rectangle that starts at `corner` and extends along `right` and `up`. It faces cross(right, up).
 void add_face(Primitive& mesh, const glm::vec3& corner, const glm::vec3& right, const glm::vec3& up)
 {
     const glm::vec3 normal = glm::normalize(glm::cross(right, up));
@@ -44,7 +44,7 @@ void add_face(Primitive& mesh, const glm::vec3& corner, const glm::vec3& right, 
     add_triangle(mesh, a, c, d);
 }
 
-/// Directions around the y axis, from +z towards +x. The last is bitwise equal to the first.
+/// Unit directions around the y axis, from +z towards +x. The last direction is bitwise equal to the first.
 std::vector<glm::vec2> circle(uint32_t segments)
 {
     std::vector<glm::vec2> directions;
@@ -56,11 +56,11 @@ std::vector<glm::vec2> circle(uint32_t segments)
     return directions;
 }
 
-/// A straight piece of a profile, with the normals (radial, height) at its two ends.
+/// A straight segment of the profile of a turned shape, with the normals (radial, height) at its two ends.
 struct ProfilePiece {
     glm::vec2 from, to;
     glm::vec2 normal_from, normal_to;
-    float start_m = 0.0F; ///< distance along the profile to `from`
+    float start_m = 0.0F; ///< distance along the profile from its beginning to `from`
 };
 
 std::vector<ProfilePiece> profile_pieces(std::span<const glm::vec2> profile, float crease_rad)
@@ -156,7 +156,8 @@ Primitive box(const glm::vec3& size)
     add_face(mesh, corner, z, y);
     add_face(mesh, corner + y + z, x, -z);
     add_face(mesh, corner, x, z);
-    // Corners are reached by different sums of edges; this gives each corner identical coordinates.
+    // Different sums of edges give slightly different coordinates for the same corner. Rounding makes them
+    // identical.
     for (glm::vec3& p : mesh.positions)
         p = {p.x < 0.0F ? -half.x : half.x, p.y < half.y ? 0.0F : size.y, p.z < 0.0F ? -half.z : half.z};
     return mesh;
@@ -310,8 +311,8 @@ bool is_ear(std::span<const glm::vec2> outline, const std::vector<uint32_t>& rin
     });
 }
 
-/// Triangulates by clipping one convex corner after another. Straight corners wait until a neighbour is
-/// clipped with them.
+/// Triangulates a polygon by ear clipping. A straight corner is no ear; it is clipped together with a
+/// neighbour.
 std::vector<glm::uvec3> triangulate(std::span<const glm::vec2> outline)
 {
     std::vector<uint32_t> ring(outline.size());
@@ -367,8 +368,8 @@ void add_extruded_sides(Primitive& mesh, std::span<const glm::vec2> outline, flo
     }
 }
 
-/// Depth of the rim of a broken top below the full height: a slanted plane with notches, deterministic on
-/// every machine.
+/// How far the rim of a broken column is below its full height. The rim is a slanted plane with notches. The
+/// result is identical on every machine.
 float broken_off(const FlutedColumn& column, float around)
 {
     const float angle = turn_rad * around;
@@ -377,15 +378,16 @@ float broken_off(const FlutedColumn& column, float around)
     return column.break_height * (slope + notches);
 }
 
-/// A vertex column of the shaft: direction, radius factor and normal around the axis.
+/// One vertical line of vertices on the shaft of a column: direction from the axis, radius factor and normal.
 struct Rib {
-    float around = 0.0F; ///< share of a full turn
+    float around = 0.0F; ///< angle as a share of a full turn
     glm::vec2 direction;
     float radius = 1.0F;
     glm::vec2 normal;
 };
 
-/// Adjacent flutes share no ribs, because both sides of the ridge between them keep their own normals.
+/// Vertex lines of one flute of a column. Adjacent flutes share no vertices, because the two sides of the
+/// ridge between them have different normals.
 std::vector<Rib> flute_ribs(const FlutedColumn& column, uint32_t flute, uint32_t flutes, uint32_t parts)
 {
     std::vector<Rib> ribs;
@@ -517,7 +519,8 @@ Primitive stairs(float width, float rise, float run, uint32_t steps)
 {
     steps = std::max(steps, 1U);
     const auto count = static_cast<float>(steps);
-    // In the outline x points back, away from the viewer; the wall behind the last step closes it.
+    // The outline of the stairs: x points back, away from the viewer. A vertical wall behind the last step
+    // closes it.
     std::vector<glm::vec2> outline{{0.0F, 0.0F}, {count * run, 0.0F}};
     for (uint32_t step = steps; step > 0; --step) {
         const auto at = static_cast<float>(step);

@@ -69,14 +69,15 @@ Cage welded(const Primitive& primitive)
     return cage;
 }
 
-/// Weight of each of `valence` neighbours in Loop subdivision.
+/// Weight of each neighbour of a vertex with `valence` neighbours, in Loop subdivision.
 double neighbor_weight(uint32_t valence)
 {
     const double cosine = 0.375 + 0.25 * std::cos(2.0 * std::numbers::pi / valence);
     return (0.625 - cosine * cosine) / valence;
 }
 
-/// Moves the old points: towards their neighbours, or along the border on which they lie.
+/// Moves the old vertices in a subdivision step: towards all their neighbours, or for border vertices towards
+/// their neighbours on the border.
 void move_points(Cage& cage, const std::unordered_map<uint64_t, Edge>& edges, size_t point_count)
 {
     struct Around {
@@ -98,7 +99,7 @@ void move_points(Cage& cage, const std::unordered_map<uint64_t, Edge>& edges, si
     for (const auto& entry : edges) {
         keys.push_back(entry.first);
     }
-    std::sort(keys.begin(), keys.end()); // makes the sums deterministic
+    std::sort(keys.begin(), keys.end()); // a fixed order makes the sums deterministic
     for (const uint64_t key : keys) {
         const auto a = static_cast<uint32_t>(key >> 32U);
         const auto b = static_cast<uint32_t>(key);

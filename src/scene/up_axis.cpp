@@ -10,7 +10,8 @@
 namespace estampe {
 namespace {
 
-/// Exact rotation by a quarter or half turn that brings `up` to +y, built by permuting axes.
+/// The rotation by a quarter or half turn that maps the axis `up` to +y. It is exact, because it permutes the
+/// axes.
 glm::dmat3 rotation_of(UpAxis up)
 {
     constexpr glm::dvec3 x(1.0, 0.0, 0.0);
@@ -52,12 +53,12 @@ void turn_up(Scene& scene, UpAxis up)
 
 namespace {
 
-/// Areas that face the two ends of one axis, relative to the side of the bounding box across the axis.
+/// Areas of flat faces at the two ends of an axis, as shares of the bounding box's cross section.
 struct Ends {
-    double base_outward = 0.0; ///< flat, at the lower end, facing outwards: the underside of a solid
-    double base_inward = 0.0;  ///< flat at the lower end and facing the body: a floor that things stand on
-    double top = 0.0;          ///< flat at the upper end
-    double open_below = 0.0;   ///< projected area that is missing at the lower end for a closed surface
+    double base_outward = 0.0; ///< at the lower end, facing outwards: the underside of a solid
+    double base_inward = 0.0;  ///< at the lower end, facing inwards: a floor on which objects stand
+    double top = 0.0;          ///< at the upper end
+    double open_below = 0.0;   ///< projected area that the lower end lacks for a closed surface
 };
 
 class Evidence {
@@ -88,7 +89,7 @@ public:
         }
     }
 
-    /// Faces may coincide, so each share is limited to one.
+    /// Limits each share to one, because faces may coincide.
     [[nodiscard]] Ends ends() const
     {
         return {.base_outward = std::min(ends_.base_outward, 1.0),
@@ -102,7 +103,7 @@ public:
         return upper_ > lower_ && std::abs(lower_) <= flat_share * (upper_ - lower_);
     }
 
-    /// Whether the scene is thin along the axis, as terrain is along its up axis.
+    /// Whether the scene is thin along this axis. Terrain is thin along its up axis.
     [[nodiscard]] bool is_thin() const
     {
         return size_[axis_] < 0.25 * std::min(size_[(axis_ + 1) % 3], size_[(axis_ + 2) % 3]);
@@ -155,8 +156,8 @@ std::optional<UpAxis> guess_up_axis(const Scene& scene)
     const Ends y = along_y.ends();
     const Ends z = along_z.ends();
     const double base_y = std::max(y.base_outward, y.base_inward);
-    // In a room that is open to the viewer, the back wall at the lower end of z also faces inwards. Such a
-    // room also has a floor at the lower end of y.
+    // The back wall of a room that is open to the viewer also faces inwards, at the lower end of z. Such a
+    // room also has a floor at the lower end of y, which shows that y is up.
     constexpr double floor_share = 0.3;
     const double base_z = base_y < floor_share ? std::max(z.base_outward, z.base_inward) : z.base_outward;
     const double score_y = common_score(along_y) + base_y - y.top;

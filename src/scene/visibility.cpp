@@ -60,16 +60,17 @@ bool has_visible_light(const Scene& scene)
 
 namespace {
 
-/// A fixed budget rather than a share, so that no scene takes longer than drawing one would.
+/// Largest number of triangles to test. It is a fixed number, so that the test never takes longer than
+/// drawing the scene.
 constexpr size_t most_triangles = 4'000'000;
 
-/// The five planes that bound a camera's view; there is no far plane.
+/// The planes that bound a camera's view: four sides and the near plane. There is no far plane.
 class View {
 public:
     View(const Camera& camera, double aspect)
         : view_from_world_(glm::lookAt(camera.eye, camera.target, camera.up))
     {
-        constexpr double margin = 1.02; // lines extend beyond the surfaces that they outline
+        constexpr double margin = 1.02; // drawn lines extend beyond the surfaces that they outline
         if (camera.orthographic_half_height_m) {
             const double half_m = margin * *camera.orthographic_half_height_m;
             sides_ = {glm::dvec4(1, 0, 0, aspect * half_m), glm::dvec4(-1, 0, 0, aspect * half_m),
@@ -83,7 +84,7 @@ public:
         has_eye_ = true;
     }
 
-    /// This view in the space of a mesh with the transform `world_from_mesh`.
+    /// The same view in the space of a mesh whose transform is `world_from_mesh`.
     [[nodiscard]] View within(const glm::dmat4& world_from_mesh) const
     {
         View view = *this;
@@ -91,7 +92,7 @@ public:
         return view;
     }
 
-    /// Whether all points lie outside of one of the planes.
+    /// Whether all points are outside of the same plane, so that nothing between them is in view.
     [[nodiscard]] bool excludes(std::span<const glm::dvec3> points) const
     {
         std::array<bool, 5> outside{true, true, true, true, true};
@@ -106,8 +107,8 @@ public:
         return true;
     }
 
-    /// Whether some part of the triangle lies inside all planes. Slower than excludes(), but exact: a large
-    /// triangle may miss the view although its corners lie outside of different planes.
+    /// Whether some part of the triangle is inside all planes. Slower than excludes(), but exact: a large
+    /// triangle can be out of view although its corners are outside of different planes.
     [[nodiscard]] bool holds_part_of(const std::array<glm::dvec3, 3>& corners) const
     {
         std::vector<glm::dvec4> polygon(corners.size());
@@ -133,7 +134,7 @@ public:
         return !polygon.empty();
     }
 
-    /// Whether the corners run counter-clockwise on the page.
+    /// Whether the projected corners are in counter-clockwise order on the page.
     [[nodiscard]] bool is_counterclockwise(const std::array<glm::dvec3, 3>& corners) const
     {
         const auto placed = [this](const glm::dvec3& corner) {
@@ -144,7 +145,7 @@ public:
         return has_eye_ ? glm::dot(normal, a) < 0.0 : normal.z > 0.0;
     }
 
-    /// Whether the box contains the eye; false in a parallel projection.
+    /// Whether the box contains the eye. False for a parallel projection, which has no eye.
     [[nodiscard]] bool has_eye_in(const Bounds& box) const
     {
         const glm::dvec3 eye(glm::inverse(view_from_world_)[3]);
@@ -154,7 +155,7 @@ public:
 private:
     glm::dmat4 view_from_world_;
     std::array<glm::dvec4, 4> sides_{};
-    double near_m_ = -std::numeric_limits<double>::infinity(); ///< a parallel projection shows all depths
+    double near_m_ = -std::numeric_limits<double>::infinity(); ///< a parallel projection has no near plane
     bool has_eye_ = false;
 };
 
@@ -185,11 +186,11 @@ std::array<glm::dvec3, 8> corners_of(const Bounds& box, const glm::dmat4& world_
     return corners;
 }
 
-/// A primitive in its place.
+/// A primitive of a node.
 struct PlacedPrimitive {
     Index node = no_index;
     const Primitive* primitive = nullptr;
-    bool mirrored = false; ///< the transform mirrors the mesh, so that the winding of triangles is reversed
+    bool mirrored = false; ///< the transform is a mirroring, which reverses the winding of triangles
 };
 
 class Search {
@@ -200,7 +201,7 @@ public:
 
     [[nodiscard]] const InView& found() const { return found_; }
 
-    /// Tests a mesh that does not deform and has this bounding box.
+    /// Tests a mesh that does not deform. `box` is its bounding box in mesh space.
     void look_at_mesh(Index node, const Bounds& box, const glm::dmat4& world_from_mesh)
     {
         const auto corners = corners_of(box, world_from_mesh);
@@ -218,7 +219,7 @@ public:
             note_backs(node, view.has_eye_in(box), glm::length(corners.front() - corners.back()));
     }
 
-    /// Tests a primitive that deforms.
+    /// Tests a primitive that deforms, by a skin or morph targets.
     void look_at_posed(const PosedPrimitive& posed)
     {
         if (has_ended() || view_.excludes(posed.positions))
@@ -233,14 +234,16 @@ public:
     }
 
 private:
-    /// Tests whether backs are in view. `corner` places a vertex in the space of `view`.
+    /// Tests the triangles of a primitive. Returns whether back faces are in view. `corner` returns the
+    /// position of a vertex in the space of `view`.
     template <typename Corner>
     bool look_at(const PlacedPrimitive& placed, const View& view, const Corner& corner)
     {
         const Primitive& primitive = *placed.primitive;
         const bool moves_as_cloth = cloth_of(scene_, scene_.nodes[placed.node], primitive) != nullptr;
         if (primitive.topology != Topology::triangles || moves_as_cloth) {
-            // Lines and dots are wider than their geometry, and cloth moves away from its rest position.
+            // Lines and points are drawn wider than their geometry, and cloth moves away from its rest
+            // position. So they always count as in view.
             found_.content = ViewContent::something;
             return false;
         }
@@ -275,7 +278,7 @@ private:
     const Scene& scene_;
     const View& view_;
     InView found_;
-    double size_m_ = 0.0; ///< size of the box of the node in found_
+    double size_m_ = 0.0; ///< size of the bounding box of found_.backs_of
     size_t triangles_ = 0;
 };
 

@@ -55,7 +55,7 @@ glm::vec<Size, float> vector_of(const std::vector<double>& numbers, const glm::v
     return vector;
 }
 
-/// Reads the JSON of an extension, whose types were already checked.
+/// Reads the JSON of a glTF extension. The types of all values were checked before.
 class Extension {
 public:
     explicit Extension(const tinygltf::Value& value) : value_(value) {}
@@ -108,7 +108,8 @@ std::optional<Extension> extension(const tinygltf::ExtensionMap& extensions, con
     return found == extensions.end() ? std::nullopt : std::optional(Extension(found->second));
 }
 
-/// uv' = translation * rotation * scale * uv, with the rotation direction of KHR_texture_transform.
+/// The matrix of uv' = translation * rotation * scale * uv. The rotation direction is that of
+/// KHR_texture_transform.
 glm::mat3 uv_transform(const Extension& transform)
 {
     const glm::vec2 offset = transform.vector<2>("offset", glm::vec2(0.0F));
@@ -141,7 +142,7 @@ TextureRef texture_ref(Data& data, TextureTable& textures, const Info& info, con
     return ref;
 }
 
-/// Checks a factor that must lie between 0 and 1.
+/// Returns a factor, after a check that it is between 0 and 1.
 float fraction(Data& data, double value, const std::string& pointer)
 {
     const double clamped = std::clamp(value, 0.0, 1.0);
@@ -168,7 +169,7 @@ ToonShade toon_shade(Data& data, TextureTable& textures, const Extension& mtoon,
     return toon;
 }
 
-/// Transmission of a material; nothing if it is not transparent.
+/// Reads the transmission of a material. Returns nothing if the material is not transmissive.
 std::optional<Transmission> transmission_of(Data& data, const tinygltf::Material& source,
                                             const std::string& pointer)
 {
@@ -248,8 +249,9 @@ Material import_material(Data& data, TextureTable& textures, const tinygltf::Mat
     return material;
 }
 
-/// Removes textures whose picture was lost. The white pixel that replaces them would be a wrong normal and
-/// would make everything glow.
+/// Removes the textures of a material whose picture could not be read. A white pixel replaces such a picture.
+/// As a normal map it would be a wrong normal, and as an emissive texture it would make the whole surface
+/// glow.
 void leave_out_lost(const TextureTable& textures, Material& material)
 {
     if (textures.is_lost(material.normal_texture.texture)) {

@@ -9,7 +9,7 @@
 namespace estampe::gltf {
 namespace {
 
-/// Reads the arrays of one primitive, from accessors or from a Draco stream.
+/// Reads the vertex and index arrays of one primitive, from accessors or from a Draco stream.
 class PrimitiveReader {
 public:
     PrimitiveReader(Data& data, const tinygltf::Primitive& source, int index_accessor,
@@ -220,7 +220,8 @@ private:
     Primitive primitive_;
 };
 
-/// Normal map of the first of the primitive's materials, default or variant, that needs tangents.
+/// Finds a normal map of the primitive that needs tangents. Searches its default material first, then those
+/// of its variants.
 const TextureRef* normal_map_of(const Scene& scene, const Primitive& primitive)
 {
     std::vector<Index> materials = primitive.variant_materials;
@@ -239,7 +240,8 @@ void finish_triangles(Data& data, const Scene& scene, Primitive& primitive, cons
 {
     if (primitive.normals.empty()) {
         data.spend(primitive.indices.size() * sizeof(glm::vec3) * 4, pointer);
-        // One-sided triangles keep their winding, because it says from where they are visible.
+        // The winding of one-sided triangles is not changed, because it defines from which side they are
+        // visible.
         if (primitive.material < scene.materials.size() && scene.materials[primitive.material].double_sided) {
             if (const size_t turned = agree_winding(primitive); turned > 0) {
                 data.warn(pointer, fmt::format("{} triangles ran against their neighbours, turned", turned));
@@ -265,7 +267,7 @@ void finish_triangles(Data& data, const Scene& scene, Primitive& primitive, cons
     }
 }
 
-/// Returns nothing if the primitive has nothing to draw.
+/// Imports a primitive. Returns nothing if the primitive has nothing to draw.
 std::optional<Primitive> import_primitive(Data& data, const Scene& scene, const tinygltf::Primitive& source,
                                           int index_accessor, const std::string& pointer)
 {
@@ -301,7 +303,7 @@ void import_meshes(Data& data, Scene& scene)
 {
     const auto& sources = data.model().meshes;
     for (size_t i = 0; i < sources.size(); ++i) {
-        constexpr double meshes_from = 0.75; // share of the file's load time before meshes begin
+        constexpr double meshes_from = 0.75; // share of the file's load time that passes before meshes begin
         report_progress(
             std::lerp(meshes_from, 1.0, static_cast<double>(i) / static_cast<double>(sources.size())));
         const std::string pointer = fmt::format("/meshes/{}", i);

@@ -61,8 +61,8 @@ void place_node(Data& data, const tinygltf::Node& source, Node& node, const std:
     }
 }
 
-/// Removes instances with identical transforms. An accessor without data is all zeros, so a small file could
-/// create any number of copies at one place.
+/// Removes instances whose transforms are identical. In an accessor without data all values are zero, so that
+/// a small file could create any number of copies at one place.
 void drop_same(Data& data, std::vector<glm::mat4>& instances, const std::string& pointer)
 {
     using Bits = std::array<uint32_t, 16>;
@@ -153,7 +153,7 @@ std::vector<glm::mat4> import_instances(Data& data, const tinygltf::Node& source
     return instances;
 }
 
-/// Sets parents; throws Error when a node has two, or is its own ancestor.
+/// Sets the parent of each node. Throws Error when a node has two parents or is its own ancestor.
 void link_nodes(const Data& data, Scene& scene)
 {
     for (size_t i = 0; i < scene.nodes.size(); ++i) {
@@ -188,7 +188,8 @@ void link_nodes(const Data& data, Scene& scene)
     }
 }
 
-/// Nodes outside the file's scene keep their transforms, because joints may depend on them, but show nothing.
+/// Removes the content of all nodes outside the scene that the file selects. Their transforms stay, because
+/// joints may depend on them.
 void clear_nodes_outside(const tinygltf::Scene& shown, Scene& scene)
 {
     std::vector<bool> inside(scene.nodes.size(), false);
@@ -234,7 +235,8 @@ void import_lights(Data& data, Scene& scene)
     }
 }
 
-/// Light links of a node apply to its children unless they override them.
+/// Imports light links (groups of lights). The links of a node apply to its children unless the children
+/// override them.
 void import_links(Data& data, Scene& scene)
 {
     std::vector<Index> open(scene.roots);
@@ -315,7 +317,7 @@ void import_skins(Data& data, Scene& scene)
     }
 }
 
-/// The highest joint index of a primitive's vertices.
+/// The highest joint index that any vertex of a primitive uses.
 uint32_t highest_joint(const Primitive& primitive)
 {
     uint32_t highest = 0;

@@ -15,7 +15,7 @@ namespace estampe::gltf {
 namespace {
 
 constexpr unsigned max_threads = 4;
-constexpr double textures_from = 0.1; ///< share of the file's load time before textures begin
+constexpr double textures_from = 0.1; ///< share of the load time that passes before textures begin
 constexpr double textures_to = 0.75;
 constexpr uint64_t max_total_pixels = uint64_t{1} << 29;
 
@@ -36,8 +36,8 @@ Image white_pixel()
     return {.width = 1, .height = 1, .rgba = {255, 255, 255, 255}};
 }
 
-/// Calls `work(i)` for i below `count` on up to four threads, or as many as can be started. Meanwhile calls
-/// `tell(done)` on the calling thread; it may throw to stop.
+/// Calls `work(i)` for each i below `count` on up to four threads, or on as many as can be started. At the
+/// same time calls `tell(done)` on the calling thread to report progress. `tell` may throw to stop the work.
 template <typename Work, typename Tell>
 void for_each_in_parallel(size_t count, const Work& work, const Tell& tell)
 {
@@ -55,7 +55,7 @@ void for_each_in_parallel(size_t count, const Work& work, const Tell& tell)
             helpers.emplace_back(loop);
         }
     } catch (const std::system_error&) {
-        // The threads that could be started, and this one, do all the work.
+        // If a thread cannot be started, the other threads and this one do all the work.
     }
     for (size_t i = next++; i < count; i = next++) {
         work(i);
@@ -68,8 +68,8 @@ void for_each_in_parallel(size_t count, const Work& work, const Tell& tell)
     }
 }
 
-/// For each image, the first image with an equal source. Exporters write one file under many materials, and a
-/// picture of 8192 x 8192 needs 256 MiB.
+/// For each image of the file, the index of the first image with an equal source. Exporters write one picture
+/// under many materials, and decoding a picture of 8192 x 8192 takes 256 MiB each time.
 std::vector<int> first_of_same(const Data& data)
 {
     const auto& views = data.model().bufferViews;
@@ -93,7 +93,7 @@ std::vector<int> first_of_same(const Data& data)
     return first;
 }
 
-/// The file's image that a texture shows; negative if none has a supported format.
+/// The image in the file that a texture uses. Negative if no image of the texture has a supported format.
 int readable_image(const tinygltf::Texture& texture)
 {
     const auto webp = texture.extensions.find("EXT_texture_webp");

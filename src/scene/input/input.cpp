@@ -35,7 +35,7 @@ double number_of_word(std::string_view word)
     }
     if (error == std::errc() && stopped == end)
         return value;
-    // Localised programs write a decimal comma.
+    // Programs with a localised number format may write a decimal comma.
     const size_t comma = word.find(',');
     if (comma == std::string_view::npos || comma + 1 == word.size() ||
         word.find('.') != std::string_view::npos)
@@ -48,7 +48,7 @@ double number_of_word(std::string_view word)
 namespace {
 
 constexpr size_t block_bytes = size_t{1} << 18;
-constexpr uint32_t replacement = 0xFFFD; ///< replaces invalid characters
+constexpr uint32_t replacement = 0xFFFD; ///< Unicode replacement character for invalid characters
 
 } // namespace
 
@@ -161,7 +161,7 @@ void Input::fill_from_utf16()
 {
     std::vector<char> raw(block_bytes);
     const size_t units = read_raw(raw.data(), raw.size()) / 2;
-    make_room(6 * units + 3); // a unit becomes at most three bytes, plus three for a lone surrogate before it
+    make_room(6 * units + 3); // a UTF-16 unit becomes at most three bytes, plus three for a lone surrogate
     for (size_t i = 0; i < units; ++i) {
         const uint32_t a = static_cast<uint8_t>(raw[2 * i]);
         const uint32_t b = static_cast<uint8_t>(raw[2 * i + 1]);
@@ -190,7 +190,7 @@ void Input::detect_encoding()
         skip(3);
         return;
     }
-    // ASCII text has a zero in every second byte in UTF-16, and in no other encoding.
+    // In UTF-16, ASCII text has a zero in every second byte. No other encoding does.
     const auto zeros = [&](size_t from) {
         for (size_t i = from; i < start.size(); i += 2)
             if (start[i] != '\0' || start[i ^ 1U] == '\0')
@@ -218,7 +218,8 @@ std::string_view Input::peek(size_t wanted)
     return {buffer_.data() + first_, buffered()};
 }
 
-/// Position of the end of the line that starts at first_: an LF or CR, or the end of the file.
+/// Finds the end of the line that starts at first_. This is the position of an LF or CR, or the end of the
+/// file.
 size_t Input::end_of_line()
 {
     const auto search = [this](size_t from, char end) {
@@ -228,14 +229,14 @@ size_t Input::end_of_line()
         return found == nullptr ? last_
                                 : static_cast<size_t>(static_cast<const char*>(found) - buffer_.data());
     };
-    // The positions of the next LF and CR are remembered, so that no byte is searched twice.
+    // The positions of the next LF and CR are cached, so that each byte is searched only once.
     while (true) {
         if (next_lf_ < first_ || next_lf_ >= last_ || buffer_[next_lf_] != '\n')
             next_lf_ = search(next_lf_, '\n');
         if (next_cr_ < first_ || next_cr_ >= last_ || buffer_[next_cr_] != '\r')
             next_cr_ = search(next_cr_, '\r');
         const size_t end = std::min(next_lf_, next_cr_);
-        // The LF of a CR LF pair may not be in the buffer yet.
+        // The LF of a CR LF pair may be beyond the end of the buffer. Then more bytes must be read.
         if ((end + 1 < last_ || (end < last_ && buffer_[end] == '\n')) || offset_ >= size_)
             return end;
         fill(block_bytes);
@@ -263,8 +264,8 @@ std::string Input::place() const
 
 namespace {
 
-constexpr double most_m = 1e15;           ///< the limit of mend_primitive()
-constexpr double furthest_of_file = 16.0; ///< distance from zero divided by extent
+constexpr double most_m = 1e15;           ///< the same limit as in mend_primitive()
+constexpr double furthest_of_file = 16.0; ///< largest ratio of distance from zero to extent
 constexpr double furthest_of_object = 1024.0;
 
 double largest(const glm::dvec3& v)
@@ -272,7 +273,8 @@ double largest(const glm::dvec3& v)
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// Zero, or a whole number near the centre if the centre is more than `furthest` extents away from `origin`.
+/// `origin`, unless the centre of `bounds` is more than `furthest` extents away from it. Then a rounded
+/// position near the centre.
 glm::dvec3 origin_of(const Bounds& bounds, const glm::dvec3& origin, double furthest)
 {
     if (bounds.empty())
@@ -280,7 +282,8 @@ glm::dvec3 origin_of(const Bounds& bounds, const glm::dvec3& origin, double furt
     const glm::dvec3 center = bounds.center();
     if (!(largest(center - origin) > furthest * largest(bounds.max - bounds.min)))
         return origin;
-    // For extents below one unit, the centre is rounded to a power of two below the extent.
+    // Coordinates are rounded to integers. For extents below one unit, they are rounded to a multiple of a
+    // power of two below the extent.
     const double extent = largest(bounds.max - bounds.min);
     const double step = extent > 0.0 && extent < 1.0 ? std::exp2(std::floor(std::log2(extent))) : 1.0;
     return glm::round(center / step) * step;
@@ -300,7 +303,7 @@ glm::dvec3 object_origin(const Bounds& bounds, const glm::dvec3& file)
 
 bool is_usable(const glm::dvec3& position)
 {
-    // This form of the comparison is false for NaN.
+    // Written with `<`, so that NaN gives false.
     return largest(position) < most_m && position.x == position.x && position.y == position.y &&
            position.z == position.z;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vertices, normals and tangents of a primitive.
+// Computes and repairs vertices, normals and tangents of a primitive.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -38,7 +38,7 @@ glm::dvec3 face_cross(const Primitive& primitive, size_t corner)
     return glm::cross(b - a, c - a);
 }
 
-/// Normalises `vector`; returns `otherwise` if it has no direction.
+/// Normalises `vector`. Returns `otherwise` if `vector` has no direction.
 glm::dvec3 unit_or(const glm::dvec3& vector, const glm::dvec3& otherwise)
 {
     const double length = glm::length(vector);
@@ -258,13 +258,15 @@ size_t normalise_weights(Primitive& primitive)
 namespace estampe {
 namespace {
 
-/// Number of items above which a second thread is used.
+/// Below this number of items, starting a second thread does not pay.
 constexpr size_t many = 50000;
 
-/// If more faces meet at a position, all share one average, which keeps the cost linear.
+/// At a position where more faces than this meet, all faces share one average normal. This keeps the cost
+/// linear.
 constexpr size_t crowd = 64;
 
-/// Calls work(begin, end) for both halves of 0 to `count`, in parallel if `count` is large.
+/// Calls work(begin, end) for each half of the range 0 to `count`. The halves run in parallel if `count` is
+/// large.
 template <typename Work>
 void in_halves(size_t count, const Work& work)
 {
@@ -277,8 +279,8 @@ void in_halves(size_t count, const Work& work)
     second.get();
 }
 
-/// Corners at each position: those of position p are corners[first[p]] to corners[first[p + 1]], in ascending
-/// order.
+/// The corners of triangles at each vertex position. The corners at position p are corners[first[p]] to
+/// corners[first[p + 1]], in ascending order.
 struct CornersOfPlace {
     std::vector<uint32_t> first;
     std::vector<uint32_t> corners;
@@ -292,7 +294,8 @@ CornersOfPlace gather_corners(const Primitive& primitive)
         place_of_vertex.data(), nullptr, vertices, primitive.positions.data(), vertices, sizeof(glm::vec3));
     CornersOfPlace result{.first = std::vector<uint32_t>(places + 2, 0),
                           .corners = std::vector<uint32_t>(primitive.indices.size())};
-    // Counts are stored one entry later, so that filling the list moves each start to its final value.
+    // Counts are stored one entry too late. While the corners are filled in, each start then advances to its
+    // final value.
     for (const uint32_t vertex : primitive.indices)
         ++result.first[place_of_vertex[vertex] + 2];
     std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
@@ -302,11 +305,11 @@ CornersOfPlace gather_corners(const Primitive& primitive)
     return result;
 }
 
-/// Contributions of faces to the normals around them: their unit normals (zero for faces without an area),
-/// weighted by the angle at each corner.
+/// The contribution of each face to vertex normals: its unit normal, weighted by its angle at the corner.
+/// Faces with zero area have a zero normal.
 struct FaceParts {
     std::vector<glm::vec3> normals;
-    std::vector<float> angles; ///< one per corner
+    std::vector<float> angles; ///< one angle per corner
 };
 
 FaceParts face_parts(const Primitive& primitive)
@@ -335,7 +338,7 @@ FaceParts face_parts(const Primitive& primitive)
     return parts;
 }
 
-/// Decides which faces at a position contribute to a corner's normal.
+/// Decides which of the faces at a vertex position contribute to the normal of a corner.
 class Neighbours {
 public:
     Neighbours(const FaceParts& parts, std::span<const uint32_t> groups, float crease_rad)
@@ -343,8 +346,8 @@ public:
     {
     }
 
-    /// Mean unit normal for a corner; of all corners at the position if the corner's face has no area or many
-    /// faces meet.
+    /// Averages the unit normals of the faces that contribute to corner `of`. If the corner's face has no
+    /// area, or if many faces meet at the position, all faces at the position contribute.
     [[nodiscard]] glm::vec3 average(std::span<const uint32_t> corners, uint32_t of) const
     {
         const glm::vec3 face = parts_.normals[of / 3];
@@ -353,8 +356,8 @@ public:
         if (group == 0 && !all)
             return glm::normalize(face) + glm::vec3(0.0F); // removes negative zeros, whose bytes differ
         glm::vec3 sum{0.0F};
-        // The sum follows the order of the corners, so that corners with equal neighbours get bitwise equal
-        // normals.
+        // Normals are added in the order of the corners. Corners with the same neighbours then get bitwise
+        // equal normals.
         for (const uint32_t corner : corners) {
             const bool counts =
                 all || (group_of(corner) == group &&
@@ -363,11 +366,11 @@ public:
                 sum += parts_.angles[corner] * parts_.normals[corner / 3];
         }
         const float length = glm::length(sum);
-        // Faces without an area have no direction; any will do.
+        // If all faces have zero area, no direction is right, so any unit vector is returned.
         return length > 0.0F ? glm::normalize(sum / length) : glm::vec3(0.0F, 1.0F, 0.0F);
     }
 
-    /// Whether the corner takes the average normal of all faces at its position, which is computed once.
+    /// Whether a corner uses the one average normal that all faces share at a position with many faces.
     [[nodiscard]] bool shares_average(std::span<const uint32_t> corners, uint32_t corner) const
     {
         return corners.size() > crowd &&
@@ -391,13 +394,14 @@ bool same_bits(const glm::vec3& a, const glm::vec3& b)
     return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
 }
 
-/// New vertices, each an old vertex with a new normal, and the new vertex of each corner.
+/// New vertices; each is an old vertex with a new normal.
 struct NewVertices {
     std::vector<uint32_t> old;
     std::vector<glm::vec3> normals;
 };
 
-/// Creates the new vertices of positions `begin` to `end` and numbers them from `result.old.size()`.
+/// Creates the new vertices at the positions `begin` to `end` and appends them to `result`. Sets the new
+/// vertex of each corner.
 void make_vertices(const Primitive& primitive, const CornersOfPlace& around, const Neighbours& neighbours,
                    size_t begin, size_t end, NewVertices& result, std::vector<uint32_t>& vertex_of_corner)
 {
@@ -419,8 +423,8 @@ void make_vertices(const Primitive& primitive, const CornersOfPlace& around, con
             }
             const uint32_t old = primitive.indices[corner];
             size_t found = first;
-            // With many corners at a position only the last few vertices are compared; a missed match only
-            // adds a vertex.
+            // If many corners meet at a position, only the last few new vertices are compared. A missed match
+            // only adds a duplicate vertex.
             if (is_crowded && result.old.size() - first > crowd)
                 found = result.old.size() - crowd;
             while (found < result.old.size() &&
@@ -451,7 +455,7 @@ void make_crease_normals(Primitive& primitive, float crease_rad, std::span<const
     in_halves(places, [&](size_t begin, size_t end) {
         make_vertices(primitive, around, neighbours, begin, end, made[begin == 0 ? 0 : 1], vertex_of_corner);
     });
-    // Marks the corners whose position lies in the second half.
+    // Per corner: whether the second half of the positions contains its position.
     std::vector<bool> is_second(primitive.indices.size(), false);
     for (size_t i = around.first[middle]; i < around.corners.size(); ++i)
         is_second[around.corners[i]] = true;

@@ -16,7 +16,7 @@ namespace estampe {
 
 std::vector<uint32_t> places_of_vertices(const Primitive& primitive, size_t* count)
 {
-    // Vertices are compared by bytes, and negative zero has other bytes than zero.
+    // Vertices are compared by bytes. Negative zeros become positive here, because their bytes differ.
     std::vector<glm::vec3> positions = primitive.positions;
     for (glm::vec3& position : positions) {
         position += 0.0F;
@@ -35,7 +35,7 @@ void turn_triangle(Primitive& primitive, size_t triangle)
     std::swap(primitive.indices[3 * triangle + 1], primitive.indices[3 * triangle + 2]);
     if (!primitive.edge_marks.empty()) {
         uint8_t& marks = primitive.edge_marks[triangle];
-        // The first and the last edge have changed places.
+        // Swapping two corners swaps the first and the last edge, so their marks are swapped too.
         marks = static_cast<uint8_t>((marks & ~5U) | (marks & 1U) << 2U | (marks >> 2U & 1U));
     }
 }
@@ -166,7 +166,7 @@ void check_structure(const Scene& scene, const std::string& where)
 
 namespace {
 
-constexpr float farthest_vertex_m = 1e15F; ///< beyond this, squares of lengths exceed the range of floats
+constexpr float farthest_vertex_m = 1e15F; ///< beyond this, squares of lengths overflow floats
 
 size_t corners_of(Topology topology)
 {
@@ -175,7 +175,7 @@ size_t corners_of(Topology topology)
 
 bool usable(const glm::vec3& position)
 {
-    // This form of the comparison is false for NaN.
+    // Written with `<`, so that NaN gives false.
     return std::abs(position.x) < farthest_vertex_m && std::abs(position.y) < farthest_vertex_m &&
            std::abs(position.z) < farthest_vertex_m;
 }
@@ -207,7 +207,7 @@ void drop_bad_elements(Primitive& primitive, const std::string& name, std::vecto
     primitive.indices = std::move(kept);
 }
 
-/// Clears an attribute whose length is wrong; replaces values that are not finite by zero.
+/// Clears a vertex attribute whose length is wrong. Replaces values that are not finite by zero.
 template <typename Vector>
 void mend_attribute(std::vector<Vector>& values, size_t vertices)
 {
@@ -262,10 +262,10 @@ void share_vertices(Primitive& primitive)
         add(target.position_offsets);
         add(target.normal_offsets);
     }
-    // meshoptimizer compares at most 16 streams; a mesh with more keeps its vertices.
+    // meshoptimizer compares at most 16 vertex attributes. In a mesh with more, vertices are not merged.
     if (streams.size() > 16 || primitive.indices.empty())
         return;
-    // meshoptimizer expects a multiple of three indices, whatever they stand for.
+    // meshoptimizer requires that the number of indices is a multiple of three, also for lines and points.
     std::vector<uint32_t> named = primitive.indices;
     named.resize((named.size() + 2) / 3 * 3, named.back());
     std::vector<uint32_t> new_of_old(vertices);
@@ -284,7 +284,7 @@ void mend_primitive(Primitive& primitive, const std::string& name, std::vector<s
 {
     mend_attributes(primitive);
     drop_bad_elements(primitive, name, warnings);
-    // Vertices are compared by bytes, and negative zero has other bytes than zero.
+    // Vertices are compared by bytes. Negative zeros become positive here, because their bytes differ.
     for (glm::vec3& position : primitive.positions)
         position += glm::vec3(0.0F);
     if (!primitive.joints_0.empty() && gltf::normalise_weights(primitive) > 0)
@@ -303,7 +303,7 @@ void mend_primitive(Primitive& primitive, const std::string& name, std::vector<s
 
 namespace {
 
-// Shares of the load time between which meshes are repaired; files are read before.
+// Meshes are repaired between these two shares of the load time. Files are read before.
 constexpr double mending_from = 0.4;
 constexpr double mending_to = 0.85;
 
@@ -339,7 +339,7 @@ void mend_meshes(Scene& scene, const std::string& where)
 
 namespace {
 
-/// Computes the tangents of primitives whose material has a normal map.
+/// Computes tangents for all primitives whose material has a normal map.
 void make_needed_tangents(Scene& scene)
 {
     for (Mesh& mesh : scene.meshes) {

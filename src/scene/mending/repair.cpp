@@ -14,14 +14,15 @@
 namespace estampe {
 namespace {
 
-/// Whether the triangle's winding is clockwise as seen from the side to which all three of its normals point.
+/// Whether a triangle's winding contradicts its normals: it is clockwise as seen from the side to which all
+/// three normals point.
 bool runs_against_normals(const Primitive& primitive, const uint32_t* corners)
 {
     const glm::dvec3 a = primitive.positions[corners[0]];
     const glm::dvec3 face = glm::cross(glm::dvec3(primitive.positions[corners[1]]) - a,
                                        glm::dvec3(primitive.positions[corners[2]]) - a);
-    // Cosine by which a normal must lie beyond a right angle: smoothed normals of a sharp edge reach a right
-    // angle, and rounding goes a little further.
+    // A normal contradicts the winding only if its angle to the face is clearly more than 90 degrees. The
+    // smoothed normals of a sharp edge reach 90 degrees, and rounding errors exceed it a little.
     constexpr double clearly = 0.05;
     const double least = -clearly * glm::length(face);
     return std::all_of(corners, corners + 3, [&](uint32_t corner) {
@@ -51,15 +52,16 @@ void turn_by_normals(Scene& scene)
 
 namespace {
 
-/// One primitive of one node in the rest pose.
+/// One primitive of one node in the rest pose, in world space.
 struct PlacedSurface {
     Index node = no_index;
     Index mesh = no_index;
     size_t primitive = 0;
     size_t triangles = 0;
     Bounds bounds;
-    /// Integral over the surface of the offset from the middle of the bounds along the normal: three times
-    /// the volume if the surface is closed, and of the same sign if it nearly is.
+    /// Three times the enclosed volume if the surface is closed; positive if its faces point outwards.
+    /// Computed as the integral over the surface of the offset from the middle of the bounds along the
+    /// normal. The sign is also right if the surface is nearly closed.
     double outward_m3 = 0.0;
     bool is_one_sided = false;
 };
@@ -94,11 +96,11 @@ std::vector<PlacedSurface> placed_surfaces(const Scene& scene)
     return surfaces;
 }
 
-/// Whether `hull` encloses `figure` closely: on no side inside it, and on none further out than the width of
-/// an outline.
+/// Whether the box `hull` encloses the box `figure` closely: no side of the hull is inside the figure, or
+/// further outside than the width of an outline.
 bool lies_close_around(const Bounds& hull, const Bounds& figure)
 {
-    constexpr double widest = 0.12; // share of the figure's diagonal
+    constexpr double widest = 0.12; // largest outline width, as a share of the figure's diagonal
     const double slack_m = 1e-4 * figure.radius();
     const double widest_m = 2.0 * widest * figure.radius();
     const glm::dvec3 below = figure.min - hull.min;
@@ -110,7 +112,7 @@ bool lies_close_around(const Bounds& hull, const Bounds& figure)
            glm::all(glm::lessThan(glm::max(below, above), glm::dvec3(widest_m)));
 }
 
-/// Whether both have nearly the same number of triangles; exporters may drop or add a few.
+/// Whether both surfaces have nearly the same number of triangles. Exporters may drop or add a few.
 bool has_count_of(const PlacedSurface& hull, const PlacedSurface& figure)
 {
     const auto [least, most] = std::minmax(hull.triangles, figure.triangles);
@@ -124,7 +126,8 @@ bool is_hull_of(const PlacedSurface& hull, const PlacedSurface& figure)
            lies_close_around(hull.bounds, figure.bounds);
 }
 
-/// Whether any node has a one-sided primitive beside others; if none has, nothing needs to be posed.
+/// Whether the scene can contain outline hulls, that is, has at least two primitives, one of them one-sided.
+/// If not, the scene needs no posing.
 bool may_have_hulls(const Scene& scene)
 {
     size_t primitives = 0;
@@ -139,8 +142,8 @@ bool may_have_hulls(const Scene& scene)
     return primitives > 1 && has_one_sided;
 }
 
-/// What a hull may enclose: each primitive, all primitives of a node together, and those of the whole scene
-/// together. Only surfaces that face outwards count.
+/// The surfaces that an outline hull may enclose: each primitive, all primitives of a node together, and all
+/// primitives of the scene together. Only surfaces that face outwards are included.
 std::vector<PlacedSurface> possible_figures(const std::vector<PlacedSurface>& surfaces)
 {
     std::vector<PlacedSurface> figures;
@@ -176,7 +179,7 @@ void leave_out_outline_hulls(Scene& scene)
     const std::vector<PlacedSurface> surfaces = placed_surfaces(scene);
     std::vector<PlacedSurface> figures = possible_figures(surfaces);
     std::ranges::sort(figures, {}, &PlacedSurface::triangles);
-    std::set<std::pair<Index, size_t>> hulls; // index of the mesh and of the primitive
+    std::set<std::pair<Index, size_t>> hulls; // pairs of mesh index and primitive index
     for (const PlacedSurface& hull : surfaces) {
         const auto first =
             std::ranges::lower_bound(figures, hull.triangles * 49 / 50, {}, &PlacedSurface::triangles);
@@ -189,7 +192,7 @@ void leave_out_outline_hulls(Scene& scene)
         }
     }
     const std::vector<std::pair<Index, size_t>> last_first(hulls.rbegin(),
-                                                           hulls.rend()); // descending
+                                                           hulls.rend()); // in descending order
     for (const auto& [index, primitive] : last_first) {
         Mesh& mesh = scene.meshes[index];
         scene.warnings.push_back(fmt::format("mesh \"{}\": an outline hull, a larger copy turned inside out; "
@@ -210,12 +213,12 @@ namespace {
 constexpr double clear_below = 0.05;
 constexpr double solid_above = 0.9;
 
-/// Distribution of a material's alpha over the area of the surfaces that it covers.
+/// How a material's alpha is distributed over the area of its surfaces. Each value is an area.
 struct AlphaShares {
     double area = 0.0;
     double clear = 0.0;
     double solid = 0.0;
-    double wholly_solid = 0.0; ///< alpha rounds to 255 of 255
+    double wholly_solid = 0.0; ///< area where alpha rounds to 255 of 255
 };
 
 double wrapped(double t, Wrap wrap)
@@ -231,7 +234,7 @@ double wrapped(double t, Wrap wrap)
     return wrap == Wrap::mirror && is_odd ? 1.0 - part : part;
 }
 
-/// Alpha of the texel at `uv`, 0 to 1.
+/// Alpha of the texel at `uv`, from 0 to 1, without interpolation.
 double alpha_at(const Texture& texture, const glm::dvec2& uv)
 {
     const auto texel = [](double t, uint32_t count) {
@@ -242,7 +245,7 @@ double alpha_at(const Texture& texture, const glm::dvec2& uv)
     return texture.image.rgba[4 * (size_t{y} * texture.image.width + x) + 3] / 255.0;
 }
 
-/// Samples the alpha of a material over its triangles.
+/// Samples the alpha of a material at points on its triangles.
 class AlphaMeter {
 public:
     AlphaMeter(const Scene& scene, Index material) : scene_(scene), material_(scene.materials[material])
@@ -258,7 +261,7 @@ public:
             }
         };
         of_material([&](const Primitive& primitive) { triangles += primitive.indices.size() / 3; });
-        // At most about this many triangles are sampled; with fewer triangles, each gets more samples.
+        // About this many triangles are sampled. If the material has fewer triangles, each gets more samples.
         constexpr size_t enough = 1U << 17U;
         const size_t stride = std::max<size_t>(1, triangles / enough);
         places_ = std::clamp<size_t>(enough / std::max<size_t>(triangles, 1), 4, 4096);
@@ -278,7 +281,8 @@ private:
         const double area = glm::length(glm::cross(glm::dvec3(primitive.positions[corners[1]]) - a,
                                                    glm::dvec3(primitive.positions[corners[2]]) - a));
         for (size_t i = 0; i < places_; ++i) {
-            // Roberts' low-discrepancy sequence, folded from the square into the triangle.
+            // Sample points follow Roberts' low-discrepancy sequence. Points outside of the triangle are
+            // mirrored into it.
             double u = std::fmod(0.7548776662466927 * static_cast<double>(i + 1), 1.0);
             double v = std::fmod(0.5698402909980532 * static_cast<double>(i + 1), 1.0);
             if (u + v > 1.0) {
@@ -328,7 +332,8 @@ private:
 
 void find_cut_out_materials(Scene& scene)
 {
-    // Leaves and fences are clear or solid except for soft borders; hair is soft over half of its width.
+    // Leaves and fences are clear or solid except for soft borders. Hair is half transparent over half of its
+    // width.
     constexpr double much = 0.4;
     constexpr double some = 0.01;
     constexpr double a_part = 0.1;

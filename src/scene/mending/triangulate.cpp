@@ -7,17 +7,17 @@
 namespace estampe {
 namespace {
 
-/// Twice the signed area of a triangle; positive if it is counter-clockwise.
+/// Twice the signed area of a triangle. Positive if the triangle is counter-clockwise.
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
 {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Normal by Newell's method; its length is twice the area of any polygon.
+/// Normal of a polygon by Newell's method. Its length is twice the area of the polygon.
 glm::dvec3 normal_of(std::span<const glm::dvec3> corners)
 {
     glm::dvec3 normal(0.0);
-    const glm::dvec3 origin = corners[0]; // subtracting it keeps precision for polygons far from zero
+    const glm::dvec3 origin = corners[0]; // subtracted to keep precision far from zero
     for (size_t i = 1; i + 1 < corners.size(); ++i)
         normal += glm::cross(corners[i] - origin, corners[i + 1] - origin);
     return normal;
@@ -31,7 +31,8 @@ void Triangulation::fan(std::vector<uint32_t>& triangles) const
         triangles.insert(triangles.end(), {kept_[0], kept_[i], kept_[i + 1]});
 }
 
-/// Projects the kept corners along the axis that gives the largest area, counter-clockwise.
+/// Projects the kept corners along the coordinate axis for which the projected area is largest. The result is
+/// counter-clockwise.
 void Triangulation::flatten(std::span<const glm::dvec3> corners)
 {
     const glm::dvec3 normal = normal_of(corners);
@@ -75,7 +76,7 @@ void Triangulation::cut(std::span<const glm::dvec3> corners, std::vector<uint32_
         fan(triangles);
         return;
     }
-    if (count == 4) { // at most one corner is reflex; both triangles of a fan from it lie inside
+    if (count == 4) { // at most one corner is reflex; a fan from this corner is valid
         const auto hollow =
             static_cast<std::ptrdiff_t>(*std::find_if(reflex_.begin(), reflex_.end(), [&](uint32_t i) {
                 return turn(flat_[(i + 3) % 4], flat_[i], flat_[(i + 1) % 4]) < 0.0;
@@ -87,7 +88,8 @@ void Triangulation::cut(std::span<const glm::dvec3> corners, std::vector<uint32_
     clip_ears(triangles);
 }
 
-/// Whether the triangle at a corner lies inside the polygon, that is, contains no reflex corner.
+/// Whether the corner is an ear: it is convex, and its triangle contains no reflex corner, so that the corner
+/// can be cut off.
 bool Triangulation::is_ear(size_t at)
 {
     if (is_reflex_[at])
@@ -102,8 +104,8 @@ bool Triangulation::is_ear(size_t at)
         const glm::dvec2& p = flat_[i];
         if (!is_reflex_[i] || p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y)
             return false;
-        // A corner at the same position as one of the triangle, as where a hole is joined to the outline, is
-        // not inside.
+        // A corner at the same position as a corner of the triangle does not count as inside. This happens
+        // where a hole is joined to the outline.
         if (p == a || p == b || p == c)
             return false;
         return turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
@@ -136,13 +138,13 @@ void Triangulation::clip_ears(std::vector<uint32_t>& triangles)
         const uint32_t behind = next_[at];
         next_[before] = behind;
         last_[behind] = before;
-        is_reflex_[at] = false; // the corner is removed and blocks no ear
+        is_reflex_[at] = false; // the corner is cut off, so it blocks no ear any more
         for (const uint32_t i : {before, behind})
             if (is_reflex_[i] && turn(flat_[last_[i]], flat_[i], flat_[next_[i]]) > 0.0)
                 is_reflex_[i] = false;
         --left;
         tried = 0;
-        at = next_[behind]; // cutting every other corner makes better triangles than a fan of slivers
+        at = next_[behind]; // skips a corner: cutting every other corner gives fewer slivers than a fan
     }
     triangles.insert(triangles.end(), {kept_[last_[at]], kept_[at], kept_[next_[at]]});
     unclean_ += is_clean ? 0 : 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The winding of triangles: agree_winding() of mend.hpp, turn_outside() of repair.hpp.
+// Repairs the winding of triangles: agree_winding() of mend.hpp, and turn_outside() of repair.hpp.
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -13,14 +13,15 @@
 namespace estampe {
 namespace {
 
-/// One side of a triangle, stored at the smaller of its two positions.
+/// One side of a triangle, listed at the smaller of its two position numbers.
 struct Side {
-    uint32_t other; ///< the larger position
+    uint32_t other; ///< the larger position number
     uint32_t triangle;
-    bool rising; ///< whether the side runs from the smaller position to the larger
+    bool rising; ///< the side runs from the smaller position number to the larger
 };
 
-/// Sides sorted by their smaller position: those of position p are sides[first[p]] to sides[first[p + 1]].
+/// All sides of triangles, sorted by their smaller position number. The sides of position p are
+/// sides[first[p]] to sides[first[p + 1]].
 struct Sides {
     std::vector<uint32_t> first;
     std::vector<Side> sides;
@@ -35,7 +36,7 @@ std::vector<uint32_t> places_of_corners(const Primitive& primitive, size_t& plac
     return corners;
 }
 
-/// Calls use(from, to, triangle) for each side, except for triangles that use a position twice.
+/// Calls use(from, to, triangle) for each side of each triangle. Skips triangles that use a position twice.
 template <typename Use>
 void each_side(const std::vector<uint32_t>& corners, const Use& use)
 {
@@ -70,7 +71,8 @@ Sides gather_sides(const std::vector<uint32_t>& corners, size_t places)
     return result;
 }
 
-/// The triangle across an edge, and whether both run along the edge in the same direction.
+/// The neighbour across an edge of a triangle. `against` means that both triangles run along the edge in the
+/// same direction, so that their windings contradict.
 struct EdgeNeighbour {
     uint32_t triangle = no_index;
     bool against = false;
@@ -88,7 +90,8 @@ bool same_places(const std::vector<uint32_t>& corners, uint32_t one, uint32_t ot
     return std::is_permutation(a, a + 3, b);
 }
 
-/// Pairs triangles at edges that exactly two share; a triangle is not paired with its own copy.
+/// Finds the neighbours across all edges that exactly two triangles share. A triangle is not the neighbour of
+/// its own copy.
 EdgeNeighbours pair_triangles(const std::vector<uint32_t>& corners, const Sides& sides)
 {
     EdgeNeighbours result;
@@ -121,7 +124,8 @@ EdgeNeighbours pair_triangles(const std::vector<uint32_t>& corners, const Sides&
     return result;
 }
 
-/// Whether two triangles run along any edge in the same direction.
+/// Whether there is an edge along which two triangles run in the same direction, so that their windings
+/// contradict.
 bool any_edge_run_twice(const std::vector<uint32_t>& corners, size_t places)
 {
     std::vector<uint32_t> first(places + 2, 0);
@@ -186,7 +190,7 @@ size_t agree_winding(Primitive& primitive)
             }
         }
         if (!agrees)
-            continue; // a one-sided surface such as a Moebius strip
+            continue; // the surface has only one side, such as a Moebius strip
         const uint8_t minority = areas[1] <= areas[0] ? 1 : 0;
         for (const uint32_t triangle : piece) {
             if (side[triangle] == minority) {
@@ -207,7 +211,7 @@ void agree_winding(Primitive& primitive, const std::string& name, std::vector<st
 
 namespace {
 
-/// Disjoint sets of positions that triangles connect.
+/// Disjoint sets (union-find) of the positions that triangles connect.
 class Sets {
 public:
     explicit Sets(size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
@@ -227,15 +231,15 @@ private:
     std::vector<uint32_t> parent_;
 };
 
-/// Triangles that are connected by shared positions.
+/// A piece of a surface: triangles that are connected by shared positions.
 struct SurfacePiece {
     Bounds bounds;
     double volume_m3 = 0.0;
-    bool is_inside_out = false;      ///< it is closed and consistently wound, and its backs face outwards
+    bool is_inside_out = false;      ///< closed, consistently wound, and its back faces point outwards
     std::vector<uint32_t> triangles; ///< empty unless the piece is inside out
 };
 
-/// The positions of a primitive, and the pieces into which its triangles connect them.
+/// Splits a primitive into pieces, which are triangles connected by shared positions.
 class Pieces {
 public:
     explicit Pieces(const Primitive& primitive)
@@ -266,7 +270,8 @@ public:
             }
             piece.volume_m3 += glm::dot(corners[0], glm::cross(corners[1], corners[2])) / 6.0;
         }
-        // Lists of triangles are long and few pieces are inside out, so only those get one.
+        // Triangles are listed only for pieces with negative volume. Such pieces are few, and lists of
+        // triangles are long.
         if (std::ranges::any_of(pieces_, [](const SurfacePiece& piece) { return piece.volume_m3 < 0.0; })) {
             for (uint32_t t = 0; t < triangle_count(); ++t)
                 if (SurfacePiece& piece = pieces_[piece_of_triangle[t]]; piece.volume_m3 < 0.0)
@@ -285,14 +290,14 @@ private:
 
     [[nodiscard]] uint32_t place(size_t t, size_t k) const { return places_[primitive_.indices[3 * t + k]]; }
 
-    /// Whether two corners of a triangle have one position, as at the poles of many spheres; it then is a
-    /// side without neighbours.
+    /// Whether two corners of a triangle are at the same position, as at the poles of many spheres. Such a
+    /// triangle has no area and is skipped.
     [[nodiscard]] bool has_collapsed(size_t t) const
     {
         return place(t, 0) == place(t, 1) || place(t, 1) == place(t, 2) || place(t, 2) == place(t, 0);
     }
 
-    /// A side of a triangle as a number, and its hash.
+    /// A directed side of a triangle as one number; spread() hashes this number.
     static uint64_t side(uint32_t from, uint32_t to) { return uint64_t{from} << 32U | to; }
 
     static uint64_t spread(uint64_t number)
@@ -302,7 +307,7 @@ private:
         return number ^ number >> 31U;
     }
 
-    /// Calls `take(from, to)` for each side of the piece's triangles.
+    /// Calls `take(from, to)` for each side of each triangle of the piece.
     template <typename Take>
     void for_sides(const SurfacePiece& piece, const Take& take) const
     {
@@ -311,11 +316,12 @@ private:
                 take(place(t, k), place(t, (k + 1) % 3));
     }
 
-    /// Whether each side of a triangle has exactly one neighbour, which runs in the opposite direction.
+    /// Whether a piece is closed: each side of each triangle has exactly one neighbour, which runs in the
+    /// opposite direction.
     [[nodiscard]] bool is_closed(const SurfacePiece& piece) const
     {
-        // Sides of an open piece lack a neighbour: comparing sums over both directions finds almost all such
-        // pieces without sorting.
+        // Compares the sums of the hashes in both directions. They differ for almost all open pieces, because
+        // some sides lack a neighbour. So sorting is rarely needed.
         uint64_t difference = 0;
         for_sides(piece, [&](uint32_t from, uint32_t to) {
             difference += spread(side(from, to)) - spread(side(to, from));
@@ -374,7 +380,7 @@ void turn_over(Primitive& primitive, const SurfacePiece& piece)
     }
 }
 
-/// A piece in its place in the scene.
+/// A piece of a primitive, and its bounds in world space.
 struct PlacedPiece {
     Primitive* primitive;
     SurfacePiece piece;
@@ -424,7 +430,8 @@ std::vector<PlacedPiece> placed_pieces(Scene& scene)
 void turn_outside(Scene& scene)
 {
     const std::vector<PlacedPiece> placed = placed_pieces(scene);
-    // Pieces that may stand in a room, sorted from left to right, so that each room is compared with few.
+    // Bounds of the pieces that may be inside a room, sorted by their smallest x. Each room is then compared
+    // with few of them.
     std::vector<Bounds> furniture;
     if (std::ranges::any_of(placed, [](const PlacedPiece& piece) { return piece.piece.is_inside_out; }))
         for (const PlacedPiece& piece : placed)

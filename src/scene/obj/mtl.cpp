@@ -11,8 +11,8 @@
 namespace estampe::obj {
 namespace {
 
-/// Parses "1 0.5 0", or one number for all three; nothing for spectral curves and CIE colours, which are
-/// rare.
+/// Parses a colour such as "1 0.5 0", or one number for all three channels. Returns nothing for spectral
+/// curves and CIE colours, which are rare.
 std::optional<glm::vec3> color_of(Scanner words)
 {
     glm::dvec3 color(0.0);
@@ -36,7 +36,7 @@ std::optional<double> share_of(Scanner words)
     return std::nullopt;
 }
 
-/// Reads one to three numbers after an option, as long as words are numbers.
+/// Reads up to three numbers after an option, and stops at the first word that is no number.
 int read_numbers(Scanner& words, glm::dvec3& values)
 {
     int count = 0;
@@ -46,14 +46,15 @@ int read_numbers(Scanner& words, glm::dvec3& values)
         if (!ahead.number(value) || !std::isfinite(value))
             break;
         if (ahead.is_done())
-            break; // the last word is the file's name, even if it looks like a number
+            break; // the last word is the file name, even if it looks like a number
         values[count++] = value;
         words = ahead;
     }
     return count;
 }
 
-/// Reads one option; returns false if the word is a file name that begins with a minus.
+/// Reads an option with its values. Returns false if the word is no option but a file name that begins with a
+/// minus.
 bool read_option(std::string_view option, Scanner& words, MtlMap& map)
 {
     glm::dvec3 values(0.0);

@@ -19,7 +19,7 @@ using obj::Piece;
 constexpr float grey = 0.6F;
 constexpr const char* material_without_name = "DefaultMaterial";
 
-/// Treats a file that contains only vertices as a point cloud, as scanners write it.
+/// Adds all vertices as points. A file with only vertices is a point cloud from a scanner.
 void add_cloud(obj::Data& data, std::vector<std::string>& warnings)
 {
     Piece& cloud = data.pieces.emplace_back();
@@ -33,7 +33,7 @@ void add_cloud(obj::Data& data, std::vector<std::string>& warnings)
                                    data.positions.size()));
 }
 
-/// Bounds of each object's pieces.
+/// Returns the bounds of each object, over all its pieces.
 std::vector<Bounds> bounds_of_objects(const obj::Data& data)
 {
     std::vector<Bounds> bounds(data.objects.size());
@@ -79,7 +79,7 @@ Primitive primitive_of(const obj::Data& data, Piece& piece, const glm::dvec3& or
     return primitive;
 }
 
-/// Adds the nodes of objects that have something to draw, and of their parents.
+/// Adds nodes for the objects that have something to draw, and for the parents of these objects.
 class Nodes {
 public:
     Nodes(const obj::Data& data, Scene& scene, const std::string& root_name)
@@ -98,8 +98,8 @@ public:
         if (node_of_object_[object] != no_index)
             return node_of_object_[object];
         const obj::Object& source = data_.objects[object];
-        // Parents get no translation: the origin belongs to the node of the mesh, and objects also contain
-        // groups.
+        // The parent node gets no translation, because it may also contain groups. Only the node of the mesh
+        // is translated to the origin of its coordinates.
         const Index parent = source.parent == no_index ? 0 : node_of(source.parent);
         const auto index = static_cast<Index>(scene_.nodes.size());
         Node& node = scene_.nodes.emplace_back();
@@ -110,8 +110,9 @@ public:
         return index;
     }
 
-    /// The node that shows the meshes of an object: the object's own, or a child if groups lie in the object
-    /// too, because the translation must not apply to them.
+    /// Returns the node for the meshes of an object, translated to `origin`. It is the node of the object
+    /// itself. If the object also contains groups, it is a new child, because the translation must not apply
+    /// to the groups.
     Index node_of_mesh(uint32_t object, const glm::dvec3& origin)
     {
         Index index = node_of(object);
@@ -161,7 +162,7 @@ void add_meshes(obj::Data& data, Scene& scene, const std::string& root_name)
         if (!groups.empty() && primitive.normals.empty()) {
             agree_winding(primitive, data.objects[piece.object].name, scene.warnings);
             make_crease_normals(primitive, usual_crease_rad, groups);
-            (void)gltf::repair_normals(primitive); // repairs normals of faces without an area
+            (void)gltf::repair_normals(primitive); // gives normals to faces with zero area
         }
         scene.meshes[mesh].primitives.push_back(std::move(primitive));
     }
@@ -192,7 +193,7 @@ void warn_of_losses(const obj::Losses& losses, size_t vertices, std::vector<std:
         warnings.emplace_back("ends in the middle of a line: the file seems to be cut off");
 }
 
-/// Adds a grey material for elements without a material.
+/// Adds a grey material for all elements without a material.
 void add_default_material(obj::Data& data, const glm::vec3& color, Scene& scene)
 {
     const auto lacks_material = [](const Piece& piece) { return piece.material == no_index; };

@@ -23,7 +23,7 @@
 namespace estampe::obj {
 namespace {
 
-/// Creates the textures of materials. Each picture is decoded once; a picture that cannot be found or read is
+/// Creates the textures of materials. Each picture is decoded once. A picture that cannot be found or read is
 /// left out, with one warning that names it.
 class Textures {
 public:
@@ -35,17 +35,18 @@ public:
         return picture(map.file, finder) != nullptr;
     }
 
-    /// A texture with the unchanged picture; one white pixel if it cannot be read, so that the material's
-    /// colour shows.
+    /// Returns a texture with the picture as it is. If the picture cannot be read, the texture is one white
+    /// pixel, so that the colour of the material is visible.
     [[nodiscard]] TextureRef color(const MtlMap& map, FileFinder& finder);
 
-    /// A texture with the colours of one picture and the opacity of another in its alpha channel, as Material
-    /// expects. The opacity is the second picture's alpha if it has any, or else its brightness. If
-    /// `color_map` names no file, the colour is white.
+    /// Returns a texture with the colours of one picture, and with the opacity of another picture in the
+    /// alpha channel. The opacity is the alpha channel of `opacity_map` if it has one, else its brightness.
+    /// If `color_map` names no file, the colour is white.
     [[nodiscard]] TextureRef color_with_opacity(const MtlMap& color_map, const MtlMap& opacity_map,
                                                 FileFinder& finder);
 
-    /// A normal map; a height map is converted to one. Nothing if the picture cannot be read.
+    /// Returns a normal map. A height map is converted to a normal map. Nothing if the picture cannot be
+    /// read.
     [[nodiscard]] TextureRef normals(const MtlMap& map, FileFinder& finder);
 
 private:
@@ -53,11 +54,11 @@ private:
 
     using Key = std::tuple<std::string, std::string, Use, bool>;
 
-    /// The picture of a file. Because pictures are large, it is moved into the first texture that shows it
-    /// unchanged.
+    /// The decoded picture of a file. Pictures are large, so the picture is moved, not copied, into the first
+    /// texture that uses it unchanged.
     struct Picture {
-        std::optional<Image> image; ///< nothing if it cannot be read or has been moved
-        Index texture = no_index;   ///< the texture that it has been moved to
+        std::optional<Image> image; ///< nothing if it cannot be read or was moved
+        Index texture = no_index;   ///< the texture into which the picture was moved
     };
 
     [[nodiscard]] Picture& decoded(const std::string& name, FileFinder& finder);
@@ -67,11 +68,11 @@ private:
     [[nodiscard]] TextureRef add(const Key& key, const MtlMap& map, Image image);
 
     Scene& scene_;
-    std::map<std::string, Picture> pictures_; ///< by path, or by name if the file was not found
+    std::map<std::string, Picture> pictures_; ///< key: path, or name if the file was not found
     std::map<Key, Index> textures_;
 };
 
-/// Slope of the surface for a step of height from black to white between neighbouring texels.
+/// Slope of the surface where the height map changes from black to white between adjacent texels.
 constexpr float slope_of_height = 2.0F;
 
 float brightness(const uint8_t* pixel)
@@ -81,7 +82,8 @@ float brightness(const uint8_t* pixel)
            255.0F;
 }
 
-/// Whether the picture is a normal map: most normals point out of the surface, which is blue.
+/// Whether a picture is a normal map. In a normal map most texels are bluish, because most normals point away
+/// from the surface.
 bool holds_normals(const Image& image)
 {
     const size_t pixels = image.rgba.size() / 4;
@@ -98,8 +100,8 @@ bool holds_normals(const Image& image)
     return blue / count > std::max(red, green) / count + 24.0;
 }
 
-/// Normal map of a surface whose height is the picture's brightness. Green points up in the picture, as in
-/// glTF.
+/// Converts a height map, whose brightness is the height, to a normal map. The green channel points up in the
+/// picture, as in glTF.
 Image normals_of_heights(const Image& heights, bool repeats)
 {
     Image normals{.width = heights.width, .height = heights.height, .rgba = heights.rgba};
@@ -128,7 +130,7 @@ Image normals_of_heights(const Image& heights, bool repeats)
     return normals;
 }
 
-/// `colors` with the opacity of `opacity`, in the resolution of the larger one.
+/// Combines the colours of one picture with the opacity of another, at the resolution of the larger picture.
 Image combined(const Image& colors, const Image& opacity, const std::string& name)
 {
     Image image{.width = std::max(colors.width, opacity.width),
@@ -156,7 +158,8 @@ Image combined(const Image& colors, const Image& opacity, const std::string& nam
     return image;
 }
 
-/// uv' = scale * uv + offset in the file's coordinates, whose v points up while a texture's points down.
+/// The matrix of uv' = scale * uv + offset in OBJ coordinates. In OBJ files v points up; in textures it
+/// points down.
 glm::mat3 uv_transform_of(const MtlMap& map)
 {
     glm::mat3 transform(1.0F);
@@ -222,7 +225,7 @@ TextureRef Textures::color(const MtlMap& map, FileFinder& finder)
     if (const std::optional<TextureRef> same = known(key, map))
         return *same;
     Picture& picture = decoded(map.file, finder);
-    if (picture.texture != no_index) // already used by a texture with other wrap modes
+    if (picture.texture != no_index) // a texture with other wrap modes already uses this picture
         return add(key, map, scene_.textures[picture.texture].image);
     if (!picture.image)
         return add(key, map, white);
@@ -261,9 +264,9 @@ TextureRef Textures::normals(const MtlMap& map, FileFinder& finder)
 
 constexpr uint64_t most_library_bytes = uint64_t{1} << 28;
 constexpr size_t most_libraries = 1000;
-constexpr size_t most_named = 8; ///< names listed in one warning
+constexpr size_t most_named = 8; ///< largest number of names in one warning
 
-/// Splits a line into words; quotes keep words together.
+/// Splits a line into words at blanks. Blanks inside quotes do not split.
 std::vector<std::string> words_of(std::string_view line)
 {
     std::vector<std::string> words;
@@ -286,7 +289,7 @@ std::vector<std::string> words_of(std::string_view line)
     return words;
 }
 
-/// Finds material libraries.
+/// Finds the material libraries that an OBJ file names.
 class Libraries {
 public:
     Libraries(const std::filesystem::path& file, Scene& scene)
@@ -302,7 +305,8 @@ public:
     }
 
 private:
-    /// A line may contain one name with blanks, or several names that may also have blanks.
+    /// Finds the libraries of an `mtllib` line. The line may contain one name with blanks, or several names
+    /// that may also contain blanks.
     void find_line(const std::string& line)
     {
         if (line.empty() || found(line))
@@ -350,7 +354,7 @@ private:
 
 void set_opacity(const MtlMaterial& source, Material& material, std::vector<std::string>& warnings)
 {
-    // Programs disagree on whether Tr 1 is clear or opaque; d is unambiguous.
+    // `d` has priority over `Tr`, because programs disagree on whether Tr 1 is clear or opaque.
     const double opacity = source.dissolve.value_or(1.0 - source.transparency.value_or(0.0));
     if (!(opacity > 0.0)) {
         warnings.push_back(
@@ -380,7 +384,7 @@ Material material_of(const MtlMaterial& source, const glm::vec3& default_color, 
     } else if (!source.diffuse_map.file.empty()) {
         material.base_color_texture = textures.color(source.diffuse_map, finder);
     }
-    // Exporters often leave a colour black, or omit it, when a texture gives it.
+    // Exporters often write black, or no colour, if a texture defines the colour.
     const bool is_said_by_texture =
         !source.diffuse_map.file.empty() && source.diffuse.value_or(glm::vec3(0.0F)) == glm::vec3(0.0F);
     if (is_said_by_texture)
@@ -445,7 +449,7 @@ void read_materials(const std::filesystem::path& file, const std::vector<std::st
         FileFinder finder({library.parent_path(), file.parent_path()});
         for (const MtlMaterial& source : parsed(library, scene.warnings)) {
             const auto [place, is_new] = place_of_name.try_emplace(source.name, scene.materials.size());
-            // If several libraries define a name, the first one counts.
+            // If several libraries define a material with the same name, the first definition applies.
             if (!is_new && (place->second >= is_known.size() || is_known[place->second]))
                 continue;
             if (is_new)

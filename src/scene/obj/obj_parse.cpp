@@ -12,9 +12,9 @@
 namespace estampe::obj {
 namespace {
 
-/// Largest number of vertices at one position that are compared with a new one, because a file may combine
-/// any number of texture coordinates with one position. Duplicates that this misses are merged when the mesh
-/// is repaired.
+/// Largest number of vertices at one position that are compared with a new vertex. Without a limit, a file
+/// that combines one position with many texture coordinates would be slow. Missed duplicates are merged
+/// later, when the mesh is repaired.
 constexpr int most_compared = 32;
 
 size_t corners_of(Topology topology)
@@ -59,7 +59,7 @@ uint32_t PieceBuilder::vertex_of(uint32_t piece, Corner corner)
 {
     std::vector<Corner>& vertices = data_.pieces[piece].vertices;
     const auto vertex = static_cast<uint32_t>(vertices.size());
-    if (corner.position >= data_.positions.size()) { // the file has not listed this position yet
+    if (corner.position >= data_.positions.size()) { // the position comes later in the file
         vertices.push_back(corner);
         return vertex;
     }
@@ -201,7 +201,7 @@ namespace {
 
 constexpr std::string_view object_without_name = "defaultobject";
 
-/// Statements that do not affect drawn surfaces.
+/// OBJ statements that do not affect the drawing and are skipped.
 constexpr std::array<std::string_view, 24> passed_over{
     "vp",   "cstype",     "deg",       "bmat",  "step",  "parm",   "trim",     "hole",
     "scrv", "sp",         "end",       "con",   "mg",    "bevel",  "c_interp", "d_interp",
@@ -214,7 +214,8 @@ bool ends_in_backslash(std::string_view line)
     return line.ends_with('\\');
 }
 
-/// Reads an index of a face: from 1, or from -1 backwards; 0 when there is none or it is out of range.
+/// Reads an index of a corner. Indices count from 1, or from -1 backwards. Returns 0 when there is no index
+/// or it is out of range.
 int64_t read_index(const char*& at, const char* end)
 {
     const bool is_negative = at != end && *at == '-';
@@ -226,8 +227,9 @@ int64_t read_index(const char*& at, const char* end)
     return is_negative ? -value : value;
 }
 
-/// Converts an index that counts from 1, or from -1 backwards in a list of `count`; no_index if it is
-/// invalid. An index beyond the list is kept, because the file may list more entries later.
+/// Converts an index that counts from 1, or from -1 backwards, to an index from 0 in a list of `count`
+/// entries. Returns no_index if it is invalid. An index beyond the list is valid, because the file may list
+/// more entries later.
 uint32_t resolved(int64_t index, size_t count)
 {
     const int64_t place = index > 0 ? index - 1 : index + static_cast<int64_t>(count);
@@ -254,7 +256,7 @@ public:
     }
 
 private:
-    /// Joins a line that ends in a backslash with the lines that follow.
+    /// Appends the following lines to a line that ends in a backslash.
     void read_continued(std::string_view line)
     {
         std::string joined;
@@ -293,7 +295,8 @@ private:
             note_unread();
     }
 
-    /// Reads "# Vertices: 8" and "# Faces: 12". Only they reveal a file that is truncated between two lines.
+    /// Reads comments such as "# Vertices: 8" and "# Faces: 12". If a file is truncated between two lines,
+    /// only these counts reveal it.
     void read_comment(Scanner& words)
     {
         const std::string_view subject = words.word();
@@ -340,7 +343,7 @@ private:
         losses.is_cut_off = losses.is_cut_off || !input_.line_was_ended();
     }
 
-    /// Reads up to N numbers of the line and returns how many there are.
+    /// Reads up to N numbers from the line. Returns how many numbers there are.
     template <size_t N>
     static size_t read_numbers(Scanner& words, std::array<double, N>& values)
     {
@@ -382,7 +385,7 @@ private:
         data_.normals.emplace_back(values[0], values[1], values[2]);
     }
 
-    /// Reads the corners of an element; returns false if it cannot be drawn.
+    /// Reads the corners of a face, line or point. Returns false if the element cannot be drawn.
     bool read_corners(Scanner& words, size_t least)
     {
         corners_.clear();
@@ -423,7 +426,7 @@ private:
             }
         }
         if (at != end)
-            corner.position = no_index; // the word is not an index
+            corner.position = no_index; // the word is no valid index
         return corner;
     }
 
@@ -465,7 +468,8 @@ private:
         return found->second;
     }
 
-    /// Converts colours from sRGB. Programs that scan and sculpt write them from 0 to 1 or from 0 to 255.
+    /// Converts vertex colours from sRGB to linear. Scanning and sculpting programs write them from 0 to 1 or
+    /// from 0 to 255.
     void finish_colors()
     {
         if (data_.colors.empty())
@@ -486,7 +490,7 @@ private:
     Data data_;
     PieceBuilder builder_;
     std::vector<Corner> corners_;
-    uint32_t named_object_ = no_index; ///< the object named by `o`
+    uint32_t named_object_ = no_index; ///< the last object named by an `o` statement
     std::unordered_map<std::string, uint32_t> material_of_name_;
     std::unordered_map<std::string, uint32_t> object_of_name_;
 };

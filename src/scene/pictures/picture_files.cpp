@@ -15,8 +15,8 @@ namespace estampe {
 namespace {
 
 constexpr size_t longest_name = 4096;  ///< no operating system opens a longer path
-constexpr size_t most_parts = 16;      ///< of deeper paths only the last parts are searched
-constexpr size_t most_listed = 200000; ///< largest number of entries remembered per folder
+constexpr size_t most_parts = 16;      ///< of longer paths only this many last parts are searched
+constexpr size_t most_listed = 200000; ///< largest number of cached entries per folder
 
 int hex_digit(char letter)
 {
@@ -26,7 +26,7 @@ int hex_digit(char letter)
     return small >= 'a' && small <= 'f' ? small - 'a' + 10 : -1;
 }
 
-/// Decodes percent-encoded bytes such as "%20".
+/// Decodes percent-encoded bytes such as "%20" in a name.
 std::string percent_decoded(std::string_view name)
 {
     std::string decoded;
@@ -42,7 +42,8 @@ std::string percent_decoded(std::string_view name)
     return decoded;
 }
 
-/// A path split at its slashes, and whether it starts at the root of a disk, a drive or a server.
+/// A path, split at its slashes, and whether the path is absolute: it starts at the root of a disk, a drive
+/// or a server.
 struct SplitPath {
     std::vector<std::string> parts;
     bool is_absolute = false;
@@ -118,7 +119,8 @@ std::optional<std::filesystem::path> FileFinder::find_spelled(std::string_view n
     if (path.parts.empty() || path.parts.back() == "..")
         return std::nullopt;
     const size_t count = path.parts.size();
-    // The full path is tried in every folder before any end of it, because an end may match another file.
+    // Searches the full path in every folder first, then shorter ends of the path, because an end may match a
+    // wrong file.
     for (size_t first = count > most_parts ? count - most_parts : 0; first < count; ++first) {
         if (path.is_absolute && path.parts[first] == "..")
             continue;
@@ -157,7 +159,8 @@ std::optional<std::string> FileFinder::actual_name(const std::filesystem::path& 
         for (size_t count = 0;
              !failed && entries != std::filesystem::directory_iterator() && count < most_listed; ++count) {
             const std::string entry = entries->path().filename().string();
-            // If names differ only in case, the first in byte order is taken, whatever the disk's order.
+            // If names differ only in case, the first name in byte order is used. The result then does not
+            // depend on the order of the disk.
             const auto [known, is_first] = listing->second.try_emplace(lower_case(entry), entry);
             if (!is_first)
                 known->second = std::min(known->second, entry);
@@ -173,7 +176,7 @@ std::optional<std::string> FileFinder::actual_name(const std::filesystem::path& 
 
 namespace {
 
-/// Finds a file, or notes in the scene that it is missing and throws Error.
+/// Finds a file. If it is missing, adds its name to the scene's missing files and throws Error.
 std::filesystem::path found_file(const std::string& name, FileFinder& finder, Scene& scene)
 {
     std::optional<std::filesystem::path> file = finder.find(name);

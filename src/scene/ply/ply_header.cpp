@@ -67,7 +67,7 @@ private:
         throw Error(what, fmt::format("{}:{}", input_.name(), line_number_), "check that the file is whole");
     }
 
-    /// Skips line ends before the magic word, which should be the first word of the file.
+    /// Checks that the file begins with "ply". Skips line ends before this word.
     void read_magic()
     {
         std::string_view start = input_.peek(1);
@@ -78,7 +78,7 @@ private:
         }
         if (lower_case(input_.peek(3).substr(0, 3)) != "ply")
             refuse("is not a PLY file");
-        // The first line shows how all lines end: with LF, possibly after a CR, or with CR alone.
+        // The end of the first line determines how all header lines end: with LF or CR LF, or with CR alone.
         start = input_.peek(longest_line);
         const size_t end = start.find_first_of("\r\n");
         ends_with_cr_ = end != std::string_view::npos && start[end] == '\r' &&

@@ -27,7 +27,7 @@ std::vector<glm::vec3> moved(const std::vector<glm::dvec3>& positions, const glm
     return result;
 }
 
-/// All vertices as listed in the file.
+/// Returns a primitive with all vertices in the order of the file.
 Primitive with_vertices(const ply::Data& data, const std::vector<glm::vec3>& positions)
 {
     Primitive primitive;
@@ -40,7 +40,8 @@ Primitive with_vertices(const ply::Data& data, const std::vector<glm::vec3>& pos
     return primitive;
 }
 
-/// The triangles of one texture; each corner becomes a vertex, because corners have their own attributes.
+/// Returns a primitive with the triangles that use one texture. Each corner becomes a vertex, because corners
+/// have their own attributes.
 Primitive with_corners(const ply::Data& data, const std::vector<glm::vec3>& positions, uint32_t texture)
 {
     Primitive primitive;

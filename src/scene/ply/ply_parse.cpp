@@ -16,7 +16,7 @@
 namespace estampe::ply {
 namespace {
 
-/// The meaning of a number in a row.
+/// The meaning of a property, that is, of a number in a row.
 enum class Use : uint8_t {
     none,
     x,
@@ -98,7 +98,7 @@ Use use_of(Kind kind, const Property& property)
     return found == uses.end() ? Use::none : found->second;
 }
 
-/// Largest value of a colour channel of this type.
+/// Largest value of a colour channel that is stored in this number type.
 double full_color(Type type)
 {
     switch (type) {
@@ -116,8 +116,8 @@ double full_color(Type type)
     }
 }
 
-/// Converts colours from sRGB, as scanning programs write them. Floats have the range 0 to 1, or 0 to 255 if
-/// any is above 1.
+/// Converts colours from sRGB to linear, because scanning programs write sRGB. Floats have the range 0 to 1,
+/// or 0 to 255 if any float is above 1.
 void make_linear(std::vector<glm::vec4>& colors)
 {
     float most = 0.0F;
@@ -186,7 +186,7 @@ private:
         uint64_t count = 0;
         while (count < element.count && !is_cut_ && rows.next()) {
             const bool is_whole = read_row(rows, element);
-            // The last number of a truncated text may lack digits.
+            // In a truncated text file, the last number may lack digits.
             const bool is_suspect = rows.may_be_cut() && (count + 1 < element.count || !is_last);
             if (is_whole && !is_suspect) {
                 take_row(kind);
@@ -224,7 +224,7 @@ private:
         }
     }
 
-    /// Determines the use of each property, once for all rows of an element.
+    /// Prepares for the rows of an element: determines the meaning of each property once for all rows.
     void begin(Kind kind, const Element& element)
     {
         uses_.clear();
@@ -233,7 +233,7 @@ private:
         for (const Property& property : element.properties) {
             Use use = use_of(kind, property);
             if (has[static_cast<size_t>(use)])
-                use = Use::none; // if a name occurs twice, the first counts
+                use = Use::none; // if a property name occurs twice, the first one is used
             has[static_cast<size_t>(use)] = use != Use::none;
             uses_.push_back(use);
             scales_.push_back(use >= Use::red && use <= Use::alpha ? 1.0 / full_color(property.type) : 1.0);
@@ -314,7 +314,8 @@ private:
         }
     }
 
-    /// Handles a row that lacks numbers. A vertex must still be added, so that later indices stay valid.
+    /// Handles a row with too few numbers. If it is a vertex, an invalid vertex is added, so that later
+    /// indices remain right.
     void take_short_row(Kind kind)
     {
         if (kind != Kind::vertices)
@@ -334,10 +335,10 @@ private:
             data_.colors.push_back(color());
     }
 
-    /// Index of a vertex; no_index if it is invalid.
+    /// Converts a number in the file to a vertex index. Returns no_index if it is invalid.
     [[nodiscard]] uint32_t vertex_of(double index) const
     {
-        // Vertices may come after faces, when their number is not known yet.
+        // If vertices come after faces, the number of vertices is not known yet.
         const double limit = has_vertices_ ? static_cast<double>(data_.positions.size()) : 4294967295.0;
         return index >= 0.0 && index < limit ? static_cast<uint32_t>(index) : no_index;
     }
@@ -364,7 +365,7 @@ private:
             for (const uint32_t vertex : vertices_)
                 polygon_.push_back(data_.positions[vertex]);
             triangulation_.cut(polygon_, cut_);
-        } else { // vertices come after faces, so the shape of the polygon is unknown
+        } else { // vertices come after faces, so the polygon's shape is unknown
             for (uint32_t i = 1; i + 1 < vertices_.size(); ++i)
                 cut_.insert(cut_.end(), {0, i, i + 1});
         }
@@ -374,7 +375,8 @@ private:
 
     void add_triangle(uint32_t a, uint32_t b, uint32_t c, const glm::vec4& face_color)
     {
-        // Earlier elements may have had triangles without these attributes.
+        // Triangles of earlier elements may lack these attributes, so the lists are extended with default
+        // values.
         const size_t before = data_.triangles.size() / 3;
         data_.triangles.insert(data_.triangles.end(), {vertices_[a], vertices_[b], vertices_[c]});
         if (has_corner_uvs_) {
@@ -399,7 +401,7 @@ private:
         }
     }
 
-    /// Reads triangle strips; -1 ends a strip and starts another.
+    /// Reads triangle strips. The index -1 ends a strip; the next index starts another.
     void take_strip()
     {
         const std::vector<double> strip = corners_;
@@ -415,7 +417,7 @@ private:
             const bool is_odd = (i - start) % 2 == 1;
             const std::array<double, 3> corners{strip[i - 2], is_odd ? strip[i] : strip[i - 1],
                                                 is_odd ? strip[i - 1] : strip[i]};
-            // Strips use degenerate triangles, which name a vertex twice, to turn corners.
+            // Strips change direction with degenerate triangles, which use a vertex twice. These are skipped.
             if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
                 take_face(corners, glm::vec4(1.0F));
         }
@@ -431,7 +433,8 @@ private:
             data_.lines.insert(data_.lines.end(), {start, end});
     }
 
-    /// Drops elements with vertices that should have come later but are missing.
+    /// Drops elements that refer to missing vertices. Vertices may come after the elements, so this is
+    /// checked last.
     void drop_missing()
     {
         const auto limit = static_cast<uint32_t>(data_.positions.size());
@@ -466,7 +469,8 @@ private:
     void finish()
     {
         const size_t triangles = data_.triangles.size() / 3;
-        // Faces and strips in one file may have different attributes.
+        // Corner attributes are dropped unless all triangles have them: faces and strips of one file may
+        // differ.
         if (data_.corner_uvs.size() != 3 * triangles)
             data_.corner_uvs.resize(data_.corner_uvs.empty() ? 0 : 3 * triangles, glm::vec2(0.0F));
         if (data_.face_colors.size() != triangles)

@@ -26,11 +26,11 @@
 namespace estampe::stl {
 namespace {
 
-/// Facets with a name; three positions per facet.
+/// A named solid of an STL file, with three positions per facet.
 struct Solid {
     std::string name;
     std::vector<glm::dvec3> positions;
-    std::vector<glm::vec4> colors; ///< empty, or one for each facet; linear
+    std::vector<glm::vec4> colors; ///< linear; empty, or one per facet
 };
 
 struct Data {
@@ -55,7 +55,7 @@ float read_float(const char* bytes)
     return std::bit_cast<float>(read_u32(bytes));
 }
 
-/// The colour of the whole part, which Materialise Magics writes into the title.
+/// Reads the colour of the whole part, which Materialise Magics writes into the title of a binary file.
 std::optional<glm::vec4> part_color(std::string_view title)
 {
     constexpr std::string_view key = "COLOR=";
@@ -68,12 +68,13 @@ std::optional<glm::vec4> part_color(std::string_view title)
                    255.0F;
     for (int i = 0; i < 3; ++i)
         color[i] = linear_from_srgb(color[i]);
-    color.w = 1.0F; // many programs write a zero there
+    color.w = 1.0F; // many programs write an alpha of zero for an opaque part
     return color;
 }
 
-/// Colours of facets in their last two bytes, five bits per channel. VisCAM sets the highest bit if the facet
-/// has a colour, and begins with blue. Magics sets it if the part's colour applies, and begins with red.
+/// Decodes facet colours from the last two bytes of a facet, five bits per channel. In VisCAM files the
+/// highest bit means that the facet has a colour, and the order starts with blue. In Magics files the highest
+/// bit means that the part's colour applies, and the order starts with red.
 class FacetColors {
 public:
     explicit FacetColors(std::string_view title) : part_(part_color(title))
@@ -103,7 +104,7 @@ private:
     std::array<float, 32> linear_{};
 };
 
-/// Reads a binary file: 84 bytes, then 50 for each facet.
+/// Reads a binary STL file: 84 bytes of header, then 50 bytes per facet.
 Data parse_binary(Input& input)
 {
     const std::string_view head = input.peek(bytes_before_facets);
@@ -139,7 +140,7 @@ Data parse_binary(Input& input)
     return data;
 }
 
-/// Compares with a word in lower case.
+/// Compares `text` with `word`, which is in lower case; the case of `text` is ignored.
 bool is_word(std::string_view text, std::string_view word)
 {
     return text.size() == word.size() &&
@@ -156,7 +157,7 @@ public:
         std::string_view line;
         while (input_.next_line(line)) {
             Scanner words(line);
-            // A line may contain several facets.
+            // One line may contain several facets.
             for (std::string_view word = words.word(); !word.empty(); word = words.word())
                 if (!read_word(word, words))
                     break;
@@ -166,7 +167,7 @@ public:
     }
 
 private:
-    /// Returns false if the rest of the line should be skipped.
+    /// Reads one word of the text. Returns false if the rest of the line should be skipped.
     bool read_word(std::string_view word, Scanner& words)
     {
         if (is_word(word, "vertex")) {
@@ -218,7 +219,7 @@ private:
         int count = 0;
         while (count < 3 && words.number(position[count]))
             ++count;
-        // The last number of a truncated file may lack digits.
+        // In a truncated file, the last number may lack digits.
         const bool is_cut = !input_.line_was_ended() && words.is_done();
         if (count == 3 && !is_cut)
             corners_.push_back(position);
@@ -226,7 +227,7 @@ private:
             ++bad_vertices_;
     }
 
-    /// Adds the facet that was read; a facet with more than three corners becomes a fan.
+    /// Adds the facet that has been read. A facet with more than three corners is triangulated as a fan.
     void end_facet()
     {
         if (corners_.size() >= 3 && bad_vertices_ == 0) {
@@ -264,11 +265,11 @@ private:
     Input& input_;
     Data data_;
     std::vector<glm::dvec3> corners_;
-    uint64_t bad_vertices_ = 0; ///< count for the current facet
+    uint64_t bad_vertices_ = 0; ///< number of invalid vertices in the current facet
     uint64_t bad_facets_ = 0;
     uint64_t unread_ = 0;
     std::string first_unread_;
-    bool is_complete_ = true; ///< no facet is open
+    bool is_complete_ = true; ///< the current facet has ended
     bool is_in_solid_ = false;
 };
 
@@ -277,8 +278,8 @@ std::string start_of(Input& input)
     return lower_case(input.peek(1024).substr(0, 1024));
 }
 
-/// Whether a file is text: it begins with "solid", as many binary files do too, and the next lines contain a
-/// word of a facet or the end of the solid, and no zero byte.
+/// Whether an STL file is text. Many binary files also begin with "solid". So the lines after it must contain
+/// a keyword of a facet or the end of the solid, and no zero byte.
 bool is_text(const std::string& start)
 {
     const size_t first = start.find_first_not_of(" \t\r\n");
@@ -292,7 +293,7 @@ bool is_text(const std::string& start)
                                                 start.find("endsolid", end_of_line) != std::string::npos);
 }
 
-/// Whether the file is other printable text, such as a web page that was saved instead of a model.
+/// Whether a file consists of printable text, such as a web page that was saved instead of a model.
 bool is_other_text(const std::string& start)
 {
     return std::all_of(start.begin(), start.end(), [](unsigned char letter) {
@@ -300,7 +301,7 @@ bool is_other_text(const std::string& start)
     });
 }
 
-/// Whether the count at byte 80 matches the file size exactly.
+/// Whether the facet count at byte 80 exactly matches the size of the file.
 bool is_exactly_binary(Input& input)
 {
     const std::string_view start = input.peek(bytes_before_facets);
@@ -315,8 +316,8 @@ Data parse_text(Input& input)
     return TextParser(input).run();
 }
 
-/// Reads a text or binary file. Counts truncated and invalid facets in the warnings. Throws Error when the
-/// file is of neither kind. Cost: about 0.1 s for a million triangles in binary, 0.4 s as text.
+/// Reads a text or binary STL file. Warnings count truncated and invalid facets. Throws Error when the file
+/// is neither text nor binary STL. Cost: about 0.1 s for a million triangles in binary, 0.4 s as text.
 Data parse(Input& input)
 {
     if (is_exactly_binary(input))
@@ -361,8 +362,8 @@ Primitive primitive_of(stl::Solid& solid, const glm::dvec3& origin)
     return primitive;
 }
 
-/// Drops facets that are points. A file whose writing was interrupted contains zeros, which would enlarge the
-/// scene's bounds.
+/// Drops facets whose corners are all at one point. If writing a file was interrupted, its rest consists of
+/// zeros. Facets of zeros would enlarge the bounds of the scene.
 void drop_points(stl::Data& data)
 {
     uint64_t dropped = 0;

@@ -15,7 +15,8 @@ namespace {
 
 constexpr int grid = 8;
 
-/// The grid cell of a point, seen along the side's axis; nothing near the rim of the side.
+/// The grid cell of a point, as seen along the axis of a side of the box. Nothing if the point is near the
+/// rim of the side.
 std::optional<size_t> grid_cell(const glm::dvec3& part, int axis)
 {
     constexpr double rim = 0.1;
@@ -28,15 +29,17 @@ std::optional<size_t> grid_cell(const glm::dvec3& part, int axis)
 
 constexpr double nothing = -std::numeric_limits<double>::infinity();
 
-/// The outermost point of a cell, from 0 at the opposite side of the box to 1 at the side itself.
+/// The outermost points in a grid cell. Heights are from 0 at the opposite side of the box to 1 at the side
+/// itself.
 struct Outermost {
     double height = nothing;
-    double inward_height = nothing;  ///< outermost point that faces the middle
-    double outward_height = nothing; ///< outermost point that faces away from the middle
+    double inward_height = nothing;  ///< height of the outermost point that faces the middle
+    double outward_height = nothing; ///< height of the outermost point that faces away
     bool two_sided = false;
 
-    /// Whether a wall of a room stands at the side of the box, and nothing visible from outside stands before
-    /// it: neither the outside of a thick wall nor the second face of a doubled one.
+    /// Whether there is a wall of a room at this side of the box, with no surface before it that is visible
+    /// from outside. The outside of a thick wall is such a surface, and so is the second face of a doubled
+    /// wall.
     [[nodiscard]] bool is_wall_of_room() const
     {
         return inward_height > at_the_side && inward_height > outward_height + 0.01;
@@ -103,7 +106,7 @@ namespace {
 /// Height of the lamp above the floor, as a share of the room's height.
 constexpr double lamp_height = 0.84;
 
-/// Bounds of all points except the outermost hundredth on each side.
+/// Bounds of the points, without the outermost hundredth of the points on each side.
 Bounds trimmed_bounds(const std::vector<SurfacePoint>& points, const glm::dvec3& origin)
 {
     Bounds bounds;
@@ -121,7 +124,8 @@ Bounds trimmed_bounds(const std::vector<SurfacePoint>& points, const glm::dvec3&
     return bounds;
 }
 
-/// Position of the lamp: below what glows overhead, else below the middle of the ceiling.
+/// Position of a lamp: below glowing surfaces in the upper half of the room, else below the middle of the
+/// ceiling.
 glm::dvec3 lamp_place(const Shelter& shelter)
 {
     const Bounds room = trimmed_bounds(shelter.seen, shelter.origin);
@@ -161,7 +165,7 @@ Shelter shelter_of(const SurfaceCloud& cloud, const std::vector<uint32_t>& point
     return shelter;
 }
 
-/// Nearest point in each of 16 x 8 directions of equal solid angle around an eye.
+/// The nearest surface point in each of 16 x 8 directions of equal solid angle around an eye.
 class Surroundings {
 public:
     static constexpr int around = 16;
@@ -185,7 +189,7 @@ public:
         }
     }
 
-    /// Share of the directions above the horizon that are closed.
+    /// Share of the directions above the horizon in which there is a surface.
     [[nodiscard]] double closed_above() const
     {
         const auto first = cells_.begin() + around * levels / 2;
@@ -198,7 +202,7 @@ public:
         return 1.0 - static_cast<double>(closed) / static_cast<double>(cells_.size());
     }
 
-    /// Distance of free sight that an eighth of all directions exceed.
+    /// Distance to the nearest surface that an eighth of all directions exceed.
     [[nodiscard]] double free_sight_m() const
     {
         std::vector<float> distances;
@@ -236,7 +240,8 @@ double area_of(const std::vector<SurfacePoint>& points)
     });
 }
 
-/// Points that no view from all around, from above or from below shows.
+/// The points that are hidden from outside: in none of six views, from all around, above and below, are they
+/// visible.
 std::vector<SurfacePoint> hidden_points(const SurfaceCloud& cloud)
 {
     constexpr std::array<glm::dvec2, 6> views{
@@ -251,8 +256,8 @@ std::vector<SurfacePoint> hidden_points(const SurfaceCloud& cloud)
     return hidden;
 }
 
-/// Share of the hidden surface that stands free inside: behind it, as seen from the middle, lies more hidden
-/// surface, clearly further away.
+/// Share of the hidden surface that belongs to free-standing objects. A point counts if, as seen from the
+/// middle, another hidden point behind it is clearly further away.
 double furnished_share(const std::vector<SurfacePoint>& hidden, const glm::vec3& middle)
 {
     constexpr int around = 64;
@@ -284,16 +289,17 @@ double furnished_share(const std::vector<SurfacePoint>& hidden, const glm::vec3&
     return free_m2 / std::max(area_of(hidden), 1e-30);
 }
 
-/// Whether the hidden surface encloses a space where a person could stand.
+/// Whether a space that the hidden surface encloses is large enough for a standing person, and not too high
+/// for a room.
 bool could_stand_within(const Bounds& space)
 {
     constexpr double least_m = 1.6;
-    constexpr double most_headroom_m = 25.0; // beyond it the unit is not metres, or the scene is not a room
+    constexpr double most_headroom_m = 25.0; // higher: the unit is not metres, or it is no room
     const glm::dvec3 size = space.max - space.min;
     return std::min({size.x, size.y, size.z}) >= least_m && size.y <= most_headroom_m;
 }
 
-/// Whether a space contains objects, windows or doors.
+/// Whether the inside of a room contains objects, windows or doors.
 bool is_worth_seeing(const SurfaceCloud& cloud, const std::vector<SurfacePoint>& hidden, const Bounds& space)
 {
     constexpr double some_furniture = 0.005;
@@ -355,8 +361,8 @@ std::optional<Shelter> shelter_around(const SurfaceCloud& cloud, const glm::dvec
 
 std::optional<CornerView> corner_view(const SurfaceCloud& cloud)
 {
-    constexpr double much = 0.28;        // share of the surface; a furnished model hides a fifth
-    constexpr double least_sight = 0.25; // share of the room's diagonal
+    constexpr double much = 0.28;        // share of the surface; in a furnished model a fifth is hidden
+    constexpr double least_sight = 0.25; // as a share of the room's diagonal
     const std::vector<SurfacePoint> hidden = hidden_points(cloud);
     if (hidden.empty() || area_of(hidden) < much * area_of(cloud.points))
         return std::nullopt;
@@ -373,7 +379,7 @@ std::optional<CornerView> corner_view(const SurfaceCloud& cloud)
         const double sight_m = surroundings.free_sight_m();
         if (surroundings.closed_above() < 0.9 || sight_m < best_sight_m)
             continue;
-        best_sight_m = 1.1 * sight_m; // a later corner must be clearly freer to win
+        best_sight_m = 1.1 * sight_m; // a later corner wins only if its view is clearly freer
         best =
             CornerView{.eye = room.center() + offset,
                        .azimuth_rad = std::atan2(offset.x, offset.z),

@@ -24,7 +24,7 @@ struct StrayCell {
     double area_m2 = 0.0;
 };
 
-/// A part of the scene that no triangle connects to the others, and that is not close to them.
+/// A part of the scene: no triangle connects it to other parts, and it is not close to them.
 struct Part {
     Bounds bounds;
     double vertices = 0.0;
@@ -39,7 +39,7 @@ struct Part {
     }
 };
 
-/// The scene in a grid of cubes: which cubes contain vertices, and which are connected.
+/// A grid of cubes over the scene. It records which cubes contain vertices, and which cubes are connected.
 class Grid {
 public:
     explicit Grid(const Bounds& whole) : whole_(whole), cells_(cell_count), parents_(cell_count)
@@ -70,7 +70,8 @@ public:
         }
     }
 
-    /// Connected parts, by triangles or as neighbours; parts whose boxes intersect count as one.
+    /// The connected parts of the scene. Cubes are connected by triangles or as neighbours. Parts whose boxes
+    /// intersect are merged.
     [[nodiscard]] std::vector<Part> parts()
     {
         join_neighbours();
@@ -112,8 +113,8 @@ private:
             parents_[root(a)] = root(b);
     }
 
-    /// Whether a side of a triangle is a spike: much longer than usual, in a mesh with thousands of vertices.
-    /// It comes from a broken vertex and is no surface.
+    /// Whether a side of a triangle is a spike: much longer than usual in a mesh with thousands of vertices.
+    /// A spike comes from a broken vertex and is ignored.
     [[nodiscard]] bool is_spike(uint32_t a, uint32_t b) const
     {
         if (a == outside || b == outside)
@@ -162,7 +163,7 @@ private:
         }
     }
 
-    /// Adds a part, and merges it with all parts whose boxes come within a cube's side of it.
+    /// Adds a part, and merges it with all parts whose boxes are at most one cube away.
     void merge_into(std::vector<Part>& parts, Part part) const
     {
         const auto meets = [&](const Part& other) {
@@ -182,7 +183,7 @@ private:
     double side_m_ = 0.0;
     std::vector<StrayCell> cells_;
     std::vector<uint32_t> parents_;
-    std::vector<uint32_t> cell_of_; ///< cell of each vertex of the current primitive
+    std::vector<uint32_t> cell_of_; ///< grid cell of each vertex of the current primitive
 };
 
 double length_of(const Bounds& bounds)
@@ -190,14 +191,15 @@ double length_of(const Bounds& bounds)
     return glm::length(bounds.max - bounds.min);
 }
 
-/// Bounds of the part that outweighs all others together, if the others are strays.
+/// Bounds of the main part, which outweighs all other parts together. Nothing if the other parts are not
+/// strays.
 std::optional<Bounds> main_part(const std::vector<Part>& parts, const Bounds& whole)
 {
-    constexpr double home = 0.15;         // bonus of the part nearest to the origin; strays lie far from it
-    constexpr double least_weight = 0.5;  // share of the whole weight
-    constexpr double far_lengths = 20.0;  // in lengths of the subject
-    constexpr double speck_lengths = 8.0; // far_lengths for specks
-    constexpr double speck_share = 0.005; // share of all vertices and of all area
+    constexpr double home = 0.15;         // bonus of the part nearest to the origin; strays are far from it
+    constexpr double least_weight = 0.5;  // smallest weight of the main part
+    constexpr double far_lengths = 20.0;  // smallest extent of the scene, in lengths of the main part
+    constexpr double speck_lengths = 8.0; // far_lengths if all other parts are specks
+    constexpr double speck_share = 0.005; // largest share of all specks, by vertices and area
     Part all;
     for (const Part& part : parts)
         all.add(part.bounds, part.vertices, part.area_m2);
@@ -220,7 +222,7 @@ std::optional<Bounds> main_part(const std::vector<Part>& parts, const Bounds& wh
 
 Bounds bounds_without_strays(const Scene& scene, const ScenePose& pose, const Bounds& whole)
 {
-    constexpr int most_rounds = 6; // some strays are much farther away than others, so the search is repeated
+    constexpr int most_rounds = 6; // repeated, because some strays are much farther away than others
     Bounds bounds = whole;
     for (int round = 0; round < most_rounds && length_of(bounds) > 0.0; ++round) {
         if (!std::isfinite(length_of(bounds)))
@@ -240,7 +242,7 @@ namespace {
 
 constexpr int level_count = 64;
 
-/// The height at which most upward-facing surface lies.
+/// The height, in world space, below which the floor ends: the height with the most upward-facing surface.
 double floor_level(const SurfaceCloud& cloud)
 {
     std::array<int, level_count> upward{};
@@ -256,13 +258,14 @@ double floor_level(const SurfaceCloud& cloud)
     return low + step * (static_cast<double>(most - upward.begin()) + 1.0);
 }
 
-/// Whether the surface at the floor's level is ground to stand on: a thin sheet that fills its rectangle. The
-/// brim of a hat, a saucer, arms along the ground or a plinth are parts of the subject.
+/// Whether the surface at the floor's height is ground to stand on: a thin sheet that fills its bounding
+/// rectangle. The brim of a hat, a saucer, arms along the ground and a plinth are no ground, but parts of the
+/// subject.
 bool is_sheet(const SurfaceCloud& cloud, double level)
 {
     constexpr int cells_across = 16;
-    constexpr double most_thickness = 0.02; // share of its width
-    constexpr double most_of_it = 0.9;      // share of its rectangle; a disc fills 0.79
+    constexpr double most_thickness = 0.02; // largest thickness, as a share of the width
+    constexpr double most_of_it = 0.9;      // smallest filled share of the rectangle; a disc fills 0.79
     Bounds floor;
     for (const SurfacePoint& point : cloud.points) {
         const glm::dvec3 position = glm::dvec3(point.position) + cloud.origin;
@@ -287,15 +290,16 @@ bool is_sheet(const SurfaceCloud& cloud, double level)
            most_of_it * cells_across * cells_across;
 }
 
-/// Bounds of what stands on the floor at `level`, if the floor is the lowest object and much wider; else all.
+/// Bounds of the objects on the floor at height `level`, if the floor is the lowest surface and much wider
+/// than the objects. Otherwise the bounds of everything.
 Bounds without_floor(const SurfaceCloud& cloud, Bounds standing, double level)
 {
     const Bounds& all = cloud.bounds;
     const glm::dvec3 whole = all.max - all.min;
     const glm::dvec3 part = standing.max - standing.min;
     const bool floor_is_lowest = level - all.min.y < 0.25 * whole.y;
-    // Factor in each direction: about two and a half times the area stood on; a thousand times if the floor
-    // is not a plain sheet.
+    // Factor in each horizontal direction. A plain floor must have about two and a half times the area of the
+    // objects on it; any other floor must have about a thousand times.
     const double much_wider = is_sheet(cloud, level) ? 1.6 : 30.0;
     if (!floor_is_lowest || whole.x < much_wider * part.x || whole.z < much_wider * part.z)
         return all;
@@ -337,7 +341,7 @@ Bounds subject_by_vertices(const Scene& scene, const ScenePose& pose, const Surf
     };
     const auto above = std::ranges::count_if(cloud.points, is_above);
     if (static_cast<size_t>(above) > cloud.points.size() / 16)
-        return found; // what stands there is already in the cloud
+        return found; // the cloud already contains the objects on the floor
     Bounds standing;
     visit_posed(scene, pose, [&](const PosedPrimitive& posed) {
         for (const glm::dvec3& position : posed.positions) {
@@ -365,7 +369,7 @@ namespace {
 
 constexpr size_t slice_count = 40;
 
-/// Extent of a subject at one height, relative to its own height.
+/// Horizontal extent of a subject at one height, as a share of the subject's total height.
 struct Slice {
     double left = 0.0, right = 0.0, back = 0.0, front = 0.0;
     bool is_empty = true;
@@ -429,8 +433,8 @@ double deepest(const Slices& slices, size_t from, size_t to)
     return depth;
 }
 
-/// Relative height of the neck: the narrowest place below a head that is neither flat nor far off to the
-/// side.
+/// Height of the neck as a share of the subject's height. The neck is the narrowest place below a head, and
+/// the head must not be flat or far off to the side.
 std::optional<double> neck(const Slices& slices)
 {
     constexpr size_t lowest = slice_count * 2 / 5;
@@ -451,7 +455,7 @@ std::optional<double> neck(const Slices& slices)
     return found ? std::optional((static_cast<double>(*found) + 0.5) / slice_count) : std::nullopt;
 }
 
-/// Whether skins move more than half of all vertices.
+/// Whether more than half of all vertices are skinned.
 bool is_skinned(const Scene& scene)
 {
     size_t skinned = 0;
@@ -478,8 +482,8 @@ std::optional<double> eye_level(const Scene& scene, const SurfaceCloud& inside)
     const Slices slices = slices_of(inside);
     const std::optional<double> found =
         size.y > 1.25 * size.x && !is_round(slices) ? neck(slices) : std::nullopt;
-    constexpr double human_neck = 0.87; // share of the height
-    // With arms held out a person is as wide as tall.
+    constexpr double human_neck = 0.87; // as a share of a person's height
+    // With arms held out, a person is as wide as tall.
     if (!found && !(is_skinned(scene) && size.y > 0.85 * size.x && size.y > 1.5 * size.z))
         return std::nullopt;
     return glm::mix(inside.bounds.min.y, inside.bounds.max.y, 0.5 * (1.0 + found.value_or(human_neck)));

@@ -10,7 +10,7 @@
 namespace estampe {
 namespace {
 
-/// Walks over the triangles and places a point after every `step` of area.
+/// Visits triangles and places a sample point after every `step_m2` of area.
 class Sower {
 public:
     explicit Sower(SurfaceCloud& cloud) : cloud_(cloud) {}
@@ -34,7 +34,8 @@ public:
         const auto detail = static_cast<float>(1.0 / std::sqrt(area_m2));
         const bool glows = std::max({material.emissive.x, material.emissive.y, material.emissive.z}) > 0.5F;
         for (; due_m2_ <= area_m2; due_m2_ += step_m2_) {
-            // Roberts' low-discrepancy sequence, folded from the square into the triangle.
+            // Sample points follow Roberts' low-discrepancy sequence. Points outside of the triangle are
+            // mirrored into it.
             const auto n = static_cast<double>(cloud_.points.size() + 1);
             double u = std::fmod(0.7548776662466927 * n, 1.0);
             double v = std::fmod(0.5698402909980532 * n, 1.0);
@@ -54,7 +55,7 @@ public:
 
 private:
     SurfaceCloud& cloud_;
-    double due_ = 0.5; ///< steps until the next point; carries over between primitives
+    double due_ = 0.5; ///< steps until the next point; kept from primitive to primitive
     double step_m2_ = 1.0;
     double due_m2_ = 1.0;
 };
@@ -77,7 +78,7 @@ double area_of(const PosedPrimitive& posed)
 SurfaceCloud surface_cloud(const Scene& scene, const ScenePose& pose, uint32_t count)
 {
     SurfaceCloud cloud;
-    std::vector<double> areas_m2; // one per primitive, in the order of the visit
+    std::vector<double> areas_m2; // one area per primitive, in the order of the visits
     double total_m2 = 0.0;
     double surfaces = 0.0;
     visit_posed(scene, pose, [&](const PosedPrimitive& posed) {
@@ -136,7 +137,7 @@ struct Cell {
     }
 };
 
-/// A parallel view of a frame in single precision, for projecting many points.
+/// A parallel projection of a box to the grid, in single precision, to project many points.
 class ParallelView {
 public:
     ParallelView(const ViewAxes& axes, const glm::dvec3& centre, double radius_m)
@@ -163,11 +164,11 @@ private:
     float cells_per_m_;
 };
 
-/// Sums over neighbouring cells.
+/// Counts of the lines that would be drawn between adjacent cells of a grid.
 struct Lines {
-    double edges = 0.0; ///< between a filled and an empty cell
+    double edges = 0.0; ///< silhouettes, between a filled and an empty cell
     double steps = 0.0; ///< discontinuities in depth
-    double bends = 0.0; ///< changes of the surface's direction
+    double bends = 0.0; ///< changes of the surface's direction (its normal)
 
     void add(const SurfaceCloud& cloud, const SeenGrid& seen, size_t a, size_t b)
     {
@@ -185,8 +186,8 @@ struct Lines {
     }
 };
 
-/// Closes holes of one cell that no sample of the nearest surface hit: three of the four neighbours are
-/// clearly nearer.
+/// Fills single-cell holes, where no sample of the nearest surface falls into a cell: at least three of the
+/// four neighbours are clearly nearer.
 void close_holes(SeenGrid& seen)
 {
     const SeenGrid open = seen;
@@ -254,7 +255,7 @@ void mark_shown(const SurfaceCloud& cloud, const ViewAxes& axes, std::vector<boo
         const float cosine = -glm::dot(cloud.points[i].normal, view.forward());
         if (cosine <= 0.0F)
             continue;
-        // A surface seen at a grazing angle spans more depth within a cell.
+        // A surface at a grazing angle spans a larger range of depth within one cell.
         const float slack_m = seen.cell_m * (1.0F + 1.5F / std::max(cosine, 0.2F));
         shown[i] = cell.depth_m < seen.depth_m[cell.index()] + slack_m;
     }

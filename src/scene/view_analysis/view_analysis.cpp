@@ -19,8 +19,8 @@ namespace {
 constexpr double house_azimuth_rad = 0.61;   // 35 degrees from the front towards the right
 constexpr double house_elevation_rad = 0.31; // 18 degrees
 
-/// Three-quarter views, the default first. The others must show more to be chosen; those from behind much
-/// more, because glTF models face +z.
+/// Three-quarter views to choose from, the default first. The scores of the other views are reduced, so that
+/// they must show more to be chosen. Views from behind must show much more, because glTF models face +z.
 struct Candidate {
     double azimuth_rad;
     double handicap;
@@ -31,9 +31,9 @@ constexpr std::array<Candidate, 4> candidates{{{house_azimuth_rad, 1.0},
                                                {std::numbers::pi - house_azimuth_rad, 0.8},
                                                {std::numbers::pi + house_azimuth_rad, 0.8}}};
 
-/// How far the upper third of a scene lies in front of the whole, towards +z, relative to its radius: an
-/// animal's head is high and in front. Zero if that third is off to the side, unlike an animal's head, or as
-/// thin as the back of a chair.
+/// How far the upper third of a scene is in front of the whole, towards +z, relative to its radius. It is
+/// large for an animal, whose head is high and in front. Zero if the upper third is off to the side, unlike a
+/// head, or thin, like the back of a chair.
 double head_lead(const SurfaceCloud& cloud, const Bounds& subject)
 {
     const double neck = glm::mix(subject.min.y, subject.max.y, 2.0 / 3.0) - cloud.origin.y;
@@ -83,8 +83,8 @@ double best_azimuth(const SurfaceCloud& cloud, const Bounds& subject)
     return azimuth_rad;
 }
 
-/// Keeps the default sun if it leaves a fair part in light and a fair part in shade; else moves it towards
-/// the eye, or to the other side.
+/// Chooses the position of the default sun. It stays if it leaves a fair share of the visible points in light
+/// and a fair share in shade. Otherwise it moves towards the eye, or to the other side of the eye.
 void set_sun(ViewAnalysis& analysis, const SurfaceCloud& cloud)
 {
     struct Place {
@@ -111,7 +111,7 @@ void set_sun(ViewAnalysis& analysis, const SurfaceCloud& cloud)
     }
 }
 
-/// Bearing of an upright side of a box, numbered as in Walls.
+/// Azimuth of a vertical side of a box. Sides are numbered as in Walls.
 double side_azimuth(size_t side)
 {
     constexpr std::array<double, 6> azimuths{
