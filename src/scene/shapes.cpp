@@ -156,7 +156,7 @@ Primitive box(const glm::vec3& size)
     add_face(mesh, corner, z, y);
     add_face(mesh, corner + y + z, x, -z);
     add_face(mesh, corner, x, z);
-    // Different sums of edges give slightly different coordinates for the same corner. Rounding makes them
+    // Different sums of edges give slightly different coordinates for the same corner. This makes them
     // identical.
     for (glm::vec3& p : mesh.positions)
         p = {p.x < 0.0F ? -half.x : half.x, p.y < half.y ? 0.0F : size.y, p.z < 0.0F ? -half.z : half.z};

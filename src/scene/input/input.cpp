@@ -265,7 +265,7 @@ std::string Input::place() const
 namespace {
 
 constexpr double most_m = 1e15;           ///< the same limit as in mend_primitive()
-constexpr double furthest_of_file = 16.0; ///< largest ratio of distance from zero to extent
+constexpr double furthest_of_file = 16.0; ///< distance from zero, divided by extent
 constexpr double furthest_of_object = 1024.0;
 
 double largest(const glm::dvec3& v)

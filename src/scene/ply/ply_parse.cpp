@@ -469,8 +469,7 @@ private:
     void finish()
     {
         const size_t triangles = data_.triangles.size() / 3;
-        // Corner attributes are dropped unless all triangles have them: faces and strips of one file may
-        // differ.
+        // Faces and strips of one file may have different attributes. Missing values get a default.
         if (data_.corner_uvs.size() != 3 * triangles)
             data_.corner_uvs.resize(data_.corner_uvs.empty() ? 0 : 3 * triangles, glm::vec2(0.0F));
         if (data_.face_colors.size() != triangles)

@@ -242,7 +242,7 @@ namespace {
 
 constexpr int level_count = 64;
 
-/// The height, in world space, below which the floor ends: the height with the most upward-facing surface.
+/// Upper end, in world space, of the thin range of heights that has the most upward-facing surface.
 double floor_level(const SurfaceCloud& cloud)
 {
     std::array<int, level_count> upward{};
