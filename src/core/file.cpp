@@ -63,7 +63,8 @@ void write_all(const std::filesystem::path& path, std::span<const std::byte> byt
                const std::filesystem::path& target)
 {
     std::FILE* const file = std::fopen(path.c_str(), "wb");
-    bool is_written = file != nullptr && std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+    bool is_written = file != nullptr &&
+                      (bytes.empty() || std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size());
     int error = errno;
     if (file != nullptr && std::fclose(file) != 0 && is_written) {
         is_written = false;

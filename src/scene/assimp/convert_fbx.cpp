@@ -180,11 +180,12 @@ NodeOfModel match_nodes(const Conversion& conversion, const fbx::Document& docum
     return matched;
 }
 
-Index add_child(Scene& scene, Index parent, const std::string& name, const glm::dmat4& matrix)
+/// `name` is a copy, because it may be the name of a node, which adding the child may move in memory.
+Index add_child(Scene& scene, Index parent, std::string name, const glm::dmat4& matrix)
 {
     const auto index = static_cast<Index>(scene.nodes.size());
     Node& node = scene.nodes.emplace_back();
-    node.name = name;
+    node.name = std::move(name);
     node.parent = parent;
     node.matrix = matrix;
     scene.nodes[parent].children.push_back(index);
