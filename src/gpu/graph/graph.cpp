@@ -321,7 +321,7 @@ ResourceRecord& Graph::new_resource(std::string_view name)
     return resource;
 }
 
-ImageId Graph::image(std::string_view name, const ImageDesc& desc)
+ImageId Graph::image(std::string_view name, ImageDesc desc)
 {
     ResourceRecord& resource = new_resource(name);
     resource.is_image = true;
@@ -329,7 +329,7 @@ ImageId Graph::image(std::string_view name, const ImageDesc& desc)
     return {resource_count_ - 1, 0};
 }
 
-BufferId Graph::buffer(std::string_view name, const BufferDesc& desc)
+BufferId Graph::buffer(std::string_view name, BufferDesc desc)
 {
     new_resource(name).buffer = desc;
     return {resource_count_ - 1, 0};

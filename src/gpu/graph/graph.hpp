@@ -400,9 +400,10 @@ private:
 class Graph {
 public:
     /// Declares a transient resource. It exists from its first write to its last read; outside that time its
-    /// memory may hold other resources.
-    [[nodiscard]] ImageId image(std::string_view name, const ImageDesc& desc);
-    [[nodiscard]] BufferId buffer(std::string_view name, const BufferDesc& desc);
+    /// memory may hold other resources. The description is a copy, because it may be that of another resource
+    /// of this graph, which a new one may move in memory.
+    [[nodiscard]] ImageId image(std::string_view name, ImageDesc desc);
+    [[nodiscard]] BufferId buffer(std::string_view name, BufferDesc desc);
 
     /// Declares an image or buffer that exists outside the graph. A second import of the same image or buffer
     /// returns the first handle, with the first name. The second import throws std::logic_error if the

@@ -34,6 +34,20 @@ TEST(GraphTest, DescribesWhatWasDeclared)
     EXPECT_EQ(graph.describe(buffer).size_bytes, 96u);
 }
 
+TEST(GraphTest, ANewResourceMayBeDescribedAsAnotherOne)
+{
+    Graph graph;
+    ImageId image = graph.image("first", {.width = 5, .height = 7, .format = Format::r16f, .layers = 3});
+    BufferId buffer = graph.buffer("first", {.size_bytes = 96});
+    for (int i = 0; i < 100; ++i) { // more than fit into the memory of an empty graph
+        image = graph.image("next", graph.describe(image));
+        buffer = graph.buffer("next", graph.describe(buffer));
+        ASSERT_EQ(graph.describe(image).height, 7U) << i;
+        ASSERT_EQ(graph.describe(image).layers, 3U) << i;
+        ASSERT_EQ(graph.describe(buffer).size_bytes, 96U) << i;
+    }
+}
+
 TEST(GraphTest, BindingsFollowTheOrderOfCalls)
 {
     Graph graph;
