@@ -41,23 +41,25 @@ void NormalMapOptions::add_to(CLI::App& app)
     command.add_option("HEIGHTS", picture_, "Picture of the heights: white is high, black is low")
         ->required()
         ->type_name("PICTURE");
-    command.add_option("-o,--output", output_, "Output file, NAME.png")->required()->type_name("FILE");
+    command.add_option("-o,--output", output_, "Output file for the normal map, NAME.png")
+        ->required()
+        ->type_name("FILE");
     command
         .add_option("--relief", relief_,
-                    "Difference in height between black and white, as a share of the width\n"
-                    "of the picture, 0 to 10: more gives steeper slopes")
+                    "Height of white over black, as a share of the picture's width. Allowed\n"
+                    "are 0 to 10: more gives steeper slopes.")
         ->type_name("SHARE")
         ->capture_default_str();
     command
         .add_option("--edges", edges_,
                     "What lies beyond the edges of the picture. wrap: the opposite edge, for\n"
-                    "textures that repeat; clamp: the texel at the edge")
+                    "textures that repeat; clamp: the texel at the edge.")
         ->type_name("wrap|clamp")
         ->capture_default_str();
     command
         .add_option("--green", green_,
                     "Direction of green. up: as in glTF, Blender and OpenGL; down: as in\n"
-                    "Direct3D and Unreal")
+                    "Direct3D and Unreal.")
         ->type_name("up|down")
         ->capture_default_str();
 }
