@@ -85,8 +85,8 @@ struct Parameter {
     IntegerRange integers;            ///< only for integers
     std::vector<std::string> choices; ///< for choices, in the order of the table; for files and colours,
                                       ///< names that are accepted instead of a path or a colour
-    std::string unit; ///< "mm", "px", "deg"; empty for none
-    std::string help; ///< a full clause, as it is also shown as a tooltip
+    std::string unit;                 ///< "mm", "px", "deg"; empty for none
+    std::string help;                 ///< a full clause, as it is also shown as a tooltip
     Overridable overridable = Overridable::nowhere;
     Value default_value;
     std::function<Value(const void*)> get;
