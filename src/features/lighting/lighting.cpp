@@ -182,21 +182,21 @@ void brighten(LightingOfScene& lighting, std::span<const LightBrightness> lights
 
 LightingOfScene styled_lighting(const LightingOfScene& own, const Scene& scene, const StyleTables& style)
 {
-    using By = style::Surfaces::By;
     LightingOfScene lighting = own;
     for (Index i = 0; i < lighting.lights.size(); ++i) {
         apply(lighting.lights[i], changes_for(style, [&](const style::Surfaces& surfaces) {
-                  return surfaces.by == By::object && is_named_light(scene, i, surfaces.pattern);
+                  return surfaces.by == style::Surfaces::By::object &&
+                         is_named_light(scene, i, surfaces.pattern);
               }));
     }
     for (Index i = 0; i < lighting.node_links.size(); ++i) {
         apply(lighting.node_links[i], changes_for(style, [&](const style::Surfaces& surfaces) {
-                  return surfaces.by == By::object && is_named(scene, i, surfaces.pattern);
+                  return surfaces.by == style::Surfaces::By::object && is_named(scene, i, surfaces.pattern);
               }));
     }
     for (Index i = 0; i < lighting.material_links.size(); ++i) {
         apply(lighting.material_links[i], changes_for(style, [&](const style::Surfaces& surfaces) {
-                  return surfaces.by == By::material &&
+                  return surfaces.by == style::Surfaces::By::material &&
                          style::matches(surfaces.pattern, scene.materials[i].name);
               }));
     }
