@@ -157,9 +157,11 @@ std::string completer(const CLI::Option& option)
     if (option.check_lname("format")) {
         return "_estampe_words png jpg webp exr ora svg";
     }
-    if (type == "wrap|clamp" || type == "up|down") {
-        return fmt::format("_estampe_words {} {}", type.substr(0, type.find('|')),
-                           type.substr(type.find('|') + 1));
+    const auto is_of_words = [](char letter) { return letter == '|' || (letter >= 'a' && letter <= 'z'); };
+    if (type.find('|') != std::string::npos && std::ranges::all_of(type, is_of_words)) { // "up|down"
+        std::string words = type;
+        std::ranges::replace(words, '|', ' ');
+        return "_estampe_words " + words;
     }
     if (type == "DEVICE") {
         return "_estampe_words auto cpu";

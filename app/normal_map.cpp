@@ -69,7 +69,6 @@ NormalMapCommand NormalMapOptions::read() const
     if (lower_extension(output_) != ".png") {
         throw UsageError("a normal map is a PNG picture", "-o " + output_, "the name must end in .png");
     }
-    constexpr double most_relief = 10.0;
     if (!(relief_ >= 0.0 && relief_ <= most_relief)) {
         throw UsageError(fmt::format("{} is out of range", relief_), "--relief",
                          fmt::format("allowed: 0 to {}", most_relief));

@@ -19,6 +19,9 @@ struct HeightMap {
     uint32_t steps = 255;       ///< number of steps between 0 and 1 that the file can hold
 };
 
+/// Largest NormalMapSettings::relief.
+inline constexpr double most_relief = 10.0;
+
 struct NormalMapSettings {
     double relief = 0.05;       ///< difference in height between 0 and 1, as a share of the picture's width
     bool wraps = true;          ///< The left edge continues at the right edge, and the top at the bottom
@@ -32,7 +35,7 @@ struct NormalMapSettings {
 
 /// Computes the normal at each texel from the slopes of the heights. Red is x, to the right; green is y; blue
 /// is z, out of the surface; each from -1 to 1 as 0 to 255. Alpha is 255. Throws Error if the heights are
-/// empty or their number is wrong, or if the relief is not from 0 to 10. Cost: linear in texels.
+/// empty or their number is wrong, or if the relief is not from 0 to `most_relief`. Cost: linear in texels.
 ///
 /// Source  derivatives by the filter of Scharr, "Optimale Operatoren in der digitalen Bildverarbeitung", 2000
 [[nodiscard]] Image make_normal_map(const HeightMap& map, const NormalMapSettings& settings = {});

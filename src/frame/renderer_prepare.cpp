@@ -301,7 +301,7 @@ void Renderer::Impl::upload_pixel_sizes(const frame::FramePlan& plan, const feat
 {
     const shared::SunShadow sun = features::sun_globals(plan.sun.map, plan.page.pixel, tables.shadow);
     features.shadows.upload(device, plan.shadow_edges.profile, sun);
-    if (plan.variants.has_several() || plan.variants.has_inks_by_kind()) {
+    if (plan.variants.need_variant_lines()) {
         if (plan.variants.styles.size() > shared::most_ink_variants) {
             throw Error(fmt::format("single surfaces have {} different styles", plan.variants.styles.size()),
                         {}, fmt::format("at most {} are drawn at once", shared::most_ink_variants));

@@ -139,7 +139,7 @@ contour::ContourInputs contour_inputs(const FrameContext& context, const PosedSc
             .pixel_m_at_one = plan.page.pixel.at_one_m,
             .size_px = context.sample.size_px,
             .variant_of_draw = variant_of_draw(context),
-            .variant_lines = plan.variants.has_several() || plan.variants.has_inks_by_kind()
+            .variant_lines = plan.variants.need_variant_lines()
                                  ? std::optional(gpu::import_whole(context.graph, "variant lines",
                                                                    context.features.lines.variants()))
                                  : std::nullopt,

@@ -19,8 +19,8 @@ namespace estampe::gpu {
 /// Sets whether devices that are opened later cache pipelines on disk. The default is true. Thread-safe.
 void keep_pipelines(bool are_kept);
 
-/// Identifies the device and driver that compiled the cached pipelines. Each combination of device, driver
-/// and program version has its own cache file.
+/// Identifies the device and driver that compiled the cached pipelines. A cache file belongs to one
+/// combination of device, driver and program version.
 struct PipelineOwner {
     uint32_t vendor = 0;
     uint32_t device = 0;

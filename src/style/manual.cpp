@@ -154,7 +154,7 @@ Json describe_overrides(std::span<const Section> sections, Overridable least)
     return {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
 }
 
-/// Lists the parameters that may differ by material or object, for the manual.
+/// Lists the parameters with this `overridable`, section by section, for the manual.
 std::string overrides_help(std::span<const Section> sections, Overridable overridable)
 {
     std::string text;

@@ -334,15 +334,4 @@ struct Override {
     bool operator==(const Override&) const = default;
 };
 
-/// Sets the parameter of a table to the value of an override, if the override is of this table.
-template <typename Style>
-void apply(const Table<Style>& table, Style& style, const Override& change)
-{
-    for (const Parameter& parameter : table.parameters()) {
-        if (table.section() == change.section && parameter.key == change.key) {
-            parameter.set(&style, change.value);
-        }
-    }
-}
-
 } // namespace estampe::style

@@ -164,6 +164,18 @@ TEST(StyleErrors, CharactersBeyondAsciiOutsideOfQuotes)
             << quoted;
     }
     EXPECT_NE(set_error("hatch.width_mm=\u00e9").find("is not a number"), std::string::npos);
+    // Up to two quotes before the closing three belong to the string.
+    EXPECT_EQ(read_error("a = \"\"\"a\"\"\"\"\u00e9\""), "ink.toml:1:13: " + message);
+    EXPECT_EQ(read_error("a = ''''''''\u00e9'"), "ink.toml:1:13: " + message);
+}
+
+TEST(StyleErrors, CharactersBeyondAsciiAfterAJoinedLine)
+{
+    const std::string message = "a character beyond ASCII begins a line that a backslash joins to the one "
+                                "before; write the string without that backslash";
+    EXPECT_EQ(read_error("hatch.coordinates = \"\"\"a \\\n  \u00e9\"\"\""), "ink.toml:2:3: " + message);
+    EXPECT_NE(read_error("hatch.coordinates = \"\"\"a \\\n  b\u00e9\"\"\"").find("is not one of its choices"),
+              std::string::npos);
 }
 
 TEST(StyleErrors, NotUtf8)

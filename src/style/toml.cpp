@@ -56,24 +56,37 @@ size_t character_length(std::string_view text)
     return 0;
 }
 
-/// The offset just after the single-line or multi-line string that begins at `at`. An unterminated string
-/// ends with its line, or a multi-line one with the text.
-size_t end_of_string(std::string_view text, size_t at)
+/// Where a scan of the text stopped.
+struct ScanStop {
+    size_t at = 0;
+    bool is_joined_line = false; ///< A non-ASCII character follows a line break that a backslash removes
+};
+
+/// Finds the end of the single-line or multi-line string that begins at `at`: the offset just after its
+/// quotes. An unterminated string ends with its line, or a multi-line one with the text.
+ScanStop end_of_string(std::string_view text, size_t at)
 {
+    constexpr size_t most_closing = 5; // the last three close the string, those before belong to it
     const char quote = text[at];
     const std::string three(3, quote);
     const bool has_lines = text.substr(at).starts_with(three);
-    const size_t quotes = has_lines ? 3 : 1;
-    for (at += quotes; at < text.size(); ++at) {
+    for (at += has_lines ? three.size() : 1; at < text.size(); ++at) {
         if (text[at] == '\\' && quote == '"') {
+            const size_t next = has_lines ? text.find_first_not_of(" \t\r\n", at + 1) : at + 1;
+            if (has_lines && next < text.size() && static_cast<unsigned char>(text[next]) >= 0x80U) {
+                return {next, true};
+            }
             ++at;
-        } else if (text.substr(at).starts_with(std::string_view(three).substr(0, quotes))) {
-            return at + quotes;
-        } else if (text[at] == '\n' && !has_lines) {
-            return at;
+        } else if (has_lines && text.substr(at).starts_with(three)) {
+            const size_t after = std::min(text.find_first_not_of(quote, at), text.size());
+            return {std::min(after, at + most_closing)};
+        } else if (!has_lines && text[at] == quote) {
+            return {at + 1};
+        } else if (!has_lines && text[at] == '\n') {
+            return {at};
         }
     }
-    return text.size();
+    return {text.size()};
 }
 
 /// The offset of the first byte that does not begin a valid UTF-8 character: a stray or missing byte, an
@@ -92,9 +105,10 @@ size_t first_not_utf8(std::string_view text)
     return at;
 }
 
-/// The offset of the first non-ASCII character outside strings and comments, where TOML allows none. A byte
-/// order mark at the beginning is skipped. Returns the size of `text` when there is no such character.
-size_t first_bare_beyond_ascii(std::string_view text)
+/// Finds the first non-ASCII character that toml++ cannot read, or the end of `text`: one outside strings
+/// and comments, where TOML allows none, or one at the beginning of a joined line of a string, where
+/// toml++ 3.3 has undefined behaviour. A byte order mark at the beginning is skipped.
+ScanStop first_bare_beyond_ascii(std::string_view text)
 {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     size_t at = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
@@ -103,12 +117,16 @@ size_t first_bare_beyond_ascii(std::string_view text)
         if (character == '#') {
             at = std::min(text.find('\n', at), text.size());
         } else if (character == '"' || character == '\'') {
-            at = end_of_string(text, at);
+            const ScanStop end = end_of_string(text, at);
+            if (end.is_joined_line) {
+                return end;
+            }
+            at = end.at;
         } else {
             ++at;
         }
     }
-    return at;
+    return {at};
 }
 
 /// Thrown when an assertion in toml++ fails: it takes `[=` for a table header and finds no name in it.
@@ -158,9 +176,14 @@ void check_characters(std::string_view text, const std::string& name)
                                 static_cast<unsigned char>(text[at])),
                     place_of_byte(name, text, at), "save the file as UTF-8");
     }
-    if (const size_t at = first_bare_beyond_ascii(text); at < text.size()) {
-        throw Error("not TOML: a character beyond ASCII outside of quotes", place_of_byte(name, text, at),
-                    "only strings and comments may hold it");
+    const ScanStop bare = first_bare_beyond_ascii(text);
+    if (bare.is_joined_line) {
+        throw Error("a character beyond ASCII begins a line that a backslash joins to the one before",
+                    place_of_byte(name, text, bare.at), "write the string without that backslash");
+    }
+    if (bare.at < text.size()) {
+        throw Error("not TOML: a character beyond ASCII outside of quotes",
+                    place_of_byte(name, text, bare.at), "only strings and comments may hold it");
     }
 }
 
@@ -424,7 +447,7 @@ std::vector<WordTable> parse_toml_words(std::string_view text, const std::string
 
 std::optional<Raw> parse_toml_value(std::string_view text)
 {
-    if (first_not_utf8(text) != text.size() || first_bare_beyond_ascii(text) != text.size()) {
+    if (first_not_utf8(text) != text.size() || first_bare_beyond_ascii(text).at != text.size()) {
         return std::nullopt;
     }
     try {

@@ -146,12 +146,13 @@ void change_color(Change& change, float color)
 {
     change.multiply("wash.strength", color);
     change.multiply("wash.saturation", color);
+    if (color >= 1.0F) {
+        return;
+    }
     for (const std::string_view key : painted) {
-        if (color < 1.0F) {
-            change.replace(key, [&](const style::Value& value) -> style::Value {
-                return faded_to_grey(std::get<glm::vec3>(value), color);
-            });
-        }
+        change.replace(key, [&](const style::Value& value) -> style::Value {
+            return faded_to_grey(std::get<glm::vec3>(value), color);
+        });
     }
 }
 
@@ -190,8 +191,8 @@ const StyleTables& with_drawing(const StyleTables& style, StyleTables& room)
     change.multiply("tone.contrast", drawing.contrast);
     change.multiply_all(texture, drawing.detail);
     change.multiply_all(fewer_inner_lines, 1.0F / std::max(drawing.detail, 1e-3F));
-    for (const std::string_view key : inner_lines) {
-        if (drawing.detail == 0.0F) {
+    if (drawing.detail == 0.0F) {
+        for (const std::string_view key : inner_lines) {
             change.replace(key, [](const style::Value&) -> style::Value { return false; });
         }
     }

@@ -196,11 +196,17 @@ bool StyleVariants::has_inks_by_kind() const
 
 namespace {
 
-/// Whether the override changes how a surface is drawn. Overrides of other sections are of lights, zones and
-/// emitters, which are found by their nodes.
-bool is_of_surface(const style::Override& change)
+/// For each override, whether it changes how surfaces are drawn. Values that differ by object alone are those
+/// of lights, zones and emitters, which are found by their nodes, as are the light links of section `light`.
+Matches overrides_of_surfaces(const std::vector<style::Override>& overrides)
 {
-    return change.section != "light" && change.section != "ink" && change.section != "particles";
+    Matches matches;
+    for (const style::Override& change : overrides) {
+        const auto found = style_schema().find(change.section + "." + change.key);
+        matches.push_back(found.parameter != nullptr && change.section != "light" &&
+                          found.parameter->overridable == style::Overridable::by_surface);
+    }
+    return matches;
 }
 
 } // namespace
@@ -215,6 +221,7 @@ StyleVariants style_variants(const pose::MeshData& meshes, const Scene& scene, c
     if (style.overrides.empty() && !has_clear) {
         return plan;
     }
+    const Matches of_surfaces = overrides_of_surfaces(style.overrides);
     const std::vector<Matches> of_nodes = matches_of_nodes(scene, style.overrides);
     std::vector<Matches> of_materials;
     for (const Material& material : scene.materials) {
@@ -231,7 +238,7 @@ StyleVariants style_variants(const pose::MeshData& meshes, const Scene& scene, c
             }
         }
         for (size_t i = 0; i < matches.size(); ++i) {
-            matches[i] = matches[i] && is_of_surface(style.overrides[i]);
+            matches[i] = matches[i] && of_surfaces[i];
         }
         const auto [variant, is_new] =
             variants.try_emplace(matches, static_cast<uint32_t>(plan.styles.size()));
@@ -277,12 +284,13 @@ namespace {
 
 bool has_light(const Scene& scene, const std::string& pattern)
 {
-    for (Index light = 0; light < scene.lights.size(); ++light) {
-        if (is_named_light(scene, light, pattern)) {
+    for (Index node = 0; node < scene.nodes.size(); ++node) {
+        if (scene.nodes[node].light != no_index && is_named(scene, node, pattern)) {
             return true;
         }
     }
-    return false;
+    return std::ranges::any_of(scene.lights,
+                               [&](const Light& light) { return style::matches(pattern, light.name); });
 }
 
 /// What the override needs and the scene does not have; empty if the scene has it.

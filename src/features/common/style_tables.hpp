@@ -86,10 +86,10 @@ struct StyleTables {
 [[nodiscard]] const style::Schema<StyleTables>& style_schema();
 
 /// Copies sections that several features read to the tables of those features: the wind to hatch, clouds,
-/// smoke and particles, and the fading of paint and hatching in haze to wash and hatch. Where wind.from is
-/// auto and there is a terrain, which may be null, its wind replaces that of the style. Returns `style`
-/// itself if wind and fading have their default values, or else `room` with the changed style. `style` may be
-/// `room`.
+/// smoke and particles, and the fading of paint and hatching in haze to wash and hatch. If wind.from is auto,
+/// the wind of `terrain` replaces that of the style; null means that the scene has no terrain. Returns
+/// `style` itself if wind and fading have their default values, or else `room` with the changed style.
+/// `style` may be `room`.
 [[nodiscard]] const StyleTables& with_shared_sections(const StyleTables& style, const Terrain* terrain,
                                                       StyleTables& room);
 
@@ -105,6 +105,9 @@ struct StyleVariants {
 
     /// Whether a kind of line has an ink of its own in some variant.
     [[nodiscard]] bool has_inks_by_kind() const;
+
+    /// Whether lines need the widths and inks of each variant on the device (shared::VariantLines).
+    [[nodiscard]] bool need_variant_lines() const { return has_several() || has_inks_by_kind(); }
 };
 
 /// Draw calls with the same overrides share a style variant; overrides of lights, zones of ink and emitters

@@ -95,6 +95,7 @@ std::vector<shared::InkZone> ink_zones(const ZoneView& view, const StyleTables& 
         return change.surfaces.by == style::Surfaces::By::object && change.section == "ink" &&
                change.key.starts_with("zone.");
     };
+    static const style::Schema<ink::InkStyle> schema(ink::ink_table());
     std::vector<shared::InkZone> zones;
     std::vector<bool> is_done(view.scene.nodes.size(), false);
     for (const style::Override& first : style.overrides) {
@@ -107,7 +108,7 @@ std::vector<shared::InkZone> ink_zones(const ZoneView& view, const StyleTables& 
             ink::InkStyle styled = style.ink;
             for (const style::Override& change : style.overrides) {
                 if (is_of_zone(change) && style::matches(change.surfaces.pattern, name)) {
-                    style::apply(ink::ink_table(), styled, change);
+                    schema.apply(styled, change);
                 }
             }
             const auto zone = zone_at(view, view.pose.world_from_node[node], styled.zone);

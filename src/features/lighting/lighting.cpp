@@ -72,7 +72,8 @@ struct Changes {
 
     void add(const style::Override& change)
     {
-        style::apply(light::light_table(), style, change);
+        static const style::Schema<light::LightStyle> schema(light::light_table());
+        schema.apply(style, change);
         shadows = change.key == "shadows" ? std::optional(style.shadows) : shadows;
         if (change.key == "receives_shadows") {
             receives_shadows = style.changes.receives_shadows;

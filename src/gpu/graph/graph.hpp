@@ -193,10 +193,10 @@ struct BufferId {
 
 /// How a pass accesses a resource. Determines the pipeline stage, the access mask and the image layout.
 enum class Access : uint8_t {
-    compute_sampled,        ///< A compute shader samples it, or calls texelFetch
+    compute_sampled,        ///< A compute shader samples the resource, or fetches its texels
     compute_storage_read,   ///< A compute shader reads a storage image or buffer
     compute_storage_write,  ///< A compute shader writes all content that is used later
-    compute_storage_modify, ///< A compute shader reads and writes it, or uses atomics
+    compute_storage_modify, ///< A compute shader reads and writes the content, or uses atomics
     compute_uniform,        ///< A compute shader reads a uniform buffer
     raster_sampled,         ///< Like compute_sampled, in the vertex or fragment stage
     raster_storage_read,    ///< Like compute_storage_read, in the vertex or fragment stage
@@ -207,7 +207,7 @@ enum class Access : uint8_t {
     color_attachment,        ///< The image is cleared, then drawn into
     color_attachment_modify, ///< Draws over the existing content
     depth_attachment,        ///< Depth is tested and written; an image without content is cleared first
-    host_read,               ///< The host reads it after the frame
+    host_read,               ///< The host reads the content after the frame
 };
 
 [[nodiscard]] constexpr bool is_write(Access access)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Helpers for the frame graph tests: fake imported resources that are never accessed, readable test failures,
-// and the message of a thrown error.
+// Helpers for the frame graph tests. They make fake imported resources that are never accessed, print
+// readable test failures, and return the message of a thrown error.
 
 #include <array>
 #include <cstddef>

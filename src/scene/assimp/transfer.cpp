@@ -288,8 +288,8 @@ void exchange(Archive& archive, TransferScene& transfer)
 std::vector<std::byte> pack(const TransferScene& transfer)
 {
     Packer packer;
-    // The const_cast is safe because packing only reads. Unpacking uses the same function `exchange`, which
-    // then writes.
+    // The const_cast is safe, because `exchange` only reads the scene when its first argument is a Packer.
+    // With an Unpacker, `exchange` writes the scene.
     exchange(packer, const_cast<TransferScene&>(transfer));
     return packer.take();
 }

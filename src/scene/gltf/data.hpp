@@ -34,8 +34,8 @@ struct Container {
 [[nodiscard]] std::vector<std::byte> read_gltf_bytes(const std::filesystem::path& path);
 
 /// Finds the JSON text and the binary chunk of a glTF file. The result points into `bytes`; nothing is
-/// copied. Throws Error with a byte offset when the file is empty, truncated, of another version or not glTF,
-/// and when the JSON is nested deeper than 256 levels.
+/// copied. Throws Error with a byte offset when the file is empty, truncated, of another version or not glTF.
+/// JSON that is nested deeper than 256 levels is an error, too.
 [[nodiscard]] Container open_container(std::span<const std::byte> bytes, const std::string& file);
 
 [[nodiscard]] bool is_data_uri(std::string_view uri);

@@ -264,7 +264,7 @@ std::string Input::place() const
 
 namespace {
 
-constexpr double most_m = 1e15;           ///< the same limit as in mend_primitive()
+constexpr double most_m = 1e15;           ///< farther out, mend_primitive() drops a vertex
 constexpr double furthest_of_file = 16.0; ///< distance from zero, divided by extent
 constexpr double furthest_of_object = 1024.0;
 

@@ -7,9 +7,9 @@
 
 #include "shaders/camera.glsl"
 #include "shaders/color.glsl"
+#include "shaders/surface_images.glsl"
 #include "shaders/light_variant.glsl.h"
 #include "shaders/scene.glsl.h"
-#include "shaders/surface_images.glsl"
 #include "shaders/unit.glsl"
 #include "techniques/light/light.glsl.h"
 #include "techniques/light/local_light.glsl"

@@ -17,8 +17,6 @@
 namespace estampe {
 namespace {
 
-constexpr double most_relief = 10.0;
-
 /// The heights of four channels per texel, of which `most` is white.
 template <typename Channel>
 HeightMap heights_of(uint32_t width, uint32_t height, std::span<const Channel> rgba, uint32_t most)

@@ -46,6 +46,8 @@ const style::Table<SmokeStyle>& smoke_table()
                 "How the pressure of the air in smoke is computed. spectral: exactly, if no objects stand "
                 "in the smoke; multigrid: around objects; jacobi: simplest, least exact; automatic: "
                 "spectral without objects, else multigrid.")
+            // A pass of the device per round, twice in a step that reflects; a graph has room for 240 of
+            // them.
             .integer("jacobi_passes", &SmokeStyle::jacobi_passes, {1, 100}, "",
                      "Number of passes of the Jacobi solver per step of the smoke: more makes the air less "
                      "compressible and is slower. Only used when smoke.solver is jacobi.")
