@@ -126,10 +126,10 @@ struct PassTiming {
 /// Statistics of the pressure solver of one fluid, over the time steps computed for one picture.
 struct SolverReport {
     std::string fluid;  ///< "smoke", "smoke 2" and so on, or "ink"
-    std::string solver; ///< "spectral", "multigrid" or "jacobi"
+    std::string solver; ///< "spectral", "multigrid", "jacobi" or "mass"
     uint32_t steps = 0;
     /// Divergence after the last projection relative to the divergence before it, as a ratio of root mean
-    /// squares.
+    /// squares. The solver "mass" does not project, so its ratio may be near 1.
     double divergence_left = 0.0;
     double gpu_ms = 0.0; ///< GPU time of the projections of all steps
 };

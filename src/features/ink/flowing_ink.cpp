@@ -245,6 +245,8 @@ fluid::Solver solver_of(const ink::InkStyle& style)
         return fluid::Solver::multigrid;
     case ink::Solver::jacobi:
         return fluid::Solver::jacobi;
+    case ink::Solver::mass:
+        return fluid::Solver::mass;
     case ink::Solver::automatic:
         break;
     }
@@ -252,8 +254,8 @@ fluid::Solver solver_of(const ink::InkStyle& style)
 }
 
 /// Advances the water from one time to another. Returns the meter's report; none if no step was needed.
-std::optional<SolverReport> pass(fluid::Fluid& fluid, SolverMeter meter, const ink::InkStyle& ink,
-                                 const Spoons& spoons, double from_s, double to_s)
+std::optional<SolverReport> pass(fluid::Fluid& fluid, gpu::Device& device, SolverMeter meter,
+                                 const ink::InkStyle& ink, const Spoons& spoons, double from_s, double to_s)
 {
     const auto count = static_cast<uint32_t>(std::ceil((to_s - from_s) * steps_per_s - 1e-6));
     const double step_s = count > 0 ? (to_s - from_s) / count : 0.0;
@@ -265,6 +267,7 @@ std::optional<SolverReport> pass(fluid::Fluid& fluid, SolverMeter meter, const i
         .velocity_advection = fluid::Advection::maccormack,
         .projection = {.solver = solver_of(ink), .jacobi_rounds = ink.jacobi_passes},
         .forces = {.friction_per_s = 0.1F}};
+    fluid.ensure_mass(device, style);
     for (uint32_t done = 0; done < count;) {
         const uint32_t now = std::min(count - done, fluid.most_steps(style));
         fluid.set_shapes({}, spoons.at(from_s + (done + 0.5 * now) * step_s));
@@ -297,7 +300,9 @@ std::optional<KeptWater> InkWater::kept(gpu::Device& device, gpu::Executor& exec
     if (!fluid_) {
         return recalled_;
     }
-    return KeptWater{.time_s = time_s_, .velocity = velocity_of(device, executor, *fluid_)};
+    return KeptWater{.time_s = time_s_,
+                     .velocity = velocity_of(device, executor, *fluid_),
+                     .mass = fluid::run_and_read_mass(device, executor, *fluid_)};
 }
 
 void InkWater::recall(KeptWater kept)
@@ -313,6 +318,9 @@ std::vector<float> InkWater::stirred(gpu::Device& device, gpu::Executor& executo
     const fluid::Grid grid = grid_of(page.size_mm());
     if (recalled_ && recalled_->velocity.size() == 2 * grid.cell_count()) {
         fluid_ = std::make_unique<fluid::Fluid>(device, grid, 0, recalled_->velocity);
+        if (!recalled_->mass.empty()) {
+            fluid_->set_mass(device, recalled_->mass);
+        }
         time_s_ = recalled_->time_s;
     }
     recalled_.reset();
@@ -320,7 +328,7 @@ std::vector<float> InkWater::stirred(gpu::Device& device, gpu::Executor& executo
         fluid_ = std::make_unique<fluid::Fluid>(device, grid);
         time_s_ = time.from_s - spin_up_s;
     }
-    auto found = pass(*fluid_, SolverMeter(device, executor, is_measured), style,
+    auto found = pass(*fluid_, device, SolverMeter(device, executor, is_measured), style,
                       Spoons(style, page.size_mm(), zones), time_s_, time.to_s);
     if (found || !is_measured) {
         solver_report_ = std::move(found);
@@ -436,6 +444,8 @@ void FlowingInk::save(FilmWriter& writer)
         writer.value(water->time_s);
         writer.value(uint64_t{water->velocity.size()});
         writer.floats(water->velocity);
+        writer.value(uint64_t{water->mass.size()});
+        writer.floats(water->mass);
     }
 }
 
@@ -461,7 +471,12 @@ void FlowingInk::load(FilmReader& reader)
     }
     if (reader.flag()) {
         const auto time_s = reader.value<double>();
-        water_.recall({.time_s = time_s, .velocity = reader.floats(reader.value<uint64_t>())});
+        KeptWater kept{.time_s = time_s, .velocity = reader.floats(reader.value<uint64_t>())};
+        kept.mass = reader.floats(reader.value<uint64_t>());
+        if (!kept.mass.empty() && 2 * kept.mass.size() != kept.velocity.size()) {
+            fail_damaged();
+        }
+        water_.recall(std::move(kept));
     }
 }
 

@@ -51,6 +51,7 @@ struct ZoneView {
 struct KeptWater {
     double time_s = 0.0;
     std::vector<float> velocity; ///< two numbers per cell
+    std::vector<float> mass;     ///< one number per cell, if ink.solver is mass; else empty
 };
 
 class InkWater {
@@ -128,7 +129,7 @@ public:
     /// Forgets the ink when the scene or the origin of its positions is replaced.
     void invalidate(Event event) override;
 
-    [[nodiscard]] std::optional<FilmSection> film_section() const override { return FilmSection{"ink", 1}; }
+    [[nodiscard]] std::optional<FilmSection> film_section() const override { return FilmSection{"ink", 2}; }
 
     void save(FilmWriter& writer) override;
     void load(FilmReader& reader) override;

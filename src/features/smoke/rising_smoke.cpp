@@ -88,7 +88,7 @@ struct Risen {
 };
 
 /// Runs all steps except those that fit into the picture's own graph. If steps are measured, runs all.
-Risen let_rise(fluid::Fluid& fluid, SolverMeter meter, const Rise& rise)
+Risen let_rise(fluid::Fluid& fluid, gpu::Device& device, SolverMeter meter, const Rise& rise)
 {
     const auto count =
         static_cast<uint32_t>(std::ceil(rise.gap_s * steps_per_s(rise.box, rise.style) - 1e-6));
@@ -97,6 +97,7 @@ Risen let_rise(fluid::Fluid& fluid, SolverMeter meter, const Rise& rise)
         return {};
     }
     const fluid::FluidStyle solver = solving(rise.box, rise.style, rise.gap_s / count);
+    fluid.ensure_mass(device, solver);
     const uint32_t most = fluid.most_steps(solver);
     const uint32_t room = rise.is_measured ? 0 : most / rise.boxes;
     uint32_t left = count;
@@ -145,6 +146,7 @@ struct RisingSmoke::Kept {
     uint32_t channels = 2;
     std::vector<float> velocity;   ///< three numbers per cell
     std::vector<float> quantities; ///< one number per channel and cell
+    std::vector<float> mass;       ///< one number per cell, if smoke.solver is mass; else empty
 };
 
 struct RisingSmoke::Column {
@@ -289,6 +291,11 @@ void RisingSmoke::save(FilmWriter& writer)
         writer.value(column->behind_s);
         writer.floats(numbers(false));
         writer.floats(numbers(true));
+        const std::vector<float> mass =
+            column->fluid ? fluid::run_and_read_mass(writer.device(), writer.executor(), *column->fluid)
+                          : column->recalled.mass;
+        writer.flag(!mass.empty());
+        writer.floats(mass);
     }
 }
 
@@ -305,6 +312,7 @@ void RisingSmoke::load(FilmReader& reader)
         const uint64_t cells = checked_cell_count(kept.cells, kept.cell_m, kept.channels);
         kept.velocity = reader.floats(3 * cells);
         kept.quantities = reader.floats(kept.channels * cells);
+        kept.mass = reader.floats(reader.flag() ? cells : 0);
         auto column = std::make_unique<Column>(Column{.number = kept.number,
                                                       .cells = kept.cells,
                                                       .cell_m = kept.cell_m,
@@ -342,6 +350,9 @@ std::unique_ptr<RisingSmoke::Column> RisingSmoke::started(gpu::Device& device, g
         const Kept start = std::exchange(column->recalled, {});
         column->fluid =
             std::make_unique<fluid::Fluid>(device, grid_of(box), channels, start.velocity, start.quantities);
+        if (!start.mass.empty()) {
+            column->fluid->set_mass(device, start.mass);
+        }
         if (style.obstacles) {
             column->fluid->set_standing(device, standing_cells(in.scene, in.pose, in.layout.anchor, box));
         }
@@ -385,12 +396,13 @@ std::vector<smoke::Box> RisingSmoke::rise(gpu::Device& device, gpu::Executor& ex
         column.catch_up(executor);
         column.behind_s = std::max(column.behind_s - caught_up_s, 0.0);
         const double risen_s = time_s - column.behind_s;
-        Risen risen = let_rise(*column.fluid, SolverMeter(device, executor, in.settings.measure_solvers),
-                               {.box = box,
-                                .style = style,
-                                .gap_s = risen_s - column.time_s,
-                                .boxes = static_cast<uint32_t>(boxes.size()),
-                                .is_measured = in.settings.measure_solvers});
+        Risen risen =
+            let_rise(*column.fluid, device, SolverMeter(device, executor, in.settings.measure_solvers),
+                     {.box = box,
+                      .style = style,
+                      .gap_s = risen_s - column.time_s,
+                      .boxes = static_cast<uint32_t>(boxes.size()),
+                      .is_measured = in.settings.measure_solvers});
         column.left = risen.left;
         if (risen.report || !in.settings.measure_solvers) {
             column.solver_report = std::move(risen.report);

@@ -82,7 +82,7 @@ public:
     /// Forgets the smoke of a replaced scene. A moved anchor has no effect: smoke is stored in box space.
     void invalidate(Event event) override;
 
-    [[nodiscard]] std::optional<FilmSection> film_section() const override { return FilmSection{"smoke", 1}; }
+    [[nodiscard]] std::optional<FilmSection> film_section() const override { return FilmSection{"smoke", 2}; }
 
     void save(FilmWriter& writer) override;
     void load(FilmReader& reader) override;

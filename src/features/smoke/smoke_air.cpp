@@ -25,6 +25,8 @@ fluid::Solver solver_of(const smoke::SmokeStyle& style)
         return fluid::Solver::multigrid;
     case smoke::Solver::jacobi:
         return fluid::Solver::jacobi;
+    case smoke::Solver::mass:
+        return fluid::Solver::mass;
     case smoke::Solver::automatic:
         break;
     }

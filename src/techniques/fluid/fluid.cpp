@@ -49,6 +49,7 @@ struct Fluid::Handles {
     gpu::BufferId shapes;
     gpu::BufferId standing;
     SolverTables tables;
+    std::optional<gpu::BufferId> mass;
 };
 
 class Fluid::Step {
@@ -65,7 +66,7 @@ public:
                                                 handles_.standing, handles_.tables.solids.cells);
             handles_.tables.weights = add_weights(graph_, grid_, handles_.tables.solids);
         }
-        if (style_.stepping == Stepping::reflect) {
+        if (style_.stepping == Stepping::reflect && !has_mass()) {
             add_quantities(add_reflected(), {});
         } else {
             add_projected();
@@ -106,6 +107,11 @@ private:
         gpu::ImageId& newest = handles_.quantities[1 - last];
         const Carried carried{carrier, handles_.quantities[last], newest, fluid_.channels_, ways};
         const shared::FluidShapes shapes = shapes_for(style_.step_s);
+        if (has_mass()) {
+            const gpu::ImageId moved = add_conserving_advection(graph_, grid_, carried, style_.step_s);
+            newest = add_matter(graph_, grid_, style_.matter, handles_.shapes, shapes, moved);
+            return;
+        }
         if (advection_for(grid_, style_.quantity_advection) == Advection::maccormack) {
             newest = add_corrected_matter(graph_, grid_, style_.matter, handles_.shapes, shapes,
                                           add_there(graph_, grid_, carried, style_.step_s), newest);
@@ -116,9 +122,11 @@ private:
         newest = add_matter(graph_, grid_, style_.matter, handles_.shapes, shapes, moved);
     }
 
+    [[nodiscard]] bool has_mass() const { return style_.projection.solver == Solver::mass; }
+
     [[nodiscard]] float part_s() const
     {
-        return style_.stepping == Stepping::reflect ? 0.5F * style_.step_s : style_.step_s;
+        return style_.stepping == Stepping::reflect && !has_mass() ? 0.5F * style_.step_s : style_.step_s;
     }
 
     [[nodiscard]] shared::FluidShapes shapes_for(float time_s) const
@@ -161,6 +169,13 @@ private:
                                 velocity);
         }
         handles_.unprojected = velocity;
+        if (has_mass()) {
+            const MassAndVelocity now =
+                add_mass_pressure(graph_, grid_, handles_.tables.solids, {handles_.mass.value(), velocity},
+                                  target, style_.step_s);
+            handles_.mass = now.mass;
+            return {now.velocity, now.velocity};
+        }
         return add_projection(graph_, grid_, fluid_.trusted(style_.projection),
                               {velocity, handles_.tables, target}, reflects);
     }
@@ -206,6 +221,22 @@ void Fluid::set_standing(gpu::Device& device, std::span<const uint8_t> cells)
     are_standing_ = std::ranges::any_of(cells, [](uint8_t cell) { return cell != 0; });
 }
 
+void Fluid::set_mass(gpu::Device& device, std::span<const float> mass)
+{
+    mass_.emplace(device, grid_,
+                  mass.empty() ? std::vector<float>(grid_.cell_count(), 1.0F)
+                               : std::vector<float>(mass.begin(), mass.end()));
+}
+
+void Fluid::ensure_mass(gpu::Device& device, const FluidStyle& style)
+{
+    if (style.projection.solver != Solver::mass) {
+        mass_.reset();
+    } else if (!mass_) {
+        set_mass(device);
+    }
+}
+
 double Fluid::check_spectral(gpu::Device& device, gpu::Executor& executor)
 {
     constexpr double most = 1e-3;
@@ -229,14 +260,17 @@ ProjectionStyle Fluid::trusted(const ProjectionStyle& style) const
 uint32_t Fluid::most_steps(const FluidStyle& style) const
 {
     constexpr uint32_t most_passes = 240; // a graph has 256 passes; the rest is left to other users
-    const bool reflects = style.stepping == Stepping::reflect;
+    const bool has_mass = style.projection.solver == Solver::mass;
+    const bool reflects = style.stepping == Stepping::reflect && !has_mass;
     const float share = style.viscosity_m2_s * style.step_s / (grid_.cell_m * grid_.cell_m);
     const uint32_t diffusion =
         style.viscosity_m2_s > 0.0F ? diffusion_stages(grid_, reflects ? 0.5F * share : share) : 0;
     const uint32_t part = passes_of_advection(grid_, style.velocity_advection) + 4 + diffusion +
-                          passes_of_projection(grid_, trusted(style.projection), are_solid());
-    const uint32_t step = (reflects ? 2 : 1) * part + 2 +
-                          (channels_ > 0 ? 1 + passes_of_advection(grid_, style.quantity_advection) : 0);
+                          (has_mass ? passes_of_mass_pressure()
+                                    : passes_of_projection(grid_, trusted(style.projection), are_solid()));
+    const uint32_t quantities =
+        has_mass ? passes_of_conserving_advection : passes_of_advection(grid_, style.quantity_advection);
+    const uint32_t step = (reflects ? 2 : 1) * part + 2 + (channels_ > 0 ? 1 + quantities : 0);
     return std::max(most_passes / step, 1U);
 }
 
@@ -256,6 +290,9 @@ Fluid::Handles Fluid::import(gpu::Graph& graph)
             handles.quantities.push_back(gpu::import_uploaded(graph, "fluid/quantities", image));
         }
     }
+    if (mass_) {
+        handles.mass = mass_->import(graph);
+    }
     return handles;
 }
 
@@ -266,6 +303,10 @@ FluidFields Fluid::add_steps(gpu::Graph& graph, const FluidStyle& style, uint32_
     }
     if (count > most_steps(style)) {
         throw std::logic_error("more steps of a fluid than one graph takes");
+    }
+    const bool has_mass = style.projection.solver == Solver::mass;
+    if (has_mass && !mass_) {
+        throw std::logic_error("a fluid without a mass has no solver by mass");
     }
     Handles handles = import(graph);
     for (uint32_t i = 0; i < count; ++i) {
@@ -282,6 +323,10 @@ FluidFields Fluid::add_steps(gpu::Graph& graph, const FluidStyle& style, uint32_
     if (channels_ > 0) {
         fields.quantities = handles.quantities[newest_quantities_];
     }
+    if (has_mass && count > 0) {
+        mass_->keep(graph, *handles.mass);
+    }
+    fields.mass = handles.mass;
     return fields;
 }
 
@@ -319,6 +364,23 @@ std::vector<float> run_and_read(gpu::Device& device, gpu::Executor& executor, gp
     executor.run(graph);
     const auto items = gpu::items_of<float>(host);
     return {items.begin(), items.end()};
+}
+
+std::vector<float> run_and_read_mass(gpu::Device& device, gpu::Executor& executor, Fluid& fluid)
+{
+    gpu::Graph graph;
+    const FluidFields fields = fluid.add_steps(graph, {}, 0);
+    if (!fields.mass) {
+        return {};
+    }
+    gpu::Buffer host(device, "fluid mass", graph.describe(*fields.mass).size_bytes, gpu::MemoryUse::readback);
+    gpu::add_read_back(graph, "fluid/read mass", *fields.mass, host);
+    executor.run(graph);
+    std::vector<float> mass;
+    for (const uint32_t units : gpu::items_of<uint32_t>(host)) {
+        mass.push_back(static_cast<float>(units) / static_cast<float>(shared::fluid_mass_unit));
+    }
+    return mass;
 }
 
 } // namespace estampe::fluid

@@ -110,6 +110,7 @@ struct FluidShapes {
 struct FluidMass {
     float cells_per_speed;
     float gain_per_unit; // gain of speed per difference of one unit between neighbours
+    uint channels;       // masses per cell; all masses of a cell move along the same paths
 };
 
 // How quantities change in a step, besides advection.
@@ -183,8 +184,9 @@ struct FluidTransform {
 
 // Mass is counted in whole units. The weights of the four or eight cells that share a mass add up to exactly
 // fluid_mass_whole.
-SHARED_CONSTANT uint fluid_mass_unit = 65536U; // units per mass of 1
+SHARED_CONSTANT uint fluid_mass_unit = 65536U; // units per mass of 1; a power of two, so that floats are exact
 SHARED_CONSTANT uint fluid_mass_whole = 32768U;
+SHARED_CONSTANT float fluid_most_quantity = 2048.0F; // in whole units; larger quantities are cut to this
 
 SHARED_CONSTANT uint fluid_most_shapes = 64U;
 SHARED_CONSTANT uint fluid_stands_still = 0xffffffffU; // a permanently solid cell, which belongs to no shape

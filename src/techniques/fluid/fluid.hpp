@@ -11,6 +11,7 @@
 #include "gpu/graph/execute.hpp"
 #include "gpu/resources.hpp"
 #include "techniques/fluid/grid.hpp"
+#include "techniques/fluid/mass/mass.hpp"
 #include "techniques/fluid/matter/matter.hpp"
 #include "techniques/fluid/motion/motion.hpp"
 #include "techniques/fluid/pressure/projection.hpp"
@@ -42,6 +43,7 @@ struct FluidFields {
     Solids solids;
     /// Layer i * depth + z holds channel i, at cell centres.
     std::optional<gpu::ImageId> quantities = {};
+    std::optional<gpu::BufferId> mass = {}; ///< of each cell in units of 1 / 65536, if the fluid has a mass
 };
 
 /// A fluid on the device. Deterministic: equal start, style and steps give bit-identical fields on one
@@ -53,8 +55,9 @@ public:
     Fluid(gpu::Device& device, const Grid& grid, uint32_t channels = 0, std::span<const float> velocity = {},
           std::span<const float> quantities = {});
 
-    /// Adds `count` steps; call it once per graph. Throws std::logic_error for more than most_steps() or for
-    /// a step without length.
+    /// Adds `count` steps; call it once per graph. With Solver::mass the fluid needs a mass, quantities are
+    /// advected by add_conserving_advection(), and steps are not reflected. Throws std::logic_error for more
+    /// than most_steps(), for a step without length, or for a missing mass.
     [[nodiscard]] FluidFields add_steps(gpu::Graph& graph, const FluidStyle& style, uint32_t count);
 
     /// The pressure solver that a step with `style` uses.
@@ -82,6 +85,14 @@ public:
     /// span clears them. Throws std::logic_error if the number of flags is wrong. No graph may be running.
     void set_standing(gpu::Device& device, std::span<const uint8_t> cells);
 
+    /// Gives the fluid a mass for Solver::mass: one number per cell, or 1 everywhere if `mass` is empty.
+    /// Throws std::logic_error if the number of masses is wrong. No graph may be running.
+    void set_mass(gpu::Device& device, std::span<const float> mass = {});
+
+    /// Gives the fluid a mass of 1 per cell if the solver of `style` needs one and the fluid has none. Drops
+    /// the mass if the solver needs none. No graph may be running.
+    void ensure_mass(gpu::Device& device, const FluidStyle& style);
+
     [[nodiscard]] const Grid& grid() const { return grid_; }
 
     [[nodiscard]] uint32_t channels() const { return channels_; }
@@ -105,6 +116,7 @@ private:
     gpu::Buffer solids_;   ///< one word per cell
     gpu::Buffer standing_; ///< one word per cell that is solid permanently, or empty
     gpu::Buffer angles_;
+    std::optional<MassField> mass_;
     bool are_standing_ = false;
     bool is_spectral_right_ = true;
 };
@@ -121,5 +133,9 @@ void hand_on(gpu::Graph& graph, gpu::ImageId image);
 /// Runs `graph` together with a copy of all layers of `image`, and returns that copy.
 [[nodiscard]] std::vector<float> run_and_read(gpu::Device& device, gpu::Executor& executor, gpu::Graph& graph,
                                               gpu::ImageId image);
+
+/// The mass of each cell, for Fluid::set_mass(); empty if the fluid has none. Exact below 256.
+[[nodiscard]] std::vector<float> run_and_read_mass(gpu::Device& device, gpu::Executor& executor,
+                                                   Fluid& fluid);
 
 } // namespace estampe::fluid

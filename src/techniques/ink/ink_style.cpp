@@ -64,9 +64,11 @@ const style::Table<InkStyle>& ink_table()
             .choice("solver", &InkStyle::solver,
                     {{"automatic", Solver::automatic},
                      {"multigrid", Solver::multigrid},
-                     {"jacobi", Solver::jacobi}},
+                     {"jacobi", Solver::jacobi},
+                     {"mass", Solver::mass}},
                     "How the pressure of simulated water below flowing ink is computed. multigrid: exactly; "
-                    "jacobi: simplest, least exact; automatic: multigrid. Only used with ink.solved above 0.")
+                    "jacobi: simplest, least exact; mass: from where water piles up, without loss of water; "
+                    "automatic: multigrid. Only used with ink.solved above 0.")
             .integer("jacobi_passes", &InkStyle::jacobi_passes, {1, 400}, "",
                      "Number of passes of the Jacobi solver per step of the water: more makes the water less "
                      "compressible and is slower. Only used when ink.solver is jacobi.")

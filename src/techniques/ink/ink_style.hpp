@@ -20,7 +20,7 @@ enum class Follow : uint8_t {
 enum class Source : uint8_t { strokes, light, things };
 
 /// How the pressure of simulated water is computed.
-enum class Solver : uint8_t { automatic, multigrid, jacobi };
+enum class Solver : uint8_t { automatic, multigrid, jacobi, mass };
 
 /// How an object without a mesh acts on flowing ink near the object.
 struct ZoneStyle {

@@ -42,10 +42,11 @@ const style::Table<SmokeStyle>& smoke_table()
                 {{"automatic", Solver::automatic},
                  {"spectral", Solver::spectral},
                  {"multigrid", Solver::multigrid},
-                 {"jacobi", Solver::jacobi}},
+                 {"jacobi", Solver::jacobi},
+                 {"mass", Solver::mass}},
                 "How the pressure of the air in smoke is computed. spectral: exactly, if no objects stand "
-                "in the smoke; multigrid: around objects; jacobi: simplest, least exact; automatic: "
-                "spectral without objects, else multigrid.")
+                "in the smoke; multigrid: around objects; jacobi: simplest, least exact; mass: from where "
+                "air piles up, without loss of smoke; automatic: spectral without objects, else multigrid.")
             // A pass of the device per round, twice in a step that reflects; a graph has room for 240 of
             // them.
             .integer("jacobi_passes", &SmokeStyle::jacobi_passes, {1, 100}, "",

@@ -18,7 +18,7 @@ enum class Sampling : uint8_t {
 };
 
 /// Pressure solver of the fluid simulation, and its advection.
-enum class Solver : uint8_t { automatic, spectral, multigrid, jacobi };
+enum class Solver : uint8_t { automatic, spectral, multigrid, jacobi, mass };
 enum class Advection : uint8_t { automatic, linear, cubic, maccormack };
 enum class Stepping : uint8_t { project, reflect };
 

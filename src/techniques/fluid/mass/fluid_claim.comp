@@ -35,7 +35,7 @@ void main()
     }
     uint index[fluid_most_sharers];
     uint weight[fluid_most_sharers];
-    share_out(cell, way_from_middle(cell, -moved.cells_per_speed), index, weight);
+    share_out(cell, way_from_middle(velocity, cell, -moved.cells_per_speed), index, weight);
     for (int i = 0; i < sharer_count(); ++i) {
         atomicAdd(claims[index[i]], weight[i]);
     }

@@ -41,13 +41,19 @@ void main()
     }
     uint index[fluid_most_sharers];
     uint weight[fluid_most_sharers];
-    share_out(cell, way_from_middle(cell, -moved.cells_per_speed), index, weight);
-    uint sum = 0u;
+    share_out(cell, way_from_middle(velocity, cell, -moved.cells_per_speed), index, weight);
     for (int i = 0; i < sharer_count(); ++i) {
         uint all_claims = max(texelFetch(claims, int(index[i])).x, fluid_mass_whole);
-        uint part = part_of(texelFetch(mass, int(index[i])).x, (weight[i] << 16u) / all_claims);
-        sum += part;
-        atomicAdd(taken[index[i]], part);
+        weight[i] = (weight[i] << 16u) / all_claims;
     }
-    next_mass[fluid_cell_index(cell)] = sum;
+    for (uint channel = 0u; channel < moved.channels; ++channel) {
+        uint sum = 0u;
+        for (int i = 0; i < sharer_count(); ++i) {
+            uint from = mass_index(index[i], channel);
+            uint part = part_of(texelFetch(mass, int(from)).x, weight[i]);
+            sum += part;
+            atomicAdd(taken[from], part);
+        }
+        next_mass[mass_index(fluid_cell_index(cell), channel)] = sum;
+    }
 }

@@ -35,20 +35,19 @@ void main()
     if (!is_in_grid(cell)) {
         return;
     }
-    int here = int(fluid_cell_index(cell));
-    uint left = texelFetch(mass, here).x - texelFetch(taken, here).x;
-    if (left == 0u) {
-        return;
-    }
     uint index[fluid_most_sharers];
     uint weight[fluid_most_sharers];
-    share_out(cell, way_from_middle(cell, moved.cells_per_speed), index, weight);
-    uint rest = left;
-    for (int i = 0; i < sharer_count(); ++i) {
-        uint part = i == sharer_count() - 1 ? rest : part_of(left, 2u * weight[i]);
-        rest -= part;
-        if (part > 0u) {
-            atomicAdd(next_mass[index[i]], part);
+    share_out(cell, way_from_middle(velocity, cell, moved.cells_per_speed), index, weight);
+    for (uint channel = 0u; channel < moved.channels; ++channel) {
+        int here = int(mass_index(fluid_cell_index(cell), channel));
+        uint left = texelFetch(mass, here).x - texelFetch(taken, here).x;
+        uint rest = left;
+        for (int i = 0; i < sharer_count() && rest != 0u; ++i) {
+            uint part = i == sharer_count() - 1 ? rest : part_of(left, 2u * weight[i]);
+            rest -= part;
+            if (part != 0u) {
+                atomicAdd(next_mass[mass_index(index[i], channel)], part);
+            }
         }
     }
 }

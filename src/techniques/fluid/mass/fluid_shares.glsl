@@ -39,17 +39,25 @@ void share_out(ivec3 cell, vec3 way, out uint index[fluid_most_sharers], out uin
     }
 }
 
-// `part` / 65536 of `mass`, rounded down.
+// `part` / 65536 of `mass`, rounded towards zero. Quantities are signed numbers in two's complement.
 uint part_of(uint mass, uint part)
 {
+    bool is_negative = (variant & fluid_bit_scalars) != 0u && int(mass) < 0;
     uint high;
     uint low;
-    umulExtended(mass, part, high, low);
-    return (high << 16u) | (low >> 16u);
+    umulExtended(is_negative ? -mass : mass, part, high, low);
+    uint result = (high << 16u) | (low >> 16u);
+    return is_negative ? -result : result;
+}
+
+// Place of a mass in the buffers, which hold all cells of a channel before those of the next channel.
+uint mass_index(uint cell_index, uint channel)
+{
+    return channel * grid.width * grid.height * grid.depth + cell_index;
 }
 
 // Displacement of the content at the middle of `cell`.
-vec3 way_from_middle(ivec3 cell, float cells_per_speed)
+vec3 way_from_middle(sampler2DArray velocity, ivec3 cell, float cells_per_speed)
 {
     vec3 here = velocity_at(velocity, cell, vec3(0.5));
     return way_along(velocity, here, cell, vec3(0.5), cells_per_speed);

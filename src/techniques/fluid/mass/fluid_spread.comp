@@ -12,7 +12,8 @@ layout(constant_id = 0) const uint variant = 0u;
 
 layout(binding = 0) uniform sampler2DArray velocity;
 layout(binding = 1) uniform usamplerBuffer mass;
-layout(binding = 2, r32f) writeonly uniform image2DArray out_velocity;
+layout(binding = 2) uniform usamplerBuffer solids;
+layout(binding = 3, r32f) writeonly uniform image2DArray out_velocity;
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -22,19 +23,29 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/fluid_fields.glsl"
 
+bool is_solid(uint index)
+{
+    return (variant & fluid_bit_solids) != 0u && texelFetch(solids, int(index)).x != 0u;
+}
+
 void main()
 {
     ivec3 cell = ivec3(gl_GlobalInvocationID);
     if (!is_in_grid(cell)) {
         return;
     }
-    uint here = texelFetch(mass, int(fluid_cell_index(cell))).x;
+    uint here = fluid_cell_index(cell);
+    uint mass_here = texelFetch(mass, int(here)).x;
     for (int axis = 0; axis < fluid_dimensions(); ++axis) {
         ivec3 before = cell;
         before[axis] = cell[axis] == 0 ? fluid_size()[axis] - 1 : cell[axis] - 1;
-        uint there = texelFetch(mass, int(fluid_cell_index(before))).x;
+        uint there = fluid_cell_index(before);
+        uint mass_there = texelFetch(mass, int(there)).x;
         ivec3 texel = ivec3(cell.xy, axis * int(grid.depth) + cell.z);
-        float speed = texelFetch(velocity, texel, 0).x - moved.gain_per_unit * (float(here) - float(there));
+        float speed = texelFetch(velocity, texel, 0).x;
+        if (!is_solid(here) && !is_solid(there)) {
+            speed -= moved.gain_per_unit * (float(mass_here) - float(mass_there));
+        }
         imageStore(out_velocity, texel, vec4(is_on_wall(axis, cell) ? 0.0 : speed));
     }
 }

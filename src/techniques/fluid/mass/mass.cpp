@@ -11,9 +11,11 @@
 #include "gpu/resources.hpp"
 #include "gpu/transfers.hpp"
 #include "shaders/fluid_claim_comp.hpp"
+#include "shaders/fluid_count_comp.hpp"
 #include "shaders/fluid_gather_comp.hpp"
 #include "shaders/fluid_scatter_comp.hpp"
 #include "shaders/fluid_spread_comp.hpp"
+#include "shaders/fluid_uncount_comp.hpp"
 
 namespace estampe::fluid {
 namespace {
@@ -36,10 +38,52 @@ std::vector<uint32_t> units_of(const Grid& grid, std::span<const float> mass)
     return units;
 }
 
+/// Masses that move along the same paths.
+struct Masses {
+    gpu::Name name; ///< of the passes, such as "fluid/medium"
+    gpu::BufferId units;
+    uint32_t channels = 1;
+    uint32_t bits = 0; ///< added to the shader variant
+};
+
+gpu::BufferId add_step(gpu::Graph& graph, const Grid& grid, const Masses& masses, const MassFlow& flow)
+{
+    const WithGrid<shared::FluidMass> constants{
+        grid_constants(grid), {.cells_per_speed = flow.time_s / grid.cell_m, .channels = masses.channels}};
+    const uint32_t variant = grid_bits(grid) | masses.bits;
+    const uint64_t size_bytes = sizeof(uint32_t) * grid.cell_count();
+    gpu::BufferId taken = gpu::add_zeros(graph, masses.name + " taken", masses.channels * size_bytes);
+    gpu::BufferId next = gpu::add_zeros(graph, masses.name + " next", masses.channels * size_bytes);
+    if (flow.advection == MassAdvection::both_ways) {
+        const gpu::BufferId no_claims = gpu::add_zeros(graph, masses.name + " claims", size_bytes);
+        auto claim = graph.compute(masses.name + " claim", shaders::fluid_claim_comp);
+        claim.sample(flow.velocity, gpu::Sampling::linear_repeat);
+        const gpu::BufferId claims = claim.modify(no_claims);
+        claim.push(constants).variant(variant);
+        dispatch_over_cells(claim, grid);
+        auto gather = graph.compute(masses.name + " gather", shaders::fluid_gather_comp);
+        gather.sample(flow.velocity, gpu::Sampling::linear_repeat)
+            .sample(masses.units, gpu::Format::r32ui)
+            .sample(claims, gpu::Format::r32ui);
+        taken = gather.modify(taken);
+        next = gather.write(next);
+        gather.push(constants).variant(variant);
+        dispatch_over_cells(gather, grid);
+    }
+    auto scatter = graph.compute(masses.name + " scatter", shaders::fluid_scatter_comp);
+    scatter.sample(flow.velocity, gpu::Sampling::linear_repeat)
+        .sample(masses.units, gpu::Format::r32ui)
+        .sample(taken, gpu::Format::r32ui);
+    next = scatter.modify(next);
+    scatter.push(constants).variant(variant);
+    dispatch_over_cells(scatter, grid);
+    return next;
+}
+
 } // namespace
 
 MassField::MassField(gpu::Device& device, const Grid& grid, std::span<const float> mass)
-    : grid_(grid), units_(gpu::upload_buffer(device, "fluid mass", units_of(grid, mass)))
+    : units_(gpu::upload_buffer(device, "fluid mass", units_of(grid, mass)))
 {
 }
 
@@ -48,56 +92,81 @@ gpu::BufferId MassField::import(gpu::Graph& graph)
     return gpu::import_whole(graph, "fluid/mass", units_);
 }
 
-gpu::BufferId MassField::add_step(gpu::Graph& graph, gpu::BufferId mass, gpu::ImageId velocity, float time_s,
-                                  MassAdvection advection) const
-{
-    const WithGrid<shared::FluidMass> constants{grid_constants(grid_),
-                                                {.cells_per_speed = time_s / grid_.cell_m}};
-    const uint64_t size_bytes = units_.size_bytes();
-    gpu::BufferId taken = gpu::add_zeros(graph, "fluid/taken", size_bytes);
-    gpu::BufferId next = gpu::add_zeros(graph, "fluid/next mass", size_bytes);
-    if (advection == MassAdvection::both_ways) {
-        const gpu::BufferId no_claims = gpu::add_zeros(graph, "fluid/claims", size_bytes);
-        auto claim = graph.compute("fluid/claim", shaders::fluid_claim_comp);
-        claim.sample(velocity, gpu::Sampling::linear_repeat);
-        const gpu::BufferId claims = claim.modify(no_claims);
-        claim.push(constants).variant(grid_bits(grid_));
-        dispatch_over_cells(claim, grid_);
-        auto gather = graph.compute("fluid/gather", shaders::fluid_gather_comp);
-        gather.sample(velocity, gpu::Sampling::linear_repeat)
-            .sample(mass, gpu::Format::r32ui)
-            .sample(claims, gpu::Format::r32ui);
-        taken = gather.modify(taken);
-        next = gather.write(next);
-        gather.push(constants).variant(grid_bits(grid_));
-        dispatch_over_cells(gather, grid_);
-    }
-    auto scatter = graph.compute("fluid/scatter", shaders::fluid_scatter_comp);
-    scatter.sample(velocity, gpu::Sampling::linear_repeat)
-        .sample(mass, gpu::Format::r32ui)
-        .sample(taken, gpu::Format::r32ui);
-    next = scatter.modify(next);
-    scatter.push(constants).variant(grid_bits(grid_));
-    dispatch_over_cells(scatter, grid_);
-    return next;
-}
-
 void MassField::keep(gpu::Graph& graph, gpu::BufferId mass)
 {
     gpu::add_copy_out(graph, "fluid/keep mass", mass, units_);
 }
 
-gpu::ImageId MassField::add_spread(gpu::Graph& graph, gpu::BufferId mass, gpu::ImageId velocity,
-                                   float stiffness_m2_s2, float time_s) const
+gpu::BufferId add_mass_step(gpu::Graph& graph, const Grid& grid, gpu::BufferId mass, const MassFlow& flow)
 {
-    const float gain = stiffness_m2_s2 * time_s / grid_.cell_m / static_cast<float>(shared::fluid_mass_unit);
-    auto pass = graph.compute("fluid/spread", shaders::fluid_spread_comp);
-    pass.sample(velocity).sample(mass, gpu::Format::r32ui);
-    const gpu::ImageId spread = pass.write(graph.image("fluid/spread", velocity_desc(grid_)));
-    pass.push(WithGrid<shared::FluidMass>{grid_constants(grid_), {.gain_per_unit = gain}})
-        .variant(grid_bits(grid_));
-    dispatch_over_cells(pass, grid_);
-    return spread;
+    return add_step(graph, grid, {.name = "fluid/medium", .units = mass}, flow);
+}
+
+gpu::ImageId add_spread(gpu::Graph& graph, const Grid& grid, const Spread& spread)
+{
+    const float gain =
+        spread.stiffness_m2_s2 * spread.time_s / grid.cell_m / static_cast<float>(shared::fluid_mass_unit);
+    auto pass = graph.compute("fluid/medium spread", shaders::fluid_spread_comp);
+    const bool are_solids = spread.solids && spread.solids->are_any;
+    pass.sample(spread.velocity)
+        .sample(spread.mass, gpu::Format::r32ui)
+        .sample(are_solids ? spread.solids->cells : spread.mass, gpu::Format::r32ui);
+    const gpu::ImageId out = pass.write(spread.target);
+    pass.push(WithGrid<shared::FluidMass>{grid_constants(grid), {.gain_per_unit = gain}})
+        .variant(grid_bits(grid) | (are_solids ? shared::fluid_bit_solids : 0U));
+    dispatch_over_cells(pass, grid);
+    return out;
+}
+
+MassAndVelocity add_mass_pressure(gpu::Graph& graph, const Grid& grid, const Solids& solids,
+                                  const MassAndVelocity& start, gpu::ImageId target, float time_s)
+{
+    constexpr float courant = 0.4F; // noise grows above 0.5
+    const float part_s = time_s / static_cast<float>(mass_parts);
+    const float sound_m_per_s = courant * grid.cell_m / part_s;
+    MassAndVelocity now = start;
+    for (uint32_t i = 0; i < mass_parts; ++i) {
+        const bool is_last = i + 1 == mass_parts;
+        now.mass = add_mass_step(graph, grid, now.mass, {.velocity = now.velocity, .time_s = part_s});
+        now.velocity =
+            add_spread(graph, grid,
+                       {.mass = now.mass,
+                        .velocity = now.velocity,
+                        .target = is_last ? target : graph.image("fluid/medium spread", velocity_desc(grid)),
+                        .solids = solids,
+                        .stiffness_m2_s2 = sound_m_per_s * sound_m_per_s,
+                        .time_s = part_s});
+    }
+    return now;
+}
+
+uint32_t passes_of_mass_pressure()
+{
+    return 7 * mass_parts;
+}
+
+gpu::ImageId add_conserving_advection(gpu::Graph& graph, const Grid& grid, const Carried& carried,
+                                      float time_s)
+{
+    const WithGrid<shared::FluidMass> constants{grid_constants(grid), {.channels = carried.channels}};
+    const uint64_t size_bytes = sizeof(uint32_t) * carried.channels * grid.cell_count();
+    auto count = graph.compute("fluid/count", shaders::fluid_count_comp);
+    count.sample(carried.field);
+    const gpu::BufferId units = count.write(graph.buffer("fluid/units", {.size_bytes = size_bytes}));
+    count.push(constants).variant(grid_bits(grid));
+    dispatch_over_cells(count, grid);
+    const gpu::BufferId moved = add_step(graph, grid,
+                                         {.name = "fluid/quantities",
+                                          .units = units,
+                                          .channels = carried.channels,
+                                          .bits = shared::fluid_bit_scalars},
+                                         {.velocity = carried.velocity, .time_s = time_s});
+    auto uncount = graph.compute("fluid/uncount", shaders::fluid_uncount_comp);
+    uncount.sample(moved, gpu::Format::r32ui);
+    const gpu::ImageId out = uncount.write(carried.target);
+    uncount.push(constants).variant(grid_bits(grid));
+    dispatch_over_cells(uncount, grid);
+    return out;
 }
 
 } // namespace estampe::fluid

@@ -2,12 +2,16 @@
 #pragma once
 
 // Mass that is counted in whole units, so that advection conserves it exactly, even if the flow has
-// divergence.
+// divergence. A mass field of the fluid itself can replace the pressure solve: the fluid is then slightly
+// compressible, and accelerates from cells with more mass towards cells with less.
 
+#include <optional>
 #include <span>
 
 #include "gpu/resources.hpp"
 #include "techniques/fluid/grid.hpp"
+#include "techniques/fluid/motion/motion.hpp"
+#include "techniques/fluid/pressure/projection.hpp"
 
 namespace estampe::fluid {
 
@@ -26,22 +30,59 @@ public:
 
     [[nodiscard]] gpu::BufferId import(gpu::Graph& graph);
 
-    /// Returns the mass after `time_s` of a flow. `mass` comes from import() or add_step(). Pass the last
-    /// result in a graph to keep().
-    [[nodiscard]] gpu::BufferId add_step(gpu::Graph& graph, gpu::BufferId mass, gpu::ImageId velocity,
-                                         float time_s, MassAdvection advection) const;
-
+    /// Stores the last result of add_mass_step() in a graph.
     void keep(gpu::Graph& graph, gpu::BufferId mass);
 
-    /// Returns the velocity after `time_s` of acceleration away from mass, as in a compressible gas.
-    /// `stiffness_m2_s2` is the square of the speed of sound where cells have mass 1. Replaces the pressure
-    /// solve.
-    [[nodiscard]] gpu::ImageId add_spread(gpu::Graph& graph, gpu::BufferId mass, gpu::ImageId velocity,
-                                          float stiffness_m2_s2, float time_s) const;
-
 private:
-    Grid grid_;
     gpu::Buffer units_;
 };
+
+struct MassFlow {
+    gpu::ImageId velocity;
+    float time_s = 0.0F;
+    MassAdvection advection = MassAdvection::both_ways;
+};
+
+/// Returns the mass after `flow`. `mass` comes from MassField::import() or from an earlier step.
+[[nodiscard]] gpu::BufferId add_mass_step(gpu::Graph& graph, const Grid& grid, gpu::BufferId mass,
+                                          const MassFlow& flow);
+
+/// Returns the velocity after `time_s` of acceleration away from mass, as in a compressible gas, in `target`.
+/// `stiffness_m2_s2` is the square of the speed of sound where cells have mass 1.
+struct Spread {
+    gpu::BufferId mass;
+    gpu::ImageId velocity;
+    gpu::ImageId target;
+    std::optional<Solids> solids = {}; ///< no acceleration across the faces of solid cells
+    float stiffness_m2_s2 = 0.0F;
+    float time_s = 0.0F;
+};
+
+[[nodiscard]] gpu::ImageId add_spread(gpu::Graph& graph, const Grid& grid, const Spread& spread);
+
+/// The fluid's own mass, 1 per cell at rest, and its velocity.
+struct MassAndVelocity {
+    gpu::BufferId mass;
+    gpu::ImageId velocity;
+};
+
+/// Replaces a projection in a step of `time_s`: advects the mass with the velocity and accelerates the
+/// velocity away from mass, in `mass_parts` parts of the step. The speed of sound is 0.4 cells per part, so
+/// the fluid gets denser by a few percent where its speed reaches a cell per part. Returns the velocity in
+/// `target`.
+[[nodiscard]] MassAndVelocity add_mass_pressure(gpu::Graph& graph, const Grid& grid, const Solids& solids,
+                                                const MassAndVelocity& start, gpu::ImageId target,
+                                                float time_s);
+inline constexpr uint32_t mass_parts = 8;
+
+/// Number of passes of add_mass_pressure().
+[[nodiscard]] uint32_t passes_of_mass_pressure();
+
+/// Advects quantities both ways in units of 1 / 65536, so that the sum of each quantity stays the same to the
+/// unit. Quantities may be negative; beyond 2048 they are cut. Returns carried.target. `carried.ways` is not
+/// used.
+[[nodiscard]] gpu::ImageId add_conserving_advection(gpu::Graph& graph, const Grid& grid,
+                                                    const Carried& carried, float time_s);
+inline constexpr uint32_t passes_of_conserving_advection = 8;
 
 } // namespace estampe::fluid

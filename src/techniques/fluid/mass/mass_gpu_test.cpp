@@ -46,7 +46,7 @@ struct Carrying {
             const gpu::ImageId velocity = fluid.add_steps(graph, {}, 0).velocity;
             gpu::BufferId mass = field.import(graph);
             for (uint32_t i = 0; i < now; ++i) {
-                mass = field.add_step(graph, mass, velocity, step_s, advection);
+                mass = add_mass_step(graph, grid, mass, {velocity, step_s, advection});
             }
             if (now > 0) {
                 field.keep(graph, mass);
@@ -142,8 +142,13 @@ double pulse_spread(float stiffness, uint32_t steps, float step_s)
     gpu::ImageId velocity = still.add_steps(graph, {}, 0).velocity;
     gpu::BufferId mass = field.import(graph);
     for (uint32_t i = 0; i < steps; ++i) {
-        velocity = field.add_spread(graph, mass, velocity, stiffness, step_s);
-        mass = field.add_step(graph, mass, velocity, step_s, MassAdvection::both_ways);
+        velocity = add_spread(graph, grid,
+                              {.mass = mass,
+                               .velocity = velocity,
+                               .target = graph.image("spread", velocity_desc(grid)),
+                               .stiffness_m2_s2 = stiffness,
+                               .time_s = step_s});
+        mass = add_mass_step(graph, grid, mass, {velocity, step_s});
     }
     const auto units = test::run_and_read_as<uint32_t>(graph, mass);
     double moment = 0.0;
@@ -167,6 +172,90 @@ TEST(FluidMass, PulsesRunAsFastAsSound)
         const double way = std::sqrt(grown / (30.0 * 30.0 - 10.0 * 10.0));
         EXPECT_NEAR(way / step, 1.0, 0.05) << stiffness;
     }
+}
+
+std::vector<double> sums_of_channels(const Grid& grid, const std::vector<float>& quantities)
+{
+    std::vector<double> sums;
+    for (size_t first = 0; first < quantities.size(); first += grid.cell_count()) {
+        const auto begin = quantities.begin() + static_cast<ptrdiff_t>(first);
+        sums.push_back(std::accumulate(begin, begin + static_cast<ptrdiff_t>(grid.cell_count()), 0.0));
+    }
+    return sums;
+}
+
+/// Quantities in whole units: lumps of density, and a temperature that is negative in places.
+std::vector<float> lumps_and_warmth(const Grid& grid)
+{
+    return over_nodes(grid, 2, [](uint32_t channel, glm::uvec3 cell) {
+        const bool is_lump = (cell.x * 7 + cell.y * 13 + cell.z * 5) % 5 == 0;
+        return channel == 0 ? (is_lump ? 2.25 : 0.015625) : (is_lump ? -1.5 : 0.75);
+    });
+}
+
+TEST(FluidMass, AFluidSolvedByItKeepsEachQuantityToTheUnit)
+{
+    for (const glm::uvec3 cells : {glm::uvec3(32, 32, 1), glm::uvec3(16, 16, 8)}) {
+        const Grid grid{.cells = cells, .edges = {Edge::no_slip, Edge::periodic, Edge::no_slip}};
+        const std::vector<float> start = lumps_and_warmth(grid);
+        const auto sums_after = [&](Solver solver) {
+            const FluidStyle style{.step_s = 0.5F,
+                                   .stepping = Stepping::project,
+                                   .projection = {.solver = solver, .jacobi_rounds = 20}};
+            Fluid fluid(test::shared_device(), grid, 2, velocity_of(grid, stirred_flow), start);
+            fluid.ensure_mass(test::shared_device(), style);
+            for (uint32_t done = 0;;) {
+                const uint32_t now = std::min(12 - done, fluid.most_steps(style));
+                done += now;
+                gpu::Graph graph;
+                const FluidFields fields = fluid.add_steps(graph, style, now);
+                const std::vector<float> quantities = run_and_read_layers(graph, *fields.quantities);
+                if (done == 12) {
+                    return sums_of_channels(grid, quantities);
+                }
+            }
+        };
+        EXPECT_EQ(sums_after(Solver::mass), sums_of_channels(grid, start));
+        EXPECT_GT(std::abs(sums_after(Solver::jacobi).front() / sums_of_channels(grid, start).front() - 1.0),
+                  1e-4);
+    }
+}
+
+TEST(FluidMass, AFluidSolvedByItDecaysAsTaylorAndGreenComputed)
+{
+    constexpr double tau = 2.0 * std::numbers::pi;
+    constexpr double viscosity = 0.01;
+    const Grid grid{.cells = {64, 64, 1},
+                    .cell_m = static_cast<float>(tau / 64.0),
+                    .edges = {Edge::periodic, Edge::periodic, Edge::no_slip}};
+    Fluid fluid(test::shared_device(), grid, 0, velocity_of(grid, [](glm::dvec3 p) {
+                    return glm::dvec3(std::sin(p.x) * std::cos(p.y), -std::cos(p.x) * std::sin(p.y), 0.0);
+                }));
+    const FluidStyle style{.step_s = static_cast<float>(tau / 200.0),
+                           .stepping = Stepping::project,
+                           .projection = {.solver = Solver::mass},
+                           .viscosity_m2_s = static_cast<float>(viscosity)};
+    fluid.ensure_mass(test::shared_device(), style);
+    const double before = norm(velocity_after(fluid, style, 0));
+    const double after = norm(velocity_after(fluid, style, 200));
+    EXPECT_NEAR(std::pow(after / before, 2.0), std::exp(-4.0 * viscosity * tau), 0.03);
+    // The mass stays near 1: the fluid is nearly incompressible.
+    gpu::Graph graph;
+    const FluidFields fields = fluid.add_steps(graph, style, 0);
+    const auto units = test::run_and_read_as<uint32_t>(graph, fields.mass.value());
+    const auto [least, most] = std::ranges::minmax_element(units);
+    EXPECT_GT(*least, 0.97 * shared::fluid_mass_unit);
+    EXPECT_LT(*most, 1.03 * shared::fluid_mass_unit);
+    EXPECT_EQ(sum_of_units(units), grid.cell_count() * shared::fluid_mass_unit);
+}
+
+TEST(FluidMass, AFluidWithoutItHasNoSolverByIt)
+{
+    Fluid fluid(test::shared_device(), {.cells = {8, 8, 1}});
+    gpu::Graph graph;
+    EXPECT_THROW(static_cast<void>(fluid.add_steps(graph, {.projection = {.solver = Solver::mass}}, 1)),
+                 std::logic_error);
+    EXPECT_THROW(fluid.set_mass(test::shared_device(), std::vector<float>(63, 1.0F)), std::logic_error);
 }
 
 TEST(FluidMass, StartsAreChecked)

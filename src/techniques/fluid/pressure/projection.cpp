@@ -73,6 +73,8 @@ const char* name_of(Solver solver)
         return "multigrid";
     case Solver::spectral:
         return "spectral";
+    case Solver::mass:
+        return "mass";
     case Solver::automatic:
         break;
     }
@@ -85,7 +87,7 @@ bool is_of_projection(std::string_view pass)
         "fluid/divergence", "fluid/gradient",  "fluid/reflect",       "fluid/jacobi",   "fluid/up",
         "fluid/down",       "fluid/small",     "fluid/sweep",         "fluid/restrict", "fluid/coarsest",
         "fluid/divide",     "fluid/transform", "fluid/transform back"};
-    return std::ranges::find(names, pass) != names.end();
+    return std::ranges::find(names, pass) != names.end() || pass.starts_with("fluid/medium");
 }
 
 Solver solver_for(const Grid& grid, Solver solver, bool has_solids)
@@ -155,6 +157,8 @@ gpu::BufferId add_pressure(gpu::Graph& graph, const Grid& grid, const Projection
         return add_jacobi(graph, grid, equation, style.jacobi_rounds);
     case Solver::spectral:
         return add_spectral(graph, grid, equation, tables.angles);
+    case Solver::mass:
+        throw std::logic_error("the solver by mass solves for no pressure");
     default:
         return grid.is_volume() ? add_volume_cycle(graph, grid, equation)
                                 : add_v_cycle(graph, grid, equation);

@@ -15,10 +15,11 @@ enum class Solver : uint8_t {
     automatic, ///< spectral where possible, else multigrid
     jacobi,    ///< rounds of Jacobi's iteration: cheap, but leaves large-scale divergence
     multigrid, ///< V(2,2) cycles
-    spectral   ///< direct, by fast transforms; requires sizes that are powers of two and no obstacles
+    spectral,  ///< direct, by fast transforms; requires sizes that are powers of two and no obstacles
+    mass       ///< no solve: the fluid has a mass, advected both ways, and accelerates away from mass
 };
 
-/// "jacobi", "multigrid", "spectral" or "automatic".
+/// "jacobi", "multigrid", "spectral", "mass" or "automatic".
 [[nodiscard]] const char* name_of(Solver solver);
 
 struct ProjectionStyle {
@@ -60,7 +61,8 @@ struct ProjectionInput {
     gpu::ImageId target; ///< overwritten with the projected velocity
 };
 
-/// Whether a pass with this name belongs to a projection; does not include passes of add_weights().
+/// Whether a pass with this name belongs to a projection, or to add_mass_pressure(), which replaces one; does
+/// not include passes of add_weights().
 [[nodiscard]] bool is_of_projection(std::string_view pass);
 
 [[nodiscard]] Projected add_projection(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,
