@@ -18,24 +18,24 @@ const style::Table<WindStyle>& wind_table()
                     "Mean speed of the wind: 0 is still air, 4 a breeze, 15 a storm. Not used when wind.from "
                     "is auto and the scene has a terrain.")
             .number("blown_m", &WindStyle::blown_m, {-1.0F, 1e7F}, "m",
-                    "Distance that the wind on cloth has already blown, for films in which "
-                    "wind.speed_m_per_s changes from frame to frame: without this value, gusts would jump. "
-                    "-1 computes the distance as speed times time.")
+                    "Distance that the wind on cloth has already blown. Films in which wind.speed_m_per_s "
+                    "changes set this value in each frame, or gusts would jump. -1 computes the distance as "
+                    "speed times time.")
             .number("towards_deg", &WindStyle::towards_deg, {-360.0F, 360.0F}, "deg",
                     "Direction towards which the wind blows: 0 is +z, 90 is +x. Not used when wind.from is "
                     "auto and the scene has a terrain.")
             .number("gustiness", &WindStyle::gustiness, {0.0F, 1.0F}, "",
-                    "How much the speed of the wind on cloth changes in gusts: 0 is steady, 1 changes "
-                    "between calm and twice the speed")
+                    "How much the speed of the wind on cloth changes in gusts. 0 is steady, 1 changes "
+                    "between calm and twice the speed.")
             .number("gust_m", &WindStyle::gust_m, {0.1F, 1000.0F}, "m",
                     "Approximate distance from one gust of wind to the next: less makes the wind change more "
                     "often")
             .number("turbulence", &WindStyle::turbulence, {0.0F, 2.0F}, "",
-                    "Speed of the eddies (small whirls) in the wind on cloth, as a share of the wind's "
-                    "speed: 0 blows evenly, more makes cloth flutter")
+                    "Speed of the small whirls in the wind on cloth, as a share of the wind's speed. 0 blows "
+                    "evenly, more makes cloth flutter.")
             .number("eddy_m", &WindStyle::eddy_m, {0.05F, 100.0F}, "m",
-                    "Size of the eddies (small whirls) in the wind: less makes small ripples in cloth, more "
-                    "makes large waves");
+                    "Size of the small whirls in the wind on cloth: less makes small ripples, more makes "
+                    "large waves");
     return table;
 }
 

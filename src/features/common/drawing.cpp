@@ -33,14 +33,14 @@ const style::Table<DrawingStyle>& drawing_table()
                     "Contrast of the tones, as a factor: less is flat and even, more pushes tones towards "
                     "white and black")
             .number("detail", &DrawingStyle::detail, {0.0F, 4.0F}, "",
-                    "Detail within objects, as a factor: 0 draws outlines and flat colour, more draws more "
-                    "folds, texture and inner lines")
+                    "Detail within objects, as a factor of the preset's detail. 0 draws outlines and flat "
+                    "colour, more draws more folds, texture and inner lines.")
             .number("wobble", &DrawingStyle::wobble, {0.0F, 10.0F}, "",
-                    "Unsteadiness of the hand, as a factor: 0 draws exact lines as with a ruler, more looks "
-                    "like a shaky sketch")
+                    "Unsteadiness of the drawing hand, as a factor. 0 draws exact lines as with a ruler, "
+                    "more looks like a shaky sketch.")
             .number("color", &DrawingStyle::color, {0.0F, 2.0F}, "",
-                    "Strength of the colour, as a factor: 0 draws in ink alone, 1 keeps the colour of the "
-                    "preset, 2 paints more strongly")
+                    "Strength of the colour, as a factor. 0 draws with ink alone, 1 keeps the colour of the "
+                    "preset, 2 paints more strongly.")
             .choice("paper", &DrawingStyle::paper,
                     {{"preset", PaperKind::preset},
                      {"white", PaperKind::white},
@@ -50,8 +50,8 @@ const style::Table<DrawingStyle>& drawing_table()
                     "that colour; none: a transparent background, to lay the drawing over another picture.")
             .integer(
                 "seed", &DrawingStyle::seed, {0, 1000000}, "",
-                "Random seed of the whole drawing: another value gives other strokes, lines, paper, clouds "
-                "and smoke, as if drawn a second time");
+                "Number that selects the random details of the whole drawing. Another number gives other "
+                "strokes, lines, paper, clouds and smoke, as if the picture was drawn a second time.");
     return table;
 }
 

@@ -28,21 +28,21 @@ void add_line_keys(ContourTable& table, const LineKind& kind, const char* lines)
     table.toggle(name + ".enabled", of(&LineStyle::enabled), fmt::format("Turns on {}", lines))
         .number(name + ".width_mm", of(&LineStyle::width_mm), {0.02F, 20.0F}, "mm",
                 fmt::format("Width on the page of lines {}: more is bolder", kind.place))
-        .number(
-            name + ".width_m", of(&LineStyle::width_m), {0.0F, 1000.0F}, "m",
-            fmt::format("Width of lines {}, measured in metres of the scene, so that near lines look wider. "
-                        "0 uses contour.{}.width_mm instead. Only used when contour.lines is chains.",
-                        kind.place, name))
+        .number(name + ".width_m", of(&LineStyle::width_m), {0.0F, 1000.0F}, "m",
+                fmt::format("Width, in metres of the scene, of lines {}. Near lines look wider on the page. "
+                            "0 uses contour.{}.width_mm instead. Only used when contour.lines is chains.",
+                            kind.place, name))
         .file_or_name(
             name + ".brush", of(&LineStyle::brush), brush_names(),
             fmt::format(
-                "Tool that draws lines {}: pen, pencil, charcoal, brush, or a PNG of one stroke, as in "
-                "contour.brush. If empty, contour.brush is used. Only used when contour.lines is chains.",
+                "Tool that draws lines {}. The tool is pen, pencil, charcoal, brush, or a PNG picture of one "
+                "stroke. If empty, contour.brush is used. Only used when contour.lines is chains.",
                 kind.place))
-        .color_or_auto(name + ".ink", of(&LineStyle::ink),
-                       fmt::format("Colour of lines {}. auto uses the colour contour.ink. Only used when "
-                                   "contour.lines is chains.",
-                                   kind.place));
+        .color_or_auto(
+            name + ".ink", of(&LineStyle::ink),
+            fmt::format("Colour of lines {}. The value auto uses the colour contour.ink. Only used when "
+                        "contour.lines is chains.",
+                        kind.place));
 }
 
 void add_kind_keys(ContourTable& table)
@@ -54,31 +54,32 @@ void add_kind_keys(ContourTable& table)
     add(shared::line_boundary, "lines along the border between two materials");
     add(shared::line_crease, "lines along sharp folds (creases)");
     table.number("crease.angle_deg", &ContourStyle::crease_deg, {1.0F, 180.0F}, "deg",
-                 "Smallest angle between two faces at which their fold counts as sharp and gets a line: less "
-                 "draws more lines");
-    add(shared::line_marked, "lines along the edges that a glTF file marks. They replace the lines along "
-                             "other folds and borders of that mesh.");
+                 "Smallest angle by which a surface must bend at a fold to get a line. Less draws more "
+                 "lines, more draws only sharp folds.");
+    add(shared::line_marked, "lines along edges that a glTF file marks. These lines replace the lines along "
+                             "other folds and borders of the mesh.");
     add(shared::line_ridge, "ridge lines: lines along rounded folds that point outwards");
     table.number("ridge.turn_deg", &ContourStyle::ridge_deg, {0.5F, 180.0F}, "deg",
-                 "Smallest angle by which a surface must turn to get a ridge or valley line. The angle is "
-                 "measured over one hundredth of the object's size. Less draws more lines. Only used when "
+                 "Smallest angle by which a rounded fold must bend to get a ridge or valley line. The bend "
+                 "is measured over one hundredth of the object's size. Less draws more lines. Only used when "
                  "contour.lines is chains.");
     add(shared::line_valley, "valley lines: lines along grooves, which are rounded folds that point inwards");
     add(shared::line_suggestive,
-        "suggestive contours: lines where an outline would appear if the eye moved a little");
+        "suggestive contours (almost-outlines): lines where a small step aside would show an outline");
     table
         .number("suggestive.growth", &ContourStyle::suggestive_growth, {0.0F, 10000.0F}, "",
-                "How quickly a surface must begin to curve towards the eye to get a suggestive contour: less "
-                "draws more lines. The size of the object does not matter. Only used when contour.lines is "
-                "chains.")
+                "Smallest strength at which suggestive contours (lines that are almost outlines) are drawn. "
+                "Less draws more of these lines, more leaves only the clearest. Only used when contour.lines "
+                "is chains.")
         .number("suggestive.angle_deg", &ContourStyle::suggestive_deg, {1.0F, 89.0F}, "deg",
-                "Smallest angle between the line of sight and the surface normal at a suggestive contour: "
-                "more leaves out surfaces that face the eye. Only used when contour.lines is chains.");
+                "How far a surface must be turned away from the camera to get suggestive contours "
+                "(almost-outlines). More draws fewer of these lines, because surfaces that face the camera "
+                "get none. Only used when contour.lines is chains.");
     add(shared::line_crest, "lines along the crests of dunes, even when seen from above");
-    table.number(
-        "crest.angle_deg", &ContourStyle::crest_deg, {0.5F, 89.0F}, "deg",
-        "Smallest angle by which the ground must bend at a crest to get a line, across the wind and within "
-        "one cell of the ground's mesh: less draws more lines. Only used when contour.lines is chains.");
+    table.number("crest.angle_deg", &ContourStyle::crest_deg, {0.5F, 89.0F}, "deg",
+                 "Smallest bend of the ground, across the wind, that gives the crest of a dune a line. Less "
+                 "draws more lines. The bend is measured within one cell of the ground's mesh. Only used "
+                 "when contour.lines is chains.");
     add(shared::line_intersection, "lines where surfaces pass through each other");
     add(shared::line_shadow, "lines along the edges of the sun's shadows");
 }
@@ -87,64 +88,64 @@ void add_brush_keys(ContourTable& table)
 {
     table
         .number("depth_step", &ContourStyle::depth_step, {0.05F, 100.0F}, "",
-                "Smallest step in depth that gives a surface an outline against the surface behind it: less "
+                "Smallest step in depth at which a surface gets an outline against the surface behind. Less "
                 "draws more lines. Only used when contour.lines is page, and for shapes cut out by a "
-                "texture's alpha.")
+                "texture's transparency (alpha).")
         .file_or_name("brush", &ContourStyle::brush, brush_names(),
                       "Tool that draws ink lines: pen, pencil, charcoal, brush, or a PNG of one stroke from "
                       "left to right. The PNG has the stroke in its alpha channel or in black on white. Only "
                       "used when contour.lines is chains.")
         .choice("brush_fit", &ContourStyle::brush_fit,
                 {{"repeat", BrushFit::repeat}, {"stretch", BrushFit::stretch}},
-                "How the picture of a brush lies along a stroke. repeat: again and again at one length, "
-                "fixed to the surface when things move; stretch: once from end to end. Only used when "
-                "contour.lines is chains.")
+                "How the picture of a brush is laid along an ink line. repeat: again and again at one "
+                "length, fixed to the surface when things move; stretch: once, from end to end. Only used "
+                "when contour.lines is chains.")
         .number("brush_mm", &ContourStyle::brush_mm, {0.0F, 1000.0F}, "mm",
-                "Length after which the picture of a brush repeats along a stroke: more stretches the "
-                "picture. 0 uses the length at which the picture is not distorted. Only used when "
-                "contour.brush_fit is repeat.");
+                "Length along an ink line after which the picture of the brush repeats. More makes the "
+                "picture longer. 0 uses the length at which the picture keeps its proportions. Only used "
+                "when contour.brush_fit is repeat.");
 }
 
 void add_hand_keys(ContourTable& table)
 {
     table
         .choice("joints", &ContourStyle::joints, {{"round", Joints::round}, {"mitre", Joints::mitre}},
-                "Shape of strokes at corners, and at points where several strokes end. round: rounded; "
-                "mitre: pointed. Only used when contour.lines is chains.")
+                "Shape of ink lines at corners, and where several lines end together. round: rounded; mitre: "
+                "pointed. Only used when contour.lines is chains.")
         .number("pressure", &ContourStyle::pressure, {0.0F, 1.0F}, "",
-                "How much the width of an ink line varies along its length: 0 is even, as from a technical "
-                "pen, 1 varies most")
+                "How much the width of ink lines varies along each line. 0 is even, as from a technical pen, "
+                "1 varies most.")
         .choice("pressure_from", &ContourStyle::pressure_from,
                 {{"light", PressureFrom::light}, {"turn", PressureFrom::turn}, {"both", PressureFrom::both}},
-                "Where ink lines get wider. light: in shade; turn: where a stroke bends; both: in shade and "
-                "at bends. turn and both need contour.lines to be chains.")
+                "Where ink lines get wider. light: in shade; turn: where a line bends; both: in shade and at "
+                "bends. turn and both need contour.lines to be chains.")
         .number("distance_thinning", &ContourStyle::distance_thinning, {0.0F, 1.0F}, "",
-                "How much thinner ink lines are in the distance: 0 keeps one width, 1 makes far lines about "
-                "a third as wide as near lines")
+                "How much thinner ink lines are in the distance. 0 keeps one width, 1 makes far lines about "
+                "a third as wide as near lines.")
         .number("taper_mm", &ContourStyle::taper_mm, {0.0F, 100.0F}, "mm",
-                "Length over which a stroke thins towards its free ends: 0 gives blunt ends, more gives "
+                "Length over which an ink line thins towards its free ends. 0 gives blunt ends, more gives "
                 "pointed ends. Only used when contour.lines is chains.")
         .number("overshoot_mm", &ContourStyle::overshoot_mm, {0.0F, 20.0F}, "mm",
-                "How far strokes continue past their ends, as in an architect's sketch: 0 stops at the "
-                "corner, more crosses further. Only used when contour.lines is chains.")
+                "How far ink lines run past their ends, as in an architect's sketch. 0 stops at the corner, "
+                "more crosses further. Only used when contour.lines is chains.")
         .number("wobble_mm", &ContourStyle::wobble_mm, {0.0F, 20.0F}, "mm",
-                "How far strokes waver to either side of the true edge: 0 is exact, more is a shaky hand. "
+                "How far ink lines waver to either side of the true edge: 0 is exact, more is a shaky hand. "
                 "Only used when contour.lines is chains.")
         .integer("strokes", &ContourStyle::strokes, {1, 3}, "",
-                 "How many times each line is drawn over: 1 is a clean line, 2 and 3 look sketched. Only "
-                 "used when contour.lines is chains.")
+                 "How many times each ink line is drawn: 1 is a clean line, 2 and 3 look sketched. Only used "
+                 "when contour.lines is chains.")
         .number("retrace_mm", &ContourStyle::retrace_mm, {0.0F, 20.0F}, "mm",
-                "How far the second and third stroke of a line lie from the first stroke: more looks "
+                "How far the second and third stroke of an ink line lie from the first: more looks "
                 "sketchier. Only used when contour.strokes is 2 or 3.")
         .number("jitter_ends_mm", &ContourStyle::jitter_ends_mm, {0.0F, 20.0F}, "mm",
-                "How far strokes end before or after their true end, at random: more is a looser sketch. "
+                "How far ink lines end before or after their true end, at random: more is a looser sketch. "
                 "Only used when contour.lines is chains.")
         .number("jitter_offset_mm", &ContourStyle::jitter_offset_mm, {0.0F, 20.0F}, "mm",
-                "How far strokes are shifted sideways from the true edge, at random: more is a looser "
+                "How far ink lines are shifted sideways from the true edge, at random: more is a looser "
                 "sketch. Only used when contour.lines is chains.")
         .number("jitter_width", &ContourStyle::jitter_width, {0.0F, 0.9F}, "",
-                "How much strokes differ in width at random, as a share of the width: 0 makes all strokes "
-                "equally wide. Only used when contour.lines is chains.");
+                "How much ink lines differ in width from each other, at random. 0 draws all lines of a kind "
+                "equally wide, more is livelier. Only used when contour.lines is chains.");
 }
 
 void add_hidden_keys(ContourTable& table)
@@ -155,12 +156,14 @@ void add_hidden_keys(ContourTable& table)
                 "Turns hidden lines on: lines behind other surfaces are drawn with dashes, as in a technical "
                 "drawing. Only used when contour.lines is chains.")
         .number("hidden.width_mm", of(&HiddenStyle::width_mm), {0.02F, 20.0F}, "mm",
-                "Width of hidden lines. Only used when contour.hidden.enabled is true.")
+                "Width on the page of hidden lines (lines behind other surfaces): more is bolder. Only used "
+                "when contour.hidden.enabled is true.")
         .number("hidden.dash_mm", of(&HiddenStyle::dash_mm), {0.1F, 100.0F}, "mm",
-                "Length of the dashes of hidden lines. Only used when contour.hidden.enabled is true.")
+                "Length on the page of the dashes of hidden lines (lines behind other surfaces). Only used "
+                "when contour.hidden.enabled is true.")
         .number("hidden.gap_mm", of(&HiddenStyle::gap_mm), {0.1F, 100.0F}, "mm",
-                "Length of the gaps between the dashes of hidden lines. Only used when "
-                "contour.hidden.enabled is true.");
+                "Length on the page of the gaps between the dashes of hidden lines (lines behind other "
+                "surfaces). Only used when contour.hidden.enabled is true.");
 }
 
 } // namespace
@@ -181,12 +184,12 @@ const style::Table<ContourStyle>& contour_table()
                     "Turns ink lines on: outlines, folds, material boundaries and other contours")
             .choice("lines", &ContourStyle::lines, {{"chains", Lines::chains}, {"page", Lines::page}},
                     "How ink lines are found. chains: along the edges of the 3D model, as connected strokes "
-                    "with taper, brushes and dashes; page: from the pixels of the picture, without taper, "
-                    "brushes and dashes, which is quicker for large models.")
+                    "that may have taper, brushes and dashes; page: from the pixels of the picture, without "
+                    "these, which is quicker for large models.")
             .choice("silhouettes", &ContourStyle::silhouettes,
                     {{"smooth", Silhouettes::smooth}, {"edges", Silhouettes::edges}},
-                    "Where the outline of a smooth surface runs. smooth: across triangles, along the curve "
-                    "that the shading shows; edges: along the edges of the mesh. Only used when "
+                    "Where the outline of a smooth surface runs. smooth: as a smooth curve across the "
+                    "triangles of the mesh; edges: along the edges of the triangles. Only used when "
                     "contour.lines is chains.")
             .color("ink", &ContourStyle::ink,
                    "Colour of the ink lines. A toon material with its own outline keeps the colour of that "

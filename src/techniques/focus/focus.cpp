@@ -106,28 +106,28 @@ const style::Table<FocusStyle>& focus_table()
             .toggle("enabled", &FocusStyle::enabled,
                     "Turns focus lines on: wedges from the edge of the picture towards one point")
             .number("x", &FocusStyle::x, {-1.0F, 2.0F}, "",
-                    "Horizontal position of the point that focus lines aim at: 0 is the left edge of the "
-                    "picture, 1 is the right edge")
+                    "Horizontal position of the point where focus lines meet. 0 is the left edge of the "
+                    "picture, 1 is the right edge.")
             .number("y", &FocusStyle::y, {-1.0F, 2.0F}, "",
-                    "Vertical position of the point that focus lines aim at: 0 is the top edge of the "
-                    "picture, 1 is the bottom edge")
+                    "Vertical position of the point where focus lines meet. 0 is the top edge of the "
+                    "picture, 1 is the bottom edge.")
             .number("clear", &FocusStyle::clear, {0.0F, 3.0F}, "",
-                    "Size of the free oval around the point that focus lines aim at, as a share of the "
-                    "picture: less lets focus lines reach further in")
+                    "Size of the empty oval around the point where focus lines meet, as a share of the "
+                    "picture. Less lets focus lines reach further in.")
             .number("ragged", &FocusStyle::ragged, {0.0F, 1.0F}, "",
-                    "How much focus lines differ in length: 0 ends all lines at the edge of the free oval in "
-                    "the middle, 1 gives very uneven lengths")
+                    "How much focus lines differ in length. 0 ends all lines at the edge of the empty oval "
+                    "in the middle, 1 gives very uneven lengths.")
             .number("width_mm", &FocusStyle::width_mm, {0.05F, 20.0F}, "mm",
-                    "Width of an average focus line at the edge of the picture")
+                    "Width of an average focus line at the edge of the picture: more is bolder")
             .number("spacing_mm", &FocusStyle::spacing_mm, {0.2F, 100.0F}, "mm",
                     "Average distance between focus lines at the edge of the picture: less gives more lines")
             .number("bundles", &FocusStyle::bundles, {0.0F, 1.0F}, "",
-                    "How much focus lines gather in bundles with gaps between them: 0 spreads them evenly, 1 "
-                    "gathers them most")
+                    "How much focus lines gather in bundles with gaps between them. 0 spreads the lines "
+                    "evenly, 1 gathers them most.")
             .color("ink", &FocusStyle::ink, "Colour of the ink of focus lines")
             .number("redraws_per_s", &FocusStyle::redraws_per_s, {0.0F, 60.0F}, "",
-                    "How often focus lines are drawn again with new random shapes, per second of a film: 12 "
-                    "flickers as in hand-drawn animation. 0 never draws them again.");
+                    "How often focus lines are drawn again with new random shapes, per second of a film. 12 "
+                    "flickers as in hand-drawn animation, 0 never draws them again.");
     return table;
 }
 

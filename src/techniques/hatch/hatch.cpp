@@ -256,30 +256,29 @@ const style::Table<HatchStyle>& hatch_table()
             .choice("strokes", &HatchStyle::strokes,
                     {{"lines", Strokes::lines}, {"map", Strokes::map}, {"dots", Strokes::dots}},
                     "Marks that make the tone. lines: pen strokes, spaced to match the tone exactly; map: "
-                    "strokes of a tonal art map; dots: the dots of a screentone.")
+                    "strokes of a tonal art map (set of stroke textures); dots: the dots of a screentone.")
             .number("width_mm", &HatchStyle::width_mm, {0.02F, 10.0F}, "mm",
-                    "Width of a hatching stroke on the page: wider strokes also lie farther apart, so the "
+                    "Width of a hatching stroke on the page. Wider strokes also lie farther apart, so the "
                     "tone stays the same. Only used when hatch.strokes is lines.")
             .integer("layers", &HatchStyle::layers, {1, 3}, "",
-                     "Largest number of layers of hatching strokes that cross in dark tones: 1 never "
-                     "crosses, 2 and 3 cross-hatch. Only used when hatch.strokes is lines.")
-            .choice(
-                "coordinates", &HatchStyle::coordinates,
-                {{"auto", Coordinates::automatic},
-                 {"uv", Coordinates::uv},
-                 {"solid", Coordinates::solid},
-                 {"form", Coordinates::form},
-                 {"height", Coordinates::height},
-                 {"wind", Coordinates::wind},
-                 {"light", Coordinates::light},
-                 {"page", Coordinates::page},
-                 {"slope", Coordinates::slope}},
-                "What hatching strokes follow. uv: UVs; solid: parallel slices; form: curvature; height: "
-                "contour levels; wind: wind.towards_deg; light; page; slope: ground slopes, ripples; auto: "
-                "slope on terrain, uv where UVs are unbroken, else solid.")
+                     "Largest number of layers of hatching strokes that cross in dark tones. 1 never "
+                     "crosses, 2 and 3 draw cross-hatching. Only used when hatch.strokes is lines.")
+            .choice("coordinates", &HatchStyle::coordinates,
+                    {{"auto", Coordinates::automatic},
+                     {"uv", Coordinates::uv},
+                     {"solid", Coordinates::solid},
+                     {"form", Coordinates::form},
+                     {"height", Coordinates::height},
+                     {"wind", Coordinates::wind},
+                     {"light", Coordinates::light},
+                     {"page", Coordinates::page},
+                     {"slope", Coordinates::slope}},
+                    "What hatching strokes follow. uv: texture coordinates; solid: parallel slices; form: "
+                    "curvature; height: contour levels; wind, light, page: the wind, light or page; slope: "
+                    "slopes of the ground; auto: slope on terrain, uv if unbroken, else solid.")
             .number("slant_deg", &HatchStyle::slant_deg, {-180.0F, 180.0F}, "deg",
-                    "Rotation of the first layer of hatching strokes, where strokes follow UVs or the page. "
-                    "The other layers rotate with the first.")
+                    "Angle by which hatching strokes are turned that follow texture coordinates (uv) or the "
+                    "page. The second and third layer turn with the first layer.")
             .number("wobble_mm", &HatchStyle::wobble_mm, {0.0F, 5.0F}, "mm",
                     "How far a hatching stroke wavers sideways: 0 is straight as with a ruler, more is a "
                     "shaky hand. Only used when hatch.strokes is lines.")
@@ -287,17 +286,18 @@ const style::Table<HatchStyle>& hatch_table()
                     "Gap of white paper between the end of a stroke and the next: 0 draws unbroken lines. "
                     "Only used when hatch.strokes is lines.")
             .number("taper_mm", &HatchStyle::taper_mm, {0.0F, 50.0F}, "mm",
-                    "Length over which a hatching stroke thins towards its ends: 0 gives blunt ends, more "
+                    "Length over which a hatching stroke thins towards its ends. 0 gives blunt ends, more "
                     "gives pointed ends. Only used when hatch.strokes is lines.")
             .number("length_mm", &HatchStyle::length_mm, {1.0F, 500.0F}, "mm",
-                    "Length of the shortest hatching strokes: the longest strokes are twice as long. Only "
-                    "used when hatch.strokes is lines.")
+                    "Length of the shortest hatching strokes on the page: more draws longer strokes. The "
+                    "longest strokes are twice as long. Only used when hatch.strokes is lines.")
             .number("pressure", &HatchStyle::pressure, {0.0F, 1.0F}, "",
                     "How much the width varies along a hatching stroke: 0 is even, as from a technical pen, "
                     "1 varies most. Only used when hatch.strokes is lines.")
-            .number("growth", &HatchStyle::growth, {0.0F, 1.0F}, "",
-                    "How new strokes appear as tones deepen: 0 as hairlines that thicken, 1 as short strokes "
-                    "of full width that lengthen. Only used when hatch.strokes is lines.")
+            .number(
+                "growth", &HatchStyle::growth, {0.0F, 1.0F}, "",
+                "How new hatching strokes appear as tones get darker. 0: as thin lines that get thicker; 1: "
+                "as short strokes of full width that get longer. Only used when hatch.strokes is lines.")
             .number("overrun_mm", &HatchStyle::overrun_mm, {0.0F, 5.0F}, "mm",
                     "How far hatching strokes run past outlines onto bare paper: 0 stops strokes at the "
                     "outline. Not used when hatch.strokes is dots.")
@@ -305,28 +305,30 @@ const style::Table<HatchStyle>& hatch_table()
                     "Darkness above which an area is filled with solid ink: less fills more areas. Above 1, "
                     "no area is filled.")
             .file("map", &HatchStyle::map,
-                  "Tonal art map: a .tam file, or a folder of PNG or DDS files. If empty, a map is drawn "
-                  "with the values of the section tam. Only used when hatch.strokes is map.")
-            .choice(
-                "map_tone", &HatchStyle::map_tone,
-                {{"order", MapTone::order}, {"blend", MapTone::blend}, {"step", MapTone::step}},
-                "How one tone of a tonal art map changes into the next. order: stroke by stroke; blend: by "
-                "smooth blending; step: in hard steps, for a cel look. Only used when hatch.strokes is map.")
+                  "Tonal art map (set of stroke textures): a .tam file, or a folder of PNG or DDS files. If "
+                  "empty, the strokes are made with the values of section tam. Only used when hatch.strokes "
+                  "is map.")
+            .choice("map_tone", &HatchStyle::map_tone,
+                    {{"order", MapTone::order}, {"blend", MapTone::blend}, {"step", MapTone::step}},
+                    "How the strokes of a tonal art map (set of stroke textures) change from one tone to the "
+                    "next. order: stroke by stroke; blend: by smooth blending; step: in hard steps, as in "
+                    "cel animation. Only used when hatch.strokes is map.")
             .number("map_contrast", &HatchStyle::map_contrast, {1.0F, 100.0F}, "",
-                    "Contrast of the strokes in a tonal art map: 1 keeps the greys of the map, more gives "
-                    "crisper strokes. Only used when hatch.strokes is map.")
+                    "Contrast of the strokes of a tonal art map (set of stroke textures). 1 keeps the greys "
+                    "of the map, more gives crisper strokes. Only used when hatch.strokes is map.")
             .number("map_texel_mm", &HatchStyle::map_texel_mm, {0.01F, 5.0F}, "mm",
-                    "Size on the page of a texel (pixel) of the tonal art map: more gives wider, longer "
-                    "strokes that lie farther apart. Only used when hatch.strokes is map.")
+                    "Size on the page of one pixel of the tonal art map (set of stroke textures). More gives "
+                    "wider, longer strokes that lie farther apart. Only used when hatch.strokes is map.")
             .number("dots_mm", &HatchStyle::dots_mm, {0.1F, 20.0F}, "mm",
                     "Distance from one dot of the screentone to the next: less gives a finer screentone. "
                     "Only used when hatch.strokes is dots.")
             .number("dots_deg", &HatchStyle::dots_deg, {-90.0F, 90.0F}, "deg",
                     "Angle of the rows of dots of the screentone on the page: 0 is level, 45 is diagonal. "
                     "Only used when hatch.strokes is dots.")
-            .integer("dots_tones", &HatchStyle::dots_tones, {0, 32}, "",
-                     "Number of tones of the screentone, black included, as in printed sheets of screentone. "
-                     "0 varies the tone without steps. Only used when hatch.strokes is dots.")
+            .integer(
+                "dots_tones", &HatchStyle::dots_tones, {0, 32}, "",
+                "Number of grey tones of the screentone, black included, as with printed sheets of "
+                "screentone. 0 varies the size of the dots smoothly. Only used when hatch.strokes is dots.")
             .by_surface_but({});
     return table;
 }

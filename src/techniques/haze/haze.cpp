@@ -55,31 +55,31 @@ const style::Table<HazeStyle>& haze_table()
     static const auto table =
         style::Table<HazeStyle>("haze",
                                 "Haze: distant parts fade into the sky, or take on the colour of the air")
-            .auto_toggle(
-                "enabled", &HazeStyle::enabled,
-                "Lets distant parts fade. true: always; false: never; auto: if the scene has a terrain.")
+            .auto_toggle("enabled", &HazeStyle::enabled,
+                         "Lets distant parts of the scene fade. true: always; false: never; auto: if the "
+                         "scene has a terrain.")
             .number("start_m", &HazeStyle::start_m, {0.0F, 1e6F}, "m",
-                    "Distance from the eye at which haze begins: nearer parts are clear")
+                    "Distance from the camera at which haze begins: less fades nearer parts, too")
             .number("reach_m", &HazeStyle::reach_m, {0.01F, 1e6F}, "m",
                     "Distance beyond haze.start_m at which a colour has faded by half. At twice this "
                     "distance, three quarters have faded. Less gives denser haze.")
             .number("ink", &HazeStyle::ink, {0.0F, 16.0F}, "",
-                    "How much faster strokes and lines fade with distance than colour: more leaves only "
-                    "colour in the distance. 0 keeps strokes and lines at any distance.")
+                    "How much faster strokes and lines fade with distance than colour fades. More leaves "
+                    "only colour in the distance, 0 keeps strokes and lines at any distance.")
             .number("tint", &HazeStyle::tint, {0.0F, 1.0F}, "",
-                    "How much far objects take on the colour of the air: 0 keeps their own colour, 1 gives "
-                    "them the colour of the air in the far distance. Does not need haze.enabled.")
+                    "How much far objects take on the colour of the air. 0 keeps their own colour, 1 gives "
+                    "them the colour of the air in the far distance. Works without haze.enabled.")
             .color("tint_color", &HazeStyle::tint_color,
                    "Colour of the air that tints far objects. Only used when haze.tint is above 0.")
             .number("tint_distance_m", &HazeStyle::tint_distance_m, {0.001F, 1e6F}, "m",
-                    "Distance at which objects have taken on half of the air's colour. Only used when "
-                    "haze.tint is above 0.")
+                    "Distance at which objects have taken on half of the air's colour: less tints nearer "
+                    "objects. Only used when haze.tint is above 0.")
             .number("hatching", &HazeStyle::hatching, {0.0F, 1.0F}, "",
-                    "How much of the hatching's darkness is left in the far distance: 0 fades to white "
-                    "paper, 1 does not fade. Does not need haze.enabled.")
+                    "Share of the hatching's darkness that is left in the far distance. 0 fades to white "
+                    "paper, 1 does not fade. Works without haze.enabled.")
             .number("hatching_distance_m", &HazeStyle::hatching_distance_m, {0.001F, 1e6F}, "m",
-                    "Distance from the eye at which hatching has faded by half: less fades nearer to the "
-                    "eye. Only used when haze.hatching is below 1.");
+                    "Distance at which hatching has faded halfway: less fades nearer to the camera. Only "
+                    "used when haze.hatching is below 1.");
     return table;
 }
 

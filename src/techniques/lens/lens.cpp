@@ -32,19 +32,19 @@ const style::Table<LensStyle>& lens_table()
                      {"mips", Mode::mips},
                      {"sums", Mode::sums},
                      {"circles", Mode::circles}},
-                    "How the blur is computed. gather: best, with clean edges; separable: Gaussian blur; "
-                    "mips, sums: quicker, but the blur runs over edges; circles: shows the blur circles, red "
-                    "in front of the focus and blue behind.")
+                    "How the blur of things out of focus is computed. gather: best, with clean edges; "
+                    "separable: Gaussian (soft) blur; mips, sums: quicker, but blur runs over edges; "
+                    "circles: shows the blur's size, red in front of the focus, blue behind.")
             .choice("acts_on", &LensStyle::acts_on,
                     {{"picture", ActsOn::picture}, {"wash", ActsOn::wash}, {"strokes", ActsOn::strokes}},
                     "What the lens blurs. picture: colour, strokes and lines together; wash: colour alone; "
                     "strokes: colour is blurred, while strokes and lines become fewer, wider and paler.")
             .number("focal_mm", &LensStyle::focal_mm, {1.0F, 2000.0F}, "mm",
-                    "Focal length of the lens: more blurs more. The sensor gets the size at which the field "
-                    "of view of the camera stays the same.")
+                    "Focal length of the lens: more blurs more. The field of view of the camera stays the "
+                    "same, because the sensor changes its size.")
             .number("f_number", &LensStyle::f_number, {0.1F, 128.0F}, "",
-                    "Aperture of the lens as an f-number: a low value blurs strongly, a high one keeps more "
-                    "in focus")
+                    "Aperture of the lens as an f-number: a low value blurs strongly, a high value keeps "
+                    "more in focus")
             .number(
                 "focus_m", &LensStyle::focus_m, {0.0F, 1e6F}, "m",
                 "Distance from the camera at which things are sharp. 0 focuses on the middle of the scene.")
@@ -61,10 +61,10 @@ const style::Table<LensStyle>& lens_table()
                     "Rotation of the lens aperture, which rotates the polygons of blurred points of light. "
                     "Only used when lens.blades is 3 or more.")
             .number("widen", &LensStyle::widen, {0.0F, 4.0F}, "",
-                    "How much wider and farther apart strokes become for each millimetre of blur: 0 changes "
-                    "nothing, more gives few broad strokes. Only used when lens.acts_on is strokes.")
+                    "How much wider and farther apart hatching strokes become for each millimetre of blur. 0 "
+                    "changes nothing, more gives few broad strokes. Only used when lens.acts_on is strokes.")
             .number("pale", &LensStyle::pale, {0.0F, 4.0F}, "",
-                    "How much paler strokes and lines become for each millimetre of blur: 0 changes nothing, "
+                    "How much paler strokes and lines become for each millimetre of blur. 0 changes nothing, "
                     "more is paler. Only used when lens.acts_on is strokes.");
     return table;
 }

@@ -16,15 +16,15 @@ const style::Table<SunStyle>& sun_table()
     static const auto table =
         style::Table<SunStyle>("sun", "Position of the sun by place, date and hour")
             .choice("by", &SunStyle::by, {{"direction", SunBy::direction}, {"place", SunBy::place}},
-                    "How the position of the sun is set. direction: by the scene's lights or "
-                    "light.sun_azimuth_deg; place: by date, hour and place on earth, which replaces the "
-                    "scene's directional lights. With place, the sky takes the colours of the hour.")
-            .number(
-                "latitude_deg", &SunStyle::latitude_deg, {-90.0F, 90.0F}, "deg",
-                "Latitude of the place on earth, positive towards the north. Only used when sun.by is place.")
+                    "How the position of the sun is set. direction: by the lights of the scene or by "
+                    "light.sun_azimuth_deg; place: by date, hour and place on earth, instead of the scene's "
+                    "own suns. With place, the sky takes the colours of the hour.")
+            .number("latitude_deg", &SunStyle::latitude_deg, {-90.0F, 90.0F}, "deg",
+                    "Latitude of the scene on earth: 0 is the equator, 90 the north pole, -90 the south "
+                    "pole. Only used when sun.by is place.")
             .number("longitude_deg", &SunStyle::longitude_deg, {-180.0F, 180.0F}, "deg",
-                    "Longitude of the place on earth, positive towards the east. Only used when sun.clock is "
-                    "zone.")
+                    "Longitude of the scene on earth: above 0 is east of Greenwich, below 0 is west. Only "
+                    "used when sun.clock is zone.")
             .text("date", &SunStyle::date,
                   "Date for which the path of the sun is computed: year, month and day, as in 2026-06-21. "
                   "Only used when sun.by is place.")
@@ -32,14 +32,14 @@ const style::Table<SunStyle>& sun_table()
                     "Time of day in hours, with fractions: 17.5 is half past five in the afternoon. Only "
                     "used when sun.by is place.")
             .choice("clock", &SunStyle::clock, {{"sundial", Clock::sundial}, {"zone", Clock::zone}},
-                    "Clock that sun.hour is read from. sundial: solar time, with the sun highest at 12; "
-                    "zone: the clock of a time zone. Only used when sun.by is place.")
+                    "What kind of time sun.hour is. sundial: solar time, with the sun highest at 12; zone: "
+                    "the clock time of a time zone. Only used when sun.by is place.")
             .number("utc_offset_hours", &SunStyle::utc_offset_hours, {-14.0F, 14.0F}, "h",
-                    "Hours by which the clock is ahead of universal time (UTC): 1 is Central European winter "
-                    "time. Only used when sun.clock is zone.")
+                    "Hours by which local clocks are ahead of universal time (UTC): 1 is winter time in "
+                    "Paris. Only used when sun.clock is zone.")
             .number("north_deg", &SunStyle::north_deg, {-360.0F, 360.0F}, "deg",
-                    "Bearing of north in the scene: 0 is +z, 90 is +x. East lies a quarter turn clockwise "
-                    "from north, seen from above. Only used when sun.by is place.")
+                    "Direction of north in the scene, seen from above: 0 is the +z axis, 90 is the +x axis. "
+                    "East lies a quarter turn clockwise from north. Only used when sun.by is place.")
             .number("haze", &SunStyle::haze, {0.0F, 1.0F}, "",
                     "Haze in the air: more makes a low sun weaker and redder. 0 is clean air, 0.06 a clear "
                     "day, 0.3 a dull day. Only used when sun.by is place.")

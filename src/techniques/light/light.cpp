@@ -19,84 +19,90 @@ const style::Table<LightStyle>& light_table()
             .choice(
                 "source", &LightStyle::source,
                 {{"auto", LightSource::automatic}, {"scene", LightSource::scene}, {"sun", LightSource::sun}},
-                "Lights of the picture. scene: the lights of the file; sun: one sun, placed by "
-                "light.sun_azimuth_deg and light.sun_elevation_deg; auto: the lights of the file, or if "
+                "Which lights shine on the scene. scene: the lights of the scene file; sun: one sun, placed "
+                "by light.sun_azimuth_deg and light.sun_elevation_deg; auto: the lights of the file, or if "
                 "there are none, the sun, and a lamp in a room.")
             .number("sun_azimuth_deg", &LightStyle::sun_azimuth_deg, {-360.0F, 360.0F}, "deg",
-                    "Direction from which the sun shines: 0 is +z, 90 is +x. If light.turn_sun is true, the "
-                    "sun also turns with the view.")
+                    "Direction from which the sun shines, seen from above: 0 is the +z axis, 90 is the +x "
+                    "axis. If light.turn_sun is true, the sun also turns with the camera.")
             .number("sun_elevation_deg", &LightStyle::sun_elevation_deg, {-10.0F, 90.0F}, "deg",
                     "Height of the sun above the horizon: low values throw long shadows, 90 is overhead")
             .toggle("turn_sun", &LightStyle::turn_sun,
-                    "If true, the sun turns with the view, and turns further if too much or too little of "
-                    "the picture lies in shade. On an empty terrain, the default sun stands low on the "
-                    "upwind side. If false, the sun stays in its direction.")
+                    "If true, the sun turns with the camera. The sun turns further if too much or too little "
+                    "of the picture lies in shade. On an empty terrain, the sun is low, on the side that the "
+                    "wind comes from. If false, the sun never turns.")
             .choice("metering", &LightStyle::metering,
                     {{"lights", Metering::lights}, {"page", Metering::page}, {"manual", Metering::manual}},
-                    "What sets the exposure. lights: the lights of the scene, the same for every view; page: "
-                    "a histogram of the picture, as in a camera; manual: light.ev100, for files with light "
-                    "in lux and candela.")
+                    "What sets the exposure (brightness of the whole picture). lights: the lights of the "
+                    "scene, the same for every view; page: the brightness of the picture, as in a camera; "
+                    "manual: light.ev100, for files with light in lux.")
             .number("ev100", &LightStyle::ev100, {-10.0F, 24.0F}, "EV",
-                    "Exposure value at ISO 100: 15 suits sunlight, 8 a lit room; a higher value darkens the "
-                    "picture. Only used when light.metering is manual.")
+                    "Exposure value (EV) at ISO 100, as on a camera: a higher value darkens the picture. 15 "
+                    "suits sunlight, 8 a lit room. Only used when light.metering is manual.")
             .number("adapt_stops_per_s", &LightStyle::adapt_stops_per_s, {0.0F, 100.0F}, "stops/s",
-                    "Speed of the automatic exposure, in stops per second of scene time: less adapts slowly, "
-                    "like an eye. 0 adapts at once. Only used when light.metering is page.")
-            .number("exposure_stops", &LightStyle::exposure_stops, {-10.0F, 10.0F}, "stops",
-                    "Exposure correction in stops: +1 doubles the light, -1 halves the light")
+                    "Speed at which the brightness of a film adapts to the light, in stops (doublings) per "
+                    "second. Less adapts slowly, like an eye; 0 adapts immediately. Only used when "
+                    "light.metering is page.")
+            .number(
+                "exposure_stops", &LightStyle::exposure_stops, {-10.0F, 10.0F}, "stops",
+                "Correction of the picture's brightness in stops: +1 doubles the light, -1 halves the light")
             .number("ambient", &LightStyle::ambient, {0.0F, 1.0F}, "",
-                    "Light from all directions, as a share of the sun's light: 0 leaves shade black, more "
-                    "makes shade lighter")
+                    "Light that comes from all directions, as a share of the sun's light. 0 leaves shade "
+                    "black, more makes shade lighter.")
             .number("fill", &LightStyle::fill, {0.0F, 1.0F}, "",
-                    "Strength of a second light, on the side away from the sun and without shadows: more "
-                    "shows the forms of things in shade better. Only used with the style's own sun.")
+                    "Strength of a second light on the side away from the sun, which throws no shadows. More "
+                    "shows the forms of things in shade better. Only used when the sun of the style shines, "
+                    "not the lights of the file.")
             .number(
                 "falloff", &LightStyle::falloff, {0.05F, 4.0F}, "",
-                "How quickly a surface darkens as the surface turns away from the light: 1 follows the "
-                "cosine (Lambert's law), less keeps slanted surfaces bright, more darkens slanted surfaces")
+                "How quickly a surface gets darker as the surface turns away from the light. 1 is as in "
+                "nature (Lambert's law), less keeps slanted surfaces bright, more darkens slanted surfaces.")
             .number("paling", &LightStyle::paling, {0.0F, 1.0F}, "",
-                    "How much the scene's shadow on the blank ground gets paler towards its far end: 0 keeps "
-                    "the same darkness everywhere, 1 fades the far end into the lit ground")
+                    "How much paler the scene's shadow on the blank ground gets towards its far end. 0 keeps "
+                    "one darkness everywhere, 1 lets the far end fade into the lit ground.")
             .toggle("shadows", &LightStyle::shadows,
-                    "Turns shadows on. Example for a light or an object that throws no shadow: "
+                    "Turns shadows on. To remove the shadow of one light or object, turn shadows off there: "
                     "[object.\"Glass\".light] shadows = false.")
             .integer("shadow_size", &LightStyle::shadow_size, {0, 4096}, "texels",
-                     "Width and height of the sun's shadow map: more gives sharper edges of shadows and "
-                     "takes more memory. 0 uses about one texel per pixel of the picture.")
+                     "Width and height of the sun's shadow map (image of stored shadows), in pixels of the "
+                     "map. More gives sharper edges of shadows and takes more memory. 0 uses about one pixel "
+                     "of the map per pixel of the picture.")
             .toggle("enabled", within(&LightStyle::changes, &LightChanges::enabled),
-                    "If false, a light of the file does not shine. Example for one light: "
-                    "[object.\"Lamp\".light] enabled = false.")
+                    "Turns on a light of the scene file: if false, the light does not shine. Example for one "
+                    "light: [object.\"Lamp\".light] enabled = false.")
             .number("intensity", within(&LightStyle::changes, &LightChanges::intensity), {0.0F, 1000.0F}, "",
-                    "Factor on the brightness of a light of the file: 2 doubles the light, 0.5 halves the "
-                    "light. Example for one light: [object.\"Lamp\".light] intensity = 2.")
+                    "Factor on the brightness of a light of the scene file: 2 doubles the light, 0.5 halves "
+                    "the light. Example for one light: [object.\"Lamp\".light] intensity = 2.")
             .number("range_m", within(&LightStyle::changes, &LightChanges::range_m), {-1.0F, 1e6F}, "m",
-                    "Distance at which a lamp of the file ends: less lights only what is near, 0 has no "
-                    "limit. -1 keeps the range of the file.")
-            .number("radius_m", within(&LightStyle::changes, &LightChanges::radius_m), {-1.0F, 1000.0F}, "m",
-                    "Radius of a lamp of the file: more gives softer edges of shadows, 0 gives sharp edges. "
-                    "-1 keeps the radius of the file, or shadow.lamp_radius_m where the file has none.")
+                    "Distance at which the light of a lamp in the scene file ends. Less lights only things "
+                    "near the lamp, 0 has no limit. -1 keeps the range that the file sets.")
+            .number(
+                "radius_m", within(&LightStyle::changes, &LightChanges::radius_m), {-1.0F, 1000.0F}, "m",
+                "Radius of a lamp in the scene file. More gives softer edges of shadows, 0 gives sharp "
+                "edges. -1 keeps the radius of the file, or uses shadow.lamp_radius_m if the file has none.")
             .choice("attenuation", within(&LightStyle::changes, &LightChanges::attenuation),
                     {{"file", Attenuation::file},
                      {"inverse_square", Attenuation::inverse_square},
                      {"unit_volume", Attenuation::unit_volume}},
-                    "How the light of a lamp of the file gets weaker with distance. file: as the file says; "
-                    "inverse_square: as in nature, strong near the lamp; unit_volume: evenly to the end of "
-                    "the lamp's range.")
+                    "How the light of a lamp in the scene file gets weaker with distance. file: as the file "
+                    "says; inverse_square: as in nature, quickly near the lamp; unit_volume: gradually, "
+                    "until no light is left at the end of the lamp's range.")
             .choice(
                 "spot_volume", within(&LightStyle::changes, &LightChanges::spot_volume),
                 {{"file", SpotVolume::file}, {"cone", SpotVolume::cone}, {"pyramid", SpotVolume::pyramid}},
-                "Shape of the light of a spot of the file. file: as the file says; cone: a round patch of "
-                "light; pyramid: a square patch of light.")
+                "Shape of the light of a spotlight in the scene file. file: as the file says; cone: a round "
+                "patch of light; pyramid: a square patch of light.")
             .toggle("receives_shadows", within(&LightStyle::changes, &LightChanges::receives_shadows),
-                    "If false, no shadows fall on an object. Example for one object: "
-                    "[object.\"Figure\".light] receives_shadows = false.")
+                    "If true, shadows fall on an object; if false, no shadows fall on this object. Example "
+                    "for one object: [object.\"Figure\".light] receives_shadows = false.")
             .text("groups", within(&LightStyle::changes, &LightChanges::groups),
-                  "Light groups of a light or of an object, as numbers from 1 to 16 such as 1+3. A light "
-                  "lights the objects that share a group with the light. If empty, the groups of the file.")
-            .text(
-                "shadow_groups", within(&LightStyle::changes, &LightChanges::shadow_groups),
-                "Shadow groups of a light or of an object, as numbers such as 1+3. An object throws a "
-                "shadow in the lights that share a group with the object. If empty, the groups of the file.")
+                  "Light groups of a light or an object, as numbers from 1 to 16: 1+3 means groups 1 and 3. "
+                  "A light lights only the objects with which the light shares a group. If empty, the groups "
+                  "of the scene file are used.")
+            .text("shadow_groups", within(&LightStyle::changes, &LightChanges::shadow_groups),
+                  "Shadow groups of a light or an object, as numbers from 1 to 16: 1+3 means groups 1 and 3. "
+                  "An object throws shadows only in lights with which the object shares a group. If empty, "
+                  "the groups of the scene file are used.")
             .by_surface({"shadows", "receives_shadows", "groups", "shadow_groups"})
             .by_object({"enabled", "intensity", "range_m", "radius_m", "attenuation", "spot_volume"});
     return table;
@@ -109,15 +115,15 @@ const style::Table<ToneStyle>& tone_table()
             .choice(
                 "curve", &ToneStyle::curve,
                 {{"gamma", ToneCurve::gamma}, {"linear", ToneCurve::linear}, {"filmic", ToneCurve::filmic}},
-                "Curve that turns light into tone. gamma: light to the power of tone.gamma; linear: light "
-                "without change; filmic: bright areas stay distinct instead of turning all white, then "
-                "tone.gamma follows.")
+                "How light turns into tone (light and dark on the page). gamma: light to the power of "
+                "tone.gamma; linear: light without change; filmic: bright areas stay distinct instead of "
+                "turning all white, then tone.gamma is applied.")
             .number("exposure", &ToneStyle::exposure, {0.05F, 20.0F}, "",
-                    "Brightness factor before the tone curve: less darkens the picture, more brightens the "
-                    "picture")
+                    "Brightness factor on the light before light turns into tone: less is darker, more is "
+                    "brighter")
             .number("gamma", &ToneStyle::gamma, {0.1F, 4.0F}, "",
-                    "Exponent of the tone curve: below 1 lightens the shadows, above 1 darkens the shadows. "
-                    "Not used when tone.curve is linear.")
+                    "Exponent (power) applied to the light: below 1 lightens the shadows, above 1 darkens "
+                    "the shadows. Not used when tone.curve is linear.")
             .number("contrast", &ToneStyle::contrast, {0.1F, 20.0F}, "",
                     "Contrast around the middle tone: less is flat and grey, more pushes tones towards black "
                     "and white")
@@ -126,11 +132,11 @@ const style::Table<ToneStyle>& tone_table()
             .number("ceiling", &ToneStyle::ceiling, {0.1F, 1.0F}, "",
                     "Darkest tone of the picture: less keeps the deepest shadows lighter")
             .number("local_value", &ToneStyle::local_value, {0.0F, 1.0F}, "",
-                    "How much the brightness of a material's colour changes its tone: 0 shades all materials "
-                    "alike, 1 makes dark materials darker than pale ones in the same light")
+                    "How much a material's own brightness changes its tone. 0 shades all materials alike, 1 "
+                    "makes dark materials darker than pale materials in the same light.")
             .number("occlusion", &ToneStyle::occlusion, {0.0F, 1.0F}, "",
-                    "How much occlusion textures of materials darken folds and seams: 0 ignores them, 1 "
-                    "applies them fully")
+                    "How much a material's occlusion texture (stored darkness of folds and seams) darkens "
+                    "the tone. 0 ignores these textures, 1 applies them fully.")
             .by_surface_but({});
     return table;
 }

@@ -114,11 +114,12 @@ const style::Table<LightmapStyle>& lightmap_table()
     static const auto table =
         style::Table<LightmapStyle>("lightmap", "Baked light of scenes that have a lightmap")
             .number("strength", &LightmapStyle::strength, {0.0F, 10.0F}, "",
-                    "Brightness of the baked light: 0 leaves out the baked light, 1 keeps the baked "
-                    "brightness, more is brighter")
-            .toggle("balance", &LightmapStyle::balance,
-                    "If true, all light is dimmed so that baked light does not brighten the picture as a "
-                    "whole. If false, baked light is added to the other light.");
+                    "Brightness of the baked light (light that was computed before and stored). 0 leaves out "
+                    "the baked light, 1 keeps its brightness, more is brighter.")
+            .toggle(
+                "balance", &LightmapStyle::balance,
+                "If true, all light is dimmed so that baked (stored) light does not brighten the picture as "
+                "a whole. If false, baked light is added to the other light, which brightens the picture.");
     return table;
 }
 

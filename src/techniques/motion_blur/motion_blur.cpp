@@ -43,8 +43,8 @@ const style::Table<MotionBlurStyle>& motion_blur_table()
                      {"stretched", Mode::stretched},
                      {"velocity", Mode::velocity}},
                     "How moving objects are blurred. tiles: over the things that they pass; own: within "
-                    "their outline; stretched: within their outline, stretched along the motion; velocity: "
-                    "shows velocities as colours, red to the right and green up.")
+                    "their outline; stretched: within an outline lengthened along the motion; velocity: "
+                    "shows speeds as colours, red to the right and green up.")
             .number("shutter_deg", &MotionBlurStyle::shutter_deg, {0.0F, 360.0F}, "deg",
                     "How long the shutter is open: 360 is the whole time from one frame to the next, 180 is "
                     "half of it. More gives more blur and longer speed lines.")
@@ -52,24 +52,24 @@ const style::Table<MotionBlurStyle>& motion_blur_table()
                     "Frame rate from which the exposure time of a still picture is computed: less gives more "
                     "blur. Films use their own frame rate.")
             .number("largest_mm", &MotionBlurStyle::largest_mm, {0.1F, 60.0F}, "mm",
-                    "Longest motion on the page that is blurred or smeared: the motion of faster objects is "
-                    "limited to this length")
+                    "Longest motion on the page that gives blur or smear strokes. Faster objects are blurred "
+                    "as if they moved only this far.")
             .toggle("speed_lines.enabled", of_lines(&MotionMarks::enabled),
                     "Turns speed lines on: lines behind objects that move fast")
             .number("speed_lines.length", of_lines(&MotionMarks::length), {0.1F, 20.0F}, "",
-                    "Length of speed lines, as a factor of the object's motion on the page while the shutter "
-                    "is open, up to 30 mm: more makes objects look faster. Only used when "
+                    "Length of speed lines, as a factor of the object's path while the shutter is open. More "
+                    "makes objects look faster, up to lines of 30 mm. Only used when "
                     "motion_blur.speed_lines.enabled is true.")
             .number("speed_lines.spacing_mm", of_lines(&MotionMarks::spacing_mm), {0.5F, 50.0F}, "mm",
                     "Approximate distance from one speed line to the next: less gives more lines. Only used "
                     "when motion_blur.speed_lines.enabled is true.")
             .number("speed_lines.width_mm", of_lines(&MotionMarks::width_mm), {0.05F, 5.0F}, "mm",
-                    "Width of a speed line at its start, next to the object. Only used when "
+                    "Width of a speed line at its start, next to the object: more is bolder. Only used when "
                     "motion_blur.speed_lines.enabled is true.")
-            .number("speed_lines.from_mm", of_lines(&MotionMarks::from_mm), {0.0F, 60.0F}, "mm",
-                    "Smallest motion on the page, while the shutter is open, that gives an object speed "
-                    "lines: less gives speed lines to slow objects, too. Only used when "
-                    "motion_blur.speed_lines.enabled is true.")
+            .number(
+                "speed_lines.from_mm", of_lines(&MotionMarks::from_mm), {0.0F, 60.0F}, "mm",
+                "Smallest motion on the page, while the shutter is open, that gives speed lines. Less gives "
+                "speed lines to slow objects, too. Only used when motion_blur.speed_lines.enabled is true.")
             .color(
                 "speed_lines.ink", of_lines(&MotionMarks::ink),
                 "Colour of the ink of speed lines. Only used when motion_blur.speed_lines.enabled is true.")
@@ -77,19 +77,19 @@ const style::Table<MotionBlurStyle>& motion_blur_table()
                     "Turns smear strokes on: strokes of a dry brush, drawn from the trailing edge of moving "
                     "objects")
             .number("smear.length", of_smear(&MotionMarks::length), {0.1F, 20.0F}, "",
-                    "Length of the longest smear strokes, as a factor of the object's motion on the page "
-                    "while the shutter is open. Motion counts up to motion_blur.largest_mm. Only used when "
+                    "Length of the longest smear strokes, as a factor of the object's path while the shutter "
+                    "is open. More looks faster. Paths count up to motion_blur.largest_mm. Only used when "
                     "motion_blur.smear.enabled is true.")
             .number("smear.spacing_mm", of_smear(&MotionMarks::spacing_mm), {0.2F, 50.0F}, "mm",
                     "Distance from one smear stroke to the next, across the motion: less gives more strokes. "
                     "Only used when motion_blur.smear.enabled is true.")
             .number("smear.width_mm", of_smear(&MotionMarks::width_mm), {0.05F, 10.0F}, "mm",
-                    "Width of the broadest smear strokes at their start, next to the object. Only used when "
-                    "motion_blur.smear.enabled is true.")
-            .number("smear.from_mm", of_smear(&MotionMarks::from_mm), {0.0F, 60.0F}, "mm",
-                    "Smallest motion on the page, while the shutter is open, that gives an object smear "
-                    "strokes: less gives smear strokes to slow objects, too. Only used when "
-                    "motion_blur.smear.enabled is true.")
+                    "Width of the broadest smear strokes at their start, next to the object: more is bolder. "
+                    "Only used when motion_blur.smear.enabled is true.")
+            .number(
+                "smear.from_mm", of_smear(&MotionMarks::from_mm), {0.0F, 60.0F}, "mm",
+                "Smallest motion on the page, while the shutter is open, that gives smear strokes. Less "
+                "gives smear strokes to slow objects, too. Only used when motion_blur.smear.enabled is true.")
             .color("smear.ink", of_smear(&MotionMarks::ink),
                    "Colour of the ink of smear strokes. Only used when motion_blur.smear.enabled is true.");
     return table;

@@ -25,33 +25,37 @@ const style::Table<OcclusionStyle>& occlusion_table()
                      {"splats", Method::splats},
                      {"uv", Method::uv},
                      {"unsharp", Method::unsharp}},
-                    "How ambient occlusion is computed. horizon: from visible surfaces; discs: from all "
-                    "points of the models, once per point; splats: from all points, once per pixel; uv: from "
-                    "all points, in a texture; unsharp: darkens what is behind edges.")
+                    "How the darkness of corners (ambient occlusion) is computed. horizon: from visible "
+                    "surfaces; discs, splats, uv: from hidden ones too, per point of the model, per pixel, "
+                    "or in a texture; unsharp: darkens the background at edges.")
             .choice("feeds", &OcclusionStyle::feeds,
                     {{"ambient", Feeds::ambient}, {"tone", Feeds::tone}, {"layer", Feeds::layer}},
-                    "What ambient occlusion darkens. ambient: ambient and fill light; tone: all light; "
-                    "layer: nothing in the picture, only the separate layer \"occlusion\".")
-            .number("radius_m", &OcclusionStyle::radius_m, {0.0F, 1e6F}, "m",
-                    "Largest distance over which one object darkens another: more gives wider dark areas, "
-                    "which fade out at this distance. 0 uses a fifth of the scene's radius.")
+                    "Which light is darkened in corners (ambient occlusion). ambient: light from all "
+                    "directions and fill light; tone: all light; layer: no light in the picture, only the "
+                    "separate layer \"occlusion\" shows the dark corners.")
+            .number(
+                "radius_m", &OcclusionStyle::radius_m, {0.0F, 1e6F}, "m",
+                "Largest distance between two surfaces at which one still darkens the other (ambient "
+                "occlusion). More gives wider dark areas in corners. 0 uses a fifth of the scene's radius.")
             .number("reach_mm", &OcclusionStyle::reach_mm, {0.1F, 200.0F}, "mm",
-                    "Largest radius of ambient occlusion on the page: near the eye, occlusion.radius_m is "
-                    "limited to this length")
+                    "Largest distance on the page over which corners darken their surroundings (ambient "
+                    "occlusion). Near the camera, occlusion.radius_m is limited to this length: less keeps "
+                    "dark areas narrow in close-ups.")
             .number("thickness", &OcclusionStyle::thickness, {0.01F, 4.0F}, "",
-                    "Assumed thickness of objects, as a share of the occlusion radius: less lets light pass "
-                    "behind thin objects. Only the fronts of objects are seen, so the true thickness is "
-                    "unknown. Only used when occlusion.method is horizon.")
+                    "Thickness that all objects are assumed to have, as a share of the radius of dark "
+                    "corners. Less keeps the surroundings of thin objects light, more darkens them. Only "
+                    "used when occlusion.method is horizon.")
             .number("strength", &OcclusionStyle::strength, {0.0F, 8.0F}, "",
-                    "Strength of ambient occlusion: 0 has no effect, 1 is physically right, more is darker "
-                    "in corners")
+                    "Strength of ambient occlusion (darker corners). 0 has no effect, 1 is physically right, "
+                    "more is darker.")
             .number("bleeding", &OcclusionStyle::bleeding, {0.0F, 4.0F}, "",
-                    "How much coloured light surfaces reflect into the corners that they darken: 0 is none, "
-                    "1 is as much as an evenly lit surface reflects. Only used when occlusion.method is "
-                    "discs, splats or uv.")
+                    "How much coloured light surfaces reflect into the corners beside them. 0 is none, 1 is "
+                    "as much as an evenly lit surface reflects, more is more colourful. Only used when "
+                    "occlusion.method is discs, splats or uv.")
             .integer("texels", &OcclusionStyle::texels, {64, 4096}, "texels",
-                     "Width and height of the texture that stores ambient occlusion: more is finer and "
-                     "slower. Meshes whose UVs overlap get new UVs. Only used when occlusion.method is uv.");
+                     "Width and height of the texture (image) that stores how dark corners are. More shows "
+                     "finer detail and is slower. Meshes with overlapping UVs (texture coordinates) get new "
+                     "UVs. Only used when occlusion.method is uv.");
     return table;
 }
 

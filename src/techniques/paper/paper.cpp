@@ -162,7 +162,7 @@ const style::Table<PaperStyle>& paper_table()
                     "Less makes pens and strokes look larger.")
             .number("margin_mm", &PaperStyle::margin_mm, {0.0F, 1000.0F}, "mm",
                     "Width of the blank margin around the drawing, at most a third of the page's shorter "
-                    "side: more makes the drawing smaller")
+                    "side. More makes the drawing smaller.")
             .number("border_mm", &PaperStyle::border_mm, {0.0F, 5.0F}, "mm",
                     "Width of the border line around the drawing, at the edge of the margin: more is bolder. "
                     "0 draws no line.")
@@ -181,14 +181,14 @@ const style::Table<PaperStyle>& paper_table()
                     "How much paint settles in the hollows of the paper: 0 is even, 1 shows the grain")
             .color("ink", &PaperStyle::ink, "Colour of the ink of hatching strokes")
             .number("ink_break", &PaperStyle::ink_break, {0.0F, 1.0F}, "",
-                    "How much ink breaks up on the rough surface of the paper by skipping its high spots: 0 "
-                    "covers evenly, 1 looks like a dry pen")
+                    "How much ink breaks up on rough paper by skipping the high spots of the paper. 0 covers "
+                    "evenly, 1 looks like a dry pen.")
             .number("ink_grain", &PaperStyle::ink_grain, {0.0F, 1.0F}, "",
                     "How much strokes and lines touch only the raised grain of the paper, as graphite and "
-                    "chalk do: 0 is liquid ink, 1 is dry chalk")
+                    "chalk do. 0 is liquid ink, 1 is dry chalk.")
             .number("ink_tint", &PaperStyle::ink_tint, {0.0F, 1.0F}, "",
-                    "How much coloured light changes the colour of the ink of hatching strokes: 0 keeps the "
-                    "colour of the ink, 1 changes it most");
+                    "How much coloured light changes the colour of the ink of hatching strokes. 0 keeps the "
+                    "colour of the ink, 1 changes it most.");
     return table;
 }
 

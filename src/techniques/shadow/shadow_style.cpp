@@ -19,46 +19,49 @@ const style::Table<ShadowStyle>& shadow_table()
                      {"clipmap", SunMapKind::clipmap},
                      {"faded", SunMapKind::faded},
                      {"warped", SunMapKind::warped}},
-                    "How the shadow map of the sun is built. whole: one for the scene; clipmap: several "
-                    "around the eye, each twice as wide; faded: one around the eye, fading out; warped: one "
-                    "in perspective, edges crawl; auto: whole, or clipmap in vast scenes.")
+                    "How the sun's shadows are stored (shadow map). whole: one map for the scene; clipmap: "
+                    "several around the camera, finer near; faded: one around the camera, none beyond; "
+                    "warped: one, finer near, edges creep; auto: whole, or clipmap if vast.")
             .number("faded_reach_m", &ShadowStyle::faded_reach_m, {0.1F, 1e5F}, "m",
-                    "Distance from the eye within which the sun throws shadows: shadows fade out as they "
-                    "near this distance. Only used when shadow.sun_map is faded.")
+                    "Largest distance from the camera at which the sun's shadows are drawn. Shadows fade out "
+                    "towards this distance; more shows shadows farther away. Only used when shadow.sun_map "
+                    "is faded.")
             .choice("edge", &ShadowStyle::edge,
                     {{"plain", Edge::plain}, {"strokes", Edge::strokes}, {"waves", Edge::waves}},
                     "How the edges of shadows look. plain: clean; strokes: hatching strokes run past the "
-                    "edge; waves: ragged teeth in two directions that are fixed in the world. Without "
-                    "hatching lines, strokes gives waves.")
+                    "edge; waves: ragged teeth in two fixed directions. strokes looks like waves where "
+                    "hatching is not drawn with lines.")
             .number("edge_reach_mm", &ShadowStyle::edge_reach_mm, {0.0F, 20.0F}, "mm",
-                    "How far the ragged teeth at a shadow's edge reach to either side: 0 is a clean edge, "
+                    "How far the ragged teeth at a shadow's edge stick out on the page. 0 is a clean edge, "
                     "more is more ragged. Only used when shadow.edge is strokes or waves.")
             .number("edge_spacing_mm", &ShadowStyle::edge_spacing_mm, {0.05F, 20.0F}, "mm",
-                    "Shortest distance from one tooth of a shadow's ragged edge to the next: less gives more "
-                    "teeth. The longest distance is twice as much. Only used when shadow.edge is waves.")
+                    "Shortest distance between two teeth of a shadow's ragged edge: less gives more teeth. "
+                    "The longest distance is twice as much. Only used when shadow.edge is waves.")
             .number("edge_variety", &ShadowStyle::edge_variety, {0.0F, 1.0F}, "",
-                    "How much the teeth of a shadow's ragged edge differ in length: 0 makes all equal, 1 "
-                    "makes some hardly visible. Only used when shadow.edge is strokes or waves.")
+                    "How much the teeth of a shadow's ragged edge differ in length. 0 makes all teeth equal, "
+                    "1 makes some hardly visible. Only used when shadow.edge is strokes or waves.")
             .number("edge_slant_deg", &ShadowStyle::edge_slant_deg, {-180.0F, 180.0F}, "deg",
-                    "Direction at right angles to the first set of teeth of a shadow's ragged edge: 0 is +z, "
-                    "90 is +x. Only used when shadow.edge is waves.")
-            .number("sun_radius_deg", &ShadowStyle::sun_radius_deg, {0.0F, 15.0F}, "deg",
-                    "Half the angle that the sun fills in the sky: more softens the shadows, most where they "
-                    "fall far from the object. 0 gives hard edges, 0.27 is the real sun.")
+                    "Angle by which the ragged teeth at shadows' edges are turned, seen from above. At 0, "
+                    "the first set of teeth lies across the +z axis, at 90 across the +x axis. Only used "
+                    "when shadow.edge is waves.")
+            .number(
+                "sun_radius_deg", &ShadowStyle::sun_radius_deg, {0.0F, 15.0F}, "deg",
+                "Half the angle that the sun's disc fills in the sky: more gives softer edges of shadows. "
+                "Shadows far from their object get softest. 0 gives hard edges, 0.27 is the real sun.")
             .number("lamp_radius_m", &ShadowStyle::lamp_radius_m, {0.0F, 10.0F}, "m",
-                    "Radius of point and spot lights that do not set their own radius: a larger lamp throws "
-                    "softer shadows. 0 gives hard edges.")
+                    "Radius of lamps (point lights, spotlights) that set no radius of their own. More gives "
+                    "softer edges of shadows, 0 gives hard edges.")
             .integer("local_lights", &ShadowStyle::local_lights, {0, 4096}, "",
-                     "Largest number of point and spot lights that throw shadows: the lights that light most "
-                     "of the picture are chosen first")
+                     "Largest number of lamps (point lights, spotlights) that throw shadows. The lamps that "
+                     "light most of the picture throw shadows first; other lamps shine without shadows.")
             .integer("local_size", &ShadowStyle::local_size, {0, 4096}, "texels",
-                     "Largest size of the shadow map of a spot light, and of each of the six maps of a point "
-                     "light: more gives sharper shadows. 0 uses a size that suits the picture, between 256 "
-                     "and 2048.")
+                     "Largest width of the shadow maps (images of stored shadows) of lamps, in pixels of the "
+                     "map. A point light has six maps. More gives sharper shadows. 0 uses a size that suits "
+                     "the picture, between 256 and 2048.")
             .number("local_megatexels", &ShadowStyle::local_megatexels, {0.1F, 32.0F}, "million texels",
-                    "Memory for the shadow maps of all point and spot lights. If it is full, maps get "
-                    "smaller and the least important lights lose their shadows. Moving objects need the same "
-                    "amount of memory again.");
+                    "Memory for the shadow maps (images of stored shadows) of all lamps together. With too "
+                    "little, shadows get coarser and the least important lamps lose theirs. Moving objects "
+                    "need the same amount of memory again.");
     return table;
 }
 

@@ -128,12 +128,12 @@ const style::Table<SkyStyle>& sky_table()
                    "Colour of the sky at the horizon. When the sky follows the sun (see sky.follow), this is "
                    "the colour while the sun is 4 to 12 degrees high.")
             .color("zenith", &SkyStyle::zenith,
-                   "Colour of the sky high above. When the sky follows the sun (see sky.follow), this is the "
-                   "colour while the sun is 4 to 12 degrees high.")
+                   "Colour of the sky high above (zenith). When the sky follows the sun (see sky.follow), "
+                   "this is the colour while the sun is 4 to 12 degrees high.")
             .number("darkness", &SkyStyle::darkness, {0.0F, 1.0F}, "",
                     "Darkness of the strokes high in the sky: 0 draws no strokes, 1 draws the darkest")
             .number("width_mm", &SkyStyle::width_mm, {0.02F, 10.0F}, "mm",
-                    "Width of a stroke of the sky on the page")
+                    "Width on the page of a stroke of the sky: more is bolder")
             .choice("follow", &SkyStyle::follow,
                     {{"auto", SkyFollow::automatic}, {"sun", SkyFollow::sun}, {"none", SkyFollow::none}},
                     "When the colours of the sky follow the height of the sun, through noon, dusk and night. "
@@ -160,20 +160,20 @@ const style::Table<SkyStyle>& sky_table()
                     "Darkness of the strokes high in the sky at night: more gives a darker night. Only used "
                     "when the sky follows the sun (see sky.follow).")
             .integer("steps", &SkyStyle::steps, {0, 12}, "",
-                     "Number of flat bands of tone from the horizon to the zenith, blended at their edges as "
-                     "in a woodblock print. 0 gives a smooth gradient.")
+                     "Number of flat bands of tone in the sky, blended at their edges as in a woodblock "
+                     "print. 0 gives a smooth change of tone from the horizon up.")
             .color("high_band", &SkyStyle::high_band,
                    "Colour of a band at the top of the sky that fades out downwards. Only used when "
                    "sky.high_band_deg is below 90.")
             .number("high_band_deg", &SkyStyle::high_band_deg, {0.0F, 90.0F}, "deg",
-                    "Height above the horizon of the lower edge of the colour band at the top of the sky: "
-                    "less brings the band further down. 90 draws no band.")
+                    "Height above the horizon of the lower edge of the colour band at the top of the sky. "
+                    "Less brings the band further down, 90 draws no band.")
             .color("low_band", &SkyStyle::low_band,
                    "Colour of a band that lies along the horizon and fades out upwards. Only used when "
                    "sky.low_band_deg is above 0.")
             .number("low_band_deg", &SkyStyle::low_band_deg, {0.0F, 90.0F}, "deg",
-                    "Height above the horizon of the upper edge of the colour band at the horizon: more "
-                    "makes the band taller. 0 draws no band.")
+                    "Height above the horizon of the upper edge of the colour band along the horizon. More "
+                    "makes the band taller, 0 draws no band.")
             .number("disc_deg", &SkyStyle::disc_deg, {0.0F, 45.0F}, "deg",
                     "Width of the disc of the sun in the sky, and of the moon at night: 0.53 is natural, "
                     "more is larger. 0 draws no disc.")

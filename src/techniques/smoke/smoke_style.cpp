@@ -13,15 +13,15 @@ const style::Table<SmokeStyle>& smoke_table()
             .toggle("enabled", &SmokeStyle::enabled,
                     "Turns smoke on: smoke rises from the objects that smoke.objects names")
             .text("objects", &SmokeStyle::objects,
-                  "Objects without a mesh from which smoke rises, as a name pattern. The smoke of each fills "
-                  "a box, 2 m wide each way in the object's own space. The object is at the middle of the "
-                  "box's floor.")
+                  "Names of the objects without a mesh from which smoke rises, where * stands for any "
+                  "letters. The smoke of each object fills a box above the object, 2 m wide before the "
+                  "object is scaled.")
             .integer("cells", &SmokeStyle::cells, {16, 256}, "",
-                     "Number of cells along the longest side of a smoke box, a power of two: more is finer "
-                     "and much slower")
+                     "Number of cells (small cubes) along the longest side of a smoke box, a power of two. "
+                     "More shows finer smoke and is much slower.")
             .number("age_s", &SmokeStyle::age_s, {0.0F, 60.0F}, "s",
-                    "How long smoke has already risen before a still picture or the first frame of a film: "
-                    "more gives a taller column")
+                    "How long smoke has already risen before the picture or the first frame of a film. More "
+                    "gives a taller column of smoke.")
             .number("source", &SmokeStyle::source, {0.02F, 1.0F}, "",
                     "Radius of the source of smoke, as a share of half the box's width: more gives a wider "
                     "column")
@@ -35,29 +35,28 @@ const style::Table<SmokeStyle>& smoke_table()
             .number("curl", &SmokeStyle::curl, {0.0F, 4.0F}, "",
                     "Strength of the swirls in smoke: 0 adds none, more gives livelier curls")
             .toggle("obstacles", &SmokeStyle::obstacles,
-                    "If true, smoke flows around solid objects in its box. The place of each object is the "
-                    "one where it stands when the smoke starts.")
-            .choice(
-                "solver", &SmokeStyle::solver,
-                {{"automatic", Solver::automatic},
-                 {"spectral", Solver::spectral},
-                 {"multigrid", Solver::multigrid},
-                 {"jacobi", Solver::jacobi},
-                 {"mass", Solver::mass}},
-                "How the pressure of the air in smoke is computed. spectral: exactly, if no objects stand "
-                "in the smoke; multigrid: around objects; jacobi: simplest, least exact; mass: from where "
-                "air piles up, without loss of smoke; automatic: spectral without objects, else multigrid.")
+                    "If true, smoke flows around solid objects in its box. Only the place of an object when "
+                    "the smoke starts counts: smoke ignores later movement of the object.")
+            .choice("solver", &SmokeStyle::solver,
+                    {{"automatic", Solver::automatic},
+                     {"spectral", Solver::spectral},
+                     {"multigrid", Solver::multigrid},
+                     {"jacobi", Solver::jacobi},
+                     {"mass", Solver::mass}},
+                    "Method that computes the pressure of the air in smoke. spectral: exact, without objects "
+                    "in the smoke; multigrid: around objects; jacobi: simplest, least exact; mass: air "
+                    "flows away from where it is dense, no smoke is lost; automatic: spectral or multigrid.")
             // A pass of the device per round, twice in a step that reflects; a graph has room for 240 of
             // them.
             .integer("jacobi_passes", &SmokeStyle::jacobi_passes, {1, 100}, "",
-                     "Number of passes of the Jacobi solver per step of the smoke: more makes the air less "
-                     "compressible and is slower. Only used when smoke.solver is jacobi.")
+                     "How often the simplest method (jacobi) repeats its computation of the air's pressure. "
+                     "More lets smoke swirl more truly and is slower. Only used when smoke.solver is jacobi.")
             .choice("advection", &SmokeStyle::advection,
                     {{"automatic", Advection::automatic},
                      {"linear", Advection::linear},
                      {"cubic", Advection::cubic},
                      {"maccormack", Advection::maccormack}},
-                    "How the movement of smoke with the air is computed. linear: fast, but blurs the smoke; "
+                    "How the air carries smoke along in the simulation. linear: fast, but blurs the smoke; "
                     "cubic: sharper; maccormack: sharp at little cost; automatic: maccormack.")
             .choice("stepping", &SmokeStyle::stepping,
                     {{"project", Stepping::project}, {"reflect", Stepping::reflect}},
@@ -69,7 +68,7 @@ const style::Table<SmokeStyle>& smoke_table()
                     "How quickly fuel rises with the smoke and burns where the air is warm: more gives "
                     "larger flames. 0 gives no fire.")
             .number("burn_s", &SmokeStyle::burn_s, {0.02F, 100.0F}, "s",
-                    "Time after which about a third of the fuel in a fire is left: more gives higher flames. "
+                    "Time in which about two thirds of the fuel of a fire burns: more gives higher flames. "
                     "Only used when smoke.fuel_per_s is above 0.")
             .number("burn_heat", &SmokeStyle::burn_heat, {0.0F, 10.0F}, "",
                     "Heat of burning fuel, which makes the smoke rise: more heat makes smoke rise faster. "
@@ -78,39 +77,39 @@ const style::Table<SmokeStyle>& smoke_table()
                     "Amount of smoke from burning fuel: 0 burns without smoke, more gives darker, sootier "
                     "fire. Only used when smoke.fuel_per_s is above 0.")
             .number("humidity", &SmokeStyle::humidity, {0.0F, 10.0F}, "",
-                    "Amount of water in the rising air, which turns into a cloud higher up: more gives a "
-                    "denser cloud. 0 gives no cloud.")
+                    "Amount of water in the rising air, which turns into a cloud higher up. More gives a "
+                    "denser cloud, 0 gives no cloud.")
             .number(
                 "cloud_base", &SmokeStyle::cloud_base, {0.0F, 1.0F}, "",
                 "Height at which water in the rising air turns into a cloud, as a share of the box's height. "
                 "In warm air, the cloud forms higher up. Only used when smoke.humidity is above 0.")
-            .number("humidity_outside", &SmokeStyle::humidity_outside, {0.0F, 1.0F}, "",
-                    "Amount of water in the air around the smoke, as a share of smoke.humidity: more keeps "
-                    "the cloud from drying up. Only used when smoke.humidity is above 0.")
+            .number(
+                "humidity_outside", &SmokeStyle::humidity_outside, {0.0F, 1.0F}, "",
+                "How damp the air around the smoke is, as a share of smoke.humidity. Less lets a cloud dry "
+                "up at its edges, more keeps the cloud large. Only used when smoke.humidity is above 0.")
             .number("latent_heat", &SmokeStyle::latent_heat, {0.0F, 10.0F}, "",
-                    "Heat that is released where water turns into a cloud: more makes the cloud rise and "
-                    "billow higher. Only used when smoke.humidity is above 0.")
-            .number("thickness", &SmokeStyle::thickness, {0.1F, 100.0F}, "",
-                    "How opaque smoke is: less is thin mist, more looks solid. The value is the optical "
-                    "depth of dense smoke over a tenth of the box's depth.")
+                    "Heat that is set free where water in smoke turns into a cloud: more makes the cloud "
+                    "rise higher. Only used when smoke.humidity is above 0.")
+            .number(
+                "thickness", &SmokeStyle::thickness, {0.1F, 100.0F}, "",
+                "How opaque smoke is. Less looks like thin mist, more looks solid. At 1, dense smoke a tenth "
+                "as deep as its box hides two thirds of the things behind it; at 6, nearly everything.")
             .toggle("puffs", &SmokeStyle::puffs,
                     "If true, smoke is drawn as round puffs, as in comics. If false, smoke is drawn with the "
                     "simulated shape.")
             .number("puff", &SmokeStyle::puff, {0.02F, 1.0F}, "",
-                    "Distance from one puff of smoke to the next, as a share of the box's width: less gives "
+                    "Distance from one puff of smoke to the next, as a share of the box's width. Less gives "
                     "more and smaller puffs. Only used when smoke.puffs is true.")
             .choice("sampling", &SmokeStyle::sampling,
                     {{"rays", Sampling::rays}, {"axis", Sampling::axis}, {"view", Sampling::view}},
-                    "How the density of smoke is sampled. rays: in equal steps along each ray; axis: on "
-                    "planes of the grid; view: on planes that face the eye.")
+                    "Where the density of smoke is measured along each line of sight. rays: at equal "
+                    "distances; axis: on planes of the smoke's grid; view: on planes that face the camera.")
             .number("step", &SmokeStyle::step, {0.1F, 4.0F}, "",
-                    "Distance from one sample of the smoke to the next, in cells of the grid: less is "
-                    "smoother and slower")
-            .number(
-                "scatter", &SmokeStyle::scatter, {0.0F, 1.0F}, "",
-                "Smoke is sampled at points along each line of sight. More shifts these points at random, "
-                "which turns visible bands in thin smoke into fine grain. Only used when smoke.sampling "
-                "is rays.")
+                    "Distance between points where smoke is measured, in cells of the grid: less is smoother "
+                    "and slower")
+            .number("scatter", &SmokeStyle::scatter, {0.0F, 1.0F}, "",
+                    "How far the points where smoke is measured are shifted at random. More turns visible "
+                    "bands in thin smoke into fine grain. Only used when smoke.sampling is rays.")
             .number("edge", &SmokeStyle::edge, {0.02F, 0.98F}, "",
                     "Opacity of smoke at which its outline is drawn: less draws the outline farther out")
             .choice("medium", &SmokeStyle::medium,
@@ -123,29 +122,30 @@ const style::Table<SmokeStyle>& smoke_table()
             .color("deep_color", &SmokeStyle::deep_color,
                    "Colour of smoke in deep shade, where the light level is below smoke.deep_below")
             .number("opacity", &SmokeStyle::opacity, {0.0F, 1.0F}, "",
-                    "How much the colour of smoke covers the things behind the smoke: 0 draws only outlines "
-                    "and strokes, 1 is opaque")
+                    "How much the colour of smoke covers the things behind the smoke. 0 draws only outlines "
+                    "and strokes, 1 is opaque.")
             .number("shade_below", &SmokeStyle::shade_below, {0.0F, 1.0F}, "",
                     "Light level below which smoke takes the shade colour: more gives larger shaded areas")
             .number("deep_below", &SmokeStyle::deep_below, {0.0F, 1.0F}, "",
                     "Light level below which smoke takes the deep-shade colour: more gives larger dark areas")
             .number("form", &SmokeStyle::form, {0.0F, 1.0F}, "",
-                    "How smoke is shaded: 0 shades by the light that comes through the smoke, 1 shades each "
-                    "puff as a round form")
+                    "How smoke is shaded. 0 shades by the light that comes through the smoke, 1 shades each "
+                    "puff as a round form.")
             .number("line_mm", &SmokeStyle::line_mm, {0.0F, 5.0F}, "mm",
                     "Width of the outlines of smoke: more is bolder. Outlines are wider in shade. 0 draws no "
                     "outlines.")
             .number("stroke_mm", &SmokeStyle::stroke_mm, {0.02F, 5.0F}, "mm",
-                    "Width of the hatching strokes in smoke. Only used when smoke.medium is strokes or both.")
+                    "Width of the hatching strokes in smoke: more is bolder. Only used when smoke.medium is "
+                    "strokes or both.")
             .number("darkness", &SmokeStyle::darkness, {0.0F, 1.0F}, "",
-                    "Darkness of the hatching strokes where smoke lies in full shade. Only used when "
-                    "smoke.medium is strokes or both.")
+                    "Darkness of the hatching strokes where smoke lies in full shade: 0 draws no strokes. "
+                    "Only used when smoke.medium is strokes or both.")
             .toggle("shaded", &SmokeStyle::shaded, "If true, the shadows of other objects fall on the smoke")
             .number(
                 "shadow", &SmokeStyle::shadow, {0.0F, 1.0F}, "",
                 "Darkness of the shadow that smoke throws in sunlight: 0 throws none, 1 is physically right")
             .number("glow", &SmokeStyle::glow, {0.0F, 100.0F}, "",
-                    "Brightness of the flickering light from the fire below the smoke: 1 lights a surface "
+                    "Brightness of the flickering light from the fire below the smoke. 1 lights a surface "
                     "half the box's width away as brightly as the main light. 0 gives no light.")
             .color("glow_color", &SmokeStyle::glow_color, "Colour of the light from the fire below the smoke")
             .number("flame", &SmokeStyle::flame, {0.0F, 10.0F}, "",

@@ -28,45 +28,47 @@ const style::Table<SubsurfaceStyle>& subsurface_table()
         style::Table<SubsurfaceStyle>(
             "subsurface",
             "Subsurface scattering: light that enters skin, wax, leaves or glass and comes out elsewhere")
-            .toggle(
-                "enabled", &SubsurfaceStyle::enabled,
-                "Turns subsurface scattering on: light spreads under surfaces and shines through thin ones")
-            .number("scatter_m", &SubsurfaceStyle::scatter_m, {0.0F, 1e4F}, "m",
-                    "How far light spreads under a surface: half of the light comes out again within 1.5 "
-                    "times this distance. 0 does not spread light. More makes skin look like wax.")
+            .toggle("enabled", &SubsurfaceStyle::enabled,
+                    "Turns subsurface scattering on: light spreads under skin or wax and shines through thin "
+                    "parts")
+            .number(
+                "scatter_m", &SubsurfaceStyle::scatter_m, {0.0F, 1e4F}, "m",
+                "How far light spreads under a surface, as in skin or wax: more looks more like wax. Half of "
+                "the light comes out again within 1.5 times this distance. 0 does not spread light.")
             .color("scatter_color", &SubsurfaceStyle::scatter_color,
-                   "How far each colour spreads, as a factor of subsurface.scatter_m: a reddish colour gives "
-                   "shadows red edges, as on skin")
+                   "How far red, green and blue light spread, as factors of subsurface.scatter_m. A reddish "
+                   "colour gives shadows red edges, as on skin.")
             .number("depth_m", &SubsurfaceStyle::depth_m, {0.0F, 1e4F}, "m",
-                    "Thickness of material through which shining light takes the colour subsurface.tint: "
-                    "more lets more light through. 0 lets no light through.")
+                    "Thickness of material after which white light has the colour subsurface.tint. More lets "
+                    "more light through thick parts. 0 lets no light through.")
             .color("tint", &SubsurfaceStyle::tint,
-                   "Colour that white light has after shining through material of the thickness "
-                   "subsurface.depth_m")
+                   "Colour of light that shines through thin parts, such as red in an ear. White light gets "
+                   "exactly this colour in material as thick as subsurface.depth_m.")
             .number("strength", &SubsurfaceStyle::strength, {0.0F, 8.0F}, "",
-                    "Brightness of light that shines through thin parts: 0 is none, 1 is as much light as "
-                    "falls on the far side")
+                    "Brightness of light that shines through thin parts, such as ears or leaves. 0 is none, "
+                    "1 is as much light as falls on the far side, more is brighter.")
             .number("sheet_m", &SubsurfaceStyle::sheet_m, {0.0F, 1e4F}, "m",
-                    "Assumed thickness of open surfaces without a far side, such as leaves: more lets less "
+                    "Assumed thickness of surfaces that have only one side, such as leaves: more lets less "
                     "light through")
             .number("behind", &SubsurfaceStyle::behind, {0.0F, 1.0F}, "",
-                    "How clearly one sees through an object: 0 shows nothing, as with wax, 1 shows "
-                    "everything in the colour of the tint, as with coloured glass")
+                    "How clearly one sees through an object. 0 shows nothing, as with wax; 1 shows "
+                    "everything behind the object in the colour subsurface.tint, as with coloured glass.")
             .number("behind_blur", &SubsurfaceStyle::behind_blur, {0.0F, 8.0F}, "",
-                    "How much things behind an object are blurred when seen through the object: 0 is clear "
-                    "glass, more is frosted glass. A thicker object blurs more.")
+                    "How blurred things look when seen through a see-through object. 0 is clear glass, more "
+                    "is frosted glass. A thicker object blurs more.")
             .toggle("transmission", &SubsurfaceStyle::transmission,
-                    "If true, materials with transmission and volume from glTF are see-through, unless the "
-                    "style sets subsurface.behind for these materials")
+                    "If true, glass-like materials of a glTF file (transmission and volume) are see-through. "
+                    "If false, they are opaque. Materials for which the style sets subsurface.behind keep "
+                    "that value.")
             .number("reach_mm", &SubsurfaceStyle::reach_mm, {0.1F, 200.0F}, "mm",
-                    "Largest distance on the page over which light spreads under a surface: near the eye, "
-                    "wider spreading is limited to this length")
+                    "Largest distance on the page over which light spreads under a surface. Near the camera, "
+                    "wider spreading is limited to this length: more keeps skin soft in close-ups.")
             .choice("space", &SubsurfaceStyle::space, {{"page", Space::page}, {"texture", Space::texture}},
-                    "How the spreading of light under surfaces is computed. page: between visible pixels; "
-                    "texture: over all surfaces, so light also comes from parts that are not visible.")
+                    "Where the spreading of light under surfaces is computed. page: between visible pixels; "
+                    "texture: over all surfaces of the model, so that light also comes from hidden parts.")
             .integer("texels", &SubsurfaceStyle::texels, {64, 4096}, "texels",
-                     "Width and height of the texture in which Estampe computes how light spreads below "
-                     "surfaces: more is finer and slower. Only used when subsurface.space is texture.")
+                     "Width and height of the texture (image) in which the light under surfaces is computed. "
+                     "More is finer and slower. Only used when subsurface.space is texture.")
             .by_surface_but({"reach_mm", "space", "texels"});
     return table;
 }

@@ -27,11 +27,12 @@ const style::Table<TerrainWind>& wind_table()
 {
     static const auto table =
         style::Table<TerrainWind>("wind", "Wind over the ground, along which dunes and ripples move")
-            .number("towards_deg", &TerrainWind::towards_deg, {-360.0F, 360.0F}, "deg",
-                    "Direction towards which the wind over the ground blows: 0 is +z, 90 is +x")
+            .number(
+                "towards_deg", &TerrainWind::towards_deg, {-360.0F, 360.0F}, "deg",
+                "Direction towards which the wind over the ground blows, seen from above: 0 is +z, 90 is +x")
             .number("speed_m_per_s", &TerrainWind::speed_m_per_s, {0.0F, 100.0F}, "m/s",
-                    "Speed of the wind over the ground. The formulas of heights call this value `wind`. From "
-                    "6 m/s on, sand drifts off crests.");
+                    "Speed of the wind over the ground: from 6 m/s on, sand drifts off the crests of dunes. "
+                    "In formulas of heights, the name of this value is `wind`.");
     return table;
 }
 
@@ -43,28 +44,30 @@ const style::Table<TerrainMeshing>& mesh_table()
             .choice(
                 "method", &TerrainMeshing::method,
                 {{"rings", TerrainMesh::rings}, {"grid", TerrainMesh::grid}, {"object", TerrainMesh::object}},
-                "How the ground is divided into triangles. rings: nested grids around the eye, each twice as "
-                "coarse as the one inside; grid: one even grid in front of the eye; object: an object of the "
+                "How the ground is divided into triangles. rings: grids around the camera, one in the other, "
+                "each twice as coarse; grid: one even grid in front of the camera; object: an object of the "
                 "scene, raised by the heights.")
             .text("object", &TerrainMeshing::object,
-                  "Name of the object whose surface the heights raise. Only used when mesh.method is object.")
-            .choice("update", &TerrainMeshing::update,
-                    {{"moved", TerrainUpdate::moved},
-                     {"always", TerrainUpdate::always},
-                     {"still", TerrainUpdate::still}},
-                    "When the heights of the ground are computed again. moved: if the eye or the time has "
-                    "changed; always: in every picture; still: if the eye has moved, as if time stood still.")
+                  "Name of the object of the scene whose surface the heights raise. Only used when "
+                  "mesh.method is object.")
+            .choice(
+                "update", &TerrainMeshing::update,
+                {{"moved", TerrainUpdate::moved},
+                 {"always", TerrainUpdate::always},
+                 {"still", TerrainUpdate::still}},
+                "When the heights of the ground are computed again. moved: if the camera or the time has "
+                "changed; always: in every picture; still: if the camera has moved, as if time stood still.")
             .number("cell_m", &TerrainMeshing::cell_m, {0.01F, 64.0F}, "m",
-                    "Distance between vertices of the ground nearest to the eye, rounded to a power of two: "
-                    "less gives a finer ground and is slower")
+                    "Distance between points of the ground near the camera, rounded to a power of two. Less "
+                    "gives a finer ground and is slower.")
             .integer("cells", &TerrainMeshing::cells, {16, 2048}, "",
-                     "Number of cells along a side of a ring or grid of the ground, rounded up to a multiple "
-                     "of 4: more is finer and slower")
+                     "Number of cells (squares) along a side of each grid of the ground, rounded up to a "
+                     "multiple of 4. More is finer and slower.")
             .number("reach_m", &TerrainMeshing::reach_m, {10.0F, 100000.0F}, "m",
-                    "Smallest distance from the eye to which the ground extends: more shows more ground. "
+                    "Smallest distance from the camera to which the ground extends: more shows more ground. "
                     "Only used when mesh.method is rings.")
             .number("planet_radius_m", &TerrainMeshing::planet_radius_m, {0.0F, 1e7F}, "m",
-                    "Radius of the planet whose curve the ground follows: less brings the horizon nearer. 0 "
+                    "Radius of the planet along which the ground curves: less brings the horizon nearer. 0 "
                     "is flat ground.");
     return table;
 }
@@ -73,16 +76,17 @@ const style::Table<TerrainRipples>& ripples_table()
 {
     static const auto table =
         style::Table<TerrainRipples>("ripples", "Ripples that the wind forms on sand, visible from near")
+            .number("wavelength_m", &TerrainRipples::wavelength_m, {0.005F, 100.0F}, "m",
+                    "Distance between the crests of two sand ripples: less gives finer ripples")
             .number(
-                "wavelength_m", &TerrainRipples::wavelength_m, {0.005F, 100.0F}, "m",
-                "Distance from the crest of one ripple to the crest of the next: less gives finer ripples")
-            .number("height_m", &TerrainRipples::height_m, {0.0F, 10.0F}, "m",
-                    "Height of a ripple from trough to crest. 0 draws no ripples.")
+                "height_m", &TerrainRipples::height_m, {0.0F, 10.0F}, "m",
+                "Height of a sand ripple from trough to crest: more is easier to see. 0 draws no ripples.")
             .number("meander", &TerrainRipples::meander, {0.0F, 1.0F}, "",
-                    "How much ripples bend to the sides: 0 is straight and unbroken, 1 bends, forks and ends "
-                    "everywhere")
+                    "How much sand ripples bend to the sides. 0 is straight and unbroken, 1 bends, forks and "
+                    "ends everywhere.")
             .number("drift_m_per_s", &TerrainRipples::drift_m_per_s, {-1.0F, 1.0F}, "m/s",
-                    "Speed at which ripples move with the wind");
+                    "Speed at which sand ripples move with the wind: 0 stands still, below 0 moves against "
+                    "the wind");
     return table;
 }
 
@@ -92,14 +96,14 @@ const style::Table<TerrainTrails>& trails_table()
         style::Table<TerrainTrails>("trails",
                                     "Trails in sand: footprints, and marks of things that are dragged")
             .number("half_life_s", &TerrainTrails::half_life_s, {0.1F, 1e6F}, "s",
-                    "Time after which the wind has filled a trail to half of its depth: more keeps "
+                    "Time in which the wind fills a trail in sand to half of its depth: more keeps "
                     "footprints longer")
             .number("repose_deg", &TerrainTrails::repose_deg, {5.0F, 80.0F}, "deg",
-                    "Steepest angle at which the rim of a trail stands before the rim slides down: dry sand "
-                    "stands flatter, damp sand steeper")
+                    "Steepest angle at which the rim of a trail in sand stands before the rim slides down. "
+                    "Less looks like dry sand, more like damp sand.")
             .number("extent_m", &TerrainTrails::extent_m, {4.0F, 400.0F}, "m",
-                    "Size of the square in front of the eye in which trails are visible: less shows finer "
-                    "prints, because the square always has 1,024 texels per side");
+                    "Size of the square in front of the camera in which trails in sand are visible. Less "
+                    "shows finer prints, because the square always has 1,024 pixels per side.");
     return table;
 }
 

@@ -86,14 +86,14 @@ const style::Table<TransparencyStyle>& transparency_table()
     static const auto table =
         style::Table<TransparencyStyle>("transparency",
                                         "Transparent surfaces: how glass and other BLEND materials are drawn")
-            .choice(
-                "mode", &TransparencyStyle::mode, {{"ink", Mode::ink}, {"sorted", Mode::sorted}},
-                "How transparent surfaces (BLEND materials of glTF) are drawn. ink: as one flat screen that "
-                "tints the things behind it; sorted: each surface is lit and painted, from back to front.")
+            .choice("mode", &TransparencyStyle::mode, {{"ink", Mode::ink}, {"sorted", Mode::sorted}},
+                    "How see-through surfaces such as glass (BLEND materials of glTF) are drawn. ink: as one "
+                    "flat tint over the things behind; sorted: each surface is lit and painted, from back to "
+                    "front.")
             .integer("layers", &TransparencyStyle::layers, {1, most_sorted_layers}, "",
-                     "Largest number of transparent surfaces that are drawn per pixel, the nearest first: "
-                     "more shows more surfaces behind each other and takes more time. At most 4 are drawn "
-                     "when transparency.mode is ink.");
+                     "Largest number of see-through surfaces that are drawn over each other, the nearest "
+                     "first. More shows more surfaces behind each other and takes more time. At most 4 are "
+                     "drawn when transparency.mode is ink.");
     return table;
 }
 

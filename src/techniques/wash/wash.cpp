@@ -62,32 +62,34 @@ const style::Table<WashStyle>& wash_table()
     static const auto table =
         style::Table<WashStyle>("wash", "Wash: flat colour by material, cooler in shadow")
             .number("strength", &WashStyle::strength, {0.0F, 1.0F}, "",
-                    "Strength of the colour: 0 leaves the paper bare, 1 is full colour")
+                    "Strength of the colour that is painted below the ink: 0 leaves the paper bare, 1 is "
+                    "full colour")
             .number("neutral", &WashStyle::neutral, {0.0F, 1.0F}, "",
-                    "How strongly greys are painted, as a share of wash.strength: 0 leaves grey things "
-                    "white, 1 paints greys as strongly as colours")
+                    "How strongly grey things are painted, as a share of wash.strength. 0 leaves grey things "
+                    "white, 1 paints greys as strongly as colours.")
             .number("saturation", &WashStyle::saturation, {0.0F, 1.0F}, "",
                     "Saturation of the colours: 0 paints greys, 1 paints the full colours of the materials")
             .number(
                 "detail", &WashStyle::detail, {0.0F, 1.0F}, "",
                 "How much texture the colour shows: 0 is one flat colour per material, 1 its whole texture")
             .number("least", &WashStyle::least, {0.0F, 1.0F}, "",
-                    "Smallest brightness of painted colours, as a share of white: more paints dark things "
-                    "paler, so that strokes alone show how dark things are")
-            .color("shadow_tint", &WashStyle::shadow_tint,
-                   "Colour that multiplies the wash in shadow: a bluish grey cools shadows")
+                    "Smallest brightness of painted colours, as a share of white. More paints dark things "
+                    "paler, so that strokes alone show how dark these things are.")
+            .color(
+                "shadow_tint", &WashStyle::shadow_tint,
+                "Colour that painted colours are multiplied by in shadow: a bluish grey makes shadows cooler")
             .number("shadow_from", &WashStyle::shadow_from, {0.0F, 1.0F}, "",
-                    "Darkness above which colours take on wash.shadow_tint: less gives larger shadow areas, "
-                    "more gives smaller ones")
+                    "Darkness above which painted colours take on wash.shadow_tint. Less gives larger shadow "
+                    "areas, more gives smaller ones.")
             .number("softness", &WashStyle::softness, {0.001F, 0.5F}, "",
                     "Softness of the edge between light and shadow in the colours: less is a crisp step, "
                     "more is gradual")
             .number("ground_shadow", &WashStyle::ground_shadow, {0.0F, 1.0F}, "",
-                    "Strength of shadows on the blank ground: 0 leaves the ground white, 1 paints the shadow "
-                    "in the full colour of wash.shadow_tint")
+                    "Strength of shadows on the blank ground below the scene. 0 leaves the ground white, 1 "
+                    "paints the shadow in the full colour of wash.shadow_tint.")
             .number("light_tint", &WashStyle::light_tint, {0.0F, 1.0F}, "",
-                    "How much the colour of light changes the painted colours: 0 treats all light as white, "
-                    "1 takes on the full colour of the light")
+                    "How much the colour of light changes the painted colours. 0 treats all light as white, "
+                    "1 takes on the full colour of the light.")
             .by_surface_but({});
     return table;
 }

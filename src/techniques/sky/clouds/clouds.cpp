@@ -19,13 +19,12 @@ const style::Table<CloudStyle>& cloud_table()
                     "Share of the sky overhead that cumulus clouds (heaps with a flat base) cover: more is "
                     "cloudier. 0 draws no cumulus clouds.")
             .number("base_m", &CloudStyle::base_m, {50.0F, 20000.0F}, "m",
-                    "Height in the scene (above y = 0) of the flat base of cumulus clouds. No cumulus clouds "
-                    "are drawn when the eye is above their base.")
+                    "Height in the scene (above y = 0) of the flat base of cumulus clouds (heaps). No "
+                    "cumulus clouds are drawn when the camera is above their base.")
             .number("size_m", &CloudStyle::size_m, {50.0F, 20000.0F}, "m",
-                    "Width of an average cumulus cloud")
+                    "Width of an average cumulus cloud (heap with a flat base): less gives many small clouds")
             .number("heaped", &CloudStyle::heaped, {0.1F, 3.0F}, "",
-                    "Height of cumulus clouds compared to their width: less gives flat clouds, more gives "
-                    "towering clouds")
+                    "Height of cumulus clouds compared to their width: less is flat, more is towering")
             .number("flocks", &CloudStyle::flocks, {0.0F, 0.95F}, "",
                     "Share of the sky that groups of small flat clouds (altocumulus) cover: more is "
                     "cloudier. 0 draws none of these clouds.")
@@ -41,7 +40,7 @@ const style::Table<CloudStyle>& cloud_table()
             .number("streaks_size_m", &CloudStyle::streaks_size_m, {50.0F, 50000.0F}, "m",
                     "Width of a bundle of white streaks in the sky (cirrus)")
             .number("streaks_mm", &CloudStyle::streaks_mm, {0.05F, 10.0F}, "mm",
-                    "Width of a single white streak (cirrus) on the page")
+                    "Width on the page of a single white streak in the sky (cirrus): more is bolder")
             .number("wind_m_per_s", &CloudStyle::wind_m_per_s, {-1.0F, 1000.0F}, "m/s",
                     "Speed at which all clouds drift with the wind (see wind.towards_deg). -1 takes the "
                     "speed from wind.speed_m_per_s.")
@@ -51,29 +50,29 @@ const style::Table<CloudStyle>& cloud_table()
             .color("color", &CloudStyle::color, "Colour of clouds on the side of the sun")
             .color("shade_color", &CloudStyle::shade_color, "Colour of clouds on the side away from the sun")
             .integer("tones", &CloudStyle::tones, {1, 3}, "",
-                     "Number of flat tones in clouds: 1 is the light colour alone, 2 adds a shade colour, 3 "
-                     "adds a tone between light and shade")
+                     "Number of flat tones in clouds. 1 is the light colour alone, 2 adds a shade colour, 3 "
+                     "adds a tone between light and shade.")
             .number("shade", &CloudStyle::shade, {0.0F, 1.0F}, "",
-                    "How far shade reaches up in clouds: 0 gives the least shade, 1 shades all parts except "
-                    "those that face the sun")
+                    "How far shade reaches up in clouds. 0 gives the least shade, 1 shades all parts except "
+                    "those that face the sun.")
             .number("outline_mm", &CloudStyle::outline_mm, {0.0F, 10.0F}, "mm",
                     "Width on the page of the outlines of clouds where they are thickest: more is bolder. 0 "
                     "draws no outlines.")
             .number("broken", &CloudStyle::broken, {0.0F, 1.0F}, "",
-                    "How much outlines of clouds thin and break on the side of the sun: 0 keeps outlines "
-                    "unbroken, 1 breaks them most")
+                    "How much outlines of clouds thin and break on the side of the sun. 0 keeps outlines "
+                    "unbroken, 1 breaks them most.")
             .number("hatch", &CloudStyle::hatch, {0.0F, 1.0F}, "",
                     "Darkness of the hatching strokes in the shade of clouds. 0 draws no strokes, so that "
                     "only colour shows the shade.")
             .number("hatch_mm", &CloudStyle::hatch_mm, {0.02F, 10.0F}, "mm",
-                    "Width of the hatching strokes in the shade of clouds. Only used when clouds.hatch is "
-                    "above 0.")
+                    "Width of the hatching strokes in the shade of clouds: more is bolder. Only used when "
+                    "clouds.hatch is above 0.")
             .number("shadow", &CloudStyle::shadow, {0.0F, 1.0F}, "",
                     "Darkness of the shadows that clouds throw on the ground: 0 throws none, 1 blocks all "
                     "sunlight")
             .number("reach_m", &CloudStyle::reach_m, {1000.0F, 200000.0F}, "m",
-                    "Distance from the eye at which clouds have faded into the sky: less gives fewer clouds "
-                    "near the horizon");
+                    "Distance from the camera at which clouds have faded into the sky. Less gives fewer "
+                    "clouds near the horizon.");
     return table;
 }
 

@@ -77,17 +77,19 @@ const style::Table<DriftStyle>& drift_table()
                          "Draws drifting sand. true: in any wind; false: never; auto: if the terrain's wind "
                          "is 6 m/s or more.")
             .number("amount", &DriftStyle::amount, {0.0F, 1.0F}, "",
-                    "Amount of drifting sand: 0 is none, 1 draws all streaks for which there are crests")
+                    "Amount of drifting sand: 0 is none, 1 draws a streak at every place on a crest that may "
+                    "have one")
             .number("length_m", &DriftStyle::length_m, {0.05F, 20.0F}, "m",
-                    "Length of an average streak of drifting sand")
+                    "Length of an average streak of drifting sand: more draws longer streaks")
             .number("lift_m", &DriftStyle::lift_m, {0.0F, 20.0F}, "m",
                     "Largest height above the crest of a dune to which drifting sand rises: more gives "
                     "higher plumes")
-            .number("width_mm", &DriftStyle::width_mm, {0.05F, 5.0F}, "mm",
-                    "Width on the page of a streak of drifting sand, in the middle of the streak")
+            .number(
+                "width_mm", &DriftStyle::width_mm, {0.05F, 5.0F}, "mm",
+                "Width on the page of a streak of drifting sand, in the middle of the streak: more is bolder")
             .number("reach_m", &DriftStyle::reach_m, {5.0F, 1000.0F}, "m",
-                    "Distance from the eye up to which drifting sand is drawn: more draws sand farther away, "
-                    "but misses the sand at small crests")
+                    "Distance from the camera up to which drifting sand is drawn. More draws sand farther "
+                    "away, but misses the sand at small crests.")
             .color("ink", &DriftStyle::ink, "Colour of the streaks of drifting sand");
     return table;
 }

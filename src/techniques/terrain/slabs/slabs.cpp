@@ -237,44 +237,49 @@ const style::Table<SlabStyle>& slab_table()
     static const auto table =
         style::Table<SlabStyle>("slabs", "Simulated dunes: sand that the wind moves in thin slabs")
             .number("cell_m", &SlabStyle::cell_m, {0.05F, 20.0F}, "m",
-                    "Size of a cell of the dune simulation: less gives finer dunes")
+                    "Size of a cell (square) of the dune simulation: less gives finer dunes")
             .number("slab_m", &SlabStyle::slab_m, {0.01F, 2.0F}, "m",
-                    "Height of one slab of sand: a tenth of slabs.cell_m keeps slopes at the angle of repose")
+                    "Height of one slab (thin piece) of sand that the wind moves. A tenth of slabs.cell_m "
+                    "keeps slopes at the angle slabs.repose_deg.")
             .number("depth_m", &SlabStyle::depth_m, {0.0F, 100.0F}, "m",
-                    "Mean depth of sand on the rock: little sand makes single dunes, much sand makes a sea "
-                    "of dunes")
+                    "Mean depth of the sand that lies on rock. Little sand makes single dunes, much sand "
+                    "makes a sea of dunes.")
             .number("wind_deg", &SlabStyle::wind_deg, {-360.0F, 360.0F}, "deg",
-                    "Direction towards which the wind blows over the dune field: 0 is the field's x, 90 its "
-                    "y. Dunes look best when the wind blows along an axis.")
+                    "Direction in which the wind blows over the dune field: 0 is the x axis of the field, 90 "
+                    "its y axis. Dunes look best when the wind blows along an axis.")
             .number("wind_spread_deg", &SlabStyle::wind_spread_deg, {0.0F, 90.0F}, "deg",
-                    "How far the wind turns to either side from one step to the next: 0 blows always in one "
-                    "direction, more changes the direction more")
+                    "How far the wind over the dunes turns to either side at random. 0 always blows in one "
+                    "direction, more changes the direction more.")
             .number("hop_cells", &SlabStyle::hop_cells, {0.25F, 32.0F}, "cells",
-                    "Distance that the wind carries a slab of sand in one hop")
+                    "Distance that the wind carries a slab (thin piece) of sand in one hop: more carries "
+                    "sand farther")
             .number("speedup_per_m", &SlabStyle::speedup_per_m, {0.0F, 1.0F}, "1/m",
-                    "How much farther slabs of sand hop for each metre above the mean depth of sand: more "
-                    "makes the windward slopes less steep")
+                    "How much farther slabs (thin pieces) of sand hop for each metre above the mean depth. "
+                    "More makes the slopes towards the wind less steep.")
             .number("lift_share", &SlabStyle::lift_share, {0.0F, 1.0F}, "",
-                    "Share of the cells from which the wind tries to lift a slab in one step: more moves "
-                    "dunes faster")
+                    "Share of the cells (squares) of sand from which the wind tries to lift a slab in one "
+                    "step. More moves dunes faster.")
             .number("stay_on_sand", &SlabStyle::stay_on_sand, {0.01F, 1.0F}, "",
-                    "Share of the slabs of sand that stay where they land on sand: more moves sand less far")
-            .number(
-                "stay_on_rock", &SlabStyle::stay_on_rock, {0.01F, 1.0F}, "",
-                "Share of the slabs of sand that stay where they land on bare rock: more moves sand less far")
+                    "Share of the slabs (thin pieces) of sand that stay where they land on sand. More moves "
+                    "sand less far.")
+            .number("stay_on_rock", &SlabStyle::stay_on_rock, {0.01F, 1.0F}, "",
+                    "Share of the slabs (thin pieces) of sand that stay where they land on bare rock. More "
+                    "moves sand less far.")
             .number("lee_deg", &SlabStyle::lee_deg, {1.0F, 60.0F}, "deg",
-                    "Angle below the horizontal of the sheltered area behind a crest, in which the air is "
-                    "still: more makes the sheltered area shorter")
+                    "Angle below the horizontal down to which a dune's crest shelters the ground behind from "
+                    "the wind. More makes the sheltered area shorter.")
             .number("repose_deg", &SlabStyle::repose_deg, {5.0F, 60.0F}, "deg",
-                    "Angle of repose: sand on slopes steeper than this angle slides down")
-            .integer(
-                "slides", &SlabStyle::slides, {0, 64}, "",
-                "Number of times that sand may slide in one step: 4 lets sand slide once in each direction")
+                    "Steepest slope of sand (angle of repose): sand on steeper slopes slides down. More "
+                    "gives steeper dunes.")
+            .integer("slides", &SlabStyle::slides, {0, 64}, "",
+                     "Number of times that sand may slide down in one step: 4 lets sand slide once in each "
+                     "direction")
             .integer("smooth_cells", &SlabStyle::smooth_cells, {0, 8}, "cells",
-                     "Distance over which heights are smoothed before the dunes are drawn: more hides the "
-                     "stairs that slabs of sand form")
-            .integer("seed", &SlabStyle::seed, {0, 1000000}, "",
-                     "Random seed of the dunes: another value gives another desert");
+                     "Distance over which the heights of dunes are smoothed. More hides the stairs that "
+                     "slabs (thin pieces) of sand form.")
+            .integer(
+                "seed", &SlabStyle::seed, {0, 1000000}, "",
+                "Number that selects the random details of the dunes: another number gives another desert");
     return table;
 }
 
