@@ -77,41 +77,46 @@ void BakeOptions::add_to(CLI::App& app)
     command.add_option("-o,--output", output_, "Output file, NAME.exr, an OpenEXR lightmap")
         ->required()
         ->type_name("FILE");
-    command.add_option("--size", settings_.size, "Side of the lightmap in texels: more shows finer shadows")
+    command.add_option("--size", settings_.size, "Width and height of the lightmap in texels: more is finer")
         ->type_name("N")
         ->capture_default_str();
     command
         .add_option("--samples", settings_.samples,
-                    "Number of light paths per texel. More paths give less noise and take\n"
-                    "longer.")
+                    "Number of light paths that are followed per texel of the lightmap. More\n"
+                    "paths give less noise and take longer.")
         ->type_name("N")
         ->capture_default_str();
-    command.add_option("--bounces", settings_.bounces, "Largest number of surfaces that light bounces off")
+    command
+        .add_option("--bounces", settings_.bounces,
+                    "Largest number of surfaces that light bounces off: more is brighter")
         ->type_name("N")
         ->capture_default_str();
     command
         .add_option("--direct", direct_,
-                    "Kinds of lights whose direct light is baked too. Kinds are sun, point,\n"
-                    "spot and all; render then leaves out their direct light. [none]")
+                    "Lights that the lightmap stores directly, too: sun, point, spot or all.\n"
+                    "The command render then leaves out the direct light of these lights.\n"
+                    "[none]")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->type_name("KINDS");
     command
-        .add_option("--sky", settings_.sky, "Factor on the style's ambient light, which comes from the sky")
+        .add_option("--sky", settings_.sky,
+                    "Factor on the light from the sky, the ambient light of the style")
         ->type_name("X")
         ->capture_default_str();
     command
         .add_option("--seed", settings_.seed,
-                    "Random seed of the light paths: another value gives other noise")
+                    "Number that selects the random light paths: another gives other noise")
         ->type_name("N")
         ->capture_default_str();
     command.add_flag("--no-smooth", rough_, "Keep the noise instead of smoothing the lightmap");
-    command.add_flag("--no-resume", anew_, "Start again even if OUT.partial holds an unfinished run");
-    command.add_option("--style", style_, "Style whose [light] lights the scene, as for estampe render")
+    command.add_flag("--no-resume", anew_, "Start again, even if OUT.partial holds an unfinished lightmap");
+    command
+        .add_option("--style", style_, "Style that lights the scene by its section [light], as for render")
         ->type_name("STYLE");
     command
         .add_option("--set", assignments_,
-                    "One parameter of the style, as in light.ambient=0.3; may be repeated.\n"
+                    "Set one parameter of the style: light.ambient=0.3; may be repeated.\n"
                     "See --help-style for the parameters.")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);

@@ -82,7 +82,7 @@ void BatchOptions::add_to(CLI::App& app)
         ->type_name("I/N");
     command
         .add_option("--report", report_,
-                    "File that the report is written to [JOBS.report.json, with a shard\n"
+                    "File for the report on all jobs [JOBS.report.json, with a shard\n"
                     "JOBS.I-of-N.report.json]")
         ->type_name("JSON");
     add_no_cache_flag(command);
@@ -93,8 +93,8 @@ void BatchOptions::add_to(CLI::App& app)
         ->capture_default_str();
     command
         .add_option("--raster", raster_,
-                    "How triangles are rasterised: hardware, compute or auto. The word auto\n"
-                    "takes the faster one on this device.")
+                    "Way to turn triangles into pixels: hardware, compute or auto. The word\n"
+                    "auto takes the faster way on this device.")
         ->type_name("PATH")
         ->capture_default_str();
 }

@@ -207,7 +207,8 @@ std::string SceneOptions::format() const
 void add_no_cache_flag(CLI::App& command)
 {
     command.add_flag_callback(
-        "--no-cache", [] { gpu::keep_pipelines(false); }, "Do not use or keep compiled pipelines on disk");
+        "--no-cache", [] { gpu::keep_pipelines(false); },
+        "Compile all shaders again, and keep no compiled shaders on disk");
 }
 
 } // namespace estampe::app

@@ -316,7 +316,7 @@ void PictureOptions::add_to(CLI::App& command)
         ->type_name("DIR");
     command
         .add_option("--layer", layer_,
-                    "Draw one layer alone, on white, such as lines, hatch or wash. Other\n"
+                    "Draw only one layer, on white, such as lines, hatch or wash. Other\n"
                     "layers are shadow, occlusion, clouds, and the name of an object, which\n"
                     "draws its mask.")
         ->type_name("NAME");

@@ -48,8 +48,8 @@ void add_device_options(CLI::App& command, TypedOptions& typed)
     add_no_cache_flag(command);
     command
         .add_option("--raster", typed.raster,
-                    "How triangles are rasterised: hardware, compute or auto. The word auto\n"
-                    "takes the faster one on this device.")
+                    "Way to turn triangles into pixels: hardware, compute or auto. The word\n"
+                    "auto takes the faster way on this device.")
         ->type_name("PATH")
         ->capture_default_str();
 }
@@ -74,12 +74,12 @@ void add_style_options(CLI::App& command, TypedOptions& typed)
         ->type_name("NAME");
     command
         .add_option("--style", typed.style,
-                    "Preset or TOML file to draw in, or several joined by +. In\n"
-                    "comic+no-color, no-color overrides what comic sets. estampe styles\n"
-                    "lists presets and additions. [built-in values]")
+                    "Style to draw in: a preset, a TOML file, or several joined by +. In\n"
+                    "comic+no-color, no-color overrides what comic sets. The command estampe\n"
+                    "styles lists presets and additions. [built-in values]")
         ->type_name("STYLE");
     add_set_option(command, typed,
-                   "One parameter of the style, as in hatch.width_mm=0.5; may be repeated.\n"
+                   "Set one parameter of the style: hatch.width_mm=0.5; may be repeated.\n"
                    "See --help-style for the parameters.");
     typed.transparent.add_to(command);
     command.add_flag("--draft", typed.draft,
@@ -124,13 +124,13 @@ void add_view(CLI::App& app, TypedOptions& typed)
     add_style_options(command, typed);
     command
         .add_option("--samples", typed.samples,
-                    "Number of jittered frames that a still view averages, for smooth edges")
+                    "Number of drawings that a still view averages: more smooths edges")
         ->type_name("N")
         ->capture_default_str();
     command
         .add_option("--shaders", typed.shaders,
                     "Folder of Estampe's sources, for developers. A shader that is saved\n"
-                    "there is used at once.")
+                    "there is used immediately.")
         ->type_name("DIR");
     command.add_flag("--verbose", typed.verbose, "Report on stderr what happens, with times");
     command.add_flag("--warm-up", typed.warm_up,
@@ -148,11 +148,14 @@ void add_render(CLI::App& app, TypedOptions& typed)
                      "Films may also be PNG frames, as in frames/%04d.png. The name - is\n"
                      "standard output.");
     typed.picture.add_to(command);
-    command.add_option("--samples", typed.samples, "Number of jittered frames to average, for smooth edges")
+    command
+        .add_option("--samples", typed.samples,
+                    "Number of drawings to average, each shifted a little: more smooths edges")
         ->type_name("N")
         ->capture_default_str();
     command
-        .add_option("--repeat", typed.repeat, "Draw N times and report the median times of all but the first")
+        .add_option("--repeat", typed.repeat,
+                    "Draw N times and print the median times, without the first drawing")
         ->type_name("N")
         ->capture_default_str();
     command
@@ -171,7 +174,7 @@ void add_render(CLI::App& app, TypedOptions& typed)
         ->type_name("EXR");
     command
         .add_option("--since", typed.since_s,
-                    "Moment that --motion looks back to, in seconds [--time less 1/30]")
+                    "Earlier moment from which --motion measures, in seconds [--time less 1/30]")
         ->type_name("S");
     typed.film.add_to(command);
     command.add_flag("--timings", typed.timings, "Print the time of every pass, or of the whole film");
@@ -200,7 +203,7 @@ void add_styles(CLI::App& app, TypedOptions& typed)
     typed.world.add_to(command);
     add_camera_options(command, typed);
     add_set_option(command, typed,
-                   "One parameter of the style, for all pictures; may be repeated. An\n"
+                   "Set one parameter of the style for all pictures; may be repeated. An\n"
                    "example is hatch.width_mm=0.5.");
     add_device_options(command, typed);
     for (CLI::Option* option : command.get_options()) {
@@ -218,7 +221,7 @@ void add_tam(CLI::App& app, TypedOptions& typed)
     command.footer(tam_examples);
     command
         .add_option("STYLE", typed.style,
-                    "Style whose [tam] draws the map and whose [paper] colours the preview")
+                    "Style for the strokes (section tam) and the preview's paper and ink")
         ->type_name("STYLE");
     command
         .add_option("-o,--output", typed.output,
@@ -227,18 +230,20 @@ void add_tam(CLI::App& app, TypedOptions& typed)
         ->type_name("FILE");
     command
         .add_option("--from", typed.from,
-                    "Map to convert instead of drawing one. Maps are .tam or .dds files, or\n"
-                    "folders of PNG or DDS files.")
+                    "Tonal art map to convert, instead of drawing one. Maps are .tam or .dds\n"
+                    "files, or folders of PNG or DDS files.")
         ->type_name("PATH");
     command
         .add_option("--brush", typed.brush,
                     "Picture of one stroke from left to right. The stroke is the alpha\n"
                     "channel, or black on white. [the tool that tam.tool names]")
         ->type_name("PNG");
-    command.add_option("--preview", typed.preview, "Also write a picture of all tones and levels")
+    command
+        .add_option("--preview", typed.preview,
+                    "Also write a picture that shows the map in all tones and sizes")
         ->type_name("PNG");
     add_set_option(command, typed,
-                   "One parameter of the style, as in tam.width_px=3; may be repeated. See\n"
+                   "Set one parameter of the style: tam.width_px=3; may be repeated. See\n"
                    "--help-style for the parameters.");
 }
 

@@ -57,7 +57,9 @@ void WorldOptions::add_to(CLI::App& command, Seed seed)
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     if (seed == Seed::is_an_option) {
-        command.add_option("--seed", seed_, "Random seed of a built-in world, short for --world seed=N")
+        command
+            .add_option("--seed", seed_,
+                        "Number that varies a built-in world at random, as --world seed=N does")
             ->type_name("N");
     }
 }
