@@ -11,9 +11,9 @@ const style::Table<WindStyle>& wind_table()
             .choice(
                 "from", &WindStyle::from,
                 {{"auto", WindSource::automatic}, {"style", WindSource::style}, {"smoke", WindSource::smoke}},
-                "Source of the wind. auto: the terrain, or style if there is none; style: "
+                "Which wind is used. auto: the wind of the terrain, or style without a terrain; style: "
                 "wind.speed_m_per_s and wind.towards_deg; smoke: for cloth, the moving air in smoke boxes, "
-                "otherwise the same as style.")
+                "for everything else the same as style.")
             .number("speed_m_per_s", &WindStyle::speed_m_per_s, {0.0F, 60.0F}, "m/s",
                     "Mean speed of the wind: 0 is still air, 4 a breeze, 15 a storm. Not used when wind.from "
                     "is auto and the scene has a terrain.")
@@ -22,8 +22,8 @@ const style::Table<WindStyle>& wind_table()
                     "changes set this value in each frame, or gusts would jump. -1 computes the distance as "
                     "speed times time.")
             .number("towards_deg", &WindStyle::towards_deg, {-360.0F, 360.0F}, "deg",
-                    "Direction towards which the wind blows: 0 is +z, 90 is +x. Not used when wind.from is "
-                    "auto and the scene has a terrain.")
+                    "Direction towards which the wind blows, seen from above: 0 is the +z axis, 90 is the +x "
+                    "axis. Not used when wind.from is auto and the scene has a terrain.")
             .number("gustiness", &WindStyle::gustiness, {0.0F, 1.0F}, "",
                     "How much the speed of the wind on cloth changes in gusts. 0 is steady, 1 changes "
                     "between calm and twice the speed.")

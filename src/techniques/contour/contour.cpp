@@ -181,7 +181,7 @@ const style::Table<ContourStyle>& contour_table()
     static const ContourTable table = [] {
         ContourTable made("contour", "Ink lines: outlines, folds, and where surfaces meet");
         made.toggle("enabled", &ContourStyle::enabled,
-                    "Turns ink lines on: outlines, folds, material boundaries and other contours")
+                    "Turns ink lines on: outlines, folds, borders between materials and other lines")
             .choice("lines", &ContourStyle::lines, {{"chains", Lines::chains}, {"page", Lines::page}},
                     "How ink lines are found. chains: along the edges of the 3D model, as connected strokes "
                     "that may have taper, brushes and dashes; page: from the pixels of the picture, without "
@@ -192,8 +192,8 @@ const style::Table<ContourStyle>& contour_table()
                     "triangles of the mesh; edges: along the edges of the triangles. Only used when "
                     "contour.lines is chains.")
             .color("ink", &ContourStyle::ink,
-                   "Colour of the ink lines. A toon material with its own outline keeps the colour of that "
-                   "outline.");
+                   "Colour of the ink lines. A material that brings its own outline (toon material) keeps "
+                   "the colour of that outline.");
         add_brush_keys(made);
         add_kind_keys(made);
         add_hand_keys(made);

@@ -96,7 +96,7 @@ struct LineKind {
 inline constexpr std::array<LineKind, shared::line_kind_count> line_kinds{
     {{"outline", "around objects", &ContourStyle::outline},
      {"outline", "where surfaces end", &ContourStyle::outline},
-     {"border", "between materials", &ContourStyle::border},
+     {"border", "between two materials", &ContourStyle::border},
      {"crease", "along sharp folds", &ContourStyle::crease},
      {"marked", "along edges that the file marks", &ContourStyle::marked},
      {"ridge", "along rounded folds outwards (ridges)", &ContourStyle::ridge},

@@ -283,8 +283,8 @@ const style::Table<HatchStyle>& hatch_table()
                     "How far a hatching stroke wavers sideways: 0 is straight as with a ruler, more is a "
                     "shaky hand. Only used when hatch.strokes is lines.")
             .number("gap_mm", &HatchStyle::gap_mm, {0.0F, 20.0F}, "mm",
-                    "Gap of white paper between the end of a stroke and the next: 0 draws unbroken lines. "
-                    "Only used when hatch.strokes is lines.")
+                    "Gap of white paper between the end of one hatching stroke and the next: 0 draws "
+                    "unbroken lines. Only used when hatch.strokes is lines.")
             .number("taper_mm", &HatchStyle::taper_mm, {0.0F, 50.0F}, "mm",
                     "Length over which a hatching stroke thins towards its ends. 0 gives blunt ends, more "
                     "gives pointed ends. Only used when hatch.strokes is lines.")

@@ -21,8 +21,8 @@ const style::Table<InkStyle>& ink_table()
                      {"around", Follow::around},
                      {"surface", Follow::surface}},
                     "What flowing ink moves with when the camera moves. page: the page; turn: the far "
-                    "background; advance: a plane ahead, which grows as the camera nears it; around: a cube "
-                    "around the eye; surface: the surfaces below the ink.")
+                    "background; advance: a plane ahead, which grows as the camera comes near; around: a "
+                    "cube around the camera; surface: the surfaces below the ink.")
             .choice("source", &InkStyle::source,
                     {{"strokes", Source::strokes}, {"light", Source::light}, {"things", Source::things}},
                     "Where flowing ink comes from. strokes: dark strokes and lines; light: brightly lit "
@@ -117,7 +117,8 @@ const style::Table<InkStyle>& ink_table()
                     "How much flowing ink covers the drawing below: 0 is invisible, 1 is opaque where the "
                     "ink is dense")
             .number("sharpness", &InkStyle::sharpness, {0.0F, 1.0F}, "",
-                    "Edges of flowing ink: 0 ends in soft mist, 1 gives threads with crisp edges")
+                    "Sharpness of the edges of flowing ink: 0 ends in soft mist, 1 gives threads with crisp "
+                    "edges")
             .number("edge", &InkStyle::edge, {0.0F, 1.0F}, "",
                     "How much darker flowing ink is at its edge, as in dried watercolour. 0 is flat, more "
                     "gives a dark rim.")

@@ -51,12 +51,12 @@ const style::Table<LensStyle>& lens_table()
             .text("focus_on", &LensStyle::focus_on,
                   "Object on which the lens focuses, instead of at lens.focus_m. A * in the name stands for "
                   "any letters.")
-            .number(
-                "largest_mm", &LensStyle::largest_mm, {0.1F, 60.0F}, "mm",
-                "Largest width on the page of the blur of a point: stronger blur is limited to this width")
+            .number("largest_mm", &LensStyle::largest_mm, {0.1F, 60.0F}, "mm",
+                    "Largest width on the page to which a point is blurred: stronger blur is limited to this "
+                    "width")
             .integer("blades", &LensStyle::blades, {0, 12}, "",
-                     "Number of blades of the lens aperture. From 3 on, blurred points of light become "
-                     "polygons with as many sides. From 0 to 2 they are round.")
+                     "Number of blades of the lens aperture. With 3 or more, blurred points of light become "
+                     "polygons with as many sides. With 0 to 2, they become round discs.")
             .number("blade_turn_deg", &LensStyle::blade_turn_deg, {0.0F, 360.0F}, "deg",
                     "Rotation of the lens aperture, which rotates the polygons of blurred points of light. "
                     "Only used when lens.blades is 3 or more.")

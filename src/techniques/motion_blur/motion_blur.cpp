@@ -47,7 +47,7 @@ const style::Table<MotionBlurStyle>& motion_blur_table()
                     "shows speeds as colours, red to the right and green up.")
             .number("shutter_deg", &MotionBlurStyle::shutter_deg, {0.0F, 360.0F}, "deg",
                     "How long the shutter is open: 360 is the whole time from one frame to the next, 180 is "
-                    "half of it. More gives more blur and longer speed lines.")
+                    "half that time. More gives more blur and longer speed lines.")
             .number("frames_per_s", &MotionBlurStyle::frames_per_s, {1.0F, 1000.0F}, "/s",
                     "Frame rate from which the exposure time of a still picture is computed: less gives more "
                     "blur. Films use their own frame rate.")
@@ -74,8 +74,8 @@ const style::Table<MotionBlurStyle>& motion_blur_table()
                 "speed_lines.ink", of_lines(&MotionMarks::ink),
                 "Colour of the ink of speed lines. Only used when motion_blur.speed_lines.enabled is true.")
             .toggle("smear.enabled", of_smear(&MotionMarks::enabled),
-                    "Turns smear strokes on: strokes of a dry brush, drawn from the trailing edge of moving "
-                    "objects")
+                    "Turns smear strokes on: strokes of a dry brush, drawn behind moving objects from their "
+                    "rear edge")
             .number("smear.length", of_smear(&MotionMarks::length), {0.1F, 20.0F}, "",
                     "Length of the longest smear strokes, as a factor of the object's path while the shutter "
                     "is open. More looks faster. Paths count up to motion_blur.largest_mm. Only used when "

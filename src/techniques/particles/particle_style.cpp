@@ -31,14 +31,14 @@ const style::Table<ParticleStyle>& particle_table()
                     "How far particles spread around the direction in which their emitter points. 0 is a "
                     "narrow jet, 90 fills a half sphere, 180 sends particles in all directions.")
             .number("lift_m_per_s2", &ParticleStyle::lift_m_per_s2, {-20.0F, 20.0F}, "m/s2",
-                    "Upward acceleration of particles: above 0 they rise like smoke, below 0 they fall like "
-                    "sparks")
+                    "Upward acceleration of particles: above 0 particles rise like smoke, below 0 they fall "
+                    "like sparks")
             .number("wind_m_per_s", &ParticleStyle::wind_m_per_s, {-1.0F, 100.0F}, "m/s",
                     "Speed of the wind that carries particles along, towards wind.towards_deg: more carries "
                     "them farther. -1 takes the speed from wind.speed_m_per_s.")
             .number("swirl_m_per_s", &ParticleStyle::swirl_m_per_s, {0.0F, 100.0F}, "m/s",
-                    "Speed of the swirls that particles drift through: 0 lets them fly smoothly, more "
-                    "scatters them")
+                    "Speed of the swirls that particles drift through: 0 gives smooth paths, more scatters "
+                    "the particles")
             .number("swirl_m", &ParticleStyle::swirl_m, {0.01F, 1000.0F}, "m",
                     "Size of the swirls that particles drift through: less gives small curls, more gives "
                     "wide bends")

@@ -145,14 +145,14 @@ const style::Table<SkyStyle>& sky_table()
                    "Colour of the sky high above when the sun is above 40 degrees. Only used when the sky "
                    "follows the sun (see sky.follow).")
             .color("dusk_horizon", &SkyStyle::dusk_horizon,
-                   "Colour of the sky at the horizon when the sun is 2 degrees below it. Only used when the "
-                   "sky follows the sun (see sky.follow).")
+                   "Colour of the sky at the horizon when the sun is 2 degrees below the horizon. Only used "
+                   "when the sky follows the sun (see sky.follow).")
             .color("dusk_zenith", &SkyStyle::dusk_zenith,
                    "Colour of the sky high above when the sun is 2 degrees below the horizon. Only used when "
                    "the sky follows the sun (see sky.follow).")
             .color("night_horizon", &SkyStyle::night_horizon,
-                   "Colour of the sky at the horizon when the sun is 10 degrees or more below it. Only used "
-                   "when the sky follows the sun (see sky.follow).")
+                   "Colour of the sky at the horizon when the sun is 10 or more degrees below the horizon. "
+                   "Only used when the sky follows the sun (see sky.follow).")
             .color("night_zenith", &SkyStyle::night_zenith,
                    "Colour of the sky high above when the sun is 10 degrees or more below the horizon. Only "
                    "used when the sky follows the sun (see sky.follow).")

@@ -23,10 +23,10 @@ const style::Table<SmokeStyle>& smoke_table()
                     "How long smoke has already risen before the picture or the first frame of a film. More "
                     "gives a taller column of smoke.")
             .number("source", &SmokeStyle::source, {0.02F, 1.0F}, "",
-                    "Radius of the source of smoke, as a share of half the box's width: more gives a wider "
-                    "column")
+                    "Width of the place where smoke comes out, as a share of the box's width: more gives a "
+                    "wider column")
             .number("amount_per_s", &SmokeStyle::amount_per_s, {0.0F, 100.0F}, "1/s",
-                    "How quickly smoke becomes dense at its source: more gives thicker smoke")
+                    "How quickly smoke gets dense at the place where it comes out: more gives thicker smoke")
             .number("rise_s", &SmokeStyle::rise_s, {0.2F, 100.0F}, "s",
                     "Approximate time in which smoke rises to the top of its box: less rises faster")
             .number("wind_m_per_s", &SmokeStyle::wind_m_per_s, {-1.0F, 100.0F}, "m/s",
@@ -63,7 +63,7 @@ const style::Table<SmokeStyle>& smoke_table()
                     "How the smoke simulation advances in time. project: quick, but loses some swirls; "
                     "reflect: keeps swirls alive and takes twice as long.")
             .number("life_s", &SmokeStyle::life_s, {0.1F, 1000.0F}, "s",
-                    "How long smoke lasts: about a third of it is left after this time")
+                    "How long smoke lasts: about a third of the smoke is left after this time")
             .number("fuel_per_s", &SmokeStyle::fuel_per_s, {0.0F, 100.0F}, "1/s",
                     "How quickly fuel rises with the smoke and burns where the air is warm: more gives "
                     "larger flames. 0 gives no fire.")
@@ -105,7 +105,7 @@ const style::Table<SmokeStyle>& smoke_table()
                     "Where the density of smoke is measured along each line of sight. rays: at equal "
                     "distances; axis: on planes of the smoke's grid; view: on planes that face the camera.")
             .number("step", &SmokeStyle::step, {0.1F, 4.0F}, "",
-                    "Distance between points where smoke is measured, in cells of the grid: less is smoother "
+                    "Distance between points where smoke is measured, in cells of its grid: less is smoother "
                     "and slower")
             .number("scatter", &SmokeStyle::scatter, {0.0F, 1.0F}, "",
                     "How far the points where smoke is measured are shifted at random. More turns visible "
@@ -125,9 +125,11 @@ const style::Table<SmokeStyle>& smoke_table()
                     "How much the colour of smoke covers the things behind the smoke. 0 draws only outlines "
                     "and strokes, 1 is opaque.")
             .number("shade_below", &SmokeStyle::shade_below, {0.0F, 1.0F}, "",
-                    "Light level below which smoke takes the shade colour: more gives larger shaded areas")
+                    "Light level below which smoke takes the colour smoke.shade_color: more gives larger "
+                    "shaded areas")
             .number("deep_below", &SmokeStyle::deep_below, {0.0F, 1.0F}, "",
-                    "Light level below which smoke takes the deep-shade colour: more gives larger dark areas")
+                    "Light level below which smoke takes the colour smoke.deep_color: more gives larger dark "
+                    "areas")
             .number("form", &SmokeStyle::form, {0.0F, 1.0F}, "",
                     "How smoke is shaded. 0 shades by the light that comes through the smoke, 1 shades each "
                     "puff as a round form.")
