@@ -75,8 +75,8 @@ const style::Table<BleedStyle>& bleed_table()
             .number("contrast", &BleedStyle::contrast, {1.0F, 20.0F}, "",
                     "Sharpness of the edge of ink that has run: less is soft, more is crisp")
             .number("level", &BleedStyle::level, {0.1F, 0.9F}, "",
-                    "Share of its surroundings that must be ink before a spot of paper turns to ink. Less "
-                    "lets ink run further. Below 0.5, straight edges grow a little.");
+                    "How much ink must surround a spot of paper, as a share, before the spot turns to ink. "
+                    "Less lets ink run further. Below 0.5, straight edges grow a little.");
     return table;
 }
 

@@ -18,11 +18,11 @@ const style::Table<ClothStyle>& cloth_table()
             .number("rest_mm_per_s", &ClothStyle::rest_mm_per_s, {0.0F, 100.0F}, "mm/s",
                     "Speed below which cloth stops moving, after half a second in still air. More stops "
                     "cloth sooner, until something moves the cloth again. 0 never stops cloth.")
-            .choice("bodies", &ClothStyle::bodies,
-                    {{"capsules", ClothBodies::capsules}, {"depth", ClothBodies::depth}},
-                    "Shape that cloth touches instead of an animated character's body. capsules: a rounded "
-                    "cylinder around each bone; depth: the front and back surfaces of the body, which is "
-                    "more exact.");
+            .choice(
+                "bodies", &ClothStyle::bodies,
+                {{"capsules", ClothBodies::capsules}, {"depth", ClothBodies::depth}},
+                "How cloth feels the body of an animated character. capsules: as a rounded cylinder around "
+                "each bone; depth: by the front and back surfaces of the body, which is more exact.");
     return table;
 }
 

@@ -34,8 +34,8 @@ const style::Table<InkStyle>& ink_table()
                     "Darkness of a stroke, or strength of light, from which ink flows: more leaves fewer "
                     "spots of ink")
             .number("amount_per_s", &InkStyle::amount_per_s, {0.0F, 1000.0F}, "1/s",
-                    "How quickly ink flows out of the drawing at its source spots: more gives denser threads "
-                    "of ink")
+                    "How quickly ink flows out of the drawing, at the spots where ink flows: more gives "
+                    "denser threads")
             .number("spot_mm", &InkStyle::spot_mm, {0.05F, 20.0F}, "mm",
                     "Radius of the spots from which ink flows, at most half of ink.spacing_mm. More gives "
                     "wider threads of ink, about as wide as the spots.")

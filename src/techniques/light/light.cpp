@@ -129,11 +129,12 @@ const style::Table<ToneStyle>& tone_table()
                     "and white")
             .number("floor", &ToneStyle::floor, {0.0F, 0.9F}, "",
                     "Darkness below which the paper stays white: more leaves larger areas blank")
-            .number("ceiling", &ToneStyle::ceiling, {0.1F, 1.0F}, "",
-                    "Darkest tone of the picture: less keeps the deepest shadows lighter")
+            .number(
+                "ceiling", &ToneStyle::ceiling, {0.1F, 1.0F}, "",
+                "Darkest tone of the picture: less keeps the deepest shadows lighter, 1 allows full black")
             .number("local_value", &ToneStyle::local_value, {0.0F, 1.0F}, "",
-                    "How much a material's own brightness changes its tone. 0 shades all materials alike, 1 "
-                    "makes dark materials darker than pale materials in the same light.")
+                    "How much a material's own brightness changes its tone (light or dark). 0 shades all "
+                    "materials alike, 1 makes dark materials darker than pale materials in the same light.")
             .number("occlusion", &ToneStyle::occlusion, {0.0F, 1.0F}, "",
                     "How much a material's occlusion texture (stored darkness of folds and seams) darkens "
                     "the tone. 0 ignores these textures, 1 applies them fully.")

@@ -46,8 +46,8 @@ const style::Table<MotionBlurStyle>& motion_blur_table()
                     "their outline; stretched: within an outline lengthened along the motion; velocity: "
                     "shows speeds as colours, red to the right and green up.")
             .number("shutter_deg", &MotionBlurStyle::shutter_deg, {0.0F, 360.0F}, "deg",
-                    "How long the shutter is open: 360 is the whole time from one frame to the next, 180 is "
-                    "half that time. More gives more blur and longer speed lines.")
+                    "How long the shutter is open: 360 is the whole time between two frames, 180 is half "
+                    "that time. More gives more blur and longer speed lines.")
             .number("frames_per_s", &MotionBlurStyle::frames_per_s, {1.0F, 1000.0F}, "/s",
                     "Frame rate from which the exposure time of a still picture is computed: less gives more "
                     "blur. Films use their own frame rate.")

@@ -26,8 +26,8 @@ const style::Table<OcclusionStyle>& occlusion_table()
                      {"uv", Method::uv},
                      {"unsharp", Method::unsharp}},
                     "How the darkness of corners (ambient occlusion) is computed. horizon: from visible "
-                    "surfaces; discs, splats, uv: from hidden ones too, per point of the model, per pixel, "
-                    "or in a texture; unsharp: darkens the background at edges.")
+                    "surfaces; discs, splats, uv: also from hidden surfaces, per point of the model, per "
+                    "pixel, or in a texture; unsharp: darkens the background at edges.")
             .choice("feeds", &OcclusionStyle::feeds,
                     {{"ambient", Feeds::ambient}, {"tone", Feeds::tone}, {"layer", Feeds::layer}},
                     "Which light is darkened in corners (ambient occlusion). ambient: light from all "

@@ -19,9 +19,9 @@ const style::Table<ShadowStyle>& shadow_table()
                      {"clipmap", SunMapKind::clipmap},
                      {"faded", SunMapKind::faded},
                      {"warped", SunMapKind::warped}},
-                    "How the sun's shadows are stored (shadow map). whole: one map for the scene; clipmap: "
-                    "several around the camera, finer near; faded: one around the camera, none beyond; "
-                    "warped: one, finer near, edges creep; auto: whole, or clipmap if vast.")
+                    "How the sun's shadows are stored (shadow map). whole: one map; clipmap: several around "
+                    "the camera, finer near; faded: one around the camera, none beyond; warped: one, finer "
+                    "near, but edges creep; auto: clipmap for vast scenes, else whole.")
             .number("faded_reach_m", &ShadowStyle::faded_reach_m, {0.1F, 1e5F}, "m",
                     "Largest distance from the camera at which the sun's shadows are drawn. Shadows fade out "
                     "towards this distance; more shows shadows farther away. Only used when shadow.sun_map "

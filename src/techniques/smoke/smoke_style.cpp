@@ -77,8 +77,8 @@ const style::Table<SmokeStyle>& smoke_table()
                     "Amount of smoke from burning fuel: 0 burns without smoke, more gives darker, sootier "
                     "fire. Only used when smoke.fuel_per_s is above 0.")
             .number("humidity", &SmokeStyle::humidity, {0.0F, 10.0F}, "",
-                    "Amount of water in the rising air, which turns into a cloud higher up. More gives a "
-                    "denser cloud, 0 gives no cloud.")
+                    "Amount of water in the air that rises with smoke, which turns into a cloud higher up. "
+                    "More gives a denser cloud, 0 gives no cloud.")
             .number(
                 "cloud_base", &SmokeStyle::cloud_base, {0.0F, 1.0F}, "",
                 "Height at which water in the rising air turns into a cloud, as a share of the box's height. "

@@ -68,8 +68,8 @@ const style::Table<TamStyle>& tam_table()
                     "How far a stroke of the tonal art map wavers, as a share of its length: 0 is smooth, "
                     "more is shaky")
             .number("angle_deg", &TamStyle::angle_deg, {-180.0F, 180.0F}, "deg",
-                    "Direction of the first layer of strokes in the tonal art map: 0 runs along the "
-                    "texture's u axis")
+                    "Direction of the first layer of strokes in the tonal art map: 0 is horizontal in the "
+                    "textures")
             .number("angle_spread_deg", &TamStyle::angle_spread_deg, {0.0F, 45.0F}, "deg",
                     "How much strokes of one layer of the tonal art map differ in direction. 0 makes all "
                     "parallel, more looks looser.")

@@ -68,10 +68,11 @@ const style::Table<WashStyle>& wash_table()
                     "How strongly grey things are painted, as a share of wash.strength. 0 leaves grey things "
                     "white, 1 paints greys as strongly as colours.")
             .number("saturation", &WashStyle::saturation, {0.0F, 1.0F}, "",
-                    "Saturation of the colours: 0 paints greys, 1 paints the full colours of the materials")
-            .number(
-                "detail", &WashStyle::detail, {0.0F, 1.0F}, "",
-                "How much texture the colour shows: 0 is one flat colour per material, 1 its whole texture")
+                    "Saturation of the painted colours: 0 paints greys, 1 paints the full colours of the "
+                    "materials")
+            .number("detail", &WashStyle::detail, {0.0F, 1.0F}, "",
+                    "How much texture the painted colour shows: 0 is one flat colour per material, 1 its "
+                    "whole texture")
             .number("least", &WashStyle::least, {0.0F, 1.0F}, "",
                     "Smallest brightness of painted colours, as a share of white. More paints dark things "
                     "paler, so that strokes alone show how dark these things are.")
@@ -81,9 +82,9 @@ const style::Table<WashStyle>& wash_table()
             .number("shadow_from", &WashStyle::shadow_from, {0.0F, 1.0F}, "",
                     "Darkness above which painted colours take on wash.shadow_tint. Less gives larger shadow "
                     "areas, more gives smaller ones.")
-            .number("softness", &WashStyle::softness, {0.001F, 0.5F}, "",
-                    "Softness of the edge between light and shadow in the colours: less is a crisp step, "
-                    "more is gradual")
+            .number(
+                "softness", &WashStyle::softness, {0.001F, 0.5F}, "",
+                "Softness of the edge of shadows in painted colours: less is a crisp step, more is gradual")
             .number("ground_shadow", &WashStyle::ground_shadow, {0.0F, 1.0F}, "",
                     "Strength of shadows on the blank ground below the scene. 0 leaves the ground white, 1 "
                     "paints the shadow in the full colour of wash.shadow_tint.")
