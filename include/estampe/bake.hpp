@@ -20,11 +20,11 @@ struct BakeSettings {
     uint32_t size = 1024;   ///< Texels per side of the map, 16 to 4096
     uint32_t samples = 128; ///< Light paths traced from each texel; at least 1
     uint32_t bounces = 3;   ///< Largest number of reflections in one light path
-    uint32_t seed = 1;      ///< Random seed; another seed gives other noise
+    uint32_t seed = 1;      ///< Seed of the random numbers; another seed gives different noise
     bool smooth = true;     ///< Denoises the map between neighbouring texels of one surface
     /// Kinds of lights whose direct light is also stored in the map; bits of BakedLights.
     uint32_t direct = 0;
-    float sky = 1.0F; ///< Factor on the style's ambient light; 0 or more
+    float sky = 1.0F; ///< Factor on the ambient light that the style sets; 0 or more
 };
 
 /// Progressive baking of one lightmap.
@@ -56,14 +56,15 @@ public:
     /// Bakes for about `seconds` on all cores. Returns whether the bake needs more work.
     bool work(double seconds);
 
-    /// Share of the work that is done, 0 to 1.
+    /// Share of the bake's work that is done, 0 to 1.
     [[nodiscard]] double done() const;
 
     /// Continues from progress that save_progress() wrote to `path`. Returns false and changes nothing if the
     /// file does not exist, or if it was written for another scene, lighting or settings.
     [[nodiscard]] bool load_progress(const std::filesystem::path& path);
 
-    /// Writes a temporary file beside `path` and renames it. Throws Error if the file cannot be written.
+    /// Saves the progress of the bake, so that load_progress() can continue it later. Writes a temporary file
+    /// beside `path` and renames it. Throws Error if the file cannot be written.
     void save_progress(const std::filesystem::path& path) const;
 
     /// The lightmap as baked so far, for Renderer::set_scene() and save_lightmap().
@@ -74,7 +75,7 @@ public:
     /// Resolution of the lightmap on the surfaces, in texels per metre.
     [[nodiscard]] float texels_per_m() const;
 
-    /// Whether objects were left out because they can move.
+    /// Returns whether movable objects were left out of the lightmap, because their light is not baked.
     [[nodiscard]] bool leaves_out_moving() const;
 
 private:

@@ -11,7 +11,7 @@ namespace estampe {
 /// Method that keeps cloth from stretching. All methods work on the same sheets; the method may change
 /// during a film.
 enum class ClothSolver : uint8_t {
-    automatic,   ///< Uses small_steps
+    automatic,   ///< Chooses the solver for the program: `small_steps`
     small_steps, ///< Extended position-based dynamics: many short steps with one iteration each
     /// One step with many relaxation iterations (Zanuttini, "Recherches en rendu non réaliste temps réel",
     /// Université Paris 8, 2008, chapter 7). Finer meshes stretch more.
@@ -29,12 +29,12 @@ struct Cloth {
     /// Smallest distance between two vertices that are two edges apart, as a share of their distance at rest:
     /// 0 allows sharp creases, 1 allows no fold at all.
     float fold = 0.9F;
-    float drag = 1.2F; ///< Drag coefficient, for air that hits the sheet head-on
-    float lift = 0.8F; ///< Lift coefficient, for air that hits the sheet at an angle
+    float drag = 1.2F; ///< Aerodynamic drag coefficient of the sheet, for air that hits it head-on
+    float lift = 0.8F; ///< Aerodynamic lift coefficient of the sheet, for air that hits it at an angle
     /// Share of its speed that the sheet loses per second, apart from air drag.
     float damping_per_s = 0.4F;
-    float friction = 0.4F;      ///< Coefficient of friction on colliders
-    float thickness_m = 0.006F; ///< Smallest distance between the sheet and colliders
+    float friction = 0.4F;      ///< Coefficient of friction between the sheet and the solids that it touches
+    float thickness_m = 0.006F; ///< Smallest distance between the sheet and the solids that it collides with
     /// Smallest distance between two vertices of the sheet that are more than twice as far apart at rest. If
     /// it is less than the spacing of the vertices, the sheet can pass through itself. 0 turns
     /// self-collision off.
@@ -56,10 +56,10 @@ enum class ClothCollider : uint8_t {
     none,
     box,
     ellipsoid,
-    cylinder, ///< Upright, along y
-    capsule,  ///< Upright cylinder with hemispherical ends
-    /// The shape of the mesh at a resolution of 1/40 of its longest side. The mesh should be closed, but
-    /// small holes do no harm. Skins and morph targets do not deform this collider.
+    cylinder, ///< The smallest upright cylinder around the mesh, with its axis along y
+    capsule,  ///< The smallest upright cylinder with hemispherical ends around the mesh
+    /// The collider is the mesh itself, at a resolution of 1/40 of its longest side. The mesh should be
+    /// closed, but small holes do no harm. Skins and morph targets do not deform this collider.
     mesh
 };
 

@@ -9,15 +9,16 @@ namespace estampe {
 
 /// Light source of a scene when the style does not choose one.
 enum class LightChoice : uint8_t {
-    own,  ///< The lights of the file
-    sun,  ///< The style's sun: the file has no lights
-    lamp, ///< A lamp: the file has no lights and the scene is a closed room that the sun does not reach
-    /// A lamp and daylight: the file has no lights and the scene is a room with an open side.
+    own, ///< The lights in the scene's file
+    sun, ///< The style's sun, because the scene's file has no lights
+    /// A lamp, because the scene's file has no lights and shows a closed room that the sun does not reach.
+    lamp,
+    /// A lamp and daylight, because the scene's file has no lights and shows a room with an open side.
     lamp_and_daylight
 };
 
-/// Returns the light source for the view of framing_camera(). A renderer may choose another one for a camera
-/// inside a room. Cost: as framing_camera().
+/// Returns the light source for the view that framing_camera() chooses. A renderer may choose another light
+/// source for a camera inside a room. Cost: the same as framing_camera().
 [[nodiscard]] LightChoice default_light(const Scene& scene);
 
 } // namespace estampe

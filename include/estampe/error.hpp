@@ -4,14 +4,15 @@
 #include <stdexcept>
 #include <string>
 
-/// Draws 3D scenes in the manner of drawings by hand.
+/// Estampe draws 3D scenes in the manner of drawings by hand.
 namespace estampe {
 
-/// States in one line what failed, where, and what the user can do about it.
+/// The exception of this library. Its message states in one line what failed, where, and what the user can do
+/// about it.
 ///
-/// Thrown for failures that a correct program cannot exclude: bad input, a missing file, an unavailable
-/// device. Programming mistakes are assertions, and expected failures are return values. `where` is a file,
-/// `file:line:column`, or `file#/json/pointer`; it may be empty.
+/// Error is thrown for failures that a correct program cannot exclude: bad input, a missing file, an
+/// unavailable device. Programming mistakes are assertions, and expected failures are return values. `where`
+/// is a file, `file:line:column`, or `file#/json/pointer`; it may be empty.
 class Error : public std::runtime_error {
 public:
     explicit Error(const std::string& what_failed, const std::string& where = {},

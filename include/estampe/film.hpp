@@ -9,7 +9,7 @@
 
 namespace estampe {
 
-/// Whether the file name has the extension of a film: .mp4, .webm or .gif.
+/// Returns whether the file name has the extension of a film: .mp4, .webm or .gif.
 [[nodiscard]] bool is_film(const std::filesystem::path& path);
 
 /// Encodes a film frame by frame with the program ffmpeg: H.264 in .mp4, VP9 in .webm, both with 4:2:0
@@ -35,8 +35,8 @@ public:
     /// finish().
     void add(const Image& frame);
 
-    /// Completes the film and renames it to its final name. Throws Error as add() does, and if no frame was
-    /// added.
+    /// Completes the film's file and renames it to its final name. Throws Error for the same reasons as
+    /// add(), and if no frame was added.
     void finish();
 
 private:

@@ -13,7 +13,7 @@ namespace estampe {
 struct Image {
     uint32_t width = 0;
     uint32_t height = 0;
-    std::vector<uint8_t> rgba; ///< width * height * 4 bytes
+    std::vector<uint8_t> rgba; ///< Pixels of the picture, width * height * 4 bytes
 
     [[nodiscard]] bool empty() const noexcept { return rgba.empty(); }
 
@@ -31,13 +31,13 @@ void save_png(const Image& image, const std::filesystem::path& path);
 void save_jpeg(const Image& image, const std::filesystem::path& path, int quality = 92);
 
 /// Writes `image` as WebP with an sRGB profile, through a temporary file as save_png() does. `quality` is 0
-/// to 100; without it the file is lossless. Throws Error as save_png() does, and if a side is longer than
-/// 16383 pixels, WebP's limit. Cost: about 0.5 s per megapixel.
+/// to 100; without a quality the file is lossless. Throws Error as save_png() does, and if a side is longer
+/// than 16383 pixels, WebP's limit. Cost: about 0.5 s per megapixel.
 void save_webp(const Image& image, const std::filesystem::path& path, std::optional<int> quality = {});
 
-/// Reads a PNG, JPEG, WebP, TIFF, TGA, BMP, GIF or PSD file; the content decides the format, not the name.
-/// docs/reference/formats.md lists what is supported. Throws Error that names the file if it is missing,
-/// truncated or too large.
+/// Reads a PNG, JPEG, WebP, TIFF, TGA, BMP, GIF or PSD file. The file's content decides the format, not its
+/// name. docs/reference/formats.md lists the supported variants of these formats. Throws Error that names the
+/// file if it is missing, truncated or too large.
 [[nodiscard]] Image load_image(const std::filesystem::path& path);
 
 } // namespace estampe

@@ -22,38 +22,42 @@ enum class LayerBlend : uint8_t { normal, multiply };
 struct PictureLayer {
     std::string name;
     LayerBlend blend = LayerBlend::normal;
-    LinearImage image; ///< As large as the picture
-    /// False for a layer that is not part of the picture, such as the paper of a transparent picture.
+    LinearImage image; ///< Pixels of the layer; as large as the whole picture
+    /// The layer is part of the picture. False for example for the paper of a transparent picture.
     bool is_visible = true;
 };
 
 /// Coverage of one object or effect, per pixel. Masks are not part of the picture.
 struct PictureMask {
     std::string name;
-    bool is_object = true; ///< The mask shows a node of the scene; if false, the effect that `name` says
-    uint32_t above = 0;    ///< Number of layers below the mask
-    uint32_t x = 0;        ///< Left edge of the rectangle that contains the covered pixels, in pixels
-    uint32_t y = 0;        ///< Upper edge of that rectangle, in pixels from the top
+    /// True: the mask shows a node of the scene. False: the mask shows the effect that `name` names.
+    bool is_object = true;
+    uint32_t above = 0; ///< Number of the picture's layers that lie below the mask
+    uint32_t x = 0;     ///< Left edge of the mask's rectangle, which contains all covered pixels; in pixels
+    uint32_t y = 0;     ///< Upper edge of the mask's rectangle, in pixels from the top of the picture
     uint32_t width = 0;
     uint32_t height = 0;
-    std::vector<float> cover; ///< width * height values from 0 to 1, rows from top to bottom
+    /// Coverage per pixel of the mask's rectangle: width * height values from 0 to 1, rows from top to
+    /// bottom.
+    std::vector<float> cover;
 };
 
 /// A picture with its layers and masks; see Renderer::render_layers().
 struct LayeredImage {
-    Image picture;                    ///< The whole picture, byte for byte as from Renderer::render()
-    std::vector<PictureLayer> layers; ///< From bottom to top; the bottom layer is opaque
-    std::vector<PictureMask> masks;   ///< From bottom to top
+    Image picture;                    ///< The whole picture, with the same bytes as from Renderer::render()
+    std::vector<PictureLayer> layers; ///< Layers from bottom to top; the bottom layer is opaque
+    std::vector<PictureMask> masks;   ///< Masks from bottom to top
     /// Linear colour of the paper that a transparent picture leaves out; empty for an opaque picture.
     std::optional<glm::vec3> paper;
 };
 
-/// Composites the visible layers in linear light. The result is opaque unless the picture is transparent.
-/// Throws Error if there are no layers or if they differ in size. Cost: about 10 ms per megapixel and layer.
+/// Composites the visible layers of `image` in linear light. The result is opaque unless the picture is
+/// transparent. Throws Error if there are no layers or if they differ in size. Cost: about 10 ms per
+/// megapixel and layer.
 [[nodiscard]] LinearImage flattened(const LayeredImage& image);
 
-/// Writes an OpenRaster file, which Krita, GIMP and MyPaint open. Layers are visible, except the paper of a
-/// transparent picture; masks are hidden. All are stored as 8-bit PNG.
+/// Writes the layers and masks as an OpenRaster file, which Krita, GIMP and MyPaint open. Layers are visible,
+/// except the paper of a transparent picture; masks are hidden. All are stored as 8-bit PNG.
 ///
 /// OpenRaster composites sRGB-encoded values, not linear light, so colours and alphas are converted. An ink
 /// keeps its colour if a changed alpha gives the same result; elsewhere its colour changes. Programs then
@@ -64,10 +68,10 @@ struct LayeredImage {
 /// OpenRaster 0.0.3, www.openraster.org
 void save_openraster(const LayeredImage& image, const std::filesystem::path& path);
 
-/// Writes the layers and masks of save_openraster() as PNG files into a new folder. The file `layers.json`
-/// lists them from bottom to top: file, name, blend ("normal", "multiply"), visible, x, y, width, height.
-/// `bits` per channel of the layers are 8, or 16 for a composite that is exact to 1/65535; masks have 8.
-/// Throws Error as save_openraster() does, and if the folder exists and is not empty.
+/// Writes the layers and masks of a picture as PNG files into a new folder. The file `layers.json` lists them
+/// from bottom to top: file, name, blend ("normal", "multiply"), visible, x, y, width, height. `bits` per
+/// channel of the layers are 8, or 16 for a composite that is exact to 1/65535; masks have 8. Throws Error as
+/// save_openraster() does, and if the folder exists and is not empty.
 void save_layers(const LayeredImage& image, const std::filesystem::path& folder, int bits = 8);
 
 /// Writes one OpenEXR file in linear light: the picture as R, G and B, with A if it is transparent; each

@@ -18,7 +18,7 @@ namespace estampe {
 struct LightImage {
     uint32_t width = 0;
     uint32_t height = 0;
-    std::vector<glm::vec3> texels; ///< width * height values
+    std::vector<glm::vec3> texels; ///< Linear colours of the image, width * height values
 
     [[nodiscard]] bool empty() const noexcept { return texels.empty(); }
 
@@ -28,11 +28,12 @@ struct LightImage {
 /// Bits for the kinds of lights whose direct light a lightmap contains.
 enum BakedLights : uint32_t { baked_directional = 1, baked_point = 2, baked_spot = 4 };
 
-/// A lightmap picture that the scene's file assigns to a mesh, with the UV set to look it up by.
+/// A lightmap picture that the scene's file assigns to a mesh, and the UV set that places the picture on the
+/// mesh.
 struct WornPicture {
-    uint32_t picture = 0; ///< Index into Lightmap::pictures
+    uint32_t picture = 0; ///< Index of the picture in Lightmap::pictures
     uint32_t uv_set = 1;
-    float intensity = 1.0F; ///< Factor on the picture
+    float intensity = 1.0F; ///< Factor on the colours of the lightmap picture
 
     bool operator==(const WornPicture&) const = default;
 };
@@ -40,31 +41,36 @@ struct WornPicture {
 /// Baked light: either one map for the static triangles of a scene, with the texture coordinates of the map,
 /// or the pictures that the scene's file itself assigns to meshes.
 struct Lightmap {
-    LightImage light; ///< Irradiance over pi, multiplied by `exposure`
-    /// Map coordinates of the corners of the static triangles, three per triangle: 0 to 1, from the top
-    /// left.
+    LightImage light; ///< Light of each texel, stored as irradiance over pi, multiplied by `exposure`
+    /// Texture coordinates in the map for the corners of the static triangles, three per triangle: 0 to 1,
+    /// from the top left.
     std::vector<glm::vec2> corners;
-    std::string geometry;  ///< Fingerprint of the static triangles, which identifies the scene of the map
-    float exposure = 1.0F; ///< Factor on the scene's lights when the map was baked
-    /// Bits of BakedLights: kinds of lights whose direct light is in the map. A renderer does not add their
-    /// light again.
+    /// Fingerprint of the scene's static triangles, by which a renderer checks that the map belongs to the
+    /// scene.
+    std::string geometry;
+    float exposure = 1.0F; ///< Factor that the scene's lights had when the map was baked
+    /// Kinds of lights whose direct light is already in the map, as bits of BakedLights. A renderer does not
+    /// add the direct light of these kinds a second time.
     uint32_t baked_lights = 0;
-    std::string settings; ///< Bake settings as text
+    std::string settings; ///< Settings of the bake as text
 
-    /// Pictures that the scene's file assigns. If there are any, all members above are ignored. They hold
-    /// linear light as displayed, where 1 is white, regardless of the exposure of the lights.
+    /// Lightmap pictures that the scene's file assigns to meshes. If there are any, the baked map's members
+    /// `light` to `settings` are ignored. The pictures hold linear light as displayed, where 1 is white,
+    /// regardless of the exposure of the lights.
     std::vector<LightImage> pictures;
-    /// One entry per node, which includes what the node inherits from its parents.
+    /// Lightmap picture of each node of the scene, including what the node inherits from its parents.
     std::vector<std::optional<WornPicture>> of_node;
-    /// One entry per material; used where the node has none.
+    /// Lightmap picture of each material of the scene; used if the node has no lightmap picture.
     std::vector<std::optional<WornPicture>> of_material;
-    std::optional<WornPicture> of_scene; ///< Used where neither node nor material has one
+    /// Lightmap picture of the whole scene; used if neither the node nor the material has one.
+    std::optional<WornPicture> of_scene;
 
     bool operator==(const Lightmap&) const = default;
 };
 
-/// Writes an OpenEXR picture in half floats, which any HDR program opens. The header holds the rest of the
-/// map. The file is written beside `path` and renamed. Throws Error if it cannot be written.
+/// Writes a baked lightmap as an OpenEXR picture in half floats, which any HDR program opens. The header
+/// holds the map's texture coordinates and settings. The file is written beside `path` and renamed. Throws
+/// Error if the file cannot be written.
 void save_lightmap(const Lightmap& map, const std::filesystem::path& path);
 
 /// Reads the lightmaps that a glTF file refers to; empty if it refers to none. A lightmap is given by
@@ -83,8 +89,8 @@ void save_lightmap(const Lightmap& map, const std::filesystem::path& path);
 /// it names lightmaps.
 [[nodiscard]] std::optional<Lightmap> named_lightmap(const std::filesystem::path& scene_file);
 
-/// Reads a file of save_lightmap(). Throws Error that names the file if it is missing or damaged, or if it
-/// is an OpenEXR picture but no lightmap.
+/// Reads a lightmap file that save_lightmap() wrote. Throws Error that names the file if it is missing or
+/// damaged, or if it is an OpenEXR picture but no lightmap.
 [[nodiscard]] Lightmap load_lightmap(const std::filesystem::path& path);
 
 } // namespace estampe

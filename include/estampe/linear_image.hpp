@@ -15,7 +15,8 @@ namespace estampe {
 struct LinearImage {
     uint32_t width = 0;
     uint32_t height = 0;
-    std::vector<glm::vec4> pixels; ///< width * height values; colours are premultiplied by alpha
+    /// Colour and alpha per pixel, width * height values; colours are premultiplied by alpha.
+    std::vector<glm::vec4> pixels;
     /// Linear colour of the paper that a transparent picture leaves out. Empty: the picture is opaque and is
     /// written without alpha.
     std::optional<glm::vec3> paper;
@@ -27,8 +28,8 @@ struct LinearImage {
 
 /// Number format of an OpenEXR picture.
 enum class ExrNumbers : uint8_t {
-    half,  ///< 16 bits: 11 significant bits over a range of 30 stops
-    single ///< 32 bits
+    half,  ///< Half floats of 16 bits: 11 significant bits over a range of 30 stops
+    single ///< Single-precision floats of 32 bits
 };
 
 /// Writes `image` as PNG with 16 bits per channel, sRGB-encoded and marked as sRGB. Values above 1 become

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Motion vectors on the page, from one moment to another.
+// Motion vectors on the page: how far each point of a picture has moved since another moment.
 
 #include <cstdint>
 #include <filesystem>
@@ -16,10 +16,10 @@ namespace estampe {
 struct Motion {
     uint32_t width = 0;
     uint32_t height = 0;
-    /// Row by row. x: pixels to the right; y: pixels down; z: reversed depth of the point at the other moment
-    /// (near plane over distance, 0 at infinity); w: 1. All four are 0 if the point was behind the camera at
-    /// the other moment, because such a point has no place on the page. See-through surfaces have no motion
-    /// vectors; their pixels hold the motion of the solid surface behind.
+    /// One motion vector per pixel, row by row. x: pixels to the right; y: pixels down; z: reversed depth of
+    /// the point at the other moment (near plane over distance, 0 at infinity); w: 1. All four are 0 if the
+    /// point was behind the camera at the other moment, because such a point has no place on the page.
+    /// See-through surfaces have no motion vectors; their pixels hold the motion of the solid surface behind.
     std::vector<glm::vec4> pixels;
 };
 

@@ -23,9 +23,9 @@ namespace estampe {
 
 /// How triangles are rasterised. Both paths find the same visible triangle in 99.99 % of pixels.
 enum class RasterPath : uint8_t {
-    automatic, ///< The faster path, as measured when a GPU is opened; fixed on a processor
-    hardware,  ///< The rasteriser of the device
-    compute,   ///< Compute shaders with 64-bit atomics
+    automatic, ///< Selects the faster path: measured when a GPU is opened, fixed on a processor
+    hardware,  ///< Triangles are rasterised by the device's own rasteriser
+    compute,   ///< Triangles are rasterised by compute shaders with 64-bit atomics
 };
 
 /// The name of a raster path: "auto", "hardware" or "compute".
@@ -33,13 +33,13 @@ enum class RasterPath : uint8_t {
 
 /// A Vulkan device of this machine.
 struct DeviceInfo {
-    uint32_t index = 0;         ///< Argument of the option `--device`
-    std::string name;           ///< For example "NVIDIA H200" or "llvmpipe (LLVM 15.0.6, 256 bits)"
-    std::string driver;         ///< Driver name and version
-    bool software = false;      ///< The device runs on the processor
+    uint32_t index = 0; ///< Number of the device for the option `--device`
+    std::string name;   ///< Name of the device, such as "NVIDIA H200" or "llvmpipe (LLVM 15.0.6, 256 bits)"
+    std::string driver; ///< Driver name and version
+    bool software = false;      ///< The device is software that runs on the processor
     bool compute_raster = true; ///< The device supports RasterPath::compute
     bool usable = true;
-    std::string why_not; ///< What the device lacks; empty if it is usable
+    std::string why_not; ///< Reason why the device is not usable; empty if it is usable
 };
 
 /// The Vulkan devices of this machine, in the loader's order. Empty if no Vulkan driver is installed.
@@ -51,17 +51,17 @@ struct RendererOptions {
     /// list_devices().
     std::string device = "auto";
     RasterPath raster = RasterPath::automatic;
-    /// Khronos validation with synchronization validation; requires the validation layer.
+    /// Enables the Khronos validation layer with synchronization validation. The layer must be installed.
     bool validation = false;
-    /// Receives each validation message, from any thread. Without it, messages go to stderr.
+    /// Receives each validation message, from any thread. Without this function, messages go to stderr.
     std::function<void(const std::string&)> on_validation_message;
 };
 
 /// Relation of a frame to the previous frame of the same renderer.
 enum class Continuity : uint8_t {
-    still,  ///< No relation: a single picture
+    still,  ///< A single picture, which has no relation to a previous frame
     starts, ///< The first frame of a film
-    /// The next frame of a film. Lines continue from the previous frame, which must have the same page size,
+    /// The next frame of a film: lines continue from the previous frame, which must have the same page size,
     /// and do not jump in width or shape.
     follows
 };
@@ -76,28 +76,28 @@ struct Moment {
 struct RenderSettings {
     uint32_t width = 1280;
     uint32_t height = 720;
-    uint32_t samples = 1; ///< Frames with sub-pixel jitter that are averaged
-    double time_s = 0.0;  ///< Time of the scene's animation
+    uint32_t samples = 1; ///< Number of drawings with sub-pixel jitter that are averaged to one picture
+    double time_s = 0.0;  ///< Time of the scene's animation that the picture shows
     Index animation = 0;
     Continuity continuity = Continuity::still;
-    /// One end of the exposure interval for motion blur; `time_s` is its middle. Empty: half of the style's
-    /// exposure time before `time_s`, with the same camera.
+    /// One end of the exposure interval for motion blur; `time_s` is the interval's middle. Empty: the
+    /// interval begins half of the style's exposure time before `time_s`, with the same camera.
     std::optional<Moment> exposure_end;
     /// If set, Renderer::motion() reports the motion from this moment to the picture.
     std::optional<Moment> motion_since;
-    /// Longest side of a tile, for pages that are drawn in overlapping tiles. 0: no tiles if the device
-    /// allows it, otherwise tiles of an automatic size. Only used by render() and render_bands().
+    /// Longest side of a tile in pixels, for pages that are drawn in overlapping tiles. 0: no tiles if the
+    /// device allows it, otherwise tiles of an automatic size. Only used by render() and render_bands().
     uint32_t tile_px = 0;
     bool measure_solvers = false; ///< Makes Renderer::solver_reports() available
     /// Measures the GPU time of each pass; see Renderer::timings(). Passes that usually overlap then run one
-    /// after another, which takes about a tenth longer. The picture is the same.
+    /// after another, so the frame takes about a tenth longer. The picture is the same.
     bool time_passes = false;
 };
 
 /// Current brightness of one light of the scene.
 struct LightBrightness {
     Index light = no_index;
-    float intensity = 1.0F; ///< In the units of Light::intensity
+    float intensity = 1.0F; ///< Brightness of the light, in the units of Light::intensity
 };
 
 /// Placement of a node in its parent's space.
@@ -108,34 +108,35 @@ struct NodePlace {
 
 /// Receiver of a picture that is delivered in bands.
 struct BandSink {
-    /// Called with consecutive bands of rows from top to bottom, each as wide as the picture.
+    /// Called with consecutive bands of pixel rows from top to bottom; each band is as wide as the picture.
     std::function<void(const Image& rows)> take;
-    /// Called with the share of the work done, 0 to 1; may be empty.
+    /// Called with the share of the picture's work that is done, 0 to 1; may be empty.
     std::function<void(double share)> progress = {};
 };
 
 /// Whether a vector drawing contains lines that are hidden by surfaces.
 enum class HiddenLines : uint8_t { left_out, kept };
 
-/// One pass of the last frame.
+/// Name and GPU time of one pass of the last frame.
 struct PassTiming {
     std::string name;
-    double gpu_ms = 0.0; ///< Only measured if RenderSettings::time_passes is set
+    double gpu_ms = 0.0; ///< GPU time of the pass; only measured if RenderSettings::time_passes is set
 };
 
 /// Statistics of the pressure solver of one fluid, over the time steps computed for one picture.
 struct SolverReport {
-    std::string fluid;  ///< "smoke", "smoke 2" and so on, or "ink"
-    std::string solver; ///< "spectral", "multigrid", "jacobi" or "mass"
+    std::string fluid; ///< Name of the fluid: "smoke", "smoke 2" and so on, or "ink"
+    /// Method of the fluid's pressure solver: "spectral", "multigrid", "jacobi" or "mass".
+    std::string solver;
     uint32_t steps = 0;
-    /// Divergence after the last projection relative to the divergence before it, as a ratio of root mean
-    /// squares. The solver "mass" does not project, so its ratio may be near 1.
+    /// Divergence of the fluid's velocity after the last projection, relative to the divergence before that
+    /// projection; a ratio of root mean squares. The solver "mass" does not project: its ratio is near 1.
     double divergence_left = 0.0;
-    double gpu_ms = 0.0; ///< GPU time of the projections of all steps
+    double gpu_ms = 0.0; ///< GPU time of the pressure projections of all time steps
 };
 
-struct VulkanHost;    // see estampe/vulkan.hpp
-struct VulkanPicture; // see estampe/vulkan.hpp
+struct VulkanHost;    // A Vulkan device of the host application; declared in estampe/vulkan.hpp
+struct VulkanPicture; // An image of the host application; declared in estampe/vulkan.hpp
 
 /// Draws scenes. A renderer owns a device or borrows the host application's. It is not thread-safe, but
 /// several renderers may exist side by side.
@@ -157,20 +158,20 @@ public:
     /// The device that this renderer draws on.
     [[nodiscard]] const DeviceInfo& device() const;
 
-    /// The raster path of the last picture. Before the first picture, the path intended for it. Never
-    /// RasterPath::automatic.
+    /// The raster path of the last picture. Before the first picture, the path that the renderer intends to
+    /// use. Never RasterPath::automatic.
     [[nodiscard]] RasterPath raster_path() const;
 
-    /// Uploads `scene`, which replaces the previous one. A `lightmap` adds its light to static objects.
-    /// Throws Error if the scene exceeds the device's memory or limits, or if the lightmap belongs to
-    /// another scene.
+    /// Uploads `scene`, which replaces the previous scene. A `lightmap` adds its light to static objects.
+    /// Throws Error if the scene exceeds the device's memory or limits, or if the lightmap belongs to another
+    /// scene.
     void set_scene(const Scene& scene, const Lightmap* lightmap = nullptr);
 
     /// Replaces the terrain of the scene, including its graph, masks, mesh and colour; the rest of the scene
-    /// stays. With `at_once`, the next pictures evaluate the graph with an interpreter until its own shader
-    /// is compiled in the background. Otherwise the next picture waits for the compilation. Throws Error if
-    /// the scene has no terrain or the new one does not fit the device; the old terrain then stays. Cost: an
-    /// upload of its textures; another mesh method rebuilds the triangles of the whole scene.
+    /// stays. With `at_once`, the next pictures evaluate the terrain's height graph with an interpreter until
+    /// its own shader is compiled in the background. Otherwise the next picture waits for the compilation.
+    /// Throws Error if the scene has no terrain or the new one does not fit the device; the old terrain then
+    /// stays. Cost: an upload of its textures; another mesh method rebuilds the triangles of the whole scene.
     void set_terrain(const Terrain& terrain, bool at_once = false);
 
     /// Presses footprints and drag marks into the terrain at the time of the next picture. They change the
@@ -193,8 +194,8 @@ public:
     /// animation moves rearranges the scene's buffers, at a fraction of the cost of set_scene().
     void place(std::span<const NodePlace> places, double time_s);
 
-    /// Whether the shader of a terrain that was set with `at_once` is still being compiled. The first
-    /// picture after that uses the compiled shader.
+    /// Returns whether the shader of a terrain that was set with `at_once` is still being compiled. The first
+    /// picture after the compilation uses the compiled shader.
     [[nodiscard]] bool is_terrain_compiling() const;
 
     /// Draws the scene. The picture is opaque, or has straight alpha if the style sets `paper.transparent`.
@@ -246,27 +247,28 @@ public:
                                              const RenderSettings& settings,
                                              HiddenLines hidden = HiddenLines::left_out);
 
-    /// State that the next frame of a film takes from earlier frames: lines, exposure, flowing ink, smoke
-    /// and cloth. With recall_film() another process continues the film with the same bytes. Empty if the
-    /// last frame was not part of a film; see RenderSettings::continuity. Cost: a copy from the device of 5
-    /// bytes per pixel if lines are contour chains, and 20 to 32 bytes per cell of smoke.
+    /// Returns the state that the next frame of a film takes from earlier frames: lines, exposure, flowing
+    /// ink, smoke and cloth. With recall_film() another process continues the film with the same bytes. Empty
+    /// if the last frame was not part of a film; see RenderSettings::continuity. Cost: a copy from the device
+    /// of 5 bytes per pixel if lines are contour chains (linked edges of the mesh), and 20 to 32 bytes per
+    /// cell of smoke.
     [[nodiscard]] std::vector<std::byte> film_memory() const;
 
-    /// Restores the state of film_memory() for a next frame with Continuity::follows. The bytes must come
-    /// from a renderer with the same scene on the same device. Throws Error if there is no scene, or if the
-    /// bytes do not come from such a renderer.
+    /// Restores the state that film_memory() returned, for a next frame with Continuity::follows. The bytes
+    /// must come from a renderer with the same scene on the same device. Throws Error if there is no scene,
+    /// or if the bytes do not come from such a renderer.
     void recall_film(std::span<const std::byte> memory);
 
-    /// Motion of the last picture since its RenderSettings::motion_since. Empty after draw_strokes(), or if
-    /// that setting was not set. Computing the motion does not change the picture.
+    /// Returns the motion vectors of the last picture since its RenderSettings::motion_since. Empty after
+    /// draw_strokes(), or if that setting was not set. Computing the motion does not change the picture.
     [[nodiscard]] const Motion& motion() const;
 
-    /// Automatic decisions for the last frame, one line each, such as a lamp that the scene does not
-    /// contain. Empty for most scenes.
+    /// Automatic decisions of the renderer for the last frame, one line of text each, such as the addition of
+    /// a lamp that the scene does not contain. Empty for most scenes.
     [[nodiscard]] const std::vector<std::string>& notes() const;
 
-    /// GPU time of the last frame: all of its passes, without waits for the host. With several samples, only
-    /// the GPU time of the last sample.
+    /// GPU time of the last frame in milliseconds: all of its passes, without waits for the host. With
+    /// several samples, only the GPU time of the last sample.
     [[nodiscard]] double gpu_ms() const;
 
     /// The passes of the last frame in order of execution, with the GPU time of each if
@@ -278,7 +280,7 @@ public:
     /// picture.
     [[nodiscard]] std::vector<SolverReport> solver_reports() const;
 
-    /// Device memory in use by this renderer, including what it keeps for the next frame.
+    /// Device memory in use by this renderer in bytes, including what it keeps for the next frame.
     [[nodiscard]] uint64_t device_memory_bytes() const;
 
     /// The frame graph of the last frame as Graphviz text, generated by this call.

@@ -35,69 +35,76 @@ inline constexpr Groups all_groups = 0xffff;
 /// How an object interacts with lights. The links of a node and of its material are combined: the object has
 /// only the groups of both, and receives shadows only if both receive them.
 struct LightLinks {
-    Groups lit_by = all_groups;    ///< Groups of the lights that light the object; ambient light always does
-    Groups casts_for = all_groups; ///< Groups of the lights in which the object casts shadows; 0: none
+    /// Groups of the lights that light the object; ambient light always lights it.
+    Groups lit_by = all_groups;
+    /// Groups of the lights for which the object casts shadows; 0: the object casts no shadow.
+    Groups casts_for = all_groups;
     bool receives_shadows = true;
 
     bool operator==(const LightLinks& other) const = default;
 };
 
-/// Addressing of a texture beyond its edges.
+/// How a texture continues beyond its edges.
 enum class Wrap : uint8_t { repeat, clamp, mirror };
 
 /// An image that materials sample.
 struct Texture {
     std::string name;
-    /// Never empty after a load: a missing image is replaced by one white pixel, with a warning.
+    /// Pixels of the texture. Never empty after a load: a missing image is replaced by one white pixel, with
+    /// a warning.
     Image image;
     Wrap wrap_u = Wrap::repeat;
     Wrap wrap_v = Wrap::repeat;
 };
 
-/// Reference of a material to a texture, with UV set and transform: uv' = transform * (u, v, 1).
+/// Reference of a material to a texture, with UV set and transform: the texture is sampled at uv' = transform
+/// * (u, v, 1).
 struct TextureRef {
-    Index texture = no_index; ///< no_index: no texture
-    uint32_t uv_set = 0;      ///< 0 or 1
+    Index texture = no_index; ///< Index of the texture; no_index: the material has no such texture
+    uint32_t uv_set = 0;      ///< Set of texture coordinates: 0 or 1
     glm::mat3 uv_transform{1.0F};
 };
 
-/// Meaning of alpha: ignored; cut out below Material::alpha_cutoff; blended as glass.
+/// How a material uses alpha. opaque: alpha is ignored; mask: parts below Material::alpha_cutoff are cut out;
+/// blend: the surface is blended like glass.
 enum class AlphaMode : uint8_t { opaque, mask, blend };
 
-/// Values of VRMC_materials_mtoon: a colour for shade, and an outline of its own.
+/// Toon shading of a material, as in VRMC_materials_mtoon: a colour for shaded parts, and an outline with its
+/// own width and colour.
 struct ToonShade {
-    glm::vec3 shade_color{1.0F}; ///< Linear
+    glm::vec3 shade_color{1.0F}; ///< Colour of the shaded parts, linear
     TextureRef shade_texture;
-    float outline_width_m = 0.0F;  ///< 0: the outline of the style
-    glm::vec3 outline_color{0.0F}; ///< Linear
+    float outline_width_m = 0.0F;  ///< Width of the outline; 0: the style decides
+    glm::vec3 outline_color{0.0F}; ///< Colour of the outline, linear
 };
 
 /// Light that passes through an object: KHR_materials_transmission and KHR_materials_volume.
 struct Transmission {
     float share = 0.0F;       ///< Share of the light behind the object that passes, 0 to 1
     float thickness_m = 0.0F; ///< Thickness where the object has no back side
-    /// Distance in which white light takes the attenuation colour; 0: no attenuation.
+    /// Distance in the object after which white light has the attenuation colour; 0: no attenuation.
     float attenuation_m = 0.0F;
-    glm::vec3 attenuation_color{1.0F}; ///< Linear
+    /// Colour that white light has after the distance `attenuation_m` in the object, linear.
+    glm::vec3 attenuation_color{1.0F};
 };
 
 /// A surface material as in glTF 2.0: factors are multiplied by the texture values.
 struct Material {
     std::string name;
-    glm::vec4 base_color{1.0F}; ///< Linear, straight alpha
+    glm::vec4 base_color{1.0F}; ///< Base colour, linear, with straight alpha
     TextureRef base_color_texture;
     TextureRef normal_texture;
     float normal_scale = 1.0F;
     TextureRef occlusion_texture;
     float occlusion_strength = 1.0F;
-    glm::vec3 emissive{0.0F}; ///< Linear, includes KHR_materials_emissive_strength
+    glm::vec3 emissive{0.0F}; ///< Emitted light, linear, including KHR_materials_emissive_strength
     TextureRef emissive_texture;
     float metallic = 1.0F;
     float roughness = 1.0F;
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5F;
     /// Parts of a blended material are fully transparent. The visible shape then differs from the mesh, so
-    /// the mesh's edges get no lines. Set by load_scene().
+    /// the mesh's edges get no lines. load_scene() sets this value.
     bool has_clear_parts = false;
     bool double_sided = false;
     bool unlit = false;
@@ -112,8 +119,8 @@ enum class Topology : uint8_t { points, lines, triangles };
 
 /// Morph target: offsets that are added to a primitive, scaled by the target's weight.
 struct MorphTarget {
-    std::vector<glm::vec3> position_offsets; ///< Empty, or one per vertex
-    std::vector<glm::vec3> normal_offsets;   ///< Empty, or one per vertex
+    std::vector<glm::vec3> position_offsets; ///< Offset of each vertex position; empty, or one per vertex
+    std::vector<glm::vec3> normal_offsets;   ///< Offset of each vertex normal; empty, or one per vertex
 };
 
 /// Drawable part of a mesh. Each vertex array is empty or has one entry per vertex. Strips, fans and loops
@@ -123,35 +130,38 @@ struct Primitive {
     Index material = 0;
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
-    /// xyz, and the sign of the bitangent in w. Computed if a normal map requires them.
+    /// Tangent per vertex: direction in xyz, and the sign of the bitangent in w. Computed if a normal map
+    /// requires tangents.
     std::vector<glm::vec4> tangents;
     std::array<std::vector<glm::vec2>, 2> uvs;
-    std::vector<glm::vec4> colors;                ///< Linear, straight alpha
-    std::vector<glm::u16vec4> joints_0, joints_1; ///< Up to eight joints per vertex
-    std::vector<glm::vec4> weights_0, weights_1;  ///< Sum to one over both sets
-    std::vector<uint32_t> indices;                ///< 3 per triangle, 2 per line, 1 per point
-    /// Empty, or one per triangle: bit k marks the edge from corner k to the next corner, as in
-    /// EXT_mesh_primitive_edge_visibility.
+    std::vector<glm::vec4> colors; ///< Colour per vertex, linear, with straight alpha
+    /// Joints that move each vertex: up to eight, four in each array.
+    std::vector<glm::u16vec4> joints_0, joints_1;
+    /// Weights of the joints of each vertex; the sum over both arrays is one.
+    std::vector<glm::vec4> weights_0, weights_1;
+    std::vector<uint32_t> indices; ///< Vertices of each element: 3 per triangle, 2 per line, 1 per point
+    /// Edges that the file marks to be drawn; empty, or one value per triangle: bit k marks the edge from
+    /// corner k to the next corner, as in EXT_mesh_primitive_edge_visibility.
     std::vector<uint8_t> edge_marks;
     std::vector<MorphTarget> morph_targets;
-    /// Only used for cloth: how strongly each vertex is held at the position from its node, skin or morph
-    /// targets; 0 is free, 1 is fixed. Empty: all vertices are free.
+    /// Only used for cloth: how strongly each vertex is held at its animated position (from its node, skin or
+    /// morph targets); 0 is free, 1 is fixed. Empty: all vertices are free.
     std::vector<float> held;
-    /// KHR_materials_variants: empty, or one material per entry of Scene::variants; `no_index` keeps the
-    /// default material.
+    /// Materials of the primitive in the variants of KHR_materials_variants: empty, or one material per entry
+    /// of Scene::variants; `no_index` keeps the default material.
     std::vector<Index> variant_materials;
-    /// Set by apply_variant(): the value of `material` without a variant.
+    /// The value that `material` has without a variant. Set by apply_variant().
     Index default_material = no_index;
 };
 
-/// An object in its node's space; any number of nodes may share it.
+/// The shape of an object in its node's space; any number of nodes may share one mesh.
 struct Mesh {
     std::string name;
     std::vector<Primitive> primitives;
-    std::vector<float> morph_weights; ///< Default weights, one per target
+    std::vector<float> morph_weights; ///< Default weights of the morph targets, one per target
 };
 
-/// Placement of a node in its parent's space: scaled, then rotated, then translated. In metres.
+/// Placement of a node in its parent's space, in metres: the node is scaled, then rotated, then translated.
 struct Transform {
     glm::dvec3 translation{0.0};
     glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
@@ -165,11 +175,12 @@ struct Node {
     std::string name;
     Index parent = no_index;
     std::vector<Index> children;
-    /// KHR_node_visibility: false hides the meshes and lights of the node and of its descendants; cameras
-    /// still work.
+    /// Visibility of the node, as in KHR_node_visibility: false hides the meshes and lights of the node and
+    /// of its descendants; cameras still work.
     bool visible = true;
     Transform transform;
-    std::optional<glm::dmat4> matrix; ///< Replaces `transform` if the file gives a matrix; never animated
+    /// Replaces `transform` if the file gives a matrix; such a node is never animated.
+    std::optional<glm::dmat4> matrix;
     Index mesh = no_index;
     Index skin = no_index;
     Index camera = no_index;
@@ -177,46 +188,51 @@ struct Node {
     LightLinks links;
     std::optional<Cloth> cloth; ///< If set, the node's mesh moves as cloth
     ClothCollider collider = ClothCollider::none;
-    std::vector<float> morph_weights; ///< Empty: the weights of the mesh
-    /// EXT_mesh_gpu_instancing: node_from_instance per instance. Empty: one instance, identity.
+    std::vector<float> morph_weights; ///< Weights of the node's morph targets; empty: the weights of the mesh
+    /// Instances of the node's mesh, as in EXT_mesh_gpu_instancing: node_from_instance for each. Empty: one
+    /// instance, with the identity.
     std::vector<glm::mat4> instances;
 };
 
-/// A skeleton; `joints_0` and `joints_1` of a primitive are indices into `joints`.
+/// A skeleton that deforms meshes; `joints_0` and `joints_1` of a primitive are indices into `joints`.
 struct Skin {
     std::string name;
-    std::vector<Index> joints;              ///< Indices of nodes
+    std::vector<Index> joints;              ///< Nodes that act as joints, by index
     std::vector<glm::mat4> joint_from_bind; ///< Inverse bind matrices, one per joint
 };
 
 /// Kind of a light. Ambient light comes from all directions, and its node's place is ignored.
 enum class LightType : uint8_t { directional, point, spot, ambient };
 
-/// Attenuation of a local light with the distance d: 1 / d^2, or 1 - (d / range)^2 within the range, as if
-/// the light's volume were scaled to the unit sphere (Zanuttini, "Recherches en rendu non réaliste temps
+/// How the light of a lamp decreases with the distance d: 1 / d^2, or 1 - (d / range)^2 within the range, as
+/// if the light's volume were scaled to the unit sphere (Zanuttini, "Recherches en rendu non réaliste temps
 /// réel", Université Paris 8, 2008, chapter 4).
 enum class LightFalloff : uint8_t { inverse_square, unit_volume };
 
-/// Lit volume of a spot: a cone, or a pyramid whose square base has its sides along the node's x and y.
+/// Lit volume of a spot light: a cone, or a pyramid whose square base has its sides along the node's x and y.
 enum class SpotShape : uint8_t { cone, pyramid };
 
 /// A light as in KHR_lights_punctual, which shines along its node's -z. Intensity is in lux (directional,
-/// ambient) or candela (point, spot). With LightFalloff::unit_volume it is in lux at the light.
+/// ambient) or candela (point, spot). With LightFalloff::unit_volume the intensity is in lux, measured at the
+/// light.
 struct Light {
     std::string name;
     LightType type = LightType::point;
-    glm::vec3 color{1.0F}; ///< Linear
+    glm::vec3 color{1.0F}; ///< Colour of the light, linear
     float intensity = 1.0F;
-    float range_m = 0.0F; ///< 0: unlimited
+    float range_m = 0.0F; ///< Distance that the light reaches; 0: unlimited
     float inner_cone_rad = 0.0F;
-    float outer_cone_rad = 0.7853982F; ///< For a pyramid: half the angle between opposite sides
+    /// Half the opening angle of the cone; for a pyramid half the angle between opposite sides.
+    float outer_cone_rad = 0.7853982F;
     LightFalloff falloff = LightFalloff::inverse_square;
     SpotShape shape = SpotShape::cone;
-    /// Radius of the glowing sphere of a point or spot light, which sets the width of penumbrae; 0: hard
-    /// shadows. Empty: `shadow.lamp_radius_m` of the style.
+    /// Radius of the glowing sphere of a point or spot light; a larger radius gives wider penumbrae, 0 gives
+    /// hard shadows. Empty: `shadow.lamp_radius_m` of the style.
     std::optional<float> radius_m;
-    Groups groups = all_groups; ///< Lights objects whose `lit_by` has one of these groups
-    /// Blocked by objects whose `casts_for` has one of these groups; 0: the light casts no shadows.
+    /// Groups of the light: it lights objects whose `lit_by` has one of these groups.
+    Groups groups = all_groups;
+    /// Groups of the objects that block this light: those whose `casts_for` has one of these groups. 0: the
+    /// light casts no shadows.
     Groups casters = all_groups;
 
     bool operator==(const Light& other) const = default;
@@ -227,41 +243,44 @@ struct SceneCamera {
     std::string name;
     bool orthographic = false;
     double vertical_fov_rad = 0.8;
-    double half_height_m = 1.0; ///< Only used if orthographic
+    double half_height_m = 1.0; ///< Half the height of the view; only used by an orthographic camera
     double near_m = 0.01;
 };
 
-/// Interpolation between animation keys.
+/// Interpolation between the keys of an animation.
 enum class Interpolation : uint8_t { step, linear, cubic_spline };
-/// Animated property of a node; `weights` are the weights of its morph targets.
+/// Property of a node that an animation changes; `weights` are the weights of the node's morph targets.
 enum class AnimatedPath : uint8_t { translation, rotation, scale, weights };
 
-/// Keys of one property of one node.
+/// Animation of one property of one node, as keys (times and values).
 struct AnimationChannel {
     Index node = no_index;
     AnimatedPath path = AnimatedPath::translation;
     Interpolation interpolation = Interpolation::linear;
-    std::vector<float> times_s; ///< Ascending
-    /// Floats per key: 3, 4 (x, y, z, w), or one per morph target; three times as many for cubic splines.
+    std::vector<float> times_s; ///< Times of the keys, in ascending order
+    /// Values of the keys. Floats per key: 3 for translation and scale, 4 (x, y, z, w) for rotation, or one
+    /// per morph target; three times as many for cubic splines.
     std::vector<float> values;
 };
 
-/// Channels that play together, starting at 0 s.
+/// An animation of the scene: channels that play together, starting at 0 s.
 struct Animation {
     std::string name;
     std::vector<AnimationChannel> channels;
-    float duration_s = 0.0F; ///< Time of the last key
-    float start_s = 0.0F;    ///< Start of the time range in the file: the first frame of a film has this time
+    float duration_s = 0.0F; ///< Time of the last key in the animation
+    /// Start of the animation's time range in the file: the first frame of a film shows this time.
+    float start_s = 0.0F;
 };
 
-/// The content of a scene file, as arrays that refer to each other by index. Programs can also build a
-/// scene; the defaults of all members are those of glTF.
+/// The content of a scene file, as arrays that refer to each other by index. Programs can also build a scene
+/// themselves; the defaults of all members are those of glTF.
 struct Scene {
     std::string name;
     std::vector<Texture> textures;
-    std::vector<Material> materials; ///< At least one
+    std::vector<Material> materials; ///< Materials of the scene; at least one
     std::vector<Mesh> meshes;
-    std::vector<Node> nodes; ///< A forest: parents and children agree, and there are no cycles
+    /// Nodes of the scene, which form a forest: parents and children agree, and there are no cycles.
+    std::vector<Node> nodes;
     std::vector<Index> roots;
     std::vector<Skin> skins;
     std::vector<Light> lights;
@@ -272,18 +291,20 @@ struct Scene {
     /// Endless ground, drawn as an object and a material named "terrain".
     std::optional<Terrain> terrain;
     std::vector<std::string> extensions_used;
-    std::vector<std::string> extensions_ignored; ///< Used extensions that load_scene() does not support
-    std::vector<std::string> missing_files; ///< Images that the file refers to and that could not be opened
-    /// Metres per unit of the file, if the file says so. The scene itself is in metres.
+    /// Extensions that the file uses and that load_scene() does not support.
+    std::vector<std::string> extensions_ignored;
+    std::vector<std::string> missing_files; ///< Images that the file refers to but that could not be opened
+    /// Metres per unit of length in the file, if the file gives this factor. The scene itself is in metres.
     std::optional<double> file_unit_m;
-    std::vector<std::string> warnings; ///< Repairs made while reading, one line each
+    std::vector<std::string> warnings; ///< Repairs that were made while reading the file, one line each
 };
 
-/// The cloth of a primitive, from its node or else from its material; null if it is not cloth.
+/// Returns the cloth material of a primitive, from its node or else from its material; null if the primitive
+/// is not cloth.
 [[nodiscard]] const Cloth* cloth_of(const Scene& scene, const Node& node, const Primitive& primitive);
 
-/// Makes a rectangular sheet of cloth, a regular grid of columns x rows vertices, at least 3 x 3. It spans
-/// `along_m` and `down_m` from `corner_m`; on its front side the turn from `along_m` to `down_m` is
+/// Makes a rectangular sheet of cloth: a regular grid of columns x rows vertices, at least 3 x 3. The sheet
+/// spans `along_m` and `down_m` from `corner_m`; on its front side the turn from `along_m` to `down_m` is
 /// clockwise. UVs are metres on the sheet.
 [[nodiscard]] Primitive cloth_sheet(uint32_t columns, uint32_t rows, const glm::vec3& corner_m,
                                     const glm::vec3& along_m, const glm::vec3& down_m);
@@ -299,25 +320,26 @@ enum class UpAxis : uint8_t { x, y, z, minus_x, minus_y, minus_z };
 /// Options of load_scene(). The defaults read the file as it is.
 struct LoadOptions {
     std::string variant; ///< Material variant, by name or index; empty: the default materials
-    /// Axis of the file's coordinates that points up; the scene is rotated so that it becomes +y. Empty: the
-    /// axis that the file or its format defines, else y. FBX and COLLADA scenes are first rotated by the
-    /// axis that the file names.
+    /// Axis of the file's coordinates that points up; the scene is rotated so that this axis becomes +y.
+    /// Empty: the axis that the file or its format defines, else y. FBX and COLLADA scenes are first rotated
+    /// by the axis that the file names.
     std::optional<UpAxis> up;
 
     bool operator==(const LoadOptions& other) const = default;
 };
 
-/// Reads a scene from .gltf, .glb, .obj, .ply, .stl, .fbx or .dae.
+/// Reads a scene from a .gltf, .glb, .obj, .ply, .stl, .fbx or .dae file.
 ///
-/// Repairs what can be repaired, and lists it in `Scene::warnings`. Throws Error with file and place (a JSON
-/// pointer or a byte offset) if the file is damaged beyond that. Allocates at most a small multiple of the
-/// file's size.
+/// Repairs what can be repaired, and lists the repairs in `Scene::warnings`. Throws Error with file and place
+/// (a JSON pointer or a byte offset) if the damage cannot be repaired. Allocates at most a small multiple of
+/// the file's size.
 [[nodiscard]] Scene load_scene(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// Placement and morph weights of every node at one time.
 struct ScenePose {
-    std::vector<glm::dmat4> world_from_node;       ///< Per node
-    std::vector<std::vector<float>> morph_weights; ///< Per node; empty without morph targets
+    std::vector<glm::dmat4> world_from_node; ///< Placement of each node in the world
+    /// Weights of each node's morph targets; empty for a node without morph targets.
+    std::vector<std::vector<float>> morph_weights;
 };
 
 /// Evaluates the node hierarchy at `time_s` of an animation, which loops. no_index, or a scene without
@@ -342,33 +364,37 @@ struct Bounds {
     [[nodiscard]] double radius() const { return empty() ? 0.0 : 0.5 * glm::length(max - min); }
 };
 
-/// World bounds of all vertices in `pose`, with skinning and morphing, computed exactly on the CPU. Cost:
-/// linear in vertices.
+/// Returns the bounds of all vertices of the scene in `pose`, in world space. Skinning and morphing are
+/// included and computed exactly on the CPU. Cost: linear in vertices.
 [[nodiscard]] Bounds scene_bounds(const Scene& scene, const ScenePose& pose);
 
 /// Viewpoint and projection of a picture, in world space.
 struct Camera {
     glm::dvec3 eye{0.0, 0.0, 5.0};
-    glm::dvec3 target{0.0}; ///< Point in the middle of the picture
+    glm::dvec3 target{0.0}; ///< Point that the camera looks at, in the middle of the picture
     glm::dvec3 up{0.0, 1.0, 0.0};
     double vertical_fov_rad = 0.6;
-    std::optional<double> orthographic_half_height_m; ///< If set: parallel projection
+    /// Half the height of a parallel projection; empty: perspective projection.
+    std::optional<double> orthographic_half_height_m;
     double near_m = 0.01;
 };
 
-/// The camera of the file with this name, or with this index if `name` is a number, placed by `pose`. Throws
-/// Error that lists the names if there is no such camera.
+/// Returns the camera of the scene's file with this name, or with this index if `name` is a number, placed by
+/// `pose`. Throws Error that lists the names if there is no such camera.
 [[nodiscard]] Camera scene_camera(const Scene& scene, const ScenePose& pose, const std::string& name);
 
-/// Direction of the style's sun. framing_camera() leaves room on the page for the shadow of this sun.
+/// Direction of the style's sun, for framing_camera(), which leaves room on the page for the shadow that this
+/// sun casts.
 struct SunBearing {
-    /// Direction of the sun as seen from above: 0 is +z, 90 is +x, for a camera at 35 degrees.
+    /// Direction of the sun in degrees, seen from above: 0 is +z, 90 is +x. The value holds for a camera that
+    /// looks from 35 degrees.
     double azimuth_deg = -34.0;
     double elevation_deg = 45.0;
-    bool turns = true;  ///< The sun rotates with the side that the framed view shows
-    bool rules = false; ///< The sun replaces the scene's own lights
-    bool throws = true; ///< The shadow is drawn, so it requires room on the page
-    /// A blank ground below the scene receives the shadow, so it is visible without a floor. Empty: true
+    /// If the framed view shows another side of the scene, the sun rotates with the camera.
+    bool turns = true;
+    bool rules = false; ///< The style's sun replaces the scene's own lights
+    bool throws = true; ///< The shadow of the sun is drawn, so the picture needs room for it
+    /// The shadow falls on a blank ground below the scene, so it is visible without a floor. Empty: true
     /// unless the scene has a camera.
     std::optional<bool> on_blank_ground;
 };

@@ -33,7 +33,7 @@ public:
     /// values; for an unknown name or key also the nearest known one.
     [[nodiscard]] static Style load(const std::string& name);
 
-    /// Applies one assignment, such as "hatch.contrast=12". Throws Error as load() does.
+    /// Applies one assignment of a style parameter, such as "hatch.contrast=12". Throws Error as load() does.
     void set(std::string_view assignment);
 
     /// Returns a numeric parameter by its key, such as "haze.reach_m"; a toggle is 0 or 1. Throws Error for
@@ -48,21 +48,24 @@ public:
     /// does.
     [[nodiscard]] std::string text(std::string_view key) const;
 
-    /// Writes all parameters as TOML. load() reads it back to an equal style.
+    /// Writes all parameters of the style as TOML. load() reads the TOML back to an equal style.
     [[nodiscard]] std::string to_toml() const;
 
-    /// Direction of the style's sun, for framing_camera(). Throws Error if its date is not valid.
+    /// Returns the direction of the style's sun, for framing_camera(). Throws Error if the style's date is
+    /// not valid.
     [[nodiscard]] SunBearing sun_bearing() const;
 
-    /// Aspect (width / height) of the part of a picture inside the page's margin, for framing_camera(). The
-    /// vertical field of view of a camera covers this part.
+    /// Returns the aspect (width / height) of the part of the page inside its margin, for framing_camera().
+    /// The vertical field of view of a camera covers this part.
     [[nodiscard]] double window_aspect(uint32_t width, uint32_t height) const;
 
-    /// Manual of all parameters: name, type, range, default, unit and one line of help for each. `section` is
-    /// the name of one section, such as "hatch"; empty for all. Throws Error if there is no such section.
+    /// Returns the manual of all parameters: name, type, range, default, unit and one line of help for each.
+    /// `section` is the name of one section, such as "hatch"; empty for all sections. Throws Error if there
+    /// is no such section.
     [[nodiscard]] static std::string help(std::string_view section = {});
 
-    /// JSON schema (2020-12) of all parameters, with which editors complete and check TOML files.
+    /// Returns a JSON schema (2020-12) of all style parameters, with which editors complete and check style
+    /// files.
     [[nodiscard]] static std::string json_schema();
 
     /// Names of the presets that load() accepts.
@@ -71,8 +74,8 @@ public:
     /// Names of the additions that load() accepts after a preset, such as "no-color" in "comic+no-color".
     [[nodiscard]] static std::vector<std::string> additions();
 
-    /// Describes the look of a preset, or what an addition changes, in one line. Throws Error if no preset or
-    /// addition has the name.
+    /// Returns one line that describes the look of a preset, or what an addition changes. Throws Error if no
+    /// preset or addition has the name.
     [[nodiscard]] static std::string about(const std::string& preset);
 
     [[nodiscard]] const features::StyleTables& tables() const { return *tables_; }

@@ -21,13 +21,14 @@ namespace estampe {
 /// A named node of a height graph, such as `swell = "6 * fbm(400)"`.
 struct HeightNode {
     std::string name;
-    std::string expression; ///< In the language of docs/terrain.md
-    std::string where;      ///< file:line:column for error messages; may be empty
+    std::string expression; ///< Formula of the node's heights, in the language of docs/terrain.md
+    /// Place of the node in its file as file:line:column, for error messages; may be empty.
+    std::string where;
 
     bool operator==(const HeightNode&) const = default;
 };
 
-/// Wind over the ground.
+/// Wind that blows over the ground of a terrain.
 struct TerrainWind {
     float towards_deg = 90.0F; ///< Direction towards which the wind blows: 0 is +z, 90 is +x
     float speed_m_per_s = 5.0F;
@@ -37,27 +38,29 @@ struct TerrainWind {
 
 /// How the ground is divided into triangles.
 enum class TerrainMesh : uint8_t {
-    rings, ///< Nested grids around the camera, each twice as coarse as the one inside; vertices do not move
-    /// One uniform grid in front of the camera; its position snaps to its cells and its rotation to right
-    /// angles.
+    /// Nested grids around the camera, each twice as coarse as the grid inside it; their vertices stay in
+    /// place.
+    rings,
+    /// One uniform grid in front of the camera; the grid's position snaps to its cells and its rotation to
+    /// right angles.
     grid,
-    object ///< A mesh of the scene, displaced by the heights
+    object ///< A mesh of the scene, displaced by the terrain's heights
 };
 
-/// When the vertices of the ground are evaluated again.
+/// When the heights of the ground's vertices are computed again.
 enum class TerrainUpdate : uint8_t {
-    moved,  ///< When the camera has moved or time has advanced
-    always, ///< For every picture, for measurements
-    still   ///< When the camera has moved; the ground does not change over time
+    moved,  ///< Again for a picture in which the camera has moved or time has advanced
+    always, ///< Again for every picture, for measurements
+    still   ///< Again only when the camera has moved, for a ground that does not change over time
 };
 
 /// Resolution and extent of the terrain mesh.
 struct TerrainMeshing {
     TerrainMesh method = TerrainMesh::rings;
-    std::string object; ///< Name of a node; only used with TerrainMesh::object
+    std::string object; ///< Name of the node with the mesh; only used with TerrainMesh::object
     TerrainUpdate update = TerrainUpdate::moved;
-    float cell_m = 0.25F; ///< Spacing of vertices nearest to the camera; rounded to a power of two
-    int cells = 128;      ///< Cells along a side of a ring or grid; rounded up to a multiple of 4
+    float cell_m = 0.25F; ///< Spacing of the vertices nearest to the camera; rounded to a power of two
+    int cells = 128;      ///< Number of cells along a side of a ring or grid; rounded up to a multiple of 4
     /// Smallest distance up to which the ground is drawn; only used with TerrainMesh::rings.
     float reach_m = 20000.0F;
     float planet_radius_m = 0.0F; ///< Radius of a ground that curves like a planet; 0: the ground is flat
@@ -74,19 +77,20 @@ struct TerrainLook {
 
 /// Wind ripples of sand, visible from near. They change the normals, not the heights.
 struct TerrainRipples {
-    float wavelength_m = 0.12F;    ///< From crest to crest
-    float height_m = 0.01F;        ///< From trough to crest; 0: no ripples
-    float meander = 0.5F;          ///< 0: straight, unbroken ripples; 1: ripples wind, fork and end
-    float drift_m_per_s = 0.0005F; ///< Speed of the ripples downwind
+    float wavelength_m = 0.12F; ///< Distance from one ripple's crest to the next
+    float height_m = 0.01F;     ///< Height of a ripple from trough to crest; 0: no ripples
+    /// Irregularity of the ripples, 0: straight and unbroken; 1: ripples wind, fork and end.
+    float meander = 0.5F;
+    float drift_m_per_s = 0.0005F; ///< Speed at which the ripples move downwind
 
     bool operator==(const TerrainRipples&) const = default;
 };
 
 /// Everything that a terrain file describes.
 struct TerrainDescription {
-    std::string name;              ///< Name of the file, for error messages
-    std::filesystem::path folder;  ///< Folder of the textures
-    std::vector<HeightNode> nodes; ///< One node is named "height"
+    std::string name;              ///< Name of the terrain's file, for error messages
+    std::filesystem::path folder;  ///< Folder in which the terrain's textures are
+    std::vector<HeightNode> nodes; ///< Nodes of the height graph; the node named "height" gives the ground
     TerrainWind wind;
     TerrainMeshing meshing;
     TerrainLook look;
@@ -110,8 +114,8 @@ struct TerrainDescription {
 /// Height, slope and vertical speed of the ground at one place and time.
 struct HeightSample {
     double height_m = 0.0;
-    glm::dvec2 slope{0.0};     ///< d height / dx, d height / dz
-    double rate_m_per_s = 0.0; ///< d height / dt
+    glm::dvec2 slope{0.0};     ///< Slope of the ground: d height / dx and d height / dz
+    double rate_m_per_s = 0.0; ///< Vertical speed of the ground: d height / dt
 
     /// Unit normal, pointing away from the ground.
     [[nodiscard]] glm::dvec3 normal() const;
@@ -131,8 +135,8 @@ public:
 
     [[nodiscard]] const TerrainDescription& description() const { return *description_; }
 
-    /// Evaluates height, slope and rate at (x, z) in metres and a time in seconds. Derivatives are exact
-    /// (dual numbers). Cost: about 0.1 microseconds per node.
+    /// Evaluates height, slope and vertical speed of the ground at (x, z) in metres and a time in seconds.
+    /// Derivatives are exact (dual numbers). Cost: about 0.1 microseconds per node.
     [[nodiscard]] HeightSample sample(double x_m, double z_m, double time_s = 0.0) const;
 
     /// First intersection of the ground with the ray from `from` along the unit vector `towards`, at most
@@ -141,13 +145,13 @@ public:
     [[nodiscard]] std::optional<glm::dvec3> hit(const glm::dvec3& from, const glm::dvec3& towards,
                                                 double reach_m, double time_s = 0.0) const;
 
-    /// Sets the content of `mask("name", ...)`: as many texels per side as the graph says, in rows along +x
-    /// from the corner at -size / 2. Throws Error for an unknown name or a wrong number of texels. Earlier
-    /// copies of the terrain keep their content; pass the terrain to Renderer::set_terrain() to show the
-    /// change.
+    /// Sets the content of the node `mask("name", ...)` of the height graph: as many texels per side as the
+    /// graph says, in rows along +x from the corner at -size / 2. Throws Error for an unknown name or a wrong
+    /// number of texels. Earlier copies of the terrain keep their content; pass the terrain to
+    /// Renderer::set_terrain() to show the change.
     void paint_mask(std::string_view mask, const std::vector<float>& heights);
 
-    /// Internal program of the graph, for the library only.
+    /// The compiled height graph, as an internal program. For the library only.
     [[nodiscard]] const terrain::Program& program() const { return *program_; }
 
 private:

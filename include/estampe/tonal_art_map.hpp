@@ -23,52 +23,51 @@ using Gray8 = std::vector<uint8_t>;
 /// Source  Praun et al., "Real-Time Hatching", SIGGRAPH 2001
 struct TonalArtMap {
     uint32_t size_px = 0;        ///< Texels per side of level 0; a power of two, 32 to 2048
-    std::vector<float> darkness; ///< Intended mean coverage of each tone, rising, in (0, 1)
-    /// [tone][level]: level 0 has size_px per side, the last level 1.
+    std::vector<float> darkness; ///< Intended mean coverage of each tone from light to dark, each in (0, 1)
+    /// Texels of each tone and mip level, as [tone][level]: level 0 has size_px per side, the last level 1.
     std::vector<std::vector<Gray8>> level_of_tone;
 
-    /// Per level: the darkness times 255 at which each texel turns to ink. Only filled if the order of the
-    /// strokes within a tone is known; empty for painted maps.
+    /// For each mip level: the darkness times 255 at which each texel turns to ink. Only filled if the order
+    /// of the strokes within a tone is known; empty for painted maps.
     std::vector<Gray8> threshold_of_level;
 
     bool operator==(const TonalArtMap&) const = default;
 };
 
-/// A tonal art map read from files, with one warning line for each defect that was repaired.
+/// A tonal art map that was read from files, with one line of warning for each defect that was repaired.
 struct PaintedMap {
     TonalArtMap map;
     std::vector<std::string> warnings;
 };
 
-/// Draws a map as the style's [tam] section says; no device is required. `stroke` is a picture of one
-/// stroke, from left to right: its alpha is the ink of every stroke, or its darkness if the picture is
-/// opaque. The same style and picture give the same bytes. Throws Error if the style's values cannot be met
-/// or the picture has no ink.
+/// Draws a tonal art map with the settings of the style's section [tam]; no device is required. `stroke` is a
+/// picture of one stroke, from left to right: its alpha is the ink of every stroke, or its darkness if the
+/// picture is opaque. The same style and picture give the same bytes. Throws Error if the style's values
+/// cannot be met or the picture has no ink.
 ///
-/// Cost    1 s for 512 px and 6 tones, on one core
-/// Source  Praun et al., "Real-Time Hatching", SIGGRAPH 2001
+/// Cost    1 s for 512 px and 6 tones, on one core Source  Praun et al., "Real-Time Hatching", SIGGRAPH 2001
 [[nodiscard]] TonalArtMap draw_tonal_art_map(const Style& style, const Image* stroke = nullptr);
 
-/// Reads a painted map: a folder of PNG files (one per tone, or one per tone and level), a folder of DDS
-/// files (one per tone), one DDS file, or a .tam file. src/techniques/tam/README.md has names and rules.
-/// Missing levels are derived. Ink of a lighter tone that a darker tone lacks is added, with a warning.
-/// Throws Error that names the file if nothing is found, or if a file is damaged, of the wrong size or out
-/// of order.
+/// Reads a painted tonal art map: a folder of PNG files (one per tone, or one per tone and level), a folder
+/// of DDS files (one per tone), one DDS file, or a .tam file. src/techniques/tam/README.md has names and
+/// rules. Missing levels are derived. Ink of a lighter tone that a darker tone lacks is added, with a
+/// warning. Throws Error that names the file if nothing is found, or if a file is damaged, of the wrong size
+/// or out of order.
 [[nodiscard]] PaintedMap load_tonal_art_map(const std::filesystem::path& path);
 
-/// Writes a map. The extension of `path` chooses the format: .tam, .dds, or with a trailing slash or no
-/// extension a folder of PNG files to paint over, with `tam.toml` beside them. The result appears only when
-/// it is complete. An existing folder must be empty. Throws Error if the map is not valid or cannot be
+/// Writes a tonal art map. The extension of `path` chooses the format: .tam, .dds, or with a trailing slash
+/// or no extension a folder of PNG files to paint over, with `tam.toml` beside them. The result appears only
+/// when it is complete. An existing folder must be empty. Throws Error if the map is not valid or cannot be
 /// written.
 void save_tonal_art_map(const TonalArtMap& map, const std::filesystem::path& path);
 
-/// Whether save_tonal_art_map() would write a folder: `path` ends in a slash, is a folder, or has no
+/// Returns whether save_tonal_art_map() would write a folder: `path` ends in a slash, is a folder, or has no
 /// extension.
 [[nodiscard]] bool is_map_folder(const std::filesystem::path& path);
 
-/// Contact sheet of all images of a map, in the style's ink and paper colours: one column per tone, the
-/// lightest at the left; the finest level on top, and the coarser ones below it from left to right. Throws
-/// Error if the map is not valid.
+/// Draws a contact sheet of all images of a tonal art map, in the style's ink and paper colours: one column
+/// per tone, the lightest at the left; the finest mip level on top, and the coarser ones below it from left
+/// to right. Throws Error if the map is not valid.
 [[nodiscard]] Image map_sheet(const TonalArtMap& map, const Style& style);
 
 } // namespace estampe

@@ -13,62 +13,66 @@ namespace estampe {
 
 /// What a stroke represents. Kinds are listed in drawing order, from bottom to top.
 enum class StrokeKind : uint8_t {
-    hatch,        ///< Hatching, which carries tone
-    shadow,       ///< Edge of a cast shadow
-    suggestive,   ///< Suggestive contour: where a surface would turn away if the camera moved slightly
-    crest,        ///< Crest of the terrain
-    valley,       ///< Rounded concave fold
-    ridge,        ///< Rounded convex fold
-    crease,       ///< Sharp fold
-    marked,       ///< Edge that the file marks
-    intersection, ///< Where surfaces intersect
-    boundary,     ///< Between materials
-    border,       ///< Open edge of a surface
-    outline,      ///< Where a surface turns away from the camera
+    hatch,        ///< Hatching stroke, which carries tone
+    shadow,       ///< Line at the edge of a cast shadow
+    suggestive,   ///< Suggestive contour: a line where a surface would turn away if the camera moved slightly
+    crest,        ///< Line along the crest of a dune of the terrain
+    valley,       ///< Valley line, along a rounded concave fold
+    ridge,        ///< Ridge line, along a rounded convex fold
+    crease,       ///< Line along a sharp fold
+    marked,       ///< Line along an edge that the scene's file marks
+    intersection, ///< Line where two surfaces intersect
+    boundary,     ///< Line between two materials
+    border,       ///< Line along the open edge of a surface
+    outline,      ///< Line where a surface turns away from the camera
     focus,        ///< Focus line, which points at the subject
-    frame,        ///< Frame around the picture, at its margin
+    frame,        ///< Frame line around the picture, at its margin
 };
 
-/// The name of a kind, as in the enumeration: "hatch", "crease" and so on.
+/// Returns the name of a kind of stroke, as in the enumeration: "hatch", "crease" and so on.
 [[nodiscard]] const char* name_of(StrokeKind kind);
 
-/// A point of a stroke.
+/// A point of a pen stroke's centre line, with the width of the stroke there.
 struct VectorPoint {
-    glm::vec2 page_mm{0.0F}; ///< From the upper left corner of the page, y down
-    float width_mm = 0.0F;   ///< Full width of the stroke
+    glm::vec2 page_mm{0.0F}; ///< Position on the page from the upper left corner; y points down
+    float width_mm = 0.0F;   ///< Full width of the stroke at this point
     bool operator==(const VectorPoint&) const = default;
 };
 
-/// One pen stroke, as a centre line with widths.
+/// One pen stroke: a centre line with a width at each point.
 struct VectorStroke {
     StrokeKind kind = StrokeKind::outline;
-    bool is_hidden = false;          ///< Hidden by a surface
-    bool is_closed = false;          ///< The last point equals the first, and the curve is smooth there
-    uint32_t object = 0;             ///< Index into VectorDrawing::objects
-    uint32_t ink = 0;                ///< Index into VectorDrawing::inks_srgb
-    std::vector<VectorPoint> points; ///< At least two, all on the page
+    bool is_hidden = false; ///< A surface hides the stroke
+    /// The stroke is a loop: its last point equals the first, and the curve is smooth there.
+    bool is_closed = false;
+    uint32_t object = 0; ///< Object that the stroke belongs to, as an index of VectorDrawing::objects
+    uint32_t ink = 0;    ///< Ink of the stroke, as an index of VectorDrawing::inks_srgb
+    std::vector<VectorPoint> points; ///< Points of the stroke in drawing order: at least two, all on the page
 };
 
 /// A drawing as pen strokes. The order is always the same for the same scene and style.
 struct VectorDrawing {
     float width_mm = 0.0F; ///< Width of the page
     float height_mm = 0.0F;
-    float hatch_width_mm = 0.0F;      ///< Width of a hatching stroke at the usual pressure
-    float dash_mm = 1.2F;             ///< Length of the dashes of hidden strokes
-    float dash_gap_mm = 0.9F;         ///< Gap between the dashes
-    bool has_mitred_corners = false;  ///< Corners of strokes of constant width are mitred; otherwise round
-    glm::vec3 paper_srgb{1.0F};       ///< Components from 0 to 1
-    bool has_paper = true;            ///< Whether a file has a background rectangle in the paper colour
-    std::vector<glm::vec3> inks_srgb; ///< Components from 0 to 1; all different
-    std::vector<std::string> objects; ///< Names, none empty; names may repeat
+    float hatch_width_mm = 0.0F; ///< Width of a hatching stroke at the usual pen pressure
+    float dash_mm = 1.2F;        ///< Length of the dashes of hidden strokes
+    float dash_gap_mm = 0.9F;    ///< Length of the gaps between the dashes of hidden strokes
+    /// Strokes of constant width have mitred corners; otherwise round corners.
+    bool has_mitred_corners = false;
+    glm::vec3 paper_srgb{1.0F}; ///< sRGB colour of the paper, components from 0 to 1
+    bool has_paper = true;      ///< A file of this drawing gets a background rectangle in the paper colour
+    /// sRGB colours of the inks, components from 0 to 1; all colours are different.
+    std::vector<glm::vec3> inks_srgb;
+    std::vector<std::string> objects; ///< Names of the drawn objects; no name is empty, and names may repeat
     std::vector<VectorStroke> strokes;
 };
 
 /// Settings of an SVG file.
 struct SvgSettings {
-    /// Largest distance of curves from the points of a stroke.
+    /// Largest distance of the file's curves from the points of a stroke.
     float tolerance_mm = 0.02F;
-    /// For pen plotters: centre lines only, one layer per pen, in the order of the drawing, no paper.
+    /// The file is for a pen plotter: centre lines only, one layer per pen, in the order of the drawing, no
+    /// paper.
     bool is_for_plotter = false;
 };
 
@@ -80,11 +84,12 @@ struct SvgSettings {
 void save_svg(const VectorDrawing& drawing, const std::filesystem::path& path,
               const SvgSettings& settings = {});
 
-/// Work of a plotter for one drawing.
+/// Distances that a plotter's pen travels for one drawing.
 struct PlotterWork {
     size_t strokes = 0;
-    double drawn_mm = 0.0;  ///< Distance with the pen down
-    double lifted_mm = 0.0; ///< Distance with the pen up, starting at the upper left corner, pen by pen
+    double drawn_mm = 0.0; ///< Distance that the pen travels on the paper
+    /// Distance that the pen travels while lifted, starting at the upper left corner of the page.
+    double lifted_mm = 0.0;
 };
 
 /// Measures the work of a plotter that draws the strokes in their order, all strokes of one pen before those

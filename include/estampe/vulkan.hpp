@@ -9,16 +9,16 @@
 
 namespace estampe {
 
-/// A Vulkan device of the host application, for Renderer(const VulkanHost&). The host keeps ownership of all
-/// objects named here, and they must outlive the renderer.
+/// A Vulkan device of the host application, for Renderer(const VulkanHost&). The host keeps ownership of the
+/// instance, device and queue, which must outlive the renderer.
 struct VulkanHost {
-    /// Function of the Vulkan loader that created the instance; null: the loader of this machine.
+    /// Function of the Vulkan loader with which the instance was created; null: the loader of this machine.
     PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr;
-    VkInstance instance = VK_NULL_HANDLE; ///< Vulkan 1.3
+    VkInstance instance = VK_NULL_HANDLE; ///< Instance for Vulkan 1.3
     VkPhysicalDevice physical_device = VK_NULL_HANDLE;
-    VkDevice device = VK_NULL_HANDLE; ///< Created with the features of VulkanFeatures
-    /// Supports graphics, compute and timestamps. While the renderer is being created or draws, no other
-    /// code may submit to it.
+    VkDevice device = VK_NULL_HANDLE; ///< Device, created with the features of VulkanFeatures
+    /// Queue that supports graphics, compute and timestamps. While the renderer is being created or draws, no
+    /// other code may submit to this queue.
     VkQueue queue = VK_NULL_HANDLE;
     uint32_t queue_family = 0;
 };
@@ -35,8 +35,8 @@ struct VulkanHost {
 /// VkPhysicalDeviceVulkan12Features and VkPhysicalDeviceVulkan13Features.
 class VulkanFeatures {
 public:
-    /// Queries `host.physical_device`; `device` and `queue` may still be null. Throws Error that says what
-    /// the device lacks.
+    /// Queries the features of `host.physical_device`; `device` and `queue` may still be null. Throws Error
+    /// that says what the device lacks.
     explicit VulkanFeatures(const VulkanHost& host);
     VulkanFeatures(const VulkanFeatures&) = delete;
     VulkanFeatures& operator=(const VulkanFeatures&) = delete;
@@ -57,7 +57,7 @@ private:
 /// VK_BLEND_FACTOR_SRC_ALPHA, or premultiply the colours for a swapchain that requires it.
 struct VulkanPicture {
     VkImage image = VK_NULL_HANDLE;
-    /// Layout of the image after render_to().
+    /// Layout that the image has after render_to().
     VkImageLayout layout_after = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
 };
 
