@@ -12,7 +12,8 @@ std::string one_line(const std::string& what_failed, const std::string& where, c
     if (!remedy.empty()) {
         line += "; " + remedy;
     }
-    // Names from files may contain line breaks or terminal escapes.
+    // Names that come from files may contain line breaks or terminal escapes, which must not reach the
+    // terminal.
     std::replace_if(
         line.begin(), line.end(), [](char character) { return static_cast<unsigned char>(character) < 0x20; },
         ' ');

@@ -169,7 +169,8 @@ std::vector<std::byte> encode_float_exr(uint32_t width, uint32_t height, std::sp
     Imf::Header header(static_cast<int>(width), static_cast<int>(height));
     header.compression() = Imf::ZIP_COMPRESSION;
     Imf::FrameBuffer channels;
-    std::vector<glm::vec4> rows(texels.begin(), texels.end()); // The library requires writable data
+    // A writable copy, because OpenEXR's frame buffer requires writable data
+    std::vector<glm::vec4> rows(texels.begin(), texels.end());
     static constexpr const char* names[] = {"R", "G", "B", "A"};
     for (int i = 0; i < 4; ++i) {
         header.channels().insert(names[i], Imf::Channel(Imf::FLOAT));
@@ -195,11 +196,11 @@ std::vector<std::byte> encode_exr(uint32_t width, uint32_t height, std::span<con
     }
     Imf::Header header(static_cast<int>(width), static_cast<int>(height));
     header.compression() = Imf::ZIP_COMPRESSION;
-    Imf::addChromaticities(header, Imf::Chromaticities()); // Rec. 709
+    Imf::addChromaticities(header, Imf::Chromaticities()); // Declares the primaries of Rec. 709
     for (const auto& [key, text] : texts) {
         header.insert(key, Imf::StringAttribute(text));
     }
-    // One buffer row per channel, which serves all rows of the picture.
+    // The buffer holds one row per channel and is reused for each row of the picture.
     const bool is_half = numbers == ExrNumbers::half;
     std::vector<std::vector<float>> rows(channels.size(), std::vector<float>(width));
     std::vector<std::vector<Imath::half>> halves(channels.size(),

@@ -23,35 +23,35 @@ struct ExrFile {
     std::map<std::string, std::vector<float>> numbers;
 };
 
-/// Encodes red, green and blue as half floats with lossless compression; the same picture gives the same
-/// bytes. Values are clamped to the range of a half. Throws Error if the image is empty.
+/// Encodes the red, green and blue of a picture as half floats with lossless compression; the same picture
+/// gives the same bytes. Values are clamped to the range of a half. Throws Error if the image is empty.
 [[nodiscard]] std::vector<std::byte> encode_exr(const ExrFile& file);
 
 /// One channel of a picture in linear light, named "R", or "layer.R" for a layer.
 struct ExrChannel {
     std::string name;
-    /// Fills row `y` from left to right.
+    /// Writes row `y` of the channel into `row`, from left to right.
     std::function<void(uint32_t y, std::span<float> row)> fill;
 };
 
-/// Encodes channels as halves or floats, with the Rec. 709 primaries and `texts` in the header. Halves are
-/// clamped to their range. Throws Error if the picture is empty.
+/// Encodes channels as half floats or floats, with the Rec. 709 primaries and `texts` in the header. Half
+/// floats are clamped to their range. Throws Error if the picture is empty.
 [[nodiscard]] std::vector<std::byte> encode_exr(uint32_t width, uint32_t height,
                                                 std::span<const ExrChannel> channels, ExrNumbers numbers,
                                                 const std::map<std::string, std::string>& texts = {});
 
 /// Decodes the first part of an OpenEXR picture. Grey becomes three channels, alpha is ignored, negative and
 /// non-finite values become zero. Throws Error with `name` as its place if the data is not OpenEXR, is
-/// damaged, or exceeds the limits of image_codec.hpp.
+/// damaged, or exceeds the limits in image_codec.hpp.
 [[nodiscard]] ExrFile decode_exr(std::span<const std::byte> bytes, const std::string& name);
 
-/// Whether the bytes start with OpenEXR's magic number.
+/// Returns whether the bytes start with OpenEXR's magic number.
 [[nodiscard]] bool is_exr(std::span<const std::byte> bytes);
 
-/// Whether the header marks a lightmap of `estampe bake`.
+/// Returns whether the header says that `estampe bake` wrote the file as a lightmap.
 [[nodiscard]] bool is_baked(const ExrFile& file);
 
-/// The lightmap in an OpenEXR picture. Throws Error with `path` as its place if the picture is not a
+/// Returns the lightmap in an OpenEXR picture. Throws Error with `path` as its place if the picture is not a
 /// lightmap or is damaged.
 [[nodiscard]] Lightmap baked_lightmap(ExrFile file, const std::filesystem::path& path);
 

@@ -27,8 +27,8 @@
 namespace estampe {
 namespace {
 
-/// The unpublished files and folders of this program. Never destroyed, because a signal may arrive while the
-/// program ends.
+/// List of the temporary files and folders that this program has not renamed to their final names yet. The
+/// list is never destroyed, because a signal may arrive while the program ends.
 struct Registry {
     std::mutex guard;
     std::set<std::filesystem::path> paths;
@@ -45,7 +45,7 @@ std::string reason_of(int error)
     return std::generic_category().message(error);
 }
 
-/// A hidden name beside `target`, short enough for every target whose own name is not too long.
+/// Returns a hidden file name beside `target`, short enough for every target whose own name is not too long.
 std::string name_beside(const std::filesystem::path& target)
 {
     constexpr size_t longest = 200;
@@ -152,7 +152,7 @@ void AtomicFile::publish()
 
 void remove_all_pending() noexcept
 {
-    registry().guard.lock(); // Never unlocked
+    registry().guard.lock(); // Locked for good: no thread may create another file
     for (const std::filesystem::path& path : registry().paths) {
         std::error_code failure;
         std::filesystem::remove_all(path, failure);
@@ -245,7 +245,8 @@ void check_output(const std::filesystem::path& output, const std::vector<std::fi
                     "create it first, or write elsewhere with -o");
     }
     const std::filesystem::file_status status = std::filesystem::status(output, problem);
-    if (problem == std::errc::filename_too_long) { // Detected now, before other files are renamed
+    // A name that is too long is reported now, before other files are renamed
+    if (problem == std::errc::filename_too_long) {
         throw Error(fmt::format("cannot write: {}", problem.message()), output.string(),
                     "choose a shorter name");
     }

@@ -17,15 +17,15 @@ namespace estampe {
 /// see either the old content or the complete new one. Without publish() the destructor deletes it.
 class AtomicFile {
 public:
-    /// Creates an empty file. Throws Error that names `target` if it is a folder, or if its folder does not
-    /// exist or is not writable.
+    /// Creates an empty temporary file. Throws Error that names `target` if it is a folder, or if its folder
+    /// does not exist or is not writable.
     [[nodiscard]] static AtomicFile file(const std::filesystem::path& target);
 
-    /// Creates a file with these bytes. Throws Error as for an empty file, and if the disk is full.
+    /// Creates a temporary file with these bytes. Throws Error as for an empty file, and if the disk is full.
     [[nodiscard]] static AtomicFile file(const std::filesystem::path& target,
                                          std::span<const std::byte> bytes);
 
-    /// Creates an empty folder.
+    /// Creates an empty temporary folder.
     [[nodiscard]] static AtomicFile folder(const std::filesystem::path& target);
 
     AtomicFile(AtomicFile&& other) noexcept;
@@ -34,41 +34,42 @@ public:
     AtomicFile& operator=(AtomicFile&&) = delete;
     ~AtomicFile();
 
-    /// Temporary path, valid until publish().
+    /// Temporary path of the file or folder, valid until publish().
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-    /// Renames to `target`. Throws Error if what is there cannot be replaced.
+    /// Renames the temporary file or folder to `target`. Throws Error if the existing file or folder at
+    /// `target` cannot be replaced.
     void publish();
 
 private:
     AtomicFile(std::filesystem::path target, std::filesystem::path path);
 
     std::filesystem::path target_;
-    std::filesystem::path path_; ///< Empty: published or moved from
+    std::filesystem::path path_; ///< Temporary path; empty after publish() or after a move
 };
 
-/// Deletes the unpublished files and folders of all threads, and blocks the creation of new ones. Only for a
+/// Deletes the temporary files and folders of all threads, and blocks the creation of new ones. Only for a
 /// program that is about to end.
 void remove_all_pending() noexcept;
 
-/// File extension in lower case, with its dot; empty if there is none.
+/// Returns the extension of a file name in lower case, with its dot; empty if there is none.
 [[nodiscard]] std::string lower_extension(const std::filesystem::path& path);
 
-/// Reads a whole regular file. Throws Error that names it if it is missing, is a folder, pipe or device, is
-/// unreadable, or is longer than `max_bytes`.
+/// Reads a whole regular file. Throws Error that names the file if it is missing, is a folder, pipe or
+/// device, is unreadable, or is longer than `max_bytes`.
 [[nodiscard]] std::vector<std::byte> read_file(const std::filesystem::path& path,
                                                uint64_t max_bytes = std::numeric_limits<uint64_t>::max());
 
-/// Reads at most the first `most_bytes` of a regular file. Throws Error that names it if it is missing, is a
-/// folder, pipe or device, or is unreadable.
+/// Reads at most the first `most_bytes` of a regular file. Throws Error that names the file if it is missing,
+/// is a folder, pipe or device, or is unreadable.
 [[nodiscard]] std::vector<std::byte> read_file_start(const std::filesystem::path& path, uint64_t most_bytes);
 
 /// Writes a file through a temporary one beside `path`, so readers see the old file or the complete new one;
 /// see AtomicFile. Throws Error if the folder does not exist or is not writable, or the disk is full.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-/// Throws Error if no file can be written to `output`: its folder is missing or not writable, it is a folder
-/// itself, or it is one of the `inputs`. Changes nothing at `output`.
+/// Checks that a file can be written to `output`. Throws Error if the folder of `output` is missing or not
+/// writable, if `output` is a folder itself, or if it is one of the `inputs`. Changes nothing at `output`.
 void check_output(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs);
 
 /// The user's cache folder: $XDG_CACHE_HOME, or ~/.cache. Empty if neither is an absolute path.

@@ -19,7 +19,8 @@ namespace {
 
 constexpr uint64_t no_limit = std::numeric_limits<uint64_t>::max();
 
-/// The number after `key` in a file of key-value pairs; with an empty key, the first number of the file.
+/// Reads the number after `key` in a file of key-value pairs; with an empty key, the first number of the
+/// file.
 std::optional<uint64_t> number_in(const std::filesystem::path& path, std::string_view key)
 {
     std::ifstream file(path);
@@ -37,8 +38,8 @@ uint64_t free_on_machine(const std::filesystem::path& root)
     return memory ? (*memory + swap.value_or(0)) * kibibyte : no_limit;
 }
 
-/// Free memory of a control group with a limit. Its cached files count as used, but the system can release
-/// them.
+/// Free memory of a Linux control group with a memory limit. The group's cached files count as used, but the
+/// system can release them.
 uint64_t free_in_group(const std::filesystem::path& group, const char* limit_name, const char* taken_name,
                        const char* files_name)
 {
@@ -52,7 +53,7 @@ uint64_t free_in_group(const std::filesystem::path& group, const char* limit_nam
     return *limit - std::min(used, *limit);
 }
 
-/// Address space left under the process limit.
+/// Address space that this process can still use under its limit (RLIMIT_AS).
 uint64_t free_for_process(const std::filesystem::path& root)
 {
     rlimit limit{};

@@ -62,8 +62,8 @@ private:
     uint64_t state_ = 0;
 };
 
-/// Integer hash with O'Neill's PCG output permutation, from Jarzynski and Olano, "Hash Functions for GPU
-/// Rendering", JCGT 2020. Gives the same values as shaders/hash.glsl.
+/// Hashes an integer with O'Neill's PCG output permutation, from Jarzynski and Olano, "Hash Functions for GPU
+/// Rendering", JCGT 2020. The function in shaders/hash.glsl gives the same values.
 [[nodiscard]] constexpr uint32_t hash(uint32_t x)
 {
     const uint32_t state = x * 747796405U + 2891336453U;

@@ -34,7 +34,7 @@ struct DeleteTransform {
 using ColorProfile = std::unique_ptr<void, CloseProfile>;
 using ColorTransform = std::unique_ptr<void, DeleteTransform>;
 
-/// Null if the profile is damaged or not for CMYK.
+/// Makes the conversion from an ICC profile to sRGB; null if the profile is damaged or not for CMYK.
 ColorTransform transform_of(std::span<const std::byte> bytes, bool inverted)
 {
     if (bytes.empty())
@@ -98,7 +98,8 @@ bool read_png_header(PngReader& reader)
     if (setjmp(reader.failure.jump) != 0) {
         return false;
     }
-    png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX); // Own limits: check_image_size()
+    // Removes libpng's limits; check_image_size() checks this program's limits
+    png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_set_chunk_malloc_max(reader.png, png_alloc_size_t{1} << 24);
     png_set_crc_action(reader.png, PNG_CRC_ERROR_QUIT, PNG_CRC_QUIET_USE);
     png_set_read_fn(reader.png, &reader.source, png_take);
@@ -106,7 +107,7 @@ bool read_png_header(PngReader& reader)
     return true;
 }
 
-/// Sets the conversion to RGBA. libpng allocates a row here.
+/// Tells libpng to convert all pictures to RGBA. libpng allocates a row here.
 bool ask_for_rgba(PngReader& reader, bool is_deep)
 {
     if (setjmp(reader.failure.jump) != 0) {
@@ -134,7 +135,7 @@ bool read_png_pixels(PngReader& reader)
     return true;
 }
 
-/// `Picture` has 8 bits per channel, or 16 for 16-bit data.
+/// Reads the pixels of a PNG. `Picture` has 8 bits per channel, or 16 for 16-bit data.
 template <class Picture>
 Picture decode_png(std::span<const std::byte> data, const std::string& name)
 {
@@ -190,7 +191,8 @@ struct JpegReader {
     std::longjmp(failure->jump, 1);
 }
 
-/// A negative level is a warning of corrupt or truncated data, which libjpeg would paint grey.
+/// Handles a message of libjpeg. A negative level is a warning of corrupt or truncated data, for which
+/// libjpeg would paint grey.
 void jpeg_warned(j_common_ptr jpeg, int level)
 {
     if (level < 0) {
@@ -198,7 +200,7 @@ void jpeg_warned(j_common_ptr jpeg, int level)
     }
 }
 
-/// Limits the scans of a progressive image, each of which processes all pixels.
+/// Limits the number of scans in a progressive JPEG, because each scan processes all pixels.
 void jpeg_progressed(j_common_ptr jpeg)
 {
     constexpr int max_scans = 200;
@@ -209,7 +211,7 @@ void jpeg_progressed(j_common_ptr jpeg)
     }
 }
 
-/// Whether the picture is for print: CMYK, or YCCK (black, and the other inks as YCbCr).
+/// Returns whether the JPEG stores printing inks: CMYK, or YCCK (black, and the other inks as YCbCr).
 bool holds_inks(const jpeg_decompress_struct& jpeg)
 {
     return jpeg.jpeg_color_space == JCS_CMYK || jpeg.jpeg_color_space == JCS_YCCK;
@@ -226,7 +228,8 @@ bool read_jpeg_header(JpegReader& reader, std::span<const std::byte> data)
     reader.jpeg.mem->max_memory_to_use = 1L << 29;
     jpeg_mem_src(&reader.jpeg, reinterpret_cast<const unsigned char*>(data.data()), data.size());
     constexpr unsigned longest_marker = 0xffff;
-    jpeg_save_markers(&reader.jpeg, JPEG_APP0 + 2, longest_marker); // Colour profiles
+    // Keeps the markers that hold colour profiles
+    jpeg_save_markers(&reader.jpeg, JPEG_APP0 + 2, longest_marker);
     jpeg_read_header(&reader.jpeg, TRUE);
     return true;
 }
@@ -249,7 +252,7 @@ bool read_jpeg_pixels(JpegReader& reader, Image& image)
 
 using JpegProfile = std::unique_ptr<JOCTET, decltype(&std::free)>;
 
-/// Reads the colour profile. libjpeg allocates it.
+/// Reads the colour profile of a JPEG. libjpeg allocates the memory of the profile.
 bool read_jpeg_profile(JpegReader& reader, JOCTET** profile, unsigned* bytes)
 {
     if (setjmp(reader.failure.jump) != 0) {
@@ -273,7 +276,7 @@ Image decode_jpeg(std::span<const std::byte> data, const std::string& name)
     const bool has_inks = holds_inks(reader.jpeg);
     JOCTET* found = nullptr;
     unsigned profile_bytes = 0;
-    if (has_inks) { // Read before the pixels, because the profile is lost afterwards
+    if (has_inks) { // The profile is read before the pixels, because libjpeg loses it afterwards
         (void)read_jpeg_profile(reader, &found, &profile_bytes);
     }
     const JpegProfile profile(found, std::free);
@@ -281,7 +284,7 @@ Image decode_jpeg(std::span<const std::byte> data, const std::string& name)
         throw Error(fmt::format("corrupt JPEG: {}", reader.failure.message), name);
     }
     if (has_inks) {
-        // Adobe's programs store inverted inks: 255 means no ink.
+        // Adobe's programs store inverted inks in a JPEG: 255 means no ink.
         const bool inverted = reader.jpeg.saw_Adobe_marker != 0;
         inks_to_rgb(image.rgba, inverted, std::as_bytes(std::span(profile.get(), profile_bytes)));
     }
@@ -318,7 +321,8 @@ bool is_png(std::span<const std::byte> data)
 
 std::optional<DeepImage> decode_deep_image(std::span<const std::byte> data, const std::string& name)
 {
-    constexpr size_t depth_at = 24; // Offset in the first chunk, which must be the header
+    // Offset of the bit depth in a PNG file, whose first chunk must be the header
+    constexpr size_t depth_at = 24;
     if (!is_png(data) || data.size() <= depth_at || data[depth_at] != std::byte{16}) {
         return std::nullopt;
     }

@@ -14,14 +14,14 @@
 
 namespace estampe {
 
-/// Limits of images that are read: longest side and number of pixels.
+/// Limits of images that this program reads: longest side and number of pixels.
 inline constexpr uint32_t max_image_side = 16384;
 inline constexpr uint64_t max_image_pixels = uint64_t{1} << 26;
 
-/// Decodes PNG (libpng), JPEG (libjpeg), WebP (libwebp), TIFF (libtiff), TGA, BMP or GIF (stb_image) or PSD.
-/// The first bytes decide the format, not the file name. Grey, palette, 16-bit and opaque images become four
-/// 8-bit channels. Colours are not converted, except CMYK; see inks_to_rgb(). Of a GIF, the first frame is
-/// decoded.
+/// Decodes a picture file: PNG (libpng), JPEG (libjpeg), WebP (libwebp), TIFF (libtiff), TGA, BMP or GIF
+/// (stb_image) or PSD. The first bytes decide the format, not the file name. Grey, palette, 16-bit and opaque
+/// images become four 8-bit channels. Colours are not converted, except CMYK; see inks_to_rgb(). Of a GIF,
+/// the first frame is decoded.
 ///
 /// Throws Error with `name` as its place if the data is of another kind, truncated, corrupt, or beyond the
 /// limits above. Cost: about 20 ms per megapixel for PNG, half of it for JPEG. Thread-safe.
@@ -34,16 +34,16 @@ struct DeepImage {
     std::vector<uint16_t> rgba;
 };
 
-/// Decodes a PNG with 16 bits per channel without loss; empty for any other data. Throws Error as
+/// Decodes a PNG with 16 bits per channel without loss; returns nothing for any other data. Throws Error as
 /// decode_image() does.
 [[nodiscard]] std::optional<DeepImage> decode_deep_image(std::span<const std::byte> data,
                                                          const std::string& name);
 
-/// Encodes as PNG marked as sRGB, optimised for speed rather than size. `dots_per_m` is the print
+/// Encodes an image as PNG marked as sRGB, optimised for speed rather than size. `dots_per_m` is the print
 /// resolution; 0 leaves it out. Throws Error if the image is empty or its size and bytes disagree.
 [[nodiscard]] std::vector<std::byte> encode_png(const Image& image, uint32_t dots_per_m = 0);
 
-/// Encodes as PNG with 16 bits per channel: red, green, blue, and alpha if there are four channels.
+/// Encodes an image as PNG with 16 bits per channel: red, green, blue, and alpha if there are four channels.
 [[nodiscard]] std::vector<std::byte> encode_png(uint32_t width, uint32_t height, uint32_t channels,
                                                 std::span<const uint16_t> values, uint32_t dots_per_m = 0);
 
@@ -51,16 +51,17 @@ struct DeepImage {
 /// path with publish().
 class PngFile {
 public:
-    /// `dots_per_m` is the print resolution; 0 leaves it out. Throws Error if the file cannot be written.
+    /// Starts a PNG file. `dots_per_m` is the print resolution; 0 leaves it out. Throws Error if the file
+    /// cannot be written.
     PngFile(const std::filesystem::path& path, uint32_t width, uint32_t height, uint32_t dots_per_m = 0);
     ~PngFile();
     PngFile(const PngFile&) = delete;
     PngFile& operator=(const PngFile&) = delete;
 
-    /// Adds rows of four bytes per pixel. Throws Error if the disk is full.
+    /// Adds rows of pixels with four bytes each. Throws Error if the disk is full.
     void add_rows(std::span<const uint8_t> rgba);
 
-    /// Completes the file after its last row. Throws Error if the disk is full or rows are missing.
+    /// Completes the PNG file after its last row. Throws Error if the disk is full or rows are missing.
     void publish();
 
 private:

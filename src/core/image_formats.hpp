@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Shared by the decoders behind image_codec.hpp: decoders of single formats, size-checked images, and error
+// Code that the decoders of image_codec.hpp share: decoders of single formats, size-checked images, and error
 // handling of libpng and libjpeg.
 
 #include <csetjmp>
@@ -40,7 +40,8 @@ struct CodecFailure {
 
 inline void png_warned(png_structp /*png*/, png_const_charp /*message*/) {}
 
-/// Throws Error with `name` as its place if an image of this size exceeds the limits for reading.
+/// Checks that an image of this size is within the limits for reading. Throws Error with `name` as its place
+/// otherwise.
 inline void check_image_size(uint64_t width, uint64_t height, const std::string& name)
 {
     if (width == 0 || height == 0 || width > max_image_side || height > max_image_side ||
@@ -51,7 +52,7 @@ inline void check_image_size(uint64_t width, uint64_t height, const std::string&
     }
 }
 
-/// A zeroed image, after checks of its size and the free memory.
+/// Makes an image whose pixels are all zero, after checks of its size and the free memory.
 template <class Picture = Image>
 Picture new_image(uint64_t width, uint64_t height, const std::string& name)
 {
@@ -64,7 +65,7 @@ Picture new_image(uint64_t width, uint64_t height, const std::string& name)
 }
 
 /// Converts 8-bit CMYK pixels to opaque sRGB in place. Uses `profile` if it is an ICC profile for CMYK
-/// (lcms2); otherwise each ink absorbs its share of the light. `inverted`: 255 means no ink.
+/// (lcms2); otherwise each ink absorbs its share of the light. `inverted` means that 255 stands for no ink.
 void inks_to_rgb(std::span<uint8_t> pixels, bool inverted, std::span<const std::byte> profile);
 
 /// Decodes a TGA, BMP or GIF (its first frame) with stb_image, or the flattened picture of a PSD; empty for

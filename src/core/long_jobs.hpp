@@ -16,14 +16,16 @@ inline constexpr std::launch launch_if_possible = std::launch::async | std::laun
 /// report_progress().
 class ProgressWatch {
 public:
-    /// `go_on` receives the share that is done, 0 to 1, and returns whether to continue.
+    /// Starts to receive progress. `go_on` receives the share of the job that is done, 0 to 1, and returns
+    /// whether the job should continue.
     explicit ProgressWatch(std::function<bool(double share)> go_on);
     ~ProgressWatch();
     ProgressWatch(const ProgressWatch&) = delete;
     ProgressWatch& operator=(const ProgressWatch&) = delete;
 };
 
-/// Reports to the ProgressWatch of this thread, if any. Throws Error if it returns false.
+/// Reports the progress of a job to the ProgressWatch of this thread, if any. Throws Error if the watch asks
+/// to stop.
 void report_progress(double share);
 
 } // namespace estampe

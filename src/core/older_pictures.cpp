@@ -31,7 +31,7 @@ public:
 
     [[nodiscard]] size_t size() const { return data_.size(); }
 
-    /// The bytes from `place` on; need() checks that they exist.
+    /// Returns the bytes from `place` on; need() checks that they exist.
     [[nodiscard]] const std::byte* at(size_t place) const { return data_.data() + place; }
 
     [[nodiscard]] uint32_t byte(size_t at) const
@@ -89,7 +89,8 @@ Head read_head(const PictureBytes& bytes)
     return head;
 }
 
-/// Unpacks the runs of one row of one channel; missing pixels stay zero.
+/// Unpacks one row of one channel of a PSD file, which is stored as runs of equal bytes; missing pixels stay
+/// zero.
 void unpack_row(const PictureBytes& bytes, uint64_t at, uint64_t packed, std::vector<uint8_t>& row)
 {
     size_t filled = 0;
@@ -112,7 +113,7 @@ void unpack_row(const PictureBytes& bytes, uint64_t at, uint64_t packed, std::ve
         bytes.refuse("is corrupt: a row is too short");
 }
 
-/// Removes the white that Photoshop composites transparent pixels onto.
+/// Removes the white onto which Photoshop composites transparent pixels.
 void take_white_away(Image& image)
 {
     for (size_t i = 0; i < image.rgba.size(); i += 4) {
@@ -191,7 +192,8 @@ bool starts_with(std::span<const std::byte> data, std::string_view magic)
 struct TgaHead {
     static constexpr size_t bytes = 18;
     uint32_t map_type = 0;
-    uint32_t kind = 0; ///< 1 colour-mapped, 2 true-colour, 3 grey; plus 8 if run-length encoded
+    /// Picture type of a TGA file: 1 colour-mapped, 2 true-colour, 3 grey; plus 8 if run-length encoded.
+    uint32_t kind = 0;
     uint32_t map_first = 0;
     uint32_t map_entries = 0;
     uint32_t map_bits = 0;
@@ -262,8 +264,8 @@ void check_tga(const PictureBytes& bytes)
     }
 }
 
-/// Corrects what stb_image ignores: an unused fourth byte, often zero, is no alpha, and rows may run from
-/// right to left.
+/// Corrects a TGA picture where stb_image ignores its header: an unused fourth byte, often zero, is no alpha,
+/// and rows may run from right to left.
 void finish_tga(const PictureBytes& bytes, Image& image)
 {
     constexpr uint32_t right_to_left = 0x10;
@@ -298,11 +300,11 @@ void check_bmp(const PictureBytes& bytes)
     if (compression != 0 && compression != 3)
         bytes.refuse("holds another format, which is not read");
     if (width > max_image_side || height > max_image_side)
-        return; // The decoder rejects such sizes with its own message
+        return; // The decoder itself rejects larger sizes with its own message
     bytes.need(pixels_at, (width * bits + 31) / 32 * 4 * height);
 }
 
-/// Checks a GIF up to the end of its first picture.
+/// Checks that the bytes of a GIF are complete up to the end of its first picture.
 void check_gif(const PictureBytes& bytes)
 {
     const auto table_bytes = [](uint32_t flags) -> uint64_t {
@@ -337,9 +339,10 @@ Image decode_with_stb(std::span<const std::byte> data, const char* format, const
     int channels = 0;
     if (stbi_info_from_memory(first, size, &width, &height, &channels) == 0)
         throw Error(fmt::format("{} cannot be read: {}", format, stbi_failure_reason()), name);
-    height = std::abs(height); // Negative for a top-down BMP
+    height = std::abs(height); // A BMP with rows from top to bottom has a negative height
     Image image = new_image(static_cast<uint64_t>(width), static_cast<uint64_t>(height), name);
-    constexpr uint64_t bytes_of_decoder = 9; // Per pixel: the picture, the background, and flags
+    // Memory of the GIF decoder per pixel: the picture, the background, and flags
+    constexpr uint64_t bytes_of_decoder = 9;
     require_memory(bytes_of_decoder * image.width * image.height, fmt::format("decoding a {}", format), name);
     const std::unique_ptr<stbi_uc, StbFree> pixels(
         stbi_load_from_memory(first, size, &width, &height, &channels, 4));
@@ -356,7 +359,8 @@ Image decode_with_stb(std::span<const std::byte> data, const char* format, const
 
 std::optional<Image> decode_older_picture(std::span<const std::byte> data, const std::string& name)
 {
-    constexpr size_t most_bytes = size_t{1} << 30; // stb_image counts bytes with an int
+    // Largest file for stb_image, which counts bytes with an int
+    constexpr size_t most_bytes = size_t{1} << 30;
     const bool is_gif = starts_with(data, "GIF87a") || starts_with(data, "GIF89a");
     const bool is_bmp = starts_with(data, "BM");
     const bool is_psd = starts_with(data, "8BPS");

@@ -33,15 +33,15 @@ struct PngHead {
     uint32_t height = 0;
     uint32_t channels = 4;
     uint32_t bits = 8;
-    uint32_t dots_per_m = 0; ///< 0: not stored
+    uint32_t dots_per_m = 0; ///< Print resolution in dots per metre; 0: not stored in the file
 };
 
 namespace {
 
-/// Deflate level: as fast as level 3 on drawings, and smaller.
+/// Compression level of deflate: as fast as level 3 on drawings, and with smaller files.
 constexpr int png_level = 4;
 
-/// Writes the header, marked as sRGB, and sets the compression. May longjmp; see CodecFailure.
+/// Writes the header of a PNG file, marked as sRGB, and sets the compression. May longjmp; see CodecFailure.
 void png_write_head(png_structp png, png_infop info, const PngHead& head)
 {
     png_set_compression_level(png, png_level);
@@ -56,7 +56,7 @@ void png_write_head(png_structp png, png_infop info, const PngHead& head)
     png_write_info(png, info);
 }
 
-/// Pixels in memory, row by row without gaps, with 8 or 16 bits per sample.
+/// Pixels to encode: rows in memory without gaps, with 8 or 16 bits per sample.
 struct PngPixels {
     uint32_t width = 0;
     uint32_t height = 0;
@@ -69,11 +69,14 @@ struct PngPixels {
     [[nodiscard]] uint64_t row_bytes() const { return uint64_t{width} * pixel_bytes(); }
 };
 
-constexpr uint64_t strip_bytes = 1U << 20U;                       // Bytes per strip of rows; at least one row
-constexpr size_t window_bytes = 32768;                            // Window of deflate
-constexpr std::array zlib_head{std::byte{0x78}, std::byte{0x5e}}; // Zlib header: 32 KiB window, fast level
+// Size of the strips of rows that threads deflate; a strip has at least one row
+constexpr uint64_t strip_bytes = 1U << 20U;
+constexpr size_t window_bytes = 32768; // Window of deflate in bytes: how far back repeated data is found
+// First two bytes of zlib data: 32 KiB window, fast level
+constexpr std::array zlib_head{std::byte{0x78}, std::byte{0x5e}};
 
-/// Filtered rows for deflate: the filter byte, then each byte minus the byte of the pixel to the left.
+/// Applies PNG's Sub filter to rows, for deflate: the filter byte, then each byte minus the byte of the pixel
+/// to the left.
 std::vector<std::byte> filtered(const PngPixels& pixels, uint64_t first, uint64_t end)
 {
     constexpr std::byte less_left{1};
@@ -150,7 +153,7 @@ Strip deflated(const PngPixels& pixels, uint64_t first, uint64_t end)
     return strip;
 }
 
-/// Deflates all strips, with one thread per core.
+/// Deflates all strips of rows, with one thread per core.
 std::vector<Strip> deflate_all(const PngPixels& pixels, uint64_t rows_each)
 {
     std::vector<Strip> strips((pixels.height + rows_each - 1) / rows_each);
@@ -173,9 +176,9 @@ std::vector<Strip> deflate_all(const PngPixels& pixels, uint64_t rows_each)
     return strips;
 }
 
-/// The content of the IDAT chunks of a PNG file, one after another: rows with the Sub filter, deflated for
-/// speed rather than size, in strips on all cores. The bytes do not depend on the number of cores. Throws
-/// Error if memory runs out. Cost: 65 ms of one core per megapixel of a drawing.
+/// Returns the content of the IDAT chunks of a PNG file, one after another: rows with the Sub filter,
+/// deflated for speed rather than size, in strips on all cores. The bytes do not depend on the number of
+/// cores. Throws Error if memory runs out. Cost: 65 ms of one core per megapixel of a drawing.
 ///
 /// Source  the PNG specification, 9 (filters); Adler's pigz, 2007 (strips that share the 32 KiB before)
 std::vector<std::vector<std::byte>> deflate_png_rows(const PngPixels& pixels)
@@ -227,7 +230,8 @@ bool write(PngWriter& writer, const PngHead& head, const std::vector<std::vector
         png_write_chunk(writer.png, reinterpret_cast<png_const_bytep>("IDAT"),
                         reinterpret_cast<png_const_bytep>(part.data()), part.size());
     }
-    // png_write_end() would fail, because libpng did not deflate the rows.
+    // Writes the last chunk of the file directly: png_write_end() would fail, because libpng did not deflate
+    // the rows.
     png_write_chunk(writer.png, reinterpret_cast<png_const_bytep>("IEND"), nullptr, 0);
     return true;
 }

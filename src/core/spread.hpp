@@ -15,7 +15,7 @@ struct Spread {
     double high = 0.0;
 };
 
-/// Requires at least one value.
+/// Computes the median and quartiles of `values`, which must not be empty.
 [[nodiscard]] inline Spread spread_of(std::vector<double> values)
 {
     std::ranges::sort(values);
@@ -25,7 +25,7 @@ struct Spread {
     return {.low = at(0.25), .median = at(0.5), .high = at(0.75)};
 }
 
-/// Requires at least one value.
+/// Computes the median of `values`, which must not be empty.
 [[nodiscard]] inline double median_of(std::vector<double> values)
 {
     return spread_of(std::move(values)).median;

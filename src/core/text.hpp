@@ -9,23 +9,23 @@
 
 namespace estampe {
 
-/// `text` on one line: control characters, which could command a terminal, become "\x1b".
+/// Returns `text` as one line: control characters, which could command a terminal, become "\x1b".
 [[nodiscard]] std::string one_line(std::string_view text);
 
-/// `text`, or its beginning and end if it is too long to read.
+/// Returns `text`, or only its beginning and end if it is too long to read.
 [[nodiscard]] std::string shortened(const std::string& text);
 
-/// `text` on one line, in double quotes.
+/// Returns `text` as one line, in double quotes.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-/// `text` in lower case. Non-ASCII letters are unchanged, because their case depends on the language.
+/// Returns `text` in lower case. Non-ASCII letters are unchanged, because their case depends on the language.
 [[nodiscard]] std::string lower_case(std::string_view text);
 
-/// `text` without the characters of `around` at its beginning and its end.
+/// Returns `text` without the characters of `around` at its beginning and its end.
 [[nodiscard]] std::string_view trimmed(std::string_view text, std::string_view around = " \t\r\n");
 
-/// The number that is all of `text`, as std::from_chars reads it; nothing if there is none or it does not fit
-/// the type.
+/// Parses `text` as a number, as std::from_chars does. Returns nothing if any part of `text` is not part of
+/// the number, or if the number does not fit the type.
 template <typename Number>
 [[nodiscard]] std::optional<Number> number_from(std::string_view text)
 {
@@ -38,7 +38,7 @@ template <typename Number>
 /// Replaces each `what` in `text` by `with`, from left to right. Replacements are not searched again.
 void replace_all(std::string& text, const std::string& what, const std::string& with);
 
-/// Writes to standard error. If that is full or closed, the text is lost and nothing fails.
+/// Writes `text` to standard error. If standard error is full or closed, the text is lost and nothing fails.
 void say(const std::string& text);
 
 } // namespace estampe

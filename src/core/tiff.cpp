@@ -26,7 +26,7 @@ namespace {
 struct TiffSource {
     std::span<const std::byte> data;
     uint64_t position = 0;
-    char message[1024] = {}; ///< Size that TIFFRGBAImageOK() requires
+    char message[1024] = {}; ///< libtiff's TIFFRGBAImageOK() requires a buffer of this size
 };
 
 TiffSource& source_of(thandle_t handle)
@@ -69,7 +69,7 @@ toff_t size_of(thandle_t handle)
     return source_of(handle).data.size();
 }
 
-/// libtiff reads from mapped memory only, and does not write there.
+/// Gives libtiff the file's bytes as mapped memory, which libtiff only reads.
 int map_all(thandle_t handle, void** base, toff_t* size)
 {
     const TiffSource& source = source_of(handle);
@@ -80,7 +80,7 @@ int map_all(thandle_t handle, void** base, toff_t* size)
 
 void unmap_nothing(thandle_t /*handle*/, void* /*base*/, toff_t /*size*/) {}
 
-/// Keeps the first error; later errors follow from the first.
+/// Keeps the first error message of libtiff; later errors follow from the first.
 int keep_message(TIFF* /*tiff*/, void* target, const char* /*module*/, const char* format, va_list values)
 {
     auto& source = *static_cast<TiffSource*>(target);
@@ -117,8 +117,8 @@ Tiff open_tiff(TiffSource& source)
 
 enum class Alpha { straight, premultiplied };
 
-/// libtiff premultiplies colours by unassociated alpha. Textures use straight alpha, so this code declares
-/// the alpha as already associated.
+/// Makes libtiff keep straight alpha. libtiff premultiplies colours by unassociated alpha, but textures use
+/// straight alpha, so this code declares the alpha as already associated.
 Alpha take_alpha(TIFF* tiff)
 {
     uint16_t count = 0;
@@ -145,15 +145,16 @@ void divide_by_alpha(Image& image)
     }
 }
 
-constexpr uint16_t most_samples = 16; // More samples are bands of satellite images
+// Largest number of samples per pixel; more samples are bands of satellite images
+constexpr uint16_t most_samples = 16;
 
 struct FloatLayout {
     uint16_t samples = 1;
     uint16_t bits = 1;
-    uint16_t colors = 1; ///< 1: grey, 3: RGB
+    uint16_t colors = 1; ///< Number of colour samples per pixel: 1 for grey, 3 for RGB
     bool has_alpha = false;
-    bool is_alpha_in_colors = false; ///< Colours are premultiplied by alpha
-    bool is_planar = false;          ///< Channels in separate planes, which is not supported
+    bool is_alpha_in_colors = false; ///< The file's colours are premultiplied by alpha
+    bool is_planar = false; ///< Channels are in separate planes, a layout that this decoder does not support
     bool is_from_bottom = false;
 };
 
@@ -199,7 +200,7 @@ float sample_at(const std::vector<std::byte>& row, size_t index, uint16_t bits)
 
 float within_one(float value)
 {
-    return value > 0.0F ? std::min(value, 1.0F) : 0.0F; // NaN becomes 0
+    return value > 0.0F ? std::min(value, 1.0F) : 0.0F; // Negative numbers and NaN become 0
 }
 
 uint8_t byte_of(float value)
@@ -207,7 +208,7 @@ uint8_t byte_of(float value)
     return static_cast<uint8_t>(std::lround(255.0F * value));
 }
 
-/// Converts the samples of one pixel, colours then alpha, to bytes.
+/// Converts the samples of one pixel to bytes: its colours, then its alpha.
 void put_pixel(const std::array<float, 4>& samples, const FloatLayout& layout, uint8_t* rgba)
 {
     const float alpha = layout.has_alpha ? within_one(samples[layout.colors]) : 1.0F;
@@ -219,8 +220,8 @@ void put_pixel(const std::array<float, 4>& samples, const FloatLayout& layout, u
     rgba[3] = byte_of(alpha);
 }
 
-/// Whether the samples are 16, 32 or 64-bit floats, grey or RGB, in strips and interleaved. libtiff does not
-/// convert these to bytes.
+/// Returns whether the samples of a TIFF are floats of 16, 32 or 64 bits, grey or RGB, in strips and
+/// interleaved. libtiff does not convert these to bytes.
 bool has_float_samples(TIFF* tiff)
 {
     uint16_t format = SAMPLEFORMAT_UINT;
@@ -291,7 +292,7 @@ Image decode_tiff(std::span<const std::byte> data, const std::string& name)
     TIFFGetFieldDefaulted(tiff.get(), TIFFTAG_COMPRESSION, &compression);
     if (compression == COMPRESSION_OJPEG)
         throw Error("TIFF holds JPEG data in the form of 1992, which is not read", name);
-    constexpr uint64_t best_ratio = 1040; // Best ratio of deflate
+    constexpr uint64_t best_ratio = 1040; // Best compression ratio that deflate can reach
     if (uint64_t{width} * height > 64 * best_ratio * data.size())
         throw Error(
             fmt::format("corrupt TIFF: {} x {} pixels cannot come from {} bytes", width, height, data.size()),

@@ -20,7 +20,7 @@
 namespace estampe::output {
 namespace {
 
-/// Start of one process: its streams, and the settings that it must not inherit.
+/// The start of one child process: its streams, and the settings of this program that it must not inherit.
 class Start {
 public:
     Start(int input, int errors)
@@ -51,7 +51,8 @@ public:
         std::vector<char*> words;
         words.reserve(command.size() + 1);
         for (const std::string& word : command) {
-            words.push_back(const_cast<char*>(word.c_str())); // posix_spawn does not modify the words
+            // The cast is safe, because posix_spawn does not modify the arguments
+            words.push_back(const_cast<char*>(word.c_str()));
         }
         words.push_back(nullptr);
         return posix_spawnp(&id, words.front(), &streams_, &attributes_, words.data(), environ);
@@ -73,8 +74,8 @@ int file_without_name()
 
 Child::Child(const std::vector<std::string>& command, const std::string& to_install)
 {
-    // A socket, because a broken connection is reported as an error; a pipe would raise a signal and end
-    // this program.
+    // A socket instead of a pipe: a broken socket is reported as an error, while a broken pipe would raise a
+    // signal and end this program.
     std::array<int, 2> ends{};
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
         throw Error(fmt::format("a program cannot be started: {}", std::strerror(errno)), command.front());

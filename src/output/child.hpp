@@ -15,25 +15,25 @@ namespace estampe::output {
 /// process if it still runs.
 class Child {
 public:
-    /// Throws Error, with `to_install` as remedy, if the program is not installed.
+    /// Starts the process. Throws Error, with `to_install` as remedy, if the program is not installed.
     Child(const std::vector<std::string>& command, const std::string& to_install);
     ~Child();
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
 
-    /// Returns false if the process no longer reads.
+    /// Writes bytes to the process. Returns false if the process no longer reads.
     [[nodiscard]] bool write(std::span<const std::byte> bytes) const;
 
     /// Closes the input of the process and waits for it. Returns whether it reports success.
     [[nodiscard]] bool finish();
 
-    /// The first lines of its stderr, after it has finished.
+    /// Returns the first lines of the process's stderr, after the process has finished.
     [[nodiscard]] std::string complaint() const;
 
 private:
-    pid_t id_ = -1; ///< Negative: the process has ended
+    pid_t id_ = -1; ///< Number of the process; negative after the process has ended
     int input_ = -1;
-    int errors_ = -1; ///< An unnamed file
+    int errors_ = -1; ///< File descriptor of an unnamed file that receives the process's stderr
 };
 
 } // namespace estampe::output

@@ -19,11 +19,14 @@ namespace {
 struct Codec {
     const char* container;
     std::vector<std::string> arguments;
-    bool wants_even_sides = false;            ///< Chroma is stored per 2 x 2 pixels
-    std::vector<std::string> with_alpha = {}; ///< Replaces `arguments`; empty: no alpha support
+    /// The picture's sides must be even, because chroma is stored per 2 x 2 pixels.
+    bool wants_even_sides = false;
+    /// Arguments for films with alpha, used instead of `arguments`; empty: the format has no alpha.
+    std::vector<std::string> with_alpha = {};
 };
 
-/// Codec settings without dates, program names and anything else that differs between runs.
+/// Returns the codec settings for a film's file extension. They leave out dates, program names and anything
+/// else that differs between runs.
 const Codec* codec_of(const std::filesystem::path& path)
 {
     static const std::string video_filter =
@@ -80,7 +83,7 @@ std::vector<std::string> command_for(const Codec& codec, const std::filesystem::
     return command;
 }
 
-/// The image with its last row or column doubled if their number is odd.
+/// Returns the image with its last row or column doubled if the number of rows or columns is odd.
 Image with_even_sides(const Image& image)
 {
     Image even{.width = image.width + image.width % 2, .height = image.height + image.height % 2};
@@ -113,7 +116,7 @@ struct FilmWriter::Impl {
     {
     }
 
-    /// Call after the encoder has ended.
+    /// Throws the error of ffmpeg. Call this function after the encoder has ended.
     [[noreturn]] void fail() const { throw Error("ffmpeg cannot write the film", name, encoder.complaint()); }
 
     std::string name;

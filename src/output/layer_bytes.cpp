@@ -17,23 +17,23 @@
 namespace estampe::output {
 namespace {
 
-/// A colour of integers.
+/// A colour whose components are integers, as in compositing programs.
 using Numbers = glm::ivec3;
 
-/// Composite of the layers so far at one pixel.
+/// Composite of the layers so far at one pixel, as two kinds of programs compute it.
 struct Laid {
-    Numbers rounded{0};    ///< In a program that rounds after every layer
-    glm::dvec3 exact{0.0}; ///< In a program that works in floats; same unit
+    Numbers rounded{0};    ///< Composite in a program that rounds to integers after every layer
+    glm::dvec3 exact{0.0}; ///< Composite in a program that works in floats; in the same unit as `rounded`
 };
 
-/// Composite that is wanted after the next layer.
+/// The colour that the composite must have after the next layer.
 struct Wanted {
     Numbers rounded{0};
     glm::dvec3 exact{0.0};
 };
 
-/// The number nearest to `start` for which the increasing function `result` is `wanted`, or as near as
-/// possible.
+/// Finds the number nearest to `start` for which the increasing function `result` gives `wanted`, or comes as
+/// near as possible.
 template <class Result>
 int tuned(int start, int wanted, int top, const Result& result)
 {
@@ -46,7 +46,7 @@ int tuned(int start, int wanted, int top, const Result& result)
     return start;
 }
 
-/// Least alpha with which a layer of any colour can turn `below` into `wanted`.
+/// Least alpha with which a layer of any colour can turn the value `below` into `wanted`.
 double least_alpha(double below, double wanted, double top)
 {
     if (wanted > below) {
@@ -55,8 +55,8 @@ double least_alpha(double below, double wanted, double top)
     return below > wanted ? (below - wanted) / below : 0.0;
 }
 
-/// Alpha with which a pigment comes nearest to the wanted colour. If the pigment is too similar to what is
-/// below, its coverage of the pixel is used.
+/// Alpha with which a layer of the pigment comes nearest to the wanted colour. If the pigment is too similar
+/// to the colour below, the layer's coverage of the pixel is used as alpha.
 double pigment_alpha(const Laid& laid, const Wanted& wanted, const glm::dvec3& pigment, double share, int top)
 {
     const glm::dvec3 way = laid.exact - pigment;
@@ -65,9 +65,9 @@ double pigment_alpha(const Laid& laid, const Wanted& wanted, const glm::dvec3& p
     return length_2 > least_way * least_way ? glm::dot(laid.exact - wanted.exact, way) / length_2 : share;
 }
 
-/// Colour and alpha of a layer of ink or paint that turns `laid` into `wanted`. `paint` is its premultiplied
-/// colour and alpha in linear light. The paint's colour is kept if some alpha gives the wanted result, and
-/// changed otherwise. Updates `laid` to the composite.
+/// Returns the colour and alpha of a layer of ink or paint that turns the composite `laid` into `wanted`.
+/// `paint` is its premultiplied colour and alpha in linear light. The paint's colour is kept if some alpha
+/// gives the wanted result, and changed otherwise. Updates `laid` to the composite.
 glm::ivec4 covering(Laid& laid, const Wanted& wanted, const glm::vec4& paint, const Arithmetic& in)
 {
     if (paint.w <= 0.0F) {
@@ -120,7 +120,7 @@ glm::ivec4 straight(const glm::vec4& page, const glm::vec3& paper, const Arithme
 
 namespace {
 
-/// Colour and alpha of a multiply layer that turns `laid` into `wanted`.
+/// Returns the colour and alpha of a multiply layer that turns the composite `laid` into `wanted`.
 glm::ivec4 multiplying(Laid& laid, const Wanted& wanted, const Arithmetic& in)
 {
     glm::ivec4 pixel(in.top());
@@ -136,7 +136,7 @@ glm::ivec4 multiplying(Laid& laid, const Wanted& wanted, const Arithmetic& in)
     return is_white ? glm::ivec4(0) : pixel;
 }
 
-/// Index of the last layer that changes each pixel.
+/// Finds for each pixel the index of the last layer that changes it.
 std::vector<size_t> topmost_layers(const LayeredImage& image)
 {
     std::vector<size_t> topmost(image.layers.front().image.pixels.size(), 0);
@@ -165,7 +165,7 @@ void check_opaque(const PictureLayer& bottom)
     }
 }
 
-/// Throws Error as flattened() does.
+/// Checks that there are layers and that all have one size. Throws Error as flattened() does.
 void check_layers(const LayeredImage& image)
 {
     if (image.layers.empty()) {
@@ -209,7 +209,8 @@ std::vector<EncodedLayer> encoded_layers(const LayeredImage& image, int bits)
     check_opaque(image.layers.front());
     const Arithmetic in(bits);
     LinearImage stage = image.layers.front().image;
-    if (image.paper) { // The user's own paper will not have this relief
+    // Only the flat colour: the paper on which the user puts the picture does not have this relief
+    if (image.paper) {
         std::ranges::fill(stage.pixels, glm::vec4(*image.paper, 1.0F));
     }
     std::vector<Laid> laid(stage.pixels.size());
@@ -281,14 +282,14 @@ LinearImage on_white(const LayeredImage& image)
             .paper = std::nullopt};
 }
 
-/// Removes the white below a colour, with the smallest alpha that allows it.
+/// Removes the white below a colour, which becomes transparent: chooses the smallest alpha that allows this.
 glm::vec4 without_white(const glm::vec3& laid)
 {
     const float alpha = std::clamp(1.0F - std::min({laid.x, laid.y, laid.z}), 0.0F, 1.0F);
     return {glm::max(laid - (1.0F - alpha), 0.0F), alpha};
 }
 
-/// Replaces the white below a layer or mask by transparency; white becomes its paper colour.
+/// Replaces the white below a layer or mask by transparency, so that white becomes its paper colour.
 void take_white_away(LinearImage& alone, const PictureLayer* layer)
 {
     for (size_t i = 0; i < alone.pixels.size(); ++i) {

@@ -17,7 +17,7 @@
 
 namespace estampe::output {
 
-/// Compositing with integers from 0 to `top`.
+/// Arithmetic of compositing with integers from 0 to `top`.
 class Arithmetic {
 public:
     explicit Arithmetic(int bits) : top_((1 << bits) - 1) {}
@@ -60,17 +60,18 @@ private:
     int top_;
 };
 
-/// Straight (not premultiplied) colour and alpha of a pixel of a transparent picture: composited onto its
-/// `paper` it gives the drawing to within half a step. `page` is premultiplied linear colour and alpha.
+/// Returns the straight (not premultiplied) colour and alpha of a pixel of a transparent picture: composited
+/// onto its `paper`, the pixel gives the drawing to within half a step. `page` is premultiplied linear colour
+/// and alpha.
 [[nodiscard]] glm::ivec4 straight(const glm::vec4& page, const glm::vec3& paper, const Arithmetic& in);
 
-/// A layer of integers from 0 to the top of the bit depth: red, green, blue and alpha, sRGB-encoded,
-/// straight alpha.
+/// A layer of integers from 0 to the largest value of the bit depth: red, green, blue and alpha,
+/// sRGB-encoded, straight alpha.
 struct EncodedLayer {
     std::string name;
     LayerBlend blend = LayerBlend::normal;
     bool is_visible = true;
-    std::vector<uint16_t> rgba; ///< Four values per pixel of the page
+    std::vector<uint16_t> rgba; ///< Red, green, blue and alpha for each pixel of the page
 };
 
 /// Converts layers to integers that give the picture when composited in sRGB-encoded values by svg:src-over
@@ -79,14 +80,15 @@ struct EncodedLayer {
 /// in floats is used. Throws Error as check_whole() does, and if the bottom layer is not opaque.
 [[nodiscard]] std::vector<EncodedLayer> encoded_layers(const LayeredImage& image, int bits);
 
-/// Throws Error as flattened() does, and if the picture and its layers differ in size.
+/// Checks the layers and the picture. Throws Error as flattened() does, and if the picture and its layers
+/// differ in size.
 void check_whole(const LayeredImage& image);
 
-/// Composites a layer onto `below` in linear light.
+/// Composites a layer onto the picture `below` in linear light.
 void lay(LinearImage& below, const PictureLayer& layer);
 
-/// The layer with this name on white, or white minus the mask with this name. Throws Error that lists the
-/// names if there is none, and as flattened() does.
+/// Returns the layer with this name on white, or white minus the mask with this name. Throws Error that lists
+/// the names if there is none, and as flattened() does.
 [[nodiscard]] LinearImage one_layer(const LayeredImage& image, const std::string& name);
 
 /// Encodes a linear image as sRGB bytes.

@@ -27,7 +27,7 @@
 namespace estampe::output {
 namespace {
 
-/// A saturated colour for each number; consecutive numbers give very different colours.
+/// Returns a saturated colour for a number; consecutive numbers give very different colours.
 std::array<uint8_t, 3> color_of(size_t number)
 {
     constexpr double golden = 0.61803398875;
@@ -85,7 +85,8 @@ LayerFile layer_file(const LayeredImage& image, const EncodedLayer& layer, int b
     return file;
 }
 
-/// A file name that is valid on any disk: ASCII letters and digits, the rest as dashes, limited in length.
+/// Makes a file name that is valid on any disk: ASCII letters and digits, other characters as dashes, limited
+/// in length.
 std::string plain_name(const std::string& name)
 {
     constexpr size_t longest = 60;
@@ -172,7 +173,8 @@ std::string layer_element(const LayerFile& file, const std::string& source)
                        file.blend == "multiply" ? "svg:multiply" : "svg:src-over");
 }
 
-/// The layer stack, topmost first; objects are in a group at the top.
+/// Writes the layer stack of an OpenRaster file, topmost layer first; the masks of objects are in a group at
+/// the top.
 std::string stack_of(const LayeredImage& image, const std::vector<LayerFile>& files,
                      const std::vector<std::string>& sources)
 {
@@ -191,7 +193,8 @@ std::string stack_of(const LayeredImage& image, const std::vector<LayerFile>& fi
                        image.picture.width, image.picture.height, objects, others);
 }
 
-/// The picture scaled to at most 256 pixels per side; colours and alpha are averaged in linear light.
+/// Makes a thumbnail: the picture scaled to at most 256 pixels per side; colours and alpha are averaged in
+/// linear light.
 Image thumbnail_of(const Image& picture)
 {
     constexpr uint32_t longest_side = 256;
@@ -212,7 +215,7 @@ Image thumbnail_of(const Image& picture)
             const uint32_t bottom = std::max(top + 1, place(y + 1, picture.height, thumbnail.height));
             const uint32_t left = place(x, picture.width, thumbnail.width);
             const uint32_t right = std::max(left + 1, place(x + 1, picture.width, thumbnail.width));
-            glm::vec4 sum(0.0F); // Premultiplied colour and alpha
+            glm::vec4 sum(0.0F); // Sum of the premultiplied colours and the alphas
             for (uint32_t from_y = top; from_y < bottom; ++from_y) {
                 for (uint32_t from_x = left; from_x < right; ++from_x) {
                     const uint8_t* pixel = &picture.rgba[4 * (size_t{from_y} * picture.width + from_x)];
@@ -246,8 +249,8 @@ std::vector<std::byte> encode_openraster(const LayeredImage& image)
     const std::vector<std::byte> merged = encode_png(image.picture);
     const std::vector<std::byte> thumbnail = encode_png(thumbnail_of(image.picture));
     ZipWriter archive;
-    archive.add("mimetype", std::as_bytes(std::span(mimetype)),
-                false); // Uncompressed and first, so that programs recognise the format
+    // The entry `mimetype` is first and uncompressed, so that programs recognise the format.
+    archive.add("mimetype", std::as_bytes(std::span(mimetype)), false);
     archive.add("stack.xml", std::as_bytes(std::span(stack)), true);
     for (size_t i = 0; i < files.size(); ++i) {
         archive.add(sources[i], files[i].png, false);
@@ -259,7 +262,7 @@ std::vector<std::byte> encode_openraster(const LayeredImage& image)
 
 namespace {
 
-/// Unique OpenEXR layer names. Dots separate a layer from its channels, so names have none.
+/// Makes unique OpenEXR layer names. Dots separate a layer from its channels, so names have no dots.
 class ChannelNames {
 public:
     std::string make(std::string name)
@@ -274,7 +277,8 @@ public:
     }
 
 private:
-    static constexpr size_t longest = 200; // OpenEXR allows 255 including the channel's name
+    // Longest name of a layer; OpenEXR allows 255 characters including the channel's name
+    static constexpr size_t longest = 200;
     std::set<std::string> taken_;
 };
 

@@ -13,20 +13,20 @@
 
 namespace estampe::output {
 
-/// Encode the files of save_openraster() and save_layers_exr(). They throw the same Errors, but without a
-/// file name.
+/// Encodes the files of save_openraster() and save_layers_exr(). Both functions throw the same Errors as
+/// those, but without a file name.
 [[nodiscard]] std::vector<std::byte> encode_openraster(const LayeredImage& image);
 [[nodiscard]] std::vector<std::byte> encode_layers_exr(const LayeredImage& image, ExrNumbers numbers);
 
-/// The folder of save_layers(), not yet published.
+/// Writes the folder of save_layers() under a temporary name, to be published by the caller.
 [[nodiscard]] AtomicFile pending_layers(const LayeredImage& image, std::filesystem::path folder, int bits);
 
 /// A layer or mask encoded as a PNG, with its position.
 struct LayerFile {
     std::string name;
-    std::string blend; ///< "normal" or "multiply"
+    std::string blend; ///< How the layer is blended: "normal" or "multiply"
     bool is_visible = true;
-    bool is_object = false; ///< A mask of an object
+    bool is_object = false; ///< The layer is the mask of an object
     uint32_t x = 0;
     uint32_t y = 0;
     uint32_t width = 0;
@@ -38,7 +38,7 @@ struct LayerFile {
 /// colour, a different one for each object and black for the shadow, and their coverage as alpha.
 [[nodiscard]] std::vector<LayerFile> layer_files(const LayeredImage& image, int bits);
 
-/// The content of layers.json: everything except the pixels.
+/// Writes the content of layers.json: everything about the layers except their pixels.
 [[nodiscard]] std::string manifest_of(const LayeredImage& image, const std::vector<LayerFile>& files,
                                       const std::vector<std::string>& file_names);
 

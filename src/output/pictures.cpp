@@ -43,8 +43,8 @@ std::vector<std::byte> make_srgb_profile()
     if (bytes.empty() || cmsSaveProfileToMem(profile.get(), bytes.data(), &size) == 0) {
         throw Error("cannot make a colour profile");
     }
-    // The library would store today's date and the same picture would differ tomorrow, so it is set to 1
-    // January 2000.
+    // Sets the date in the profile to 1 January 2000. The library would store today's date, and the same
+    // picture would have other bytes tomorrow.
     constexpr size_t date_place = 24;
     constexpr std::array<uint8_t, 12> date{0x07, 0xD0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0};
     std::ranges::transform(date, bytes.begin() + date_place, [](uint8_t byte) { return std::byte(byte); });
@@ -105,12 +105,13 @@ bool write(JpegWriter& writer, const Image& image, int quality, uint32_t dots_pe
     jpeg_set_quality(&jpeg, quality, TRUE);
     jpeg.dct_method = JDCT_ISLOW;
     jpeg.optimize_coding = TRUE;
-    // Coloured ink lines are thin; chroma at half the resolution would bleed out of them.
+    // Stores chroma at full resolution: coloured ink lines are thin, and chroma at half the resolution would
+    // bleed out of them.
     jpeg.comp_info[0].h_samp_factor = 1;
     jpeg.comp_info[0].v_samp_factor = 1;
     if (dots_per_m > 0) {
         constexpr double inches_a_m = 1000.0 / 25.4;
-        jpeg.density_unit = 1; // Dots per inch
+        jpeg.density_unit = 1; // The unit is dots per inch
         jpeg.X_density = jpeg.Y_density = static_cast<UINT16>(std::lround(dots_per_m / inches_a_m));
     }
     jpeg_start_compress(&jpeg, TRUE);
@@ -128,7 +129,8 @@ bool write(JpegWriter& writer, const Image& image, int quality, uint32_t dots_pe
 
 std::vector<std::byte> encode_jpeg(const Image& image, int quality, uint32_t dots_per_m)
 {
-    constexpr uint32_t longest_side = JPEG_MAX_DIMENSION; // libjpeg's limit; that of the format is 65535
+    // libjpeg's limit of a side; the limit of the format is 65535
+    constexpr uint32_t longest_side = JPEG_MAX_DIMENSION;
     if (image.empty() || image.rgba.size() != uint64_t{image.width} * image.height * 4) {
         throw Error("an empty image cannot be written");
     }
@@ -170,7 +172,7 @@ WebPConfig config_of(std::optional<int> quality)
     bool is_valid = false;
     if (quality) {
         is_valid = WebPConfigPreset(&config, WEBP_PRESET_DRAWING, static_cast<float>(*quality)) != 0;
-        config.use_sharp_yuv = 1; // Better chroma downsampling, so that thin lines keep their colour
+        config.use_sharp_yuv = 1; // Better downsampling of chroma, so that thin lines keep their colour
     } else {
         constexpr int quick = 3;
         is_valid = WebPConfigInit(&config) != 0 && WebPConfigLosslessPreset(&config, quick) != 0;
@@ -182,7 +184,7 @@ WebPConfig config_of(std::optional<int> quality)
     return config;
 }
 
-/// Encodes the picture without a profile.
+/// Encodes the picture as WebP without a colour profile.
 void encode_frame(const Image& image, std::optional<int> quality, WebPMemoryWriter& writer)
 {
     const WebPConfig config = config_of(quality);
@@ -239,7 +241,7 @@ std::vector<std::byte> encode_webp(const Image& image, std::optional<int> qualit
     return {first, first + file.size};
 }
 
-// Pictures with more than eight bits per channel.
+// Functions for pictures with more than eight bits per channel.
 
 void check_pixels(const LinearImage& image)
 {

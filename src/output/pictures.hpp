@@ -16,22 +16,23 @@
 
 namespace estampe::output {
 
-/// An sRGB profile of ICC version 4, about 600 bytes; always the same bytes.
+/// Returns an sRGB profile of ICC version 4, about 600 bytes; always the same bytes.
 [[nodiscard]] const std::vector<std::byte>& srgb_profile();
 
-/// Encode the files of save_jpeg(), save_webp(), save_png() and save_exr(). They throw the same Errors, but
-/// without a file name. `dots_per_m` is the print resolution, where the format can store it; 0 leaves it
-/// out.
+/// Encode the files of save_jpeg(), save_webp(), save_png() and save_exr(). These functions throw the same
+/// Errors, but without a file name. `dots_per_m` is the print resolution, where the format can store it; 0
+/// leaves it out.
 [[nodiscard]] std::vector<std::byte> encode_jpeg(const Image& image, int quality, uint32_t dots_per_m = 0);
 [[nodiscard]] std::vector<std::byte> encode_webp(const Image& image, std::optional<int> quality);
 [[nodiscard]] std::vector<std::byte> encode_deep_png(const LinearImage& image, uint32_t dots_per_m = 0);
 [[nodiscard]] std::vector<std::byte> encode_picture_exr(const LinearImage& image, ExrNumbers numbers);
 
-/// Throws Error if the picture is empty or its size and pixel count disagree.
+/// Checks that a picture has pixels. Throws Error if the picture is empty or its size and pixel count
+/// disagree.
 void check_pixels(const LinearImage& image);
 
-/// Writes the result of `encode` to `path` through a temporary file. Adds the file name to Errors of
-/// `encode`.
+/// Writes the bytes that `encode` returns to `path`, through a temporary file. Adds the file name to Errors
+/// of `encode`.
 template <class Encode>
 void save_as(const std::filesystem::path& path, const Encode& encode)
 {

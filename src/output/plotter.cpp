@@ -13,8 +13,10 @@
 namespace estampe::output {
 namespace {
 
-constexpr float parallel_cosine = 0.995F; // 6 degrees
-constexpr float least_overlap_mm = 1.0F;  // Shorter overlaps are crossings at a low angle, which stay
+// Cosine of the largest angle between two parallel strokes, 6 degrees
+constexpr float parallel_cosine = 0.995F;
+// Least length of an overlap; shorter overlaps are crossings at a low angle, which stay
+constexpr float least_overlap_mm = 1.0F;
 constexpr float cell_mm = 1.0F;
 constexpr float sample_mm = 0.25F;
 
@@ -26,7 +28,8 @@ struct Piece {
 
 class DrawnPieces {
 public:
-    /// Whether a piece lies within `reach_mm` of `place` and is parallel to `way`.
+    /// Returns whether a piece of an earlier stroke lies within `reach_mm` of `place` and is parallel to the
+    /// direction `way`.
     [[nodiscard]] bool covers(const glm::vec2& place, const glm::vec2& way, float reach_mm) const
     {
         const glm::ivec2 middle = cell_of(place);
@@ -117,7 +120,7 @@ float length_mm(const VectorStroke& stroke, size_t first, size_t last)
     return sum;
 }
 
-/// Keeps covered runs that are too short to be a double line, unless they are the whole stroke.
+/// Marks covered runs as kept if they are too short to be a double line, unless they are the whole stroke.
 void keep_short_runs(const VectorStroke& stroke, std::vector<bool>& is_kept)
 {
     const auto end = is_kept.end();
@@ -133,7 +136,7 @@ void keep_short_runs(const VectorStroke& stroke, std::vector<bool>& is_kept)
     }
 }
 
-/// The parts of `stroke` whose points are kept, as separate strokes; single points are dropped.
+/// Returns the parts of `stroke` whose points are kept, as separate strokes; single points are dropped.
 std::vector<VectorStroke> kept_stretches(const VectorStroke& stroke, const std::vector<bool>& is_kept)
 {
     std::vector<VectorStroke> kept;
@@ -229,7 +232,7 @@ void remove_thin_hatching(VectorDrawing& drawing)
 
 namespace {
 
-/// Ends of the strokes not yet drawn, in a grid.
+/// Ends of the strokes that are not drawn yet, in a grid for fast search.
 class Ends {
 public:
     explicit Ends(std::span<const PenStroke> strokes) : strokes_(strokes)
@@ -252,7 +255,7 @@ public:
         }
     }
 
-    /// The stroke end nearest to a place.
+    /// Finds the stroke end nearest to a place on the page.
     [[nodiscard]] PenStep nearest(const glm::vec2& from) const
     {
         const glm::ivec2 middle = cell_of(from);
@@ -260,7 +263,8 @@ public:
         float least = std::numeric_limits<float>::max();
         const int rings = std::max(size_.x, size_.y);
         for (int ring = 0; ring <= rings; ++ring) {
-            // A ring of cells is at least this far from any place within the middle cell.
+            // Stops the search: a ring of cells is at least this far from any place within the middle cell,
+            // so farther rings hold no nearer end.
             if (best && static_cast<float>(ring - 1) * cell_mm_ > least) {
                 break;
             }
@@ -341,7 +345,7 @@ void turn(std::vector<PenStep>& order, size_t first, size_t last)
     }
 }
 
-/// Travel saved by reversing the steps from `first` to `last`.
+/// Travel that is saved by reversing the steps from `first` to `last`.
 double saving(std::span<const PenStroke> strokes, std::span<const PenStep> order, size_t first, size_t last,
               const glm::vec2& origin)
 {
@@ -372,7 +376,7 @@ double travel_mm(std::span<const PenStroke> strokes, std::span<const PenStep> or
 std::vector<PenStep> shortest_order(std::span<const PenStroke> strokes, const glm::vec2& origin,
                                     uint64_t turn_budget)
 {
-    constexpr size_t farthest = 1500; // Longest reversed part, in strokes
+    constexpr size_t farthest = 1500; // Longest part of the order that is reversed, in strokes
     constexpr double least_saving_mm = 1e-4;
     std::vector<PenStep> order;
     if (strokes.empty()) {
@@ -407,7 +411,7 @@ std::vector<PenStep> shortest_order(std::span<const PenStroke> strokes, const gl
 namespace estampe {
 namespace {
 
-constexpr uint64_t turn_budget = 200'000'000; // About one second
+constexpr uint64_t turn_budget = 200'000'000; // Number of comparisons that take about one second
 
 std::vector<output::PenStroke> pen_strokes(const std::vector<VectorStroke>& strokes)
 {
@@ -428,7 +432,7 @@ double length_mm(const VectorStroke& stroke)
     return sum;
 }
 
-/// The strokes of each pen, in their order.
+/// Sorts the strokes by pen; the strokes of each pen keep their order.
 std::vector<std::vector<VectorStroke>> by_pen(const VectorDrawing& drawing)
 {
     std::vector<std::vector<VectorStroke>> pens(drawing.inks_srgb.size());
@@ -462,7 +466,8 @@ void prepare_for_plotter(VectorDrawing& drawing)
     output::cut_dashes(drawing);
     output::remove_overlaps(drawing);
     std::erase_if(drawing.strokes, [&](const VectorStroke& stroke) {
-        return length_mm(stroke) < drawing.hatch_width_mm; // A pen would draw it as a blot
+        // Such a stroke is so short that a pen would draw a blot
+        return length_mm(stroke) < drawing.hatch_width_mm;
     });
     std::vector<std::vector<VectorStroke>> pens = by_pen(drawing);
     drawing.strokes.clear();

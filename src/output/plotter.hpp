@@ -31,7 +31,7 @@ struct PenStroke {
     glm::vec2 end{0.0F};
 };
 
-/// One stroke of an order, and whether it is drawn in reverse.
+/// One step of a plotting order: which stroke is drawn, and whether it is drawn in reverse.
 struct PenStep {
     uint32_t stroke = 0;
     bool is_turned = false;
@@ -41,8 +41,8 @@ struct PenStep {
 [[nodiscard]] double travel_mm(std::span<const PenStroke> strokes, std::span<const PenStep> order,
                                const glm::vec2& origin);
 
-/// Orders all strokes: nearest end first, then 2-opt: parts of the order are reversed while that shortens
-/// the travel, for at most `turn_budget` comparisons.
+/// Orders all strokes: always the nearest end first, then 2-opt: parts of the order are reversed while that
+/// shortens the travel, for at most `turn_budget` comparisons.
 [[nodiscard]] std::vector<PenStep> shortest_order(std::span<const PenStroke> strokes, const glm::vec2& origin,
                                                   uint64_t turn_budget);
 

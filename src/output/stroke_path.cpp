@@ -12,7 +12,7 @@ namespace {
 
 using glm::dvec2;
 
-constexpr double corner_cosine = 0.643; // 50 degrees
+constexpr double corner_cosine = 0.643; // Cosine of the smallest turn that is a corner, 50 degrees
 constexpr int most_improvements = 8;
 
 dvec2 unit(const dvec2& v)
@@ -53,7 +53,7 @@ std::vector<double> chord_lengths(std::span<const dvec2> points)
     return at;
 }
 
-/// Least-squares cubic for the points, with the given end tangents.
+/// Fits one cubic curve to the points by least squares, with the given end tangents.
 Cubic nearest_cubic(std::span<const dvec2> points, std::span<const double> at, const dvec2& leaving,
                     const dvec2& arriving)
 {
@@ -84,7 +84,8 @@ Cubic nearest_cubic(std::span<const dvec2> points, std::span<const double> at, c
         reach_0 = (x0 * c11 - x1 * c01) / determinant;
         reach_1 = (c00 * x1 - c01 * x0) / determinant;
     }
-    // Handles longer than the whole line would make the curve swing out between the points.
+    // Limits the curve's handles: handles longer than the whole line would make the curve swing out between
+    // the points.
     const double longest = length_of(points);
     if (reach_0 < 1e-3 * chord || reach_1 < 1e-3 * chord || reach_0 > longest || reach_1 > longest) {
         reach_0 = chord / 3.0;
@@ -93,7 +94,7 @@ Cubic nearest_cubic(std::span<const dvec2> points, std::span<const double> at, c
     return {first, first + leaving * reach_0, last + arriving * reach_1, last};
 }
 
-/// Moves each curve parameter towards the nearest point on the curve, by one Newton step.
+/// Moves each curve parameter towards the curve's point nearest to its data point, by one Newton step.
 void improve(std::span<const dvec2> points, const Cubic& curve, std::vector<double>& at)
 {
     for (size_t i = 1; i + 1 < points.size(); ++i) {
@@ -123,7 +124,7 @@ Worst worst_of(std::span<const dvec2> points, const Cubic& curve, std::span<cons
     return worst;
 }
 
-/// Points [first, last] with the end tangents, both of which point into the span.
+/// The points from `first` to `last` with the tangents at both ends, which point into the span.
 struct Span {
     size_t first = 0;
     size_t last = 0;
@@ -136,7 +137,7 @@ dvec2 direction_at(std::span<const dvec2> points, size_t i)
     return unit(points[i + 1] - points[i - 1]);
 }
 
-/// Fits the span, or sets `middle` to where it must be divided.
+/// Fits one cubic curve to the span, or sets `middle` to the point where the span must be divided.
 bool fit_span(std::span<const dvec2> points, const Span& span, double tolerance, Cubic& curve, size_t& middle)
 {
     const auto part = points.subspan(span.first, span.last - span.first + 1);
@@ -232,7 +233,7 @@ std::vector<Cubic> fit_curve(std::span<const dvec2> points, double tolerance, bo
 
 namespace {
 
-using Grid = glm::i64vec2; // Integer thousandths of a millimetre
+using Grid = glm::i64vec2; // A point in integer thousandths of a millimetre
 
 constexpr double steps_per_mm = 1000.0;
 
@@ -271,7 +272,7 @@ public:
         step_to(point);
     }
 
-    /// Half circle to `point`, clockwise on the page.
+    /// Adds a half circle to `point`, clockwise on the page.
     void turn_to(const dvec2& point, double radius)
     {
         const auto steps = static_cast<int64_t>(std::llround(radius * steps_per_mm));
@@ -343,7 +344,7 @@ dvec2 direction_of(const dvec2& v)
     return length > 0.0 ? v / length : dvec2(1.0, 0.0);
 }
 
-/// One side of a smooth part, half the width from the centre line.
+/// Points along one side of a smooth part of a stroke, half the width from the centre line.
 std::vector<dvec2> side_of(std::span<const dvec2> middle, std::span<const VectorPoint> points, double sign,
                            const dvec2* seam)
 {

@@ -28,21 +28,21 @@ using Cubic = std::array<glm::dvec2, 4>;
 [[nodiscard]] std::vector<Cubic> fit_curve(std::span<const glm::dvec2> points, double tolerance,
                                            bool is_closed = false);
 
-/// Splits a line at its corners: indices of the first point, the corners and the last point.
+/// Splits a line at its corners: returns the indices of the first point, the corners and the last point.
 [[nodiscard]] std::vector<size_t> corners_of(std::span<const glm::dvec2> points);
 
-/// Whether one width is enough for a stroke: no point differs from the mean width by more than the
-/// tolerance.
+/// Returns whether a stroke can be drawn with one width: no point differs from the mean width by more than
+/// the tolerance.
 [[nodiscard]] bool has_one_width(const VectorStroke& stroke, float tolerance_mm);
 
-/// Mean width, weighted by length.
+/// Mean width of a stroke, weighted by length.
 [[nodiscard]] float mean_width_mm(const VectorStroke& stroke);
 
 /// Centre line of a stroke as path data in millimetres: "M1,2c...".
 [[nodiscard]] std::string center_path(const VectorStroke& stroke, double tolerance_mm);
 
-/// Outline of a stroke, with round ends, for the nonzero fill rule. Each part between two corners is a
-/// separate shape, so that corners are round.
+/// Outline of a stroke as path data, with round ends, for the nonzero fill rule. Each part between two
+/// corners is a separate shape, so that corners are round.
 [[nodiscard]] std::string area_path(const VectorStroke& stroke, double tolerance_mm);
 
 /// Formats millimetres to a thousandth, without trailing zeros.

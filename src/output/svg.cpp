@@ -20,7 +20,7 @@
 namespace estampe::output {
 namespace {
 
-/// Length of the UTF-8 sequence at `i`; 0 if it is not valid.
+/// Length of the UTF-8 character at index `i` of the text; 0 if it is not valid.
 size_t sequence_length(const std::string& text, size_t i)
 {
     const auto first = static_cast<unsigned char>(text[i]);
@@ -78,7 +78,7 @@ std::string color_text(const glm::vec3& srgb)
     return fmt::format("#{:02x}{:02x}{:02x}", byte(srgb.x), byte(srgb.y), byte(srgb.z));
 }
 
-/// Unique names that are valid as ids: letters and digits.
+/// Makes unique names that are valid as XML ids: letters and digits.
 class Ids {
 public:
     std::string make(const std::string& name)
@@ -139,10 +139,11 @@ std::string path_of(const VectorDrawing& drawing, const VectorStroke& stroke, fl
     return fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", output::area_path(stroke, tolerance_mm), ink);
 }
 
-/// One layer per kind, hidden lines below the visible ones; each layer has one group per object.
+/// Writes one SVG layer per kind of stroke, hidden lines below the visible ones; each layer has one group per
+/// object.
 std::string layers_by_kind(const VectorDrawing& drawing, float tolerance_mm)
 {
-    using Key = std::tuple<bool, StrokeKind, uint32_t>; // Visible, kind, object
+    using Key = std::tuple<bool, StrokeKind, uint32_t>; // Key of a group of strokes: visible, kind, object
     std::map<Key, std::vector<const VectorStroke*>> groups;
     for (const VectorStroke& stroke : drawing.strokes) {
         groups[{!stroke.is_hidden, stroke.kind, stroke.object}].push_back(&stroke);
@@ -175,8 +176,8 @@ std::string layers_by_kind(const VectorDrawing& drawing, float tolerance_mm)
     return text + (is_open ? "</g>\n" : "");
 }
 
-/// One layer per pen, with its strokes in the order of the drawing. Labels start with a number, as plotter
-/// programs require.
+/// Writes one SVG layer per pen, with its strokes in the order of the drawing. Labels start with a number, as
+/// plotter programs require.
 std::string layers_by_pen(const VectorDrawing& drawing, float tolerance_mm)
 {
     std::vector<std::vector<const VectorStroke*>> pens(drawing.inks_srgb.size());

@@ -12,8 +12,8 @@ namespace {
 
 using Pair = std::pair<std::string_view, std::string_view>;
 
-/// Former keys, sorted. They are not accepted as aliases: the error message of an old style file names the
-/// new key.
+/// Former keys of parameters, sorted. They are not accepted as aliases: the error message for an old style
+/// file names the new key.
 constexpr std::array former_keys{Pair{"cloth.rest_mm_s", "cloth.rest_mm_per_s"},
                                  Pair{"clouds.seed", "drawing.seed"},
                                  Pair{"clouds.wind_deg", "wind.towards_deg"},
@@ -118,7 +118,7 @@ constexpr std::array former_keys{Pair{"cloth.rest_mm_s", "cloth.rest_mm_per_s"},
                                  Pair{"wash.air_distance_m", "haze.tint_distance_m"},
                                  Pair{"wind.speed_m_s", "wind.speed_m_per_s"}};
 
-/// Former keys whose values are written in another way today, sorted, and how.
+/// Former keys whose values have another form today, sorted, each with advice on the new form.
 constexpr std::array changed_keys{
     Pair{"ink.zones",
          "name the object: put zone.blow_mm_per_s, zone.turn_deg_per_s, zone.give or zone.amount "
@@ -130,7 +130,7 @@ constexpr std::array changed_keys{
     Pair{"wind.direction_deg",
          "write wind.towards_deg = 90 - direction_deg, which counts from +z like all bearings"}};
 
-/// Other programs' names of parameters, by the last word of the key, sorted.
+/// Names that other programs use for parameters, as the last word of the key, sorted.
 constexpr std::array foreign_words{Pair{"alpha", "paper.transparent"},
                                    Pair{"ambient_occlusion", "occlusion.enabled"},
                                    Pair{"ao", "occlusion.enabled"},

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Removes the quotes that TOML needs, to keep the manual's columns readable.
+/// Removes the quotes around a TOML value, to keep the manual's columns readable.
 std::string bare(std::string text)
 {
     text.erase(std::remove(text.begin(), text.end(), '"'), text.end());
@@ -39,7 +39,8 @@ std::string range_column(const Parameter& parameter)
     }
 }
 
-/// Returns whether TOML writes this choice without quotes: true and false of an automatic switch.
+/// Returns whether TOML writes this choice without quotes, as it does for true and false of an automatic
+/// switch.
 bool is_switch(const std::string& choice)
 {
     return choice == "true" || choice == "false";
@@ -57,7 +58,7 @@ std::string default_column(const Parameter& parameter)
     return bare(format_value(parameter.default_value));
 }
 
-/// Converts a float to the decimal that a person wrote, not to the double nearest to the float.
+/// Converts a float to the decimal that a person wrote, such as 0.1, not to the double nearest to the float.
 double decimal(float value)
 {
     return std::stod(fmt::format("{}", value));
@@ -111,8 +112,8 @@ Json describe(const Parameter& parameter)
     return json;
 }
 
-/// Adds a key. A key in a table becomes a nested property: "outline.width_mm" is a property of the object
-/// "outline".
+/// Adds a key to the JSON schema. A key in a table becomes a nested property: "outline.width_mm" is a
+/// property of the object "outline".
 void add_key(Json& keys, const std::string& key, Json description)
 {
     const size_t dot = key.find('.');
@@ -131,7 +132,8 @@ std::string_view word_of(Surfaces::By by)
     return by == Surfaces::By::material ? "material" : "object";
 }
 
-/// Describes the sections with parameters that may differ at least by `least`.
+/// Describes in the JSON schema the sections with parameters that may differ at least by `least`: by object,
+/// or by object and material.
 Json describe_overrides(std::span<const Section> sections, Overridable least)
 {
     Json properties = Json::object();

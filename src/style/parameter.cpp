@@ -24,7 +24,7 @@ double encode(double linear)
     return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
 }
 
-/// The shortest sRGB decimal that decodes to exactly `linear`.
+/// Returns the shortest sRGB decimal number that decodes to exactly `linear`.
 std::string shortest_srgb(float linear)
 {
     const double encoded = encode(linear);
@@ -61,7 +61,7 @@ glm::vec3 srgb(uint32_t rrggbb)
 
 namespace {
 
-/// Parses "#rrggbb" or "#rgb" in sRGB to a linear colour; returns none for any other text.
+/// Parses "#rrggbb" or "#rgb" in sRGB to a linear colour; returns nothing for any other text.
 std::optional<glm::vec3> parse_color(std::string_view text)
 {
     if ((text.size() != 7 && text.size() != 4) || text.front() != '#') {
@@ -204,8 +204,8 @@ public:
         return *text;
     }
 
-    /// Returns a path, or one of the names if the parameter has names. With names, a text with neither a dot
-    /// nor a slash is treated as a name, not as a path.
+    /// Returns the value of a file parameter: a path, or one of the names if the parameter has names. With
+    /// names, a text with neither a dot nor a slash is treated as a name, not as a path.
     [[nodiscard]] Value file() const
     {
         Value value = text();

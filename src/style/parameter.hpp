@@ -27,20 +27,21 @@ namespace estampe::style {
 /// Converts 0xrrggbb in sRGB to a linear colour: `glm::vec3 ink = style::srgb(0x1b1a22);`
 [[nodiscard]] glm::vec3 srgb(uint32_t rrggbb);
 
-/// The linear colour of a CSS colour name such as "ivory" (CSS Color Module Level 4); none for an unknown
-/// name.
+/// Returns the linear colour of a CSS colour name such as "ivory" (CSS Color Module Level 4); nothing for an
+/// unknown name.
 [[nodiscard]] std::optional<glm::vec3> named_color(std::string_view name);
 
-/// The CSS colour name nearest to `name`; empty when none is similar enough to be meant.
+/// Returns the CSS colour name nearest to `name`; empty when none is similar enough to be meant.
 [[nodiscard]] std::string nearest_color_name(std::string_view name);
 
-/// The TOML value of a linear colour: a quoted "#rrggbb" if that is exact, otherwise [r, g, b] in sRGB with
-/// enough digits to read back the same three floats.
+/// Formats a linear colour as a TOML value: a quoted "#rrggbb" if that is exact, otherwise [r, g, b] in sRGB
+/// with enough digits to read back the same three floats.
 [[nodiscard]] std::string format_color(const glm::vec3& linear);
 
 enum class Kind : uint8_t { number, integer, toggle, color, choice, text, file };
 
-/// Where a parameter may have values that differ from that of the picture.
+/// Where a parameter may have another value than for the whole picture: nowhere, by object, or by object and
+/// material.
 enum class Overridable : uint8_t {
     nowhere,
     by_object,  ///< for single objects and lights
@@ -51,7 +52,7 @@ enum class Overridable : uint8_t {
 /// its path.
 using Value = std::variant<float, int64_t, bool, glm::vec3, std::string>;
 
-/// Allowed values, both ends included.
+/// Range of a numeric parameter's allowed values, both ends included.
 struct Range {
     float minimum = 0.0F;
     float maximum = 1.0F;
@@ -62,7 +63,7 @@ struct IntegerRange {
     int64_t maximum = 1;
 };
 
-/// A switch that may depend on the scene. Its values in texts are true, false and "auto".
+/// A switch that may depend on the scene. Style files write its values as true, false and "auto".
 enum class AutoToggle : uint8_t { automatic, on, off };
 
 /// Accesses the member `inner` of the member `outer` of a style struct, for the methods of Table:
@@ -76,17 +77,20 @@ template <typename Style, typename Outer, typename Inner>
     };
 }
 
-/// The description of one parameter. `get` and `set` take a pointer to the style struct of the parameter's
-/// table; `set` requires a value of the right kind and within the range.
+/// The description of one style parameter. `get` and `set` take a pointer to the style struct of the
+/// parameter's table; `set` requires a value of the right kind and within the range.
 struct Parameter {
-    std::string key; ///< key without its section; "outline.width_mm" is in the table `outline` of the section
+    /// Name of the parameter without its section; "outline.width_mm" is in the table `outline` of the
+    /// section.
+    std::string key;
     Kind kind = Kind::number;
-    Range range;                      ///< only for numbers
-    IntegerRange integers;            ///< only for integers
-    std::vector<std::string> choices; ///< for choices, in the order of the table; for files and colours,
-                                      ///< names that are accepted instead of a path or a colour
-    std::string unit;                 ///< "mm", "px", "deg"; empty for none
-    std::string help;                 ///< a full clause, as it is also shown as a tooltip
+    Range range;           ///< allowed values of a number; unused for other parameters
+    IntegerRange integers; ///< allowed values of an integer; unused for other parameters
+    /// Names that are allowed: for a choice all of its values, in the order of the table; for a file or
+    /// colour the names accepted instead of a path or a colour.
+    std::vector<std::string> choices;
+    std::string unit; ///< unit of the value, such as "mm", "px" or "deg"; empty for none
+    std::string help; ///< help text as a full clause, because it is also shown as a tooltip
     Overridable overridable = Overridable::nowhere;
     Value default_value;
     std::function<Value(const void*)> get;
@@ -152,7 +156,8 @@ public:
         return *this;
     }
 
-    /// Adds a switch that may be left to the scene: true, false or "auto".
+    /// Adds a parameter that is a switch with the values true, false and "auto"; with "auto" the scene
+    /// decides.
     Table& auto_toggle(std::string key, AutoToggle Style::*member, std::string help)
     {
         return choice(std::move(key), member,
@@ -160,8 +165,8 @@ public:
                       std::move(help));
     }
 
-    /// Adds a colour: linear in the struct, sRGB in texts: "#rrggbb", a CSS colour name, or [r, g, b] from 0
-    /// to 1.
+    /// Adds a colour parameter: linear in the struct; in style files "#rrggbb", a CSS colour name, or sRGB
+    /// [r, g, b] from 0 to 1.
     template <typename Member>
     Table& color(std::string key, Member member, std::string help)
     {
@@ -169,7 +174,8 @@ public:
         return *this;
     }
 
-    /// Adds a colour that may be "auto", for members of type std::optional<glm::vec3>: none is "auto".
+    /// Adds a colour parameter that may be "auto". Its member has the type std::optional<glm::vec3>, and is
+    /// empty for "auto".
     template <typename Member>
     Table& color_or_auto(std::string key, Member member, std::string help)
     {
@@ -187,7 +193,7 @@ public:
         return *this;
     }
 
-    /// Adds a choice between names, one per value of an enumeration.
+    /// Adds a parameter that is a choice between names, one name per value of an enumeration.
     template <typename Member,
               typename Enum = std::remove_cvref_t<std::invoke_result_t<const Member&, Style&>>>
     Table& choice(std::string key, Member member, std::vector<std::pair<std::string, Enum>> names,
@@ -217,7 +223,7 @@ public:
         return *this;
     }
 
-    /// Adds a text that the technique itself interprets.
+    /// Adds a text parameter that the technique itself interprets.
     template <typename Member>
     Table& text(std::string key, Member member, std::string help)
     {
@@ -225,14 +231,16 @@ public:
         return *this;
     }
 
-    /// Adds the path of a file; in a TOML file it is relative to that file's folder.
+    /// Adds a parameter that is the path of a file. In a TOML file the path is relative to that file's
+    /// folder.
     Table& file(std::string key, std::string Style::*member, std::string help)
     {
         connect<std::string>(add(std::move(key), Kind::file, {}, std::move(help)), member);
         return *this;
     }
 
-    /// Adds one of several names or the path of a file, see file(). An empty text is allowed.
+    /// Adds a parameter that is one of several names or the path of a file; see file(). An empty text is
+    /// allowed.
     template <typename Member>
     Table& file_or_name(std::string key, Member member, std::vector<std::string> names, std::string help)
     {
@@ -248,7 +256,7 @@ public:
         return allow(Overridable::by_surface, keys, true);
     }
 
-    /// Allows all parameters but those of these keys to differ between materials and between objects.
+    /// Allows all parameters except these keys to differ between materials and between objects.
     Table& by_surface_but(const std::vector<std::string>& keys)
     {
         return allow(Overridable::by_surface, keys, false);
@@ -260,7 +268,7 @@ public:
         return allow(Overridable::by_object, keys, true);
     }
 
-    /// Allows all parameters but those of these keys to differ between objects.
+    /// Allows all parameters except these keys to differ between objects.
     Table& by_object_but(const std::vector<std::string>& keys)
     {
         return allow(Overridable::by_object, keys, false);
@@ -306,25 +314,25 @@ private:
     std::vector<Parameter> parameters_;
 };
 
-/// The surfaces that a part of a style applies to.
+/// The surfaces to which a part of a style applies.
 struct Surfaces {
     enum class By : uint8_t {
-        all,      ///< the whole picture
-        material, ///< surfaces whose material's name matches `pattern`
+        all,      ///< all surfaces of the picture
+        material, ///< surfaces with a material whose name matches `pattern`
         object,   ///< nodes whose name matches `pattern`, and their children
     };
 
     By by = By::all;
-    std::string pattern; ///< wildcards as in a shell: `brick*`, `pane_?`, `[AB]_wall`
+    std::string pattern; ///< name with wildcards as in a shell: `brick*`, `pane_?`, `[AB]_wall`
 
     bool operator==(const Surfaces&) const = default;
 };
 
-/// Returns whether `name` matches the wildcards of `pattern`.
+/// Returns whether `name` matches `pattern` with its wildcards.
 [[nodiscard]] bool matches(const std::string& pattern, const std::string& name);
 
-/// A parameter's value on some surfaces, which replaces the value of the whole picture there. If several
-/// apply to a surface, the last one is used.
+/// A parameter's value on some surfaces, which replaces the parameter's value for the whole picture there. If
+/// several overrides apply to a surface, the last one is used.
 struct Override {
     Surfaces surfaces;
     std::string section;

@@ -40,8 +40,8 @@ bool looks_like_a_file(const std::string& name)
                 meant.empty() ? known : fmt::format("did you mean {}?", in_quotes(meant)));
 }
 
-/// Reads a style file. Throws Error with its name when it is missing, a folder, unreadable or larger than 1
-/// MiB.
+/// Reads a style file. Throws Error with the file's name when it is missing, a folder, unreadable or larger
+/// than 1 MiB.
 Source load_source(const std::filesystem::path& path)
 {
     constexpr uint64_t largest_bytes = uint64_t{1} << 20;
@@ -64,7 +64,8 @@ std::vector<std::string> parts_of(const std::string& style_name)
     std::vector<std::string> parts;
     size_t begin = 0;
     while (begin <= style_name.size()) {
-        // A part is the longest prefix that is an existing file, otherwise the text up to the next '+'.
+        // Splits a style's name at '+'. A part is the longest prefix that is an existing file, otherwise the
+        // text up to the next '+'.
         size_t end = style_name.size();
         while (end != std::string::npos && end > begin && !is_file(style_name.substr(begin, end - begin))) {
             end = style_name.rfind('+', end - 1);
@@ -107,20 +108,20 @@ std::string full_key(const Section& section, const Parameter& parameter)
     return section.name + "." + parameter.key;
 }
 
-/// Resolves `path` relative to the folder of the text named `source`.
+/// Resolves `path` relative to the folder of the style file named `source`.
 std::string beside(const std::string& source, const std::string& path)
 {
     const std::filesystem::path folder = std::filesystem::path(source).parent_path();
     return path.empty() || folder.empty() ? path : (folder / path).string();
 }
 
-/// A checked value that has not been written to its struct yet.
+/// A new value of a parameter, checked but not written to its struct yet.
 struct Change {
     AnySchema::Found found;
     Value value;
 };
 
-/// Adds an override and removes an earlier one of the same parameter and surfaces.
+/// Adds an override and removes an earlier override of the same parameter and surfaces.
 void append(std::vector<Override>& overrides, const Override& change)
 {
     std::erase_if(overrides, [&](const Override& before) {
@@ -130,7 +131,7 @@ void append(std::vector<Override>& overrides, const Override& change)
     overrides.push_back(change);
 }
 
-/// Turns the entries of texts into changes, and reports all errors of the texts.
+/// Turns the entries of style texts into changes of parameters, and reports all errors of the texts.
 class Reader {
 public:
     Reader(const AnySchema& schema, std::optional<Place> overrides_place, Resolver resolver)
@@ -229,7 +230,7 @@ public:
         return found;
     }
 
-    /// Applies the changes; call this only after all texts were read without error.
+    /// Writes the changes to the parameters; call this only after all texts were read without error.
     void apply(void* values) const
     {
         for (const Change& change : changes_) {
@@ -257,8 +258,8 @@ private:
                     meant.empty() ? manual : fmt::format("did you mean {}?", in_quotes(meant)));
     }
 
-    /// Suggests the present key for a former or foreign name, then the same key in another section, then a
-    /// key that is spelt similarly.
+    /// Suggests a key for an unknown name: first the present key of a former or foreign name, then the same
+    /// key in another section, then a key with similar spelling.
     [[nodiscard]] std::string suggestion(const std::string& name, const std::string& key) const
     {
         std::vector<std::string> names;
@@ -309,13 +310,14 @@ private:
     const AnySchema& schema_;
     std::optional<Place> overrides_place_;
     Resolver resolver_;
-    std::vector<std::string> chain_; ///< names of the texts being read, outermost first, to detect cycles
+    /// Names of the style texts that are being read, outermost first, to detect cycles.
+    std::vector<std::string> chain_;
     std::vector<Change> changes_;
     std::vector<Override> overrides_;
 };
 
-/// Splits "section.key", "material.pattern.section.key" or "object.pattern.section.key". The pattern may be
-/// in quotes, and may contain dots.
+/// Splits a parameter's name: "section.key", "material.pattern.section.key" or "object.pattern.section.key".
+/// The pattern may be in quotes, and may contain dots.
 Entry named_entry(const AnySchema& schema, std::string_view name, const std::string& where)
 {
     Entry entry;
@@ -326,7 +328,7 @@ Entry named_entry(const AnySchema& schema, std::string_view name, const std::str
         size_t before = last == std::string_view::npos ? last : name.rfind('.', last - 1);
         const size_t earlier = before == std::string_view::npos ? before : name.rfind('.', before - 1);
         if (earlier != std::string_view::npos && schema.find(name.substr(earlier + 1)).parameter != nullptr) {
-            before = earlier; // a key in a table of a section, "contour.outline.width_mm"
+            before = earlier; // the key is in a table of a section, such as "contour.outline.width_mm"
         }
         if (name.starts_with(word) && before != std::string_view::npos && before > word.size()) {
             std::string_view pattern = name.substr(word.size(), before - word.size());

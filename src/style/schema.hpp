@@ -28,24 +28,25 @@ namespace estampe::style {
 /// existing file does not split. Throws Error if a part is empty.
 [[nodiscard]] std::vector<std::string> parts_of(const std::string& style_name);
 
-/// The TOML text of a preset or an addition; none for an unknown name.
+/// Returns the TOML text of a preset or an addition; nothing for an unknown name.
 [[nodiscard]] std::optional<std::string_view> preset_text(std::string_view name);
 
-/// A style text, and its name in error messages.
+/// A style as TOML text, with the name that error messages use for it.
 struct Source {
-    std::string name; ///< a path, or "preset pencil"
+    std::string name; ///< name of the text in error messages: a path, or "preset pencil"
     std::string text;
 };
 
-/// Finds the text for the name of a preset or file. `from` is the Source::name of the text that refers to it,
-/// empty for the first text. Throws Error when there is no such text.
+/// Finds the style text for the name of a preset or file. `from` is the Source::name of the text that refers
+/// to it, empty for the first text. Throws Error when there is no such text.
 using Resolver = std::function<Source(const std::string& name, const std::string& from)>;
 
-/// The default resolver: a preset or addition of that name, otherwise a file, relative to the folder of the
-/// file that refers to it. Throws Error listing the presets and additions when neither exists.
+/// Finds a style text by name: a preset or addition of that name, otherwise a file, relative to the folder of
+/// the file that refers to it. Throws Error listing the presets and additions when neither exists.
 [[nodiscard]] Source resolve(const std::string& preset_or_file, const std::string& from);
 
-/// The offset of a member in the values of a schema, whose type is unknown here.
+/// The place of a member in a schema's values, stored as an offset because the type of the values is unknown
+/// here.
 struct Place {
     size_t offset_bytes = 0;
 
@@ -57,8 +58,8 @@ struct Place {
     }
 };
 
-/// The parameters of one struct; `place` finds that struct in the values, for Parameter::get and
-/// Parameter::set.
+/// A section of a style: the parameters of one struct. `place` finds that struct in the schema's values, for
+/// Parameter::get and Parameter::set.
 struct Section {
     std::string name;
     std::string help;
@@ -66,31 +67,31 @@ struct Section {
     Place place;
 };
 
-/// The part of a schema that does not depend on the type of its values: the manual, and reading and writing
-/// texts.
+/// The part of a style schema that does not depend on the type of its values: the manual, and reading and
+/// writing texts.
 class AnySchema {
 public:
-    /// Returns the manual: one paragraph per section, one line per parameter, with key, type, range, default
-    /// and help in columns. `section` is the name of one section, or empty for all sections. Throws Error
-    /// with the nearest name when there is no such section.
+    /// Returns the manual of a style: one paragraph per section, one line per parameter, with key, type,
+    /// range, default and help in columns. `section` is the name of one section, or empty for all sections.
+    /// Throws Error with the nearest name when there is no such section.
     [[nodiscard]] std::string help(std::string_view section = {}) const;
 
-    /// A JSON schema (draft 2020-12) of the TOML file, for editors.
+    /// Returns a JSON schema (draft 2020-12) of style files, for editors.
     [[nodiscard]] std::string json_schema() const;
 
     [[nodiscard]] std::span<const Section> sections() const { return sections_; }
 
     struct Found {
-        const Section* section = nullptr; ///< null for an unknown key
+        const Section* section = nullptr; ///< section of the key that was found; null for an unknown key
         const Parameter* parameter = nullptr;
     };
 
-    /// Finds the parameter of a full key such as "hatch.width_mm". Cost: logarithmic in the number of
+    /// Finds a parameter by its full key, such as "hatch.width_mm". Cost: logarithmic in the number of
     /// parameters.
     [[nodiscard]] Found find(std::string_view key) const;
 
-    /// Returns whether a section or a table in a section has that name: "contour", "contour.outline". Cost:
-    /// as find().
+    /// Returns whether a style has a section or a table in a section with that name: "contour",
+    /// "contour.outline". Cost: logarithmic in the number of parameters.
     [[nodiscard]] bool has_table(std::string_view name) const;
 
 protected:
@@ -100,17 +101,18 @@ protected:
     void apply_any(void* values, const Override& change) const;
     [[nodiscard]] std::string write_any(const void* values) const;
 
-    std::optional<Place> overrides_; ///< where the values store overrides for single surfaces; none:
-                                     ///< overrides are not supported
+    /// Place of the overrides for single surfaces in the values; none: overrides are not supported.
+    std::optional<Place> overrides_;
 
 private:
     std::vector<Section> sections_;
-    std::map<std::string, std::pair<size_t, size_t>, std::less<>> index_; ///< section and parameter by key
+    /// Numbers of the section and the parameter for each full key.
+    std::map<std::string, std::pair<size_t, size_t>, std::less<>> index_;
 };
 
 /// All parameters of a style, each described once. The methods read and write objects of type `Values`.
 ///
-///     const style::Schema<StyleTables>& style_schema()
+/// const style::Schema<StyleTables>& style_schema()
 ///     {
 ///         static const auto schema = style::Schema<StyleTables>()
 ///             .section(hatch_table(), &StyleTables::hatch)
@@ -118,7 +120,7 @@ private:
 ///         return schema;
 ///     }
 ///
-///     StyleTables tables;
+/// StyleTables tables;
 ///     style_schema().read(tables, "pencil");
 ///     style_schema().set(tables, "hatch.width_mm=0.5");
 ///
@@ -129,7 +131,7 @@ class Schema : public AnySchema {
 public:
     Schema() = default;
 
-    /// Creates the schema of a single table, whose struct is the whole of the values.
+    /// Creates the schema of a style that has a single table; the table's struct is the type of the values.
     explicit Schema(const Table<Values>& table) { add({table.section(), table.help(), table.parameters()}); }
 
     template <typename Style>
@@ -139,36 +141,36 @@ public:
         return *this;
     }
 
-    /// Sets the member that stores overrides for single surfaces. Without it, overrides in a text are an
-    /// error.
+    /// Sets the member that stores overrides for single surfaces. Without this member, overrides in a style
+    /// text are an error.
     Schema& overrides(std::vector<Override> Values::*member)
     {
         overrides_ = place_of(member);
         return *this;
     }
 
-    /// Reads a preset or a TOML file, which has one table per section. The values of `extends = "preset or
-    /// file"` are applied before those of the text.
+    /// Reads a preset or a TOML file, which has one table per section. Values of the style named in `extends
+    /// = "preset or file"` are applied first, and the text's own values after them.
     void read(Values& values, const std::string& preset_or_file, const Resolver& resolver = resolve) const
     {
         read_any(&values, resolver(preset_or_file, {}), resolver);
     }
 
-    /// Reads a TOML text. Error messages refer to it as `where`.
+    /// Reads a style from a TOML text. Error messages name the text `where`.
     void read_text(Values& values, std::string_view text, const std::string& where,
                    const Resolver& resolver = resolve) const
     {
         read_any(&values, {where, std::string(text)}, resolver);
     }
 
-    /// Applies "hatch.width_mm=0.5" or "material.brick*.hatch.width_mm=0.5". The value has TOML syntax, but
-    /// names and colours need no quotes.
+    /// Applies one assignment, such as "hatch.width_mm=0.5" or "material.brick*.hatch.width_mm=0.5". The
+    /// value has TOML syntax, but names and colours need no quotes.
     void set(Values& values, std::string_view assignment, const std::string& where = "--set") const
     {
         set_any(&values, assignment, where);
     }
 
-    /// Sets the parameter to the value of the override.
+    /// Sets a parameter to the value of an override.
     void apply(Values& values, const Override& change) const { apply_any(&values, change); }
 
     /// Writes every parameter with its value, as a TOML text that reads back to equal values.

@@ -18,7 +18,8 @@
 namespace estampe::style {
 namespace {
 
-/// UTF-8 characters of one length: lead bytes `first` to `last`, code points `least` to `most`.
+/// A form of UTF-8 characters with the same length: lead bytes `first` to `last`, code points `least` to
+/// `most`.
 struct Form {
     uint8_t first, last;
     uint32_t least, most;
@@ -29,7 +30,7 @@ constexpr std::array<Form, 4> forms{{{0x00, 0x7F, 0x0, 0x7F},
                                      {0xE0, 0xEF, 0x800, 0xFFFF},
                                      {0xF0, 0xF4, 0x10000, 0x10FFFF}}};
 
-/// The length in bytes of the UTF-8 character at the start of `text`; 0 when there is no valid one.
+/// Returns the length in bytes of the UTF-8 character at the start of `text`; 0 when there is no valid one.
 size_t character_length(std::string_view text)
 {
     constexpr uint32_t surrogates_begin = 0xD800;
@@ -89,9 +90,9 @@ ScanStop end_of_string(std::string_view text, size_t at)
     return {text.size()};
 }
 
-/// The offset of the first byte that does not begin a valid UTF-8 character: a stray or missing byte, an
-/// overlong encoding, a surrogate, or a code point beyond U+10FFFF. Returns the size of `text` when all are
-/// valid.
+/// Returns the offset of the first byte that does not begin a valid UTF-8 character: a stray or missing byte,
+/// an overlong encoding, a surrogate, or a code point beyond U+10FFFF. Returns the size of `text` when all
+/// are valid.
 size_t first_not_utf8(std::string_view text)
 {
     size_t at = 0;
@@ -129,7 +130,7 @@ ScanStop first_bare_beyond_ascii(std::string_view text)
     return {at};
 }
 
-/// Thrown when an assertion in toml++ fails: it takes `[=` for a table header and finds no name in it.
+/// Thrown when an assertion in toml++ fails: toml++ takes `[=` for a table header and finds no name in it.
 struct ParserLost : std::exception {};
 
 [[noreturn]] void lose_parser()
@@ -140,7 +141,8 @@ struct ParserLost : std::exception {};
 } // namespace
 } // namespace estampe::style
 
-// By default, toml++ turns its assertions into undefined behaviour in a release build.
+// Keeps toml++'s assertions in release builds, in which toml++ turns them into undefined behaviour by
+// default.
 #undef NDEBUG
 #define TOML_ASSERT(condition) ((condition) ? static_cast<void>(0) : estampe::style::lose_parser())
 #include <toml++/toml.h>
@@ -187,8 +189,8 @@ void check_characters(std::string_view text, const std::string& name)
     }
 }
 
-/// The numbers of an array, which is a colour; none if the array has anything else, which no parameter
-/// allows.
+/// Returns the numbers of a TOML array, which is a colour; nothing if the array has anything else, which no
+/// parameter allows.
 std::optional<std::vector<double>> numbers(const toml::array& array)
 {
     std::vector<double> result;
@@ -226,7 +228,7 @@ Raw raw_from(const toml::node& node)
     return {{}, node.is_table() ? "a table" : "a date or time"};
 }
 
-/// The keys of a table in the order of the text, as toml++ sorts them by name.
+/// Returns the keys of a table in the order of the text; toml++ itself sorts keys by name.
 std::vector<std::pair<const toml::key*, const toml::node*>> in_order(const toml::table& table)
 {
     std::vector<std::pair<const toml::key*, const toml::node*>> result;
@@ -238,7 +240,7 @@ std::vector<std::pair<const toml::key*, const toml::node*>> in_order(const toml:
     return result;
 }
 
-/// The position of the table header that has no name.
+/// Returns the position of a table header without a name.
 toml::source_position nameless_header(std::string_view text)
 {
     toml::source_position position{1, 1};
@@ -259,7 +261,7 @@ toml::source_position nameless_header(std::string_view text)
     return position;
 }
 
-/// Collects the content of a text, in any order of its tables.
+/// Collects the keys and values of a TOML text, whose tables may come in any order.
 class Gathering {
 public:
     explicit Gathering(std::string name) : name_(std::move(name)) {}
@@ -281,7 +283,7 @@ public:
         }
     }
 
-    /// Returns the document with its entries in the order of the text.
+    /// Returns the collected document with its entries in the order of the text.
     [[nodiscard]] Document take()
     {
         std::ranges::stable_sort(

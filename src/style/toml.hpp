@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reads the values of a TOML text, and checks them against their parameters.
+// Reads the values of a TOML text, and checks each value against its parameter.
 
 #include <cstdint>
 #include <optional>
@@ -14,10 +14,10 @@
 
 namespace estampe::style {
 
-/// A value as read from a text, before it is checked against its parameter.
+/// A value as read from a style text, before it is checked against its parameter.
 struct Raw {
     std::variant<std::monostate, bool, int64_t, double, std::string, std::vector<double>> value;
-    std::string shown; ///< how messages show it: `0.5`, `"uv"`, `a table`
+    std::string shown; ///< the value as messages show it: `0.5`, `"uv"`, `a table`
 };
 
 /// One key of a style text with its value. `section` is empty for a value outside any section.
@@ -26,8 +26,8 @@ struct Entry {
     std::string section;
     std::string key;
     Raw raw;
-    std::string key_where;   ///< file:line:column
-    std::string value_where; ///< file:line:column
+    std::string key_where;   ///< place of the key, as file:line:column
+    std::string value_where; ///< place of the value, as file:line:column
 };
 
 /// A TOML text in the order of its lines. `sections` lists every table, including empty ones.
@@ -49,18 +49,19 @@ struct Document {
 /// Parses `text` as a TOML value; returns none when it is not one.
 [[nodiscard]] std::optional<Raw> parse_toml_value(std::string_view text);
 
-/// A word without quotes, which --set accepts for names and colours.
+/// Makes a value of a word without quotes, which --set accepts for names and colours.
 [[nodiscard]] Raw raw_word(std::string_view text);
 
-/// Converts `raw` to a value of `parameter`, called `name` in messages. Throws Error when the type is wrong
-/// or the value is out of range.
+/// Converts the value `raw` to a value of `parameter`, which messages call `name`. Throws Error when the type
+/// is wrong or the value is out of range.
 [[nodiscard]] Value check(const Parameter& parameter, const std::string& name, const Raw& raw,
                           const std::string& where);
 
-/// The allowed values in words: "0.02 to 10 mm", "1 to 6", "true or false", "#rrggbb", "auto, uv".
+/// Describes a parameter's allowed values in words: "0.02 to 10 mm", "1 to 6", "true or false", "#rrggbb",
+/// "auto, uv".
 [[nodiscard]] std::string allowed(const Parameter& parameter);
 
-/// The TOML text of a value: 0.35, 3, true, "#1b1a22", "auto".
+/// Formats a value as TOML text: 0.35, 3, true, "#1b1a22", "auto".
 [[nodiscard]] std::string format_value(const Value& value);
 
 /// Puts `text` in double quotes, escapes control characters, and shortens a long text, for use in one line of
@@ -69,20 +70,21 @@ struct Document {
 
 struct WordEntry {
     std::string key;
-    std::vector<std::string> words; ///< numbers as written in the text, switches as "true" and "false"
+    /// Values as words: numbers as written in the text, switches as "true" and "false".
+    std::vector<std::string> words;
     bool is_list = false;
     bool is_switch = false;
-    std::string where; ///< file:line:column
+    std::string where; ///< place of the entry, as file:line:column
 };
 
 struct WordTable {
     std::string name;
     std::string where;
-    std::vector<WordEntry> entries; ///< in the order of the text
+    std::vector<WordEntry> entries; ///< entries of the table, in the order of the text
 };
 
-/// Reads tables, `[name]` and `[[name]]`, in the order of the text. Throws Error with name:line:column when
-/// the text is not TOML, and when it has a table or value of another form.
+/// Reads the tables of a TOML text, `[name]` and `[[name]]`, in the order of the text. Throws Error with
+/// name:line:column when the text is not TOML, and when it has a table or value of another form.
 [[nodiscard]] std::vector<WordTable> parse_toml_words(std::string_view text, const std::string& name);
 
 } // namespace estampe::style

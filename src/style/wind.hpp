@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The one wind of a scene, below the techniques because several of them read it: hatching, cloth, smoke,
-// clouds, particles and flowing ink.
+// The wind of a scene. Its code lies below the techniques because several of them read the wind: hatching,
+// cloth, smoke, clouds, particles and flowing ink.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 
 namespace estampe::wind {
 
-/// The source of the wind.
+/// What sets the wind. automatic: the terrain, or the style if there is no terrain.
 enum class WindSource : uint8_t { automatic, style, smoke };
 
-/// Section [wind] of a style.
+/// Parameters of the section [wind] of a style: the wind of the scene.
 struct WindStyle {
     WindSource from = WindSource::automatic;
     float speed_m_per_s = 4.0F;
@@ -31,19 +31,20 @@ struct WindStyle {
 /// The mean wind, as it is copied to the parts of a style that have no keys for wind.
 struct Wind {
     float speed_m_per_s = WindStyle().speed_m_per_s;
-    float towards_deg = WindStyle().towards_deg; ///< bearing: 0 is +z, 90 is +x
+    /// Direction towards which the wind blows, in degrees: 0 is +z, 90 is +x.
+    float towards_deg = WindStyle().towards_deg;
 
     bool operator==(const Wind&) const = default;
 };
 
-/// The angle in degrees from +x towards +z of the bearing `towards_deg`.
+/// Converts the bearing `towards_deg` to an angle in degrees, measured from +x towards +z.
 [[nodiscard]] inline float from_x_deg(float towards_deg)
 {
     return 90.0F - towards_deg;
 }
 
-/// The wind speed of a feature with its own key: `own_m_per_s`, or the wind's speed if `own_m_per_s` is
-/// negative.
+/// Returns the wind speed of a feature that has its own key for it: `own_m_per_s`, or the speed of `wind` if
+/// `own_m_per_s` is negative.
 [[nodiscard]] inline float speed_m_per_s(const Wind& wind, float own_m_per_s)
 {
     return own_m_per_s < 0.0F ? wind.speed_m_per_s : own_m_per_s;
