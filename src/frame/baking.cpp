@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Public interface of baking, and the light that is baked.
+// Implements the public interface of baking, and collects the light that is baked.
 #include "frame/baking.hpp"
 
 #include <optional>
@@ -113,7 +113,7 @@ struct LightmapBake::Impl {
     }
 
     Scene scene;
-    bake::Bake bake; ///< holds a reference to `scene`
+    bake::Bake bake; ///< the bake holds a reference to `scene`
 };
 
 LightmapBake::LightmapBake(Scene scene, const Style& style, const BakeSettings& settings)

@@ -8,10 +8,10 @@
 
 namespace estampe::frame {
 
-/// The light that a lightmap is to hold.
+/// Settings for the light that a lightmap will contain.
 struct BakedLight {
-    uint32_t direct = 0; ///< bit mask of the kinds of lights whose direct light is baked, see BakedLights
-    float sky = 1.0F;    ///< multiplies the style's ambient light
+    uint32_t direct = 0; ///< kinds of lights whose direct light is baked, as a bit mask of BakedLights
+    float sky = 1.0F;    ///< factor on the style's ambient light
 };
 
 /// Fills `settings` with the light that a picture of `scene` in this style has: the scene's lamps, or the sun

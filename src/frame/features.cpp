@@ -15,10 +15,10 @@ namespace {
 using features::FilmReader;
 using features::FilmSection;
 
-/// First bytes of a film's memory; change them when the layout of the sections changes.
+/// First bytes of a film's saved state; change them when the layout of its sections changes.
 constexpr uint64_t signature = 0x38304d4c49465345ULL;
 
-/// A section is stored as its name, version, size and bytes.
+/// A section of a film's saved state, stored as its name, version, size and bytes.
 struct Section {
     std::string_view name;
     uint32_t version = 0;
@@ -29,7 +29,8 @@ template <typename T>
 void append(std::vector<std::byte>& bytes, const T& value)
 {
     const size_t begin = bytes.size();
-    bytes.resize(begin + sizeof(value)); // insert() draws a false warning from GCC 12 with -O3
+    // copied this way because insert() draws a false warning from GCC 12 with -O3
+    bytes.resize(begin + sizeof(value));
     std::memcpy(bytes.data() + begin, &value, sizeof(value));
 }
 
@@ -58,7 +59,8 @@ std::vector<Section> sections_of(gpu::Device& device, std::span<const std::byte>
     return sections;
 }
 
-/// Throws Error unless each section belongs to a feature that still writes its version.
+/// Checks the sections of a film's saved state. Throws Error unless each section belongs to a feature that
+/// still writes its version.
 void check_sections(const std::vector<Section>& sections, std::span<features::Feature* const> all)
 {
     for (const Section& section : sections) {

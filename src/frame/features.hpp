@@ -36,13 +36,14 @@ struct Features {
     features::Particles particles;
     features::MotionBlur motion_blur;
 
-    /// All features, in the order of their sections in a film's memory.
+    /// All features, in the order of their sections in a film's saved state.
     [[nodiscard]] std::array<features::Feature*, 11> all();
 
     void invalidate(features::Event event);
 };
 
-/// The state that the next frame of a film takes over from the last one. Cost: a copy from the device.
+/// Returns the state that the next frame of a film takes over from the last one. Cost: a copy from the
+/// device.
 [[nodiscard]] std::vector<std::byte> save_film(Features& features, gpu::Device& device,
                                                gpu::Executor& executor);
 

@@ -9,14 +9,14 @@ void declare_frame(const FrameContext& context)
 {
     const FramePlan& plan = context.plan;
 
-    // Visibility.
+    // Steps that find the visible surfaces.
     const PosedScene scene = add_posed_scene(context);
     const gpu::BufferId visibility = add_visibility(context, scene);
     const surface::Surface surface = add_surface(context, scene, visibility);
     add_motion(context, scene, visibility);
     const SeenThrough screen = add_transparency(context, scene, visibility);
 
-    // Light.
+    // Steps that light the surfaces.
     const light::ShadowMaps maps = add_shadow_maps(context, scene);
     const std::optional<gpu::ImageId> lightmap = add_lightmap_light(context, scene, visibility);
     const auto occlusion = add_occlusion(context, scene, visibility, surface);
@@ -25,7 +25,7 @@ void declare_frame(const FrameContext& context)
         add_light(context, scene, visibility, surface,
                   {.maps = maps, .smoke = volume, .lightmap = lightmap, .occlusion = occlusion});
 
-    // Ink, as paths or as layers.
+    // Steps that draw ink strokes, as paths or as image layers.
     const hatch::HatchInputs hatching = hatch_inputs(context, scene, surface, lit, screen);
     const contour::ContourInputs outlining = contour_inputs(context, scene, visibility, surface, lit, screen);
     if (context.job.lists != nullptr) {
@@ -51,7 +51,7 @@ void declare_frame(const FrameContext& context)
                                                .size_px = context.sample.size_px},
                                               context.style.bleed);
 
-    // Colour under the ink, and the composition on paper.
+    // Steps for the colour under the ink, and for the composition on paper.
     const std::optional<gpu::BufferId> far_tiles = add_far_tiles(context, scene, surface);
     Colors colors = add_colors(context, scene, surface, lit.light, screen, far_tiles);
     colors = add_seen_through(context, scene, visibility, surface, maps, screen, colors);

@@ -12,13 +12,15 @@ namespace estampe::frame {
 
 /// Buffers that are uploaded for each frame or read back from it, in addition to those of the features.
 struct FrameBuffers {
-    gpu::Buffer frame_globals;      ///< FrameGlobals of the page
-    gpu::Buffer map_frame_globals;  ///< FrameGlobals of a page with the size of the map in which subsurface
-                                    ///< light spreads
+    gpu::Buffer frame_globals; ///< FrameGlobals (camera and page) of the picture
+    /// FrameGlobals of a square page with the size of the map in which subsurface light spreads.
+    gpu::Buffer map_frame_globals;
     gpu::Buffer half_frame_globals; ///< FrameGlobals of the page at half resolution
-    gpu::Buffer variant_of_draw;    ///< style variant of each draw call, if the plan has several variants
-    gpu::Buffer subsurface_parameters; ///< per style variant, if surfaces scatter light below them
-    gpu::Buffer motion_pixels;         ///< read back if the settings ask for motion
+    /// Style variant of each draw call; only used if the plan has several variants.
+    gpu::Buffer variant_of_draw;
+    /// Subsurface parameters per style variant; only used if surfaces scatter light below them.
+    gpu::Buffer subsurface_parameters;
+    gpu::Buffer motion_pixels; ///< motion vector of each pixel, read back if the settings ask for motion
     Page page;
 };
 
@@ -26,32 +28,37 @@ struct FrameBuffers {
 /// requests.
 struct FrameJob {
     paper::Accumulation accumulation;
-    bool is_first = true;                            ///< the first frame of this picture
-    std::optional<features::PixelRect> tile;         ///< part of the page to draw; none draws the whole page
-    std::optional<features::Survey> survey;          ///< set when the whole page is drawn in fewer pixels
-    StrokeLists* lists = nullptr;                    ///< not null: output strokes as paths instead of pixels
-    LinearPage* linear = nullptr;                    ///< not null: output floats in addition to bytes
+    bool is_first = true;                    ///< this is the first frame of the picture
+    std::optional<features::PixelRect> tile; ///< part of the page to draw; none draws the whole page
+    std::optional<features::Survey> survey;  ///< set when the whole page is drawn at reduced resolution
+    /// If not null, the frame outputs strokes as paths into this list instead of pixels.
+    StrokeLists* lists = nullptr;
+    /// If not null, the frame outputs floats into this page in addition to bytes.
+    LinearPage* linear = nullptr;
     std::optional<features::LinkedPart> linked = {}; ///< lines that were already linked for the whole page
-    contour::LinkedLines* linked_out = nullptr;      ///< not null: output linked lines, and no picture
-    const VulkanPicture* target = nullptr;           ///< not null: the host's image, output instead of bytes
+    /// If not null, the frame outputs linked lines here, and no picture.
+    contour::LinkedLines* linked_out = nullptr;
+    /// If not null, the host application's image, which receives the picture instead of bytes.
+    const VulkanPicture* target = nullptr;
 };
 
-/// The inputs that every step of a frame is declared from.
+/// The inputs of all steps of a frame; each step declares its passes from them.
 struct FrameContext {
     gpu::Graph& graph;
     gpu::Device& device;
-    LoadedScene& loaded; ///< already posed
+    LoadedScene& loaded; ///< the scene on the device, already posed
     Features& features;
     FrameBuffers& buffers;
     const FrameJob& job;
     const FramePlan& plan;
     const SamplePlan& sample;
     const features::StyleTables& style;
-    std::vector<wash::WashVariant>& wash_variants; ///< cleared for each frame; keeps its capacity
+    /// Scratch list, cleared for each frame; keeps its capacity.
+    std::vector<wash::WashVariant>& wash_variants;
 };
 
-/// Declares the passes of one sample of a picture, in order. If the job has stroke lists, declares the passes
-/// that fill those instead.
+/// Declares the passes of one sample of a picture, in order. If the job has stroke lists, declares instead
+/// the passes that fill these lists.
 void declare_frame(const FrameContext& context);
 
 } // namespace estampe::frame

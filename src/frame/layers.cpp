@@ -18,39 +18,42 @@
 namespace estampe::frame {
 namespace {
 
-/// Coverage of each pixel per object, over several samples. Most pixels show a single object, so the first
-/// one is stored in place and only others in a map.
+/// Counts how many samples of each pixel show each object. Most pixels show a single object, so the first
+/// object is stored in place and only others in a map.
 class Shares {
 public:
     explicit Shares(size_t pixel_count) : first_(pixel_count), first_count_(pixel_count) {}
 
-    /// Adds a sample: the object number of each pixel, 0 for none.
+    /// Adds a sample of the picture: the object number of each pixel, 0 for none.
     void add(std::span<const uint32_t> things);
 
-    /// The pixels where an object is visible, with the number of samples in which it is visible, in the order
-    /// of pixels.
+    /// The pixels where an object is visible, each with the number of samples that show the object, in the
+    /// order of pixels.
     using Places = std::vector<std::pair<uint32_t, uint32_t>>;
     [[nodiscard]] std::map<uint32_t, Places> places() const;
 
 private:
     std::vector<uint32_t> first_; ///< the first object seen at each pixel
     std::vector<uint32_t> first_count_;
-    std::map<std::pair<uint32_t, uint32_t>, uint32_t> rest_; ///< counts of other objects, by pixel and object
+    /// Number of samples that show another object, by pixel and object.
+    std::map<std::pair<uint32_t, uint32_t>, uint32_t> rest_;
 };
 
-/// The picture after each stage, per pixel. Colours are opaque; alpha is the coverage of the topmost layer.
+/// The picture after each drawing stage, per pixel. Colours are opaque; alpha is the coverage of the topmost
+/// layer.
 struct StageColors {
     std::span<const glm::vec4> paper;
     std::span<const glm::vec4> wash;
-    std::span<const glm::vec4> ink; ///< flowing ink; empty without flowing ink, which then has no layer
+    std::span<const glm::vec4> ink; ///< picture after flowing ink; empty without flowing ink
     std::span<const glm::vec4> hatch;
     std::span<const glm::vec4> lines;
-    std::span<const glm::vec4> smoke; ///< empty without smoke
-    bool is_transparent = false;      ///< the wash's alpha is its coverage over paper of `paper_color`
+    std::span<const glm::vec4> smoke; ///< picture after smoke; empty without smoke
+    /// The picture has alpha: the wash's alpha is its coverage over paper of `paper_color`.
+    bool is_transparent = false;
     glm::vec3 paper_color{1.0F};
 };
 
-/// The factor that changes `below` into `wanted`.
+/// The factor by which a multiply layer changes the value `below` into `wanted`.
 float factor(float below, float wanted)
 {
     return below > 0.0F ? wanted / below : 1.0F;
@@ -133,9 +136,9 @@ PictureMask cropped_mask(std::string name, uint32_t page_width, const Shares::Pl
     return mask;
 }
 
-/// Derives the layers between the stages. Composed in order, they reproduce each stage up to float rounding.
-/// In a transparent picture the paper is a hidden layer, and the wash is blended by alpha instead of
-/// multiplied.
+/// Derives a layer from each pair of successive stages. Composed in order, the layers reproduce each stage up
+/// to float rounding. In a transparent picture the paper is a hidden layer, and the wash is blended by alpha
+/// instead of multiplied.
 std::vector<PictureLayer> layers_between(const StageColors& stages, uint32_t width, uint32_t height)
 {
     const size_t count = size_t{width} * height;
@@ -185,9 +188,10 @@ std::vector<PictureLayer> layers_between(const StageColors& stages, uint32_t wid
 namespace estampe {
 namespace {
 
-constexpr uint32_t draw_number_mask = (1U << 26U) - 1U; // DRAW_NUMBER_MASK of shaders/surface_images.glsl
+// bits of a pixel's value that hold its draw number; DRAW_NUMBER_MASK of shaders/surface_images.glsl
+constexpr uint32_t draw_number_mask = (1U << 26U) - 1U;
 
-/// Numbers the objects of a scene: 1 is the ground, a node is its index + 2.
+/// Assigns an object number to each draw call: 1 is the ground, other objects have their node's index + 2.
 std::vector<uint32_t> thing_of_draw(const pose::MeshData& layout)
 {
     std::vector<uint32_t> things(layout.draws.size(), 1);
@@ -222,7 +226,7 @@ private:
                                  "smoke", "shadow", "occlusion", "clouds"};
 };
 
-/// The part of the page inside its margin; `last` is exclusive.
+/// The rectangle of pixels inside the page's margin; `last` is exclusive.
 struct PixelWindow {
     glm::uvec2 first{0};
     glm::uvec2 last{0};
@@ -237,7 +241,7 @@ PixelWindow window_px(const paper::PaperStyle& style, const RenderSettings& sett
             glm::uvec2(glm::min(glm::ceil(window.max_mm * px_per_mm), size_px))};
 }
 
-/// Accumulates what the samples of a picture show inside the window.
+/// Accumulates the objects, shadows and clouds that the samples of a picture show inside the page's margin.
 class Seen {
 public:
     Seen(const pose::MeshData& layout, const RenderSettings& settings, const PixelWindow& window)
@@ -260,7 +264,8 @@ public:
                 const size_t i = size_t{y} * width_ + x;
                 const uint32_t number = words[i] & draw_number_mask;
                 pixel_things_[i] = number > 0 ? things_.at(number - 1) : 0;
-                // A negative value means that the surface faces away from the sun or is never lit by it.
+                // A negative value of `sun` means that the surface faces away from the sun or is never lit by
+                // it.
                 shadow_[i] += sun[i] >= 0.0F ? 1.0F - std::min(sun[i], 1.0F) : 0.0F;
                 clouds_[i] += number == 0 && !clouds.empty() ? glm::unpackHalf1x16(clouds[i]) : 0.0F;
                 closed_[i] += number > 0 && !open.empty() ? 1.0F - glm::unpackHalf1x16(open[i]) : 0.0F;
@@ -304,11 +309,12 @@ private:
     std::vector<uint32_t> things_;
     uint32_t width_;
     PixelWindow window_;
-    std::vector<uint32_t> pixel_things_; ///< objects of the current sample
+    std::vector<uint32_t> pixel_things_; ///< object number of each pixel in the current sample
     frame::Shares shares_;
-    std::vector<float> shadow_; ///< sum over the samples
-    std::vector<float> closed_; ///< sum over the samples of the light that occlusion removes
-    std::vector<float> clouds_; ///< sum over the samples of cloud cover
+    std::vector<float> shadow_; ///< shadow of the sun at each pixel, as a sum over the samples
+    /// Light that ambient occlusion removes at each pixel, as a sum over the samples.
+    std::vector<float> closed_;
+    std::vector<float> clouds_; ///< cloud cover at each pixel, as a sum over the samples
 };
 
 } // namespace

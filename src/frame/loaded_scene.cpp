@@ -16,11 +16,12 @@
 namespace estampe::frame {
 namespace {
 
-/// Copies the parts of the scene that posing needs. Geometry and images are already on the device.
+/// Copies the parts of the scene that posing needs. Geometry and images are left out, because they are
+/// already on the device.
 Scene without_images(const Scene& scene)
 {
-    // The binding lists all members, so that a new one cannot be forgotten. Images may take most of the
-    // bytes.
+    // The structured binding lists all members of Scene, so that a new member cannot be forgotten. Images may
+    // take most of the bytes.
     const auto& [name, textures, materials, meshes, nodes, roots, skins, lights, cameras, animations,
                  frames_per_s, variants, terrain, used, ignored, missing, unit, warnings] = scene;
     Scene copy{name,       {},           materials, meshes,  nodes, roots,   skins,   lights, cameras,
@@ -47,7 +48,7 @@ Primitive turned_over(const Primitive& primitive, Index material)
     return back;
 }
 
-/// Adds a single-sided copy of a material.
+/// Adds a single-sided copy of a material to the scene.
 Index add_one_sided(Scene& scene, Index material)
 {
     Material copy = scene.materials.at(material);
@@ -79,12 +80,12 @@ void part_sides(Scene& scene, Node& node)
     }
     if (parted.primitives.size() > scene.meshes[node.mesh].primitives.size()) {
         node.mesh = static_cast<Index>(scene.meshes.size());
-        node.cloth.reset(); // the materials now describe both sides
+        node.cloth.reset(); // the two materials now describe the cloth, each for one side
         scene.meshes.push_back(std::move(parted));
     }
 }
 
-/// Gives cloth a front and a back.
+/// Gives cloth sheets with a back material a front and a back.
 Scene with_both_sides(const Scene& scene)
 {
     Scene result = scene;
@@ -116,7 +117,8 @@ pose::MeshData layout_of(const Scene& scene)
     return pose::build_meshes(scene, ground_material, &ground);
 }
 
-/// Uploads a layout of the loaded scene, and discards everything that was derived from the previous one.
+/// Uploads a layout (vertices, triangles and draw calls) of the loaded scene, and discards everything that
+/// was derived from the previous layout.
 void take_layout(gpu::Device& device, LoadedScene& loaded, pose::MeshData layout)
 {
     loaded.layout = std::move(layout);
@@ -156,7 +158,7 @@ LoadedScene load_onto_device(gpu::Device& device, const Scene& given, const Ligh
     const bool has_cloth = features::MovingCloth::is_in(given);
     const Scene two_sided = has_cloth ? with_both_sides(given) : Scene{};
     const Scene& whole = has_cloth ? two_sided : given;
-    // The terrain's material is added last.
+    // The terrain's material is added to the scene last.
     const Scene grounded = whole.terrain ? features::with_terrain_node(whole) : Scene{};
     const Scene& scene = whole.terrain ? grounded : whole;
     LoadedScene loaded;

@@ -27,30 +27,33 @@ namespace estampe::frame {
 /// All device resources of one scene, and the scene itself without its images.
 struct LoadedScene {
     Scene scene;
-    features::LightingOfScene own_lighting;    ///< lights and light links as the file has them
+    features::LightingOfScene own_lighting;    ///< lights and light links as the scene's file has them
     features::LightingOfScene styled_lighting; ///< lights and light links of `scene` with the style applied
     std::optional<features::LightingSettings>
         styled_by; ///< the style's lighting settings that produced `styled_lighting`
     pose::MeshData layout;
-    uint32_t layout_number = 0; ///< incremented each time the meshes are laid out
+    /// Number of the current layout: incremented each time the meshes are laid out.
+    uint32_t layout_number = 0;
     std::vector<features::StillCaster>
-        still_casters;                  ///< triangles of `layout` that never move and cast shadows
+        still_casters;                  ///< draw calls of `layout` that never move and cast shadows
     Bounds still_room;                  ///< bounding box of `still_casters`
-    pose::MeshBuffers meshes;           ///< `layout` on the device
+    pose::MeshBuffers meshes;           ///< vertices, triangles and draw calls of `layout` on the device
     raster::ClusterBoxes cluster_boxes; ///< bounding boxes of clusters of triangles in `meshes`
     surface::MaterialBuffers materials;
     surface::SceneNeeds needs;
-    std::vector<std::string> notes;           ///< warnings about textures
-    std::optional<Lightmap> lightmap;         ///< none unless the caller gave one
+    std::vector<std::string> notes;           ///< warnings about the scene's textures
+    std::optional<Lightmap> lightmap;         ///< lightmap of the scene; none unless the caller gave one
     std::optional<features::WornLight> baked; ///< `lightmap` mapped to the triangles of `layout`
-    std::optional<pose::PoseData> pose;       ///< the pose that the device holds; none after a new layout
+    std::optional<pose::PoseData> pose; ///< pose whose vertices the device holds; none after a new layout
     std::map<uint32_t, features::SurfaceMap>
-        surface_maps; ///< maps that styles ask for, keyed by their side in texels
+        surface_maps; ///< texture atlases over all surfaces, keyed by their side in texels
     features::DefaultLight default_light;
     light::ExposureKeyCache exposure_key;
-    features::PlacedNodes placed;                     ///< nodes that the program has placed
-    std::unique_ptr<terrain::TerrainBuffers> terrain; ///< null where the scene has no terrain
-    std::unique_ptr<terrain::Footprints> footprints;  ///< null where the scene has no terrain
+    features::PlacedNodes placed; ///< nodes that the program has placed
+    /// Buffers of the terrain; null if the scene has no terrain.
+    std::unique_ptr<terrain::TerrainBuffers> terrain;
+    /// Footprints in the terrain; null if the scene has no terrain.
+    std::unique_ptr<terrain::Footprints> footprints;
     bool terrain_moved = false;  ///< the terrain's vertices on the device are out of date
     bool has_plain_links = true; ///< every object is lit and shadowed by all lights
     bool pose_moved = true;      ///< the posed vertices on the device are out of date
@@ -60,30 +63,30 @@ struct LoadedScene {
 /// or when the lightmap belongs to another scene.
 [[nodiscard]] LoadedScene load_onto_device(gpu::Device& device, const Scene& scene, const Lightmap* lightmap);
 
-/// The pose of the scene at a time, including the nodes that the program has placed.
+/// Returns the pose of the scene at a time, including the nodes that the calling program has placed.
 [[nodiscard]] ScenePose pose_at(LoadedScene& loaded, double time_s, Index animation);
 
-/// Moves nodes, as Renderer::place() does. Lays the scene out again when one of them was treated as static.
-/// Throws Error for an invalid node or place.
+/// Moves nodes to the places that the calling program gives. Lays the scene out again when one of them was
+/// treated as static. Throws Error for an invalid node or place.
 void place_nodes(gpu::Device& device, LoadedScene& loaded, std::span<const NodePlace> places, double time_s);
 
 /// Rebuilds the meshes of the loaded scene according to its objects' light links, and discards everything
 /// that was derived from the old meshes.
 void lay_out(gpu::Device& device, LoadedScene& loaded);
 
-/// Replaces the terrain of the loaded scene, and lays the scene out again when the new one is divided into
-/// other triangles. Returns whether it was laid out again. Throws Error when the terrain does not fit, and
-/// keeps the old one.
+/// Replaces the terrain of the loaded scene, and rebuilds the meshes if the new terrain consists of other
+/// triangles. Returns whether the meshes were rebuilt. Throws Error when the terrain does not fit, and keeps
+/// the old one.
 [[nodiscard]] bool swap_terrain(gpu::Device& device, LoadedScene& loaded, const Terrain& terrain);
 
-/// Applies the lighting settings of `style` to lights and objects, and lays the scene out again when light
-/// links change. Returns whether shadows may change; a change of brightness alone never changes shadows.
-/// Throws Error as styled_lighting() does.
+/// Applies the lighting settings of `style` to lights and objects, and rebuilds the meshes when light links
+/// change. Returns whether shadows may change; a change of brightness alone never changes shadows. Throws
+/// Error as styled_lighting() does.
 [[nodiscard]] bool style_lighting(gpu::Device& device, LoadedScene& loaded,
                                   const features::StyleTables& style);
 
-/// Distance from the eye to the nearby objects of the scene. A terrain surrounds the eye, so it limits the
-/// result to a short distance.
+/// Distance from the eye to the objects of the scene that are near it. A terrain surrounds the eye, so it
+/// limits the result to a short distance.
 [[nodiscard]] float nearby_m(const pose::MeshData& layout, const glm::dvec3& eye);
 
 } // namespace estampe::frame

@@ -60,7 +60,9 @@ void check_size(const gpu::Device& device, const RenderSettings& settings)
 SeenWindow seen_window(const paper::PaperStyle& style, glm::uvec2 page_px, float pixels_per_mm,
                        glm::vec2 from_px)
 {
-    constexpr float strays_mm = 0.3F; // more than the window's edge strays, see edge_stray_mm in compose.comp
+    // margin for the uneven edge of the picture, which strays less than this; see edge_stray_mm in
+    // compose.comp
+    constexpr float strays_mm = 0.3F;
     const paper::Window window = paper::window_of(style, static_cast<float>(page_px.x) / pixels_per_mm);
     const glm::vec2 min_px = (window.min_mm - strays_mm) * pixels_per_mm - from_px;
     const glm::vec2 max_px = (window.max_mm + strays_mm) * pixels_per_mm - from_px;
@@ -91,7 +93,8 @@ Tile whole_page(glm::uvec2 page_px)
 
 uint32_t overlap_px(const features::StyleTables& style, float pixels_per_mm)
 {
-    // A pixel also depends on its neighbours: for a surface's slope and for edges between pixels.
+    // Overlap of a tile: a pixel also depends on its neighbours, for a surface's slope and for edges between
+    // pixels.
     constexpr uint32_t neighbours_px = 4;
     return bleed::reach_px(style.bleed, pixels_per_mm) +
            std::max(hatch::reach_px(style.hatch, pixels_per_mm),

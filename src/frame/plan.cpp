@@ -18,8 +18,8 @@ namespace {
 
 PagePlan plan_page(const PlanInputs& in)
 {
-    // By default, a file with a camera is treated as a composed picture, and one with a camera and a sun as
-    // outdoors.
+    // By default, a scene file with a camera is treated as a composed picture, and a file with a camera and a
+    // sun as outdoors.
     const Scene& scene = in.loaded.scene;
     const bool is_composed = !scene.cameras.empty();
     const bool is_outdoors = is_composed && in.lighting.directional_count > 0 && !scene.lights.empty();
@@ -156,7 +156,7 @@ std::optional<sky::CloudPlan> plan_clouds(const PlanInputs& in, const PagePlan& 
         in.clouds);
 }
 
-/// Runs of solid triangles whose style variants satisfy `chosen`.
+/// Returns the runs of solid triangles whose style variants satisfy `chosen`.
 template <typename Chosen>
 std::vector<raster::Batch> runs_of(const pose::MeshData& layout, const features::StyleVariants& variants,
                                    const Chosen& chosen)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The plan of a picture: everything that the processor decides before passes are declared, in parts, and the
-// focus distance of the lens.
+// The plan of a picture: everything that the CPU decides before passes are declared, divided into parts, and
+// the focus distance of the lens.
 
 #include <algorithm>
 #include <optional>
@@ -34,75 +34,80 @@
 
 namespace estampe::frame {
 
-/// The page, with its ground and sky.
+/// Plan of the page, with its ground and sky.
 struct PagePlan {
     glm::uvec2 size_px{0};
     float pixels_per_mm = 1.0F;
-    features::PixelSize pixel; ///< size of a pixel in the scene
+    features::PixelSize pixel; ///< size that a page pixel covers in the scene
     bool has_ground = false;
     bool has_sky = false;
-    bool shows_sky = false; ///< the sky is painted behind the scene; otherwise only haze takes its colour
+    /// The sky is painted behind the scene; otherwise the sky's colour only appears in haze.
+    bool shows_sky = false;
     bool has_haze = false;
 };
 
-/// How triangles are rasterised.
+/// Plan of how triangles are rasterised.
 struct RasterPlan {
     raster::Paths paths;
     raster::Tuning tuning;
 };
 
-/// The first directional light.
+/// Plan of the sun, which is the first directional light.
 struct SunPlan {
     glm::vec3 towards{0.0F, 1.0F, 0.0F};
-    bool shines = false;               ///< false without a directional light
-    std::optional<float> daylight_rad; ///< elevation of a sun that is placed by location and time of day
-    Groups casters = all_groups;       ///< groups of objects whose shadows this light casts
+    bool shines = false;               ///< the scene has a directional light
+    std::optional<float> daylight_rad; ///< elevation of the sun, if location and time of day determine it
+    Groups casters = all_groups;       ///< groups of objects that cast shadows in this light
     features::SunMapPlan map;
     features::GroundShadowPlan ground;
 };
 
-/// All lights, except for the sun's position.
+/// Plan of all lights, except for the sun's position.
 struct LightPlan {
     uint32_t local_count = 0;
-    bool leads_strokes = false;  ///< some strokes follow the light, and there are local lights
+    bool leads_strokes = false;  ///< some strokes follow the light's direction, and there are local lights
     bool has_links = false;      ///< some objects are not lit or shadowed by all lights
-    float lightmap_scale = 1.0F; ///< factor from the lightmap's exposure to the frame's
-    float ambient = 0.0F;        ///< luminance of the ambient light; set only if there is smoke
+    float lightmap_scale = 1.0F; ///< factor that converts the lightmap's exposure to the frame's exposure
+    float ambient = 0.0F;        ///< luminance of the ambient light; only set if there is smoke
     bool meters_page = false;
-    float adapt_stops = -1.0F; ///< largest change of the automatic exposure; negative sets no limit
+    float adapt_stops = -1.0F; ///< largest change of the automatic exposure, in stops; negative: no limit
 };
 
-/// Subsurface scattering and transmission, and clear bodies.
+/// Plan of subsurface scattering, transmission, and clear bodies (objects that show what lies behind them,
+/// such as glass).
 struct SubsurfacePlan {
-    std::vector<shared::SubsurfaceParameters> parameters; ///< one per style of StyleVariants
-    std::vector<raster::Batch> bodies;                    ///< triangles that transmit light
-    std::vector<raster::Batch> clear;                     ///< triangles that show what lies behind them
-    std::vector<raster::Batch> others;      ///< solid triangles not in `clear`; empty if `clear` is empty
-    std::vector<raster::Batch> line_hiders; ///< all solid triangles that hide lines; filled if only some of
-                                            ///< the clear bodies show lines
-    bool lines_show = false;                ///< all clear bodies show the lines behind them
+    /// Parameters of subsurface scattering, one entry per style of StyleVariants.
+    std::vector<shared::SubsurfaceParameters> parameters;
+    std::vector<raster::Batch> bodies; ///< runs of triangles that transmit light
+    std::vector<raster::Batch> clear;  ///< runs of triangles that show what lies behind them, as glass does
+    /// Runs of solid triangles that are not in `clear`; empty if `clear` is empty.
+    std::vector<raster::Batch> others;
+    /// Runs of all solid triangles that hide lines; filled if only some clear bodies show the lines behind
+    /// them.
+    std::vector<raster::Batch> line_hiders;
+    bool lines_show = false; ///< all clear bodies show the lines behind them
     bool scatters = false;
 };
 
-/// How the edges of shadows are drawn.
+/// Plan of how the edges of shadows are drawn.
 struct EdgePlan {
-    shared::EdgeProfile profile; ///< jagged edges
-    uint32_t variant = 0;        ///< shader variant, see shadow/shadow_style.hpp
+    shared::EdgeProfile profile; ///< shape of jagged shadow edges
+    uint32_t variant = 0;        ///< variant of the shadow shader, see shadow/shadow_style.hpp
 };
 
 struct LinePlan {
-    float half_px = 1.0F;        ///< half of the widest line of the scene
+    float half_px = 1.0F;        ///< half the width of the scene's widest line, in pixels
     bool of_shadows = false;     ///< the edges of the sun's shadow are drawn as lines
-    bool are_remembered = false; ///< lines continue from picture to picture
+    bool are_remembered = false; ///< lines continue from one picture of a film to the next
 };
 
-/// Focus lines, which point at the centre of attention.
+/// Plan of focus lines, which point at the centre of attention.
 struct FocusPlan {
     std::vector<shared::FocusLine> lines;
     glm::vec2 middle_px{0.0F};
 };
 
-/// Motion during the exposure time.
+/// Plan of the motion blur during the exposure time.
 struct MotionBlurPlan {
     features::MotionPlan motion;
     shared::MotionBlurConstants constants;
@@ -111,7 +116,7 @@ struct MotionBlurPlan {
 
 /// The plan of one picture, equal for all of its samples.
 struct FramePlan {
-    glm::uvec2 page_px{0}; ///< size of the whole page, even if `page` has a smaller one
+    glm::uvec2 page_px{0}; ///< size of the whole page, even while `page` describes a tile or a survey
     PagePlan page;
     RasterPlan raster;
     surface::SceneNeeds needs;
@@ -122,21 +127,25 @@ struct FramePlan {
     EdgePlan shadow_edges;
     features::LocalMapPlan local_shadows;
     float occlusion_radius_m = 1.0F;
-    std::optional<uint32_t> occlusion_texels; ///< side of the map for occlusion; none computes it per pixel
-    std::optional<uint32_t> scatter_texels;   ///< side of the map for subsurface light; none uses the page
+    /// Side of the texture atlas for ambient occlusion; none: occlusion is computed per pixel.
+    std::optional<uint32_t> occlusion_texels;
+    /// Side of the texture atlas for subsurface light; none: light spreads on the page.
+    std::optional<uint32_t> scatter_texels;
     std::optional<SubsurfacePlan> subsurface;
     LinePlan lines;
     FocusPlan focus;
-    std::optional<shared::RippleConstants> ripples; ///< ripples in a terrain's sand
+    std::optional<shared::RippleConstants> ripples; ///< wind ripples in a terrain's sand
     std::optional<terrain::DriftPlan> drift;        ///< wind-blown sand in the air
     std::optional<sky::CloudPlan> clouds;
-    std::vector<particles::ParticlePlan> particles; ///< one per style of particles, the farthest first
+    /// Plans of the particles, one per style variant, the farthest first.
+    std::vector<particles::ParticlePlan> particles;
     std::optional<shared::LensConstants> lens;
     std::optional<features::MotionPlan> motion;
     std::optional<MotionBlurPlan> motion_blur;
-    std::optional<features::InkPlan> ink;         ///< flowing ink
-    std::optional<std::vector<smoke::Box>> risen; ///< boxes of smoke already simulated for cloth
-    std::vector<smoke::Lamp> lamps;               ///< lamps that light smoke; empty without smoke
+    std::optional<features::InkPlan> ink; ///< plan of the flowing ink
+    /// Boxes of smoke that was already simulated for the wind on cloth.
+    std::optional<std::vector<smoke::Box>> risen;
+    std::vector<smoke::Lamp> lamps; ///< lamps that light smoke; empty without smoke
     std::optional<features::SmokePlan> smoke;
 };
 
@@ -144,50 +153,51 @@ struct FramePlan {
 /// the device that the other samples reuse.
 struct SamplePlan {
     paper::Accumulation accumulation;
-    bool is_first = true;             ///< true before anything of the picture has been drawn
-    glm::uvec2 size_px{0};            ///< size of the image that is drawn: page or tile
+    bool is_first = true;             ///< no sample or tile of the picture has been drawn yet
+    glm::uvec2 size_px{0};            ///< size of the image that is drawn: the page or a tile
     glm::vec2 from_px{0.0F};          ///< position of the image's first pixel on the page
-    glm::mat4 clip_from_anchor{1.0F}; ///< with subpixel jitter
+    glm::mat4 clip_from_anchor{1.0F}; ///< camera matrix of the sample, with its subpixel jitter
     bool pose_moved = true;           ///< the posed vertices on the device are out of date
     bool terrain_moved = false;       ///< the terrain's vertices on the device are out of date
     features::SunMapWork sun_map;
-    float line_step_px = 3.0F; ///< approximate distance between samples along a line
+    float line_step_px = 3.0F; ///< approximate distance between sample points along a line
 };
 
-/// Lists of an old plan, whose capacity the next plan reuses.
+/// Lists of an old plan, whose memory the next plan reuses.
 struct PlanLists {
     std::vector<features::StyleTables> styles;
     std::vector<uint32_t> kind_of_draw;
 };
 
-/// The inputs of a plan.
+/// The inputs for planning a picture.
 struct PlanInputs {
-    const LoadedScene& loaded; ///< already posed
+    const LoadedScene& loaded; ///< the scene on the device, already posed
     const light::Lighting& lighting;
     const std::optional<light::Daylight>& daylight;
     const Camera& camera;
     const RenderSettings& settings;
     const features::StyleTables& style;
     const gpu::Device& device;
-    RasterPath raster_path = RasterPath::compute;   ///< never automatic
-    RasterPath wanted_path = RasterPath::automatic; ///< as set in the options; may be automatic
+    /// Path with which triangles are rasterised; never automatic.
+    RasterPath raster_path = RasterPath::compute;
+    RasterPath wanted_path = RasterPath::automatic; ///< path that the options ask for; may be automatic
     sky::CloudMemory& clouds;
 };
 
-/// Returns the plan of the same page with pixels `shrink` times as large in each direction, `size_px` in all.
-/// Shadows and lights stay unchanged.
+/// Returns the plan of the same page at lower resolution: pixels are `shrink` times as large in each
+/// direction, and the page has `size_px` pixels. Shadows and lights stay unchanged.
 [[nodiscard]] FramePlan shrunk_plan(const FramePlan& plan, uint32_t shrink, glm::uvec2 size_px,
                                     const features::StyleTables& style);
 
-/// Approximate distance between samples along a line. The distance is chosen so that lines bend as finely as
-/// on a page that is `shrink` times as large.
+/// Approximate distance between sample points along a line. The distance is chosen so that lines bend as
+/// finely as on a page that is `shrink` times as large.
 [[nodiscard]] inline float line_step_px(uint32_t shrink)
 {
     return std::max(3.0F / static_cast<float>(shrink), 1.0F);
 }
 
-/// Plans everything that allocates nothing on the device. Leaves the defaults for shadows of local lights,
-/// motion, exposure adaptation and the history of lines. Cost: linear in draw calls.
+/// Plans the parts of a picture that allocate nothing on the device. Leaves the defaults for shadows of local
+/// lights, motion, exposure adaptation and the history of lines. Cost: linear in draw calls.
 [[nodiscard]] FramePlan plan_frame(const PlanInputs& in, PlanLists room = {});
 
 struct LensSetting {
@@ -199,13 +209,13 @@ struct LensSetting {
     float line_half_px = 1.0F;
 };
 
-/// Distance from the eye to the plane in focus, along the view direction. The distance is set by the style,
-/// or else by the middle of the objects that the style names, or else by the middle of the scene. Adds a note
-/// for a name that matches no object.
+/// Distance from the eye to the plane in focus, along the view direction. The style sets the distance, or
+/// names objects whose middle is in focus; otherwise the middle of the scene is in focus. Adds a note for a
+/// name that matches no object.
 [[nodiscard]] double focus_distance_m(const LensSetting& in, std::vector<std::string>& notes);
 
-/// Plans the lens of a picture. Returns none if the style has no lens, and in parallel projection, for which
-/// it adds a note.
+/// Plans the lens of a picture. Returns nothing if the style has no lens, and for a parallel projection, for
+/// which it adds a note.
 [[nodiscard]] std::optional<shared::LensConstants> plan_lens(const LensSetting& in,
                                                              std::vector<std::string>& notes);
 

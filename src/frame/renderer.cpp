@@ -136,7 +136,7 @@ void Renderer::Impl::posed()
 
 namespace {
 
-/// The camera's globals for lighting a square map instead of the page.
+/// Returns the camera's globals for lighting a square map instead of the page.
 shared::FrameGlobals map_globals(const shared::FrameGlobals& globals, uint32_t size)
 {
     shared::FrameGlobals of_map = globals;
@@ -199,12 +199,13 @@ void Renderer::Impl::draw_frame(const Camera& camera, const features::StyleTable
                                 .wash_variants = wash_variants};
     declared.clear();
     frame::declare_frame(context);
-    std::unique_ptr<gpu::CompileAhead> compiling = std::move(ahead); // must be destroyed before the graph
+    // the passes compiled ahead must be destroyed before the graph
+    std::unique_ptr<gpu::CompileAhead> compiling = std::move(ahead);
     if (compiling) {
         compiling->start(declared);
     }
     executor.run(declared);
-    executor.replace_timings(); // the next sample's timings replace these
+    executor.replace_timings(); // the timings of the next sample replace these timings
     posed();
     loaded->terrain_moved = false;
     features.cloth.drawn();
@@ -215,13 +216,13 @@ void Renderer::Impl::draw_frame(const Camera& camera, const features::StyleTable
     if (plan.sun.ground.is_thrown) {
         features.shadows.ground().drawn(plan.sun.ground, *loaded->terrain);
     }
-    compiling.reset(); // reads the graph
+    compiling.reset(); // the compiling thread reads the graph, so it ends first
     std::swap(drawn, declared);
 }
 
 namespace {
 
-/// The fraction of the page's height inside its margin.
+/// The height of the page inside its margin, as a share of the page's height.
 double window_share(const paper::PaperStyle& style, const RenderSettings& settings)
 {
     const float page_width_mm =
@@ -254,7 +255,8 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
     plan.ink = features.ink.ensure(device, executor, ink_inputs(seen_by, tables, settings), notes);
     plan.smoke = plan_smoke(plan, tables, settings);
     frame::ensure_page(device, buffers.page, plan.page_px, settings.samples);
-    // Later samples of one picture differ from the first by a pixel at most and keep no history.
+    // Later samples of a picture differ from its first sample by a pixel at most, and their lines keep no
+    // history.
     plan.lines.are_remembered =
         is_of_film && features.lines.meshes().ensure(device, loaded->layout, plan.variants.lines) != nullptr;
     if (plan.lines.are_remembered) {
@@ -368,7 +370,7 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
                              plan, hidden == HiddenLines::kept);
 }
 
-// Information about the last picture.
+// Functions that report on the last picture.
 
 const Motion& Renderer::motion() const
 {

@@ -19,13 +19,13 @@ namespace estampe {
 
 using frame::FrameJob;
 
-/// The pose of the scene that was asked for last.
+/// The pose of the scene for which a picture asked last.
 struct PosedScene {
     ScenePose pose;
     double time_s = 0.0;
     Index animation = 0;
     bool is_known = false;
-    bool is_on_device = false; ///< the processor has finished its part of the upload
+    bool is_on_device = false; ///< the CPU has finished its part of the upload
 };
 
 struct Renderer::Impl {
@@ -33,8 +33,8 @@ struct Renderer::Impl {
         : options(std::move(renderer_options)), device(options), executor(device),
           raster_path(raster::choose_path(device, executor, options.raster))
     {
-        // With validation, objects get names through global function pointers, which a second instance would
-        // replace.
+        // With validation, objects get names through global function pointers, which a second Vulkan instance
+        // would replace.
         if (device.info().software && !options.validation) {
             ahead = std::make_unique<gpu::CompileAhead>(options);
         }
@@ -64,15 +64,16 @@ struct Renderer::Impl {
     /// Poses the scene at the settings' time, unless it already has that pose. The result is valid until the
     /// next call.
     const ScenePose& pose_at(const RenderSettings& settings);
-    /// Moves the anchor with an eye that has travelled far over the ground, so that floats stay precise
-    /// there.
+    /// Moves the anchor (the origin of the device's positions) along with an eye that has travelled far over
+    /// the ground, so that floats stay precise there.
     void follow_eye(const Camera& camera);
     [[nodiscard]] light::Lighting gather_lights(const Camera& camera, const ScenePose& scene_pose,
                                                 const features::StyleTables& tables);
     /// Updates the terrain's mesh for the position of the eye.
     void update_terrain(const Camera& camera, const RenderSettings& settings,
                         const features::StyleTables& style);
-    /// Call after the scene may have been laid out again: informs the features, and cuts the cloth.
+    /// Call this function after the meshes may have been rebuilt: informs the features, and rebuilds the
+    /// cloth.
     void note_layout();
     /// Passes the velocity of smoke to cloth as wind, if the style asks for it. Simulates the smoke first,
     /// and returns its boxes.
@@ -83,12 +84,12 @@ struct Renderer::Impl {
     /// The inputs for planning the flowing ink of a prepared picture.
     [[nodiscard]] features::FlowingInkInputs
     ink_inputs(const Camera& camera, const features::StyleTables& tables, const RenderSettings& settings);
-    /// Plans the smoke of a prepared picture, and simulates and lights it on the device.
+    /// Plans the smoke of a prepared picture, and simulates and lights the smoke on the device.
     [[nodiscard]] std::optional<features::SmokePlan> plan_smoke(const frame::FramePlan& plan,
                                                                 const features::StyleTables& tables,
                                                                 const RenderSettings& settings);
-    /// The earlier time that a picture needs for motion, flowing ink or exposure; none if it needs none of
-    /// these.
+    /// Returns the earlier time that a picture needs for motion, flowing ink or exposure; none if it needs
+    /// none of these.
     [[nodiscard]] std::optional<double> moment_before(const RenderSettings& settings,
                                                       const features::StyleTables& style) const;
     [[nodiscard]] std::optional<frame::MotionBlurPlan>
@@ -97,7 +98,8 @@ struct Renderer::Impl {
     /// Poses the scene on the device at another time, so that the next update_pose() keeps that pose as the
     /// previous one.
     void pose_before(const ScenePose& scene_pose);
-    /// Call after the scene has been posed at the time of the picture.
+    /// Returns the motion between the cameras of two moments. Call this function after the scene has been
+    /// posed at the time of the picture.
     [[nodiscard]] features::MotionPlan motion_between(const Camera& before, const Camera& now,
                                                       const RenderSettings& settings) const;
     [[nodiscard]] features::MotionPlan plan_motion(const Camera& camera, const RenderSettings& settings);
@@ -110,9 +112,9 @@ struct Renderer::Impl {
     /// Uploads the data of lighting and lines that depends on the size of a pixel.
     void upload_pixel_sizes(const frame::FramePlan& plan, const features::StyleTables& tables);
     void ensure_variants(const frame::FramePlan& plan);
-    /// Creates the surface maps that the style asks for.
+    /// Creates the texture atlases over all surfaces that the style asks for.
     void ensure_surface_maps(const frame::FramePlan& plan);
-    /// Prepares everything that the first sample needs. Throws Error as Renderer::render() does.
+    /// Prepares everything that the first sample of a picture needs. Throws Error as Renderer::render() does.
     [[nodiscard]] frame::FramePlan prepare(const Camera& camera, const features::StyleTables& tables,
                                            const RenderSettings& settings);
     /// Draws one frame into the page, and fills the other outputs of the job.
@@ -121,10 +123,11 @@ struct Renderer::Impl {
     /// Returns whether a picture is drawn in tiles: because the settings ask for it, or because it is too
     /// large for the device.
     [[nodiscard]] bool is_tiled(const RenderSettings& settings) const;
-    /// Draws the picture of draw_picture() tile by tile.
+    /// Draws the picture of draw_picture() tile by tile, and copies the tiles to the sink.
     void draw_tiles(const Camera& camera, const Style& style, const RenderSettings& settings,
                     const BandSink& sink);
-    /// Runs the flowing ink on a page that is drawn in one pass, for a page that is drawn in tiles.
+    /// Simulates the flowing ink on a page that is drawn in one pass, and returns the ink's plan for a page
+    /// that is drawn in tiles.
     [[nodiscard]] features::InkPlan let_ink_flow(const Camera& camera, const features::StyleTables& tables,
                                                  const RenderSettings& settings);
     /// Computes the data that tiles share: the lines of each sample, and the brightness of the page.
@@ -141,27 +144,27 @@ struct Renderer::Impl {
     RendererOptions options;
     gpu::Device device;
     gpu::Executor executor;
-    std::unique_ptr<gpu::CompileAhead> ahead; ///< null after the first frame
-    RasterPath raster_path;                   ///< chosen when the device was opened
-    std::optional<RasterPath> page_path;      ///< path of the last page
+    std::unique_ptr<gpu::CompileAhead> ahead; ///< passes that are being compiled; null after the first frame
+    RasterPath raster_path;                   ///< raster path that was chosen when the device was opened
+    std::optional<RasterPath> page_path;      ///< raster path of the last page
     std::optional<frame::LoadedScene> loaded;
-    uint32_t known_layout = 0; ///< LoadedScene::layout_number of the last note_layout()
+    uint32_t known_layout = 0; ///< LoadedScene::layout_number at the last call of note_layout()
     PosedScene posed_scene;
     bool force_repose = false;         ///< the scene is posed again even if no node moved
     bool is_of_film = false;           ///< the last frame was part of a film
-    features::StyleTables drawn_style; ///< storage for tables_of()
+    features::StyleTables drawn_style; ///< memory of the result of tables_of()
     frame::Features features;
     frame::FrameBuffers buffers;
     Motion motion;
-    frame::PlanLists plan_lists;                  ///< lists of the last picture, to reuse
-    std::vector<wash::WashVariant> wash_variants; ///< storage for the next frame
-    gpu::Graph declared;                          ///< storage for the next frame
-    gpu::Graph drawn; ///< the last frame, for inspection; its resources may no longer exist
+    frame::PlanLists plan_lists; ///< lists of the last picture's plan, whose memory is reused
+    std::vector<wash::WashVariant> wash_variants; ///< memory that the next frame reuses
+    gpu::Graph declared;                          ///< memory of the frame graph that the next frame reuses
+    gpu::Graph drawn; ///< graph of the last frame, for inspection; its resources may no longer exist
     std::vector<std::string> notes;
 };
 
-/// The camera of the whole page, which shows the view of `camera` inside the paper's margin. Throws Error for
-/// an invalid camera.
+/// The camera of the whole page. Inside the paper's margin this camera shows the view of `camera`. Throws
+/// Error for an invalid camera.
 [[nodiscard]] Camera page_camera(const Camera& camera, const paper::PaperStyle& style,
                                  const RenderSettings& settings);
 

@@ -57,15 +57,15 @@ std::optional<double> Renderer::Impl::moment_before(const RenderSettings& settin
     if (settings.exposure_end) {
         return settings.exposure_end->time_s;
     }
-    // An animation has no pose before its start (it would loop to its end), so the first half exposure looks
-    // forward.
+    // An animation has no pose before its start, because it would loop to its end; so the interval of the
+    // first exposure looks forward instead.
     const double half_s = 0.5 * motion_blur::exposure_s(style.motion_blur);
     return settings.time_s + (settings.time_s < half_s ? half_s : -half_s);
 }
 
 namespace {
 
-/// The camera extrapolated linearly: `share` = 0 gives `now`, 1 gives `before`.
+/// Extrapolates the camera linearly in time: `share` = 0 gives `now`, 1 gives `before`.
 Camera carried_back(const Camera& now, const Camera& before, double share)
 {
     Camera back = before;
@@ -76,7 +76,7 @@ Camera carried_back(const Camera& now, const Camera& before, double share)
 
 } // namespace
 
-/// Call after the scene has been posed at the time of the picture.
+/// Plans motion blur. Call this function after the scene has been posed at the time of the picture.
 std::optional<frame::MotionBlurPlan>
 Renderer::Impl::plan_motion_blur(const Camera& camera, const frame::PagePlan& page_plan, float line_half_px,
                                  const features::StyleTables& style, const RenderSettings& settings)
@@ -88,7 +88,7 @@ Renderer::Impl::plan_motion_blur(const Camera& camera, const frame::PagePlan& pa
     const double half_s = settings.exposure_end ? settings.time_s - settings.exposure_end->time_s
                                                 : 0.5 * motion_blur::exposure_s(style.motion_blur);
     const double back_s = settings.time_s - *before_s;
-    // If only the camera moves, both may be 0.
+    // If only the camera moves, `back_s` and `half_s` may both be 0.
     const double share = back_s == half_s ? 1.0 : back_s / half_s;
     if (share == 0.0 || !std::isfinite(share)) {
         return std::nullopt;
@@ -124,11 +124,12 @@ features::MotionPlan Renderer::Impl::plan_motion(const Camera& camera, const Ren
 
 namespace {
 
-/// Centre of the square in which trails are visible: ahead of the eye, or around it when the camera looks
-/// straight down.
+/// Centre of the square in which trails in the sand are visible: ahead of the eye, or around it when the
+/// camera looks straight down.
 glm::dvec2 middle_of_trails(const Camera& camera, double extent_m)
 {
-    constexpr double ahead = 0.35; // fraction of the square's side
+    // distance of the square's centre from the eye, as a share of the square's side
+    constexpr double ahead = 0.35;
     const glm::dvec3 view = glm::normalize(camera.target - camera.eye);
     const glm::dvec2 level(view.x, view.z);
     return glm::dvec2(camera.eye.x, camera.eye.z) +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pages that are drawn in tiles, see docs/decisions/0016.
+// Draws pages in tiles, see docs/decisions/0016.
 #include "frame/renderer_impl.hpp"
 
 #include <algorithm>
@@ -18,11 +18,11 @@ namespace {
 constexpr uint32_t usual_tile_px = 2048;
 constexpr uint64_t most_survey_pixels = uint64_t{1} << 27U;
 
-/// Approximate device memory per pixel while a picture is drawn.
+/// Approximate device memory in bytes that one pixel needs while a picture is drawn.
 constexpr uint64_t bytes_a_pixel = 160;
 
-/// Pixels of the survey, which draws the whole page at a lower resolution. It gets half of the device's
-/// memory, as the data that tiles share needs the rest.
+/// Largest number of pixels of the survey, which draws the whole page at a lower resolution. The survey gets
+/// half of the device's memory, as the data that tiles share needs the rest.
 uint64_t survey_pixels(const gpu::Device& device, const frame::PageLimits& limits)
 {
     return std::min({limits.pixels, most_survey_pixels, device.memory().whole_bytes() / (2 * bytes_a_pixel)});
@@ -30,7 +30,7 @@ uint64_t survey_pixels(const gpu::Device& device, const frame::PageLimits& limit
 
 uint32_t automatic_tile_px(const frame::PageLimits& limits, uint32_t overlap)
 {
-    // A side of at least 7 overlaps keeps half or more of the drawn pixels.
+    // A tile with a side of at least 7 overlaps keeps half or more of its drawn pixels.
     return std::min(std::max(usual_tile_px, 7 * overlap), limits.side_px);
 }
 

@@ -22,35 +22,40 @@ namespace estampe::frame {
 
 /// The scene at the time of the frame, and the camera's globals.
 struct PosedScene {
-    gpu::BufferId frame; ///< FrameGlobals
+    gpu::BufferId frame; ///< handle of the FrameGlobals buffer
     gpu::BufferId stroke_coordinates;
-    gpu::BufferId vertices_before;               ///< posed as in the previous frame
-    std::optional<gpu::BufferId> terrain_texels; ///< textures that a terrain's graph reads
+    gpu::BufferId vertices_before;               ///< vertices as posed in the previous frame
+    std::optional<gpu::BufferId> terrain_texels; ///< textures that a terrain's height graph reads
     raster::RasterInputs meshes;
-    std::optional<gpu::BufferId> cluster_bounds; ///< bounds of clusters of triangles, if a pass reads them
+    /// Bounding boxes of clusters of triangles, if a pass reads them.
+    std::optional<gpu::BufferId> cluster_bounds;
 };
 
-/// Transparent surfaces and clear bodies of the frame.
+/// Transparent surfaces of the frame, and clear bodies such as glass.
 struct SeenThrough {
-    transparency::Transparency images; ///< one texel each without transparent surfaces
-    std::vector<gpu::BufferId> layers; ///< visibility buffers, the nearest first
+    /// Images of the transparent surfaces; one texel each if there are none.
+    transparency::Transparency images;
+    std::vector<gpu::BufferId> layers; ///< visibility buffers of the transparent surfaces, the nearest first
     bool is_there = false;
-    std::optional<gpu::BufferId> background = {};  ///< visibility of solid surfaces without clear bodies
-    std::optional<gpu::BufferId> line_hiders = {}; ///< visibility of solid surfaces that hide lines
+    /// Visibility buffer of solid surfaces without clear bodies.
+    std::optional<gpu::BufferId> background = {};
+    /// Visibility buffer of the solid surfaces that hide lines.
+    std::optional<gpu::BufferId> line_hiders = {};
 };
 
-/// The colour layers, which lie under the ink.
+/// The colour layers of a frame, which lie under the ink.
 struct Colors {
     gpu::ImageId wash;
     gpu::ImageId sky_ink;
     gpu::ImageId sky_wash;
-    bool has_sky_ink = false; ///< false if the sky's ink is among the strokes, or there is none
-    std::optional<gpu::ImageId> cloud_cover = {}; ///< set if there are layers and clouds
+    bool has_sky_ink = false; ///< the sky has ink that is not among the strokes
+    /// Image of the clouds' coverage; set if there are layers and clouds.
+    std::optional<gpu::ImageId> cloud_cover = {};
 };
 
-/// Layers that are simulated from picture to picture.
+/// Layers whose content is simulated from picture to picture.
 struct MovingLayers {
-    std::optional<gpu::ImageId> ink; ///< flowing ink
+    std::optional<gpu::ImageId> ink; ///< image of the flowing ink
     std::optional<smoke::Layer> smoke;
 };
 
@@ -58,10 +63,10 @@ struct MovingLayers {
 /// device.
 [[nodiscard]] PosedScene add_posed_scene(const FrameContext& context);
 
-/// The batches of surfaces that hide what lies behind them.
+/// Returns the runs of triangles that hide what lies behind them.
 [[nodiscard]] InlineVector<raster::Batch, 3> solid_batches(const pose::MeshData& layout, bool with_ground);
 
-/// The camera's view, for rasterisation.
+/// Returns the camera's view, for rasterisation.
 [[nodiscard]] raster::View eye_view(const FrameContext& context);
 
 /// Rasterises the visibility buffer: depth and triangle number, 64 bits per pixel.
@@ -72,7 +77,7 @@ struct MovingLayers {
 [[nodiscard]] surface::Surface add_surface(const FrameContext& context, const PosedScene& scene,
                                            gpu::BufferId visibility);
 
-/// The scene's vertices before the motion `moved`.
+/// Returns the scene's vertices before the motion `moved`.
 [[nodiscard]] gpu::BufferId vertices_before(const FrameContext& context, const PosedScene& scene,
                                             const features::MotionPlan& moved);
 
@@ -82,13 +87,13 @@ struct MovingLayers {
 /// Writes the motion of each pixel for reading back, in the first sample of a picture that asks for it.
 void add_motion(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility);
 
-/// The inputs of the transparency technique.
+/// Returns the inputs of the transparency technique.
 [[nodiscard]] transparency::TransparencyInputs transparency_inputs(const FrameContext& context,
                                                                    const PosedScene& scene,
                                                                    gpu::BufferId visibility,
                                                                    const std::vector<gpu::BufferId>& layers);
 
-/// Draws transparent surfaces, and what lies behind clear bodies.
+/// Draws transparent surfaces, and the surfaces behind clear bodies such as glass.
 [[nodiscard]] SeenThrough add_transparency(const FrameContext& context, const PosedScene& scene,
                                            gpu::BufferId visibility);
 
@@ -96,7 +101,7 @@ void add_motion(const FrameContext& context, const PosedScene& scene, gpu::Buffe
 /// are out of date.
 [[nodiscard]] light::ShadowMaps add_shadow_maps(const FrameContext& context, const PosedScene& scene);
 
-/// Reads the lightmap's light at each pixel; none in a scene without lightmaps.
+/// Reads the light of the scene's lightmap at each pixel; none in a scene without lightmaps.
 [[nodiscard]] std::optional<gpu::ImageId>
 add_lightmap_light(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility);
 
@@ -110,12 +115,12 @@ add_lightmap_light(const FrameContext& context, const PosedScene& scene, gpu::Bu
 [[nodiscard]] std::optional<smoke::Volume>
 add_smoke_volume(const FrameContext& context, const PosedScene& scene, const light::ShadowMaps& maps);
 
-/// Results that the light of the frame depends on.
+/// Results of earlier steps that the light of the frame depends on.
 struct LightBefore {
     light::ShadowMaps maps;
     std::optional<smoke::Volume> smoke;
-    std::optional<gpu::ImageId> lightmap;                 ///< by add_lightmap_light()
-    std::optional<occlusion::AmbientOcclusion> occlusion; ///< by add_occlusion()
+    std::optional<gpu::ImageId> lightmap; ///< light of the lightmap, from add_lightmap_light()
+    std::optional<occlusion::AmbientOcclusion> occlusion; ///< ambient occlusion, from add_occlusion()
 };
 
 /// Computes direct and subsurface light at each pixel, and exposes it if the style meters the page.
@@ -123,23 +128,24 @@ struct LightBefore {
                                          gpu::BufferId visibility, const surface::Surface& surface,
                                          const LightBefore& before);
 
-/// The inputs of the light technique that do not depend on what is lit, completed for the visible surface.
+/// Returns the inputs of the light technique that do not depend on the lit surface, completed for the visible
+/// surface.
 [[nodiscard]] light::LightInputs light_inputs(const FrameContext& context, const PosedScene& scene,
                                               const surface::Surface& surface, const light::ShadowMaps& maps);
 
-/// The inputs of subsurface scattering.
+/// Returns the inputs of subsurface scattering.
 [[nodiscard]] subsurface::SubsurfaceInputs
 subsurface_inputs(const FrameContext& context, const PosedScene& scene, const surface::Surface& surface);
 
-/// The style variant of each draw call; none if there is a single variant.
+/// Returns the buffer with the style variant of each draw call; none if there is a single variant.
 [[nodiscard]] std::optional<gpu::BufferId> variant_of_draw(const FrameContext& context);
 
-/// The inputs of hatching.
+/// Returns the inputs of hatching.
 [[nodiscard]] hatch::HatchInputs hatch_inputs(const FrameContext& context, const PosedScene& scene,
                                               const surface::Surface& surface, const light::LitPixels& lit,
                                               const SeenThrough& screen);
 
-/// The inputs of line detection.
+/// Returns the inputs of line detection.
 [[nodiscard]] contour::ContourInputs contour_inputs(const FrameContext& context, const PosedScene& scene,
                                                     gpu::BufferId visibility, const surface::Surface& surface,
                                                     const light::LitPixels& lit, const SeenThrough& screen);
@@ -148,7 +154,7 @@ subsurface_inputs(const FrameContext& context, const PosedScene& scene, const su
 /// between pixels; edges that a texture cuts out are always found between pixels.
 [[nodiscard]] gpu::ImageId add_lines(const FrameContext& context, const contour::ContourInputs& in);
 
-/// Draws wind-blown sand over the lines of the scene.
+/// Draws wind-blown sand over the ink lines of the scene.
 [[nodiscard]] gpu::ImageId add_drift(const FrameContext& context, const PosedScene& scene,
                                      const surface::Surface& surface, gpu::ImageId lines);
 
@@ -173,11 +179,11 @@ add_motion_blur(const FrameContext& context, const PosedScene& scene, gpu::Buffe
                                                     gpu::BufferId visibility, const surface::Surface& surface,
                                                     const haze::HazeLayers& layers, const Colors& colors);
 
-/// Draws focus lines over the lines of the scene.
+/// Draws focus lines over the ink lines of the scene.
 [[nodiscard]] gpu::ImageId add_focus_lines(const FrameContext& context, gpu::ImageId lines);
 
-/// Lists the tiles where the sky is visible, directly or through haze. Returns none if no pass needs the
-/// list, and on a GPU, where skipping pixels costs less than making the list.
+/// Lists the blocks of pixels where the sky is visible, directly or through haze. Returns none if no pass
+/// needs the list, and on a GPU, where skipping pixels costs less than making the list.
 [[nodiscard]] std::optional<gpu::BufferId> add_far_tiles(const FrameContext& context, const PosedScene& scene,
                                                          const surface::Surface& surface);
 
@@ -199,11 +205,11 @@ add_motion_blur(const FrameContext& context, const PosedScene& scene, gpu::Buffe
                                       const light::ShadowMaps& maps, const SeenThrough& screen,
                                       Colors colors);
 
-/// The inputs of haze.
+/// Returns the inputs of haze.
 [[nodiscard]] haze::HazeInputs haze_inputs(const FrameContext& context, const PosedScene& scene,
                                            const surface::Surface& surface);
 
-/// Haze for strokes that are output as paths; none without haze.
+/// Returns the haze for strokes that are output as paths; none without haze.
 [[nodiscard]] std::optional<StrokeHaze> stroke_haze(const FrameContext& context, const PosedScene& scene,
                                                     const surface::Surface& surface);
 
@@ -213,7 +219,7 @@ add_motion_blur(const FrameContext& context, const PosedScene& scene, gpu::Buffe
                                         const std::optional<gpu::BufferId>& far_tiles,
                                         const haze::HazeLayers& layers);
 
-/// Lets ink flow out of these layers, if the style asks for it.
+/// Lets ink flow out of the drawn layers, if the style asks for it.
 [[nodiscard]] std::optional<gpu::ImageId> add_flowing_ink(const FrameContext& context,
                                                           const PosedScene& scene, gpu::BufferId visibility,
                                                           const surface::Surface& surface, gpu::ImageId light,
@@ -225,7 +231,7 @@ add_motion_blur(const FrameContext& context, const PosedScene& scene, gpu::Buffe
                                                     const std::optional<smoke::Volume>& volume,
                                                     gpu::ImageId sky_wash, gpu::ImageId lines);
 
-/// The layers that are composed on the paper.
+/// Returns the layers that are composed on the paper.
 [[nodiscard]] paper::ComposeInputs page_layers(const FrameContext& context, const PosedScene& scene,
                                                const haze::HazeLayers& layers, const Colors& colors,
                                                const MovingLayers& moving,

@@ -17,7 +17,8 @@ const std::vector<wash::WashVariant>& wash_variants(const FrameContext& context)
     return variants;
 }
 
-/// The footprint that determines the size of strokes on the page; a lens that acts on strokes widens it.
+/// Returns the image that determines the size of strokes on the page; a lens that acts on strokes widens
+/// their footprint.
 gpu::ImageId stroke_footprint(const FrameContext& context, const surface::Surface& surface)
 {
     const bool are_wider = context.plan.lens && context.style.lens.acts_on == lens::ActsOn::strokes &&
@@ -27,8 +28,8 @@ gpu::ImageId stroke_footprint(const FrameContext& context, const surface::Surfac
                      : surface.footprint;
 }
 
-/// The motion that blurs: that of the scene, or that of the shape which the style's mode draws only for its
-/// velocities.
+/// Returns the motion that blurs the picture: the motion of the scene, or that of a shape which the style's
+/// mode draws only for its velocities.
 gpu::ImageId blurring_motion_of(const FrameContext& context, const PosedScene& scene,
                                 const MotionBlurPlan& plan, gpu::ImageId own_motion)
 {
@@ -215,7 +216,7 @@ motion_blur::MotionBlurLayers add_motion_blur(const FrameContext& context, const
     }
     const gpu::ImageId own_motion =
         motion::add_motion(context.graph, motion_inputs(context, scene, visibility, plan->motion));
-    // Both matrices have the sample's subpixel jitter, so that the difference is the body's own motion.
+    // Both matrices contain the sample's subpixel jitter, so that the difference is the body's own motion.
     const glm::mat4 shifted_before(glm::dmat4(context.sample.clip_from_anchor) *
                                    glm::inverse(glm::dmat4(plan->motion.clip_from_anchor)) *
                                    glm::dmat4(plan->motion.clip_from_anchor_before));
@@ -263,8 +264,8 @@ gpu::ImageId add_focus_lines(const FrameContext& context, gpu::ImageId lines)
 
 namespace {
 
-/// Distance from the eye beyond which pixels may show sky: nearer surfaces hide it, farther ones may have
-/// haze.
+/// Distance from the eye beyond which pixels may show sky: nearer surfaces hide the sky, farther ones may
+/// have haze.
 float sky_shows_from_m(const FrameContext& context)
 {
     constexpr float nowhere_m = 1e30F;

@@ -25,7 +25,7 @@ bool wants_cluster_bounds(const FrameContext& context)
             context.loaded.layout.opaque.count >= plan.tuning.clusters_from);
 }
 
-/// Draws the surfaces behind clear bodies, if there are any, for colour and for lines.
+/// Draws the surfaces behind clear bodies such as glass, if there are any, for colour and for lines.
 void add_backgrounds(const FrameContext& context, const PosedScene& scene, SeenThrough& screen)
 {
     const std::optional<SubsurfacePlan>& plan = context.plan.subsurface;
@@ -166,7 +166,7 @@ surface::Surface add_surface(const FrameContext& context, const PosedScene& scen
 gpu::BufferId vertices_before(const FrameContext& context, const PosedScene& scene,
                               const features::MotionPlan& moved)
 {
-    // A static scene has a single set of vertices.
+    // A static scene has a single set of vertices, so the previous vertices are the current ones.
     const bool has_moved = moved.pose_moved || context.loaded.terrain != nullptr;
     return has_moved ? scene.vertices_before : scene.meshes.posed_vertices;
 }
@@ -239,7 +239,8 @@ SeenThrough add_transparency(const FrameContext& context, const PosedScene& scen
 
 namespace {
 
-/// Lights and paints a visibility buffer like the first visible surface, without subsurface scattering.
+/// Lights and paints a visibility buffer in the same way as the first visible surface, without subsurface
+/// scattering.
 gpu::ImageId add_painted(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
                          const light::ShadowMaps& maps, const std::optional<gpu::ImageId>& background)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Public interface of styles and tonal art maps.
+// Implements the public interface of styles and tonal art maps.
 #include <cmath>
 #include <optional>
 #include <variant>
@@ -20,7 +20,7 @@ namespace estampe {
 
 namespace {
 
-/// Returns none for an unknown key.
+/// Returns the value of a style parameter; none for an unknown key.
 std::optional<style::Value> value_of(const features::StyleTables& tables, std::string_view key)
 {
     const auto [section, parameter] = features::style_schema().find(key);

@@ -23,7 +23,7 @@ namespace estampe::frame {
 namespace {
 
 constexpr float hidden_share = 0.6F;     // width of a hidden line relative to the visible one
-constexpr float least_ink_left = 0.125F; // strokes with less of their width left by haze are dropped
+constexpr float least_ink_left = 0.125F; // strokes are dropped if haze leaves a smaller share of their width
 
 /// Reads the contents of `from` back into `to`.
 void read_back(gpu::Graph& graph, gpu::Device& device, gpu::BufferId from, gpu::Buffer& to)
@@ -56,7 +56,7 @@ public:
         drawing_.has_paper = style.paper.transparent == paper::Transparency::none;
         drawing_.has_mitred_corners = style.contour.joints == contour::Joints::mitre;
         if (style.contour.hidden.enabled) {
-            // A picture's dashes include their round ends; ends of paths are added to the dash.
+            // A picture's dashes include their round ends, but on paths round ends are added to the dash.
             const float ends_mm =
                 std::min(style.contour.hidden.width_mm, 0.9F * style.contour.hidden.dash_mm);
             drawing_.dash_mm = style.contour.hidden.dash_mm - ends_mm;
@@ -64,7 +64,7 @@ public:
         }
     }
 
-    /// Thins all strokes that are added after this call by the haze. `of` is the component to read: 0 for
+    /// Thins by haze all strokes that are added after this call. `of` is the component to read: 0 for
     /// strokes, 1 for lines. An empty span thins nothing.
     void thin_by(std::span<const glm::vec2> ink_left, int of)
     {
@@ -72,7 +72,7 @@ public:
         ink_left_of_ = of;
     }
 
-    /// `Points` must have page_px and width_px.
+    /// Adds a stroke along `points`, whose type must have the members page_px and width_px.
     template <class Points>
     void add(VectorStroke stroke, uint32_t draw, const glm::vec3& ink, const Points& points)
     {
@@ -115,7 +115,7 @@ public:
         }
     }
 
-    /// Adds the four border lines around the window, with square corners as if drawn along a ruler.
+    /// Adds the four border lines around the picture, with square corners as if drawn along a ruler.
     void add_border(const paper::PaperStyle& paper)
     {
         const auto object = static_cast<uint32_t>(drawing_.objects.size());
@@ -214,7 +214,7 @@ void add_hatching(Gathering& gathering, const StrokeLists& lists, const DrawnSce
     }
 }
 
-/// Widths of hidden lines, one per kind.
+/// Returns the widths of hidden lines, one per kind of line.
 contour::LineWidths hidden_widths_px(const contour::ContourStyle& contour, float pixels_per_mm)
 {
     contour::LineWidths widths{};
@@ -226,7 +226,7 @@ contour::LineWidths hidden_widths_px(const contour::ContourStyle& contour, float
     return widths;
 }
 
-/// The ink of a line along a surface of draw call `draw`.
+/// Returns the ink of a line along a surface of draw call `draw`.
 glm::vec3 ink_of(const contour::LinePath& path, uint32_t draw, const Scene& scene,
                  const features::StyleVariants& variants)
 {
@@ -258,7 +258,7 @@ void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene&
             hand = contour::join_paths(std::move(hand));
         }
         std::move(hand.begin(), hand.end(), std::back_inserter(paths));
-        with_hidden = false; // hidden lines are drawn by the first hand only
+        with_hidden = false; // lines may be drawn several times; only the first time includes hidden lines
     }
     for (const contour::LinePath& path : paths) {
         const uint32_t draw = drawn.layout.triangles[path.triangle].w & shared::triangle_draw_mask;

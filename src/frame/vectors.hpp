@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A frame as vector strokes.
+// The strokes of a frame as vector paths.
 
 #include <optional>
 #include <vector>
@@ -22,33 +22,36 @@ struct StrokeLists {
     explicit StrokeLists(gpu::Device& on_device) : device(on_device) {}
 
     gpu::Device& device;
-    gpu::Buffer line_sizes; ///< this and the next five are those of contour::LineLists
+    /// Sizes of the lines; this and the next five members are those of contour::LineLists.
+    gpu::Buffer line_sizes;
     gpu::Buffer line_samples;
     gpu::Buffer line_samples_before;
     gpu::Buffer line_strokes_before;
-    std::vector<gpu::Buffer> line_points; ///< one per hand
+    /// Points of the lines, one buffer for each time that lines are redrawn.
+    std::vector<gpu::Buffer> line_points;
     gpu::Buffer line_facing;
-    gpu::Buffer crossings; ///< as written by hatch::add_trace()
-    gpu::Buffer ink_left;  ///< as written by haze::add_ink_left(); empty without haze
+    gpu::Buffer crossings; ///< crossings of hatching strokes, as written by hatch::add_trace()
+    /// Share of ink that haze leaves, as written by haze::add_ink_left(); empty without haze.
+    gpu::Buffer ink_left;
 };
 
-/// Throws Error when a style variant has strokes that have no paths: strokes of a tonal art map, and lines
-/// that are found between pixels.
+/// Checks that all strokes can be output as paths. Throws Error when a style variant has strokes that have no
+/// paths: strokes of a tonal art map, and lines that are found between pixels.
 void check_has_paths(const features::StyleVariants& variants);
 
-/// The inputs of hatching strokes.
+/// Inputs for the paths of hatching strokes.
 struct HatchStrokes {
     hatch::HatchInputs inputs;
     std::vector<hatch::HatchVariant> variants;
 };
 
-/// The inputs of line strokes.
+/// Inputs for the paths of ink lines.
 struct LineStrokes {
     contour::ContourInputs inputs;
-    contour::LineMesh* mesh; ///< null without lines
+    contour::LineMesh* mesh; ///< mesh in which lines are found; null without lines
 };
 
-/// Haze, which thins strokes.
+/// Inputs for haze, which thins strokes.
 struct StrokeHaze {
     haze::HazeInputs inputs;
     haze::HazeStyle style;
@@ -59,11 +62,11 @@ void declare_stroke_lists(gpu::Graph& graph, const HatchStrokes& hatch, const Li
                           const features::StyleVariants& variants, const std::optional<StrokeHaze>& haze,
                           StrokeLists& lists);
 
-/// The scene that the strokes were drawn from.
+/// The scene from which the strokes were drawn.
 struct DrawnScene {
     const Scene& scene;
     const pose::MeshData& layout;
-    const contour::EdgeMesh* edges; ///< null without lines
+    const contour::EdgeMesh* edges; ///< mesh edges along which lines were found; null without lines
     glm::uvec2 size_px{0};
 };
 
