@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Everything before the first sample of a picture: brings features to the picture's time, plans the frame,
-// and uploads the data that it reads in addition to the scene.
+// Prepares the first sample of a picture: brings features to the picture's time, plans the frame, and
+// uploads the data that the frame reads in addition to the scene.
 #include "frame/renderer_impl.hpp"
 
 #include <algorithm>

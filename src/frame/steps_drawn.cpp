@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps from light to ink, colour and paper.
+// Steps of a frame that turn light into ink and colour on paper.
 #include "frame/steps.hpp"
 #include "gpu/resources.hpp"
 #include "techniques/contour/chains/chains.hpp"

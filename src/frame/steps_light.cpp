@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps for shadows, lightmap light, and direct light.
+// Steps of a frame that compute shadows, the light of lightmaps, and direct light.
 #include <algorithm>
 
 #include "frame/steps.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Steps from triangles to the visible surface at each pixel, clear bodies that blur what lies behind them,
-// transparent surfaces, and the coverage of pixels for a transparent background.
+// Steps of a frame that turn triangles into the visible surface at each pixel. They also draw clear bodies
+// that blur what lies behind them, transparent surfaces, and pixel coverage for a transparent background.
 #include <algorithm>
 #include <vector>
 
