@@ -19,22 +19,22 @@ namespace estampe::features {
 /// The inputs of ClothSimulation for one picture.
 struct ClothInputs {
     const Scene& scene;
-    pose::MeshData& layout;                     ///< torn triangles are removed from this layout
-    pose::MeshBuffers& meshes;                  ///< the buffers of `layout`
-    const std::optional<pose::PoseData>& posed; ///< the pose on the device
+    pose::MeshData& layout;    ///< Layout of the scene, from which torn triangles are removed
+    pose::MeshBuffers& meshes; ///< Vertex and triangle buffers of `layout`
+    const std::optional<pose::PoseData>& posed; ///< Pose of the scene that the device holds
     /// Poses the scene at a time. Afterwards `posed` holds that pose, and add_posed() declares the passes
     /// that the device still needs.
     std::function<ScenePose(double time_s)> pose_at;
     std::function<gpu::BufferId(gpu::Graph&)> add_posed;
     const RenderSettings& settings;
     const StyleTables& style;
-    std::optional<double> before_s; ///< the time from which motion is measured
+    std::optional<double> before_s; ///< Earlier time from which the picture's motion is measured
 };
 
 /// Side effects of ClothSimulation::advance().
 struct ClothAdvance {
-    bool posed_scene = false; ///< the scene was posed at other times than the picture's
-    bool tore = false;        ///< other triangles are torn than before
+    bool posed_scene = false; ///< The scene was posed at other times than the picture's time
+    bool tore = false;        ///< The set of torn triangles has changed
 };
 
 class ClothSimulation final : public Feature {
@@ -50,29 +50,29 @@ public:
     /// Error if a sheet cannot be built.
     void cut(gpu::Device& device, const Scene& scene, const pose::MeshData& layout);
 
-    /// Null if the scene has no cloth.
+    /// Returns the cloth sheets; null if the scene has no cloth.
     [[nodiscard]] MovingCloth* sheets() { return sheets_.get(); }
 
-    /// The draw calls that are cloth sheets.
+    /// Returns the draw calls that are cloth sheets.
     [[nodiscard]] std::span<const uint32_t> draws() const;
 
-    /// Whether the device must still pose the sheets' vertices.
+    /// Returns whether the device must still pose the vertices of the cloth sheets.
     [[nodiscard]] bool has_moved() const { return sheets_ && sheets_->has_moved; }
 
-    /// Simulates up to the picture's time, except for the last steps, which record() puts into the picture's
-    /// own graph, parallel to independent passes. Removes torn triangles of sheets and restores triangles
-    /// that are not torn. Cost: the steps. If sheets may tear, also a read-back of their torn links, and an
-    /// upload of all triangles whenever the set of torn triangles changes.
+    /// Simulates the cloth up to the picture's time, except for the last steps, which record() puts into the
+    /// picture's own graph, parallel to independent passes. Removes torn triangles of sheets and restores
+    /// triangles that are not torn. Cost: the steps. If sheets may tear, also a read-back of their torn
+    /// links, and an upload of all triangles whenever the set of torn triangles changes.
     [[nodiscard]] ClothAdvance advance(gpu::Device& device, gpu::Executor& executor, const ClothInputs& in);
 
-    /// Places the solids that sheets collide with, if steps remain for the picture's graph. Returns the boxes
-    /// that the sheets occupied since the last call (anchor space). Call this function only after the scene
-    /// is posed for the picture.
+    /// Places the solids with which cloth sheets collide, if steps remain for the picture's graph. Returns
+    /// the boxes that the sheets occupied since the last call (anchor space). Call this function only after
+    /// the scene is posed for the picture.
     [[nodiscard]] std::vector<Bounds> place(gpu::Device& device, const ClothInputs& in,
                                             const ScenePose& pose);
 
-    /// Declares the remaining steps, and writes the sheets' vertices into `posed`. The state of the sheets is
-    /// invalid until that graph has run and drawn() is called.
+    /// Declares the remaining steps of the cloth, and writes the sheets' vertices into `posed`. The state of
+    /// the sheets is invalid until that graph has run and drawn() is called.
     void record(gpu::Graph& graph, const pose::PoseData& pose, const glm::dvec3& anchor,
                 gpu::BufferId& posed_vertices, gpu::BufferId& vertices_before);
     void drawn();
@@ -86,8 +86,8 @@ private:
     void step(gpu::Device& device, gpu::Executor& executor, const ClothInputs& in, const ClothSteps& steps);
 
     std::unique_ptr<MovingCloth> sheets_;
-    std::optional<glm::dvec3> cut_about_;  ///< anchor of the layout from which the sheets were built
-    std::optional<ClothSteps> steps_left_; ///< steps that the picture's first graph runs
+    std::optional<glm::dvec3> cut_about_;  ///< Anchor of the layout from which the cloth sheets were built
+    std::optional<ClothSteps> steps_left_; ///< Simulation steps that the picture's first graph runs
 };
 
 } // namespace estampe::features

@@ -14,11 +14,11 @@
 namespace estampe::features {
 namespace {
 
-constexpr size_t least_vertices = 8; // a bone with fewer vertices gets no capsule
+constexpr size_t least_vertices = 8; // A bone with fewer vertices gets no capsule
 
 /// A bone in the bind pose of its skin.
 struct BoundBone {
-    uint32_t from_joint = 0; ///< index of the parent joint in the skin's joints
+    uint32_t from_joint = 0; ///< Parent joint of the bone, as an index of the skin's joints
     uint32_t to_joint = 0;
     glm::vec3 from{0.0F};
     glm::vec3 to{0.0F};
@@ -116,9 +116,9 @@ cloth::Solid placed_bone(const BoneCapsule& bone, const ScenePose& pose, const g
 
 namespace {
 
-constexpr uint32_t most_nodes = 192; // along the longest side of a body's depth maps
+constexpr uint32_t most_nodes = 192; // Texels of a body's depth maps along their longest side
 
-/// The topmost joint of a skin's hierarchy.
+/// Returns the topmost joint of a skin's hierarchy.
 Index root_of(const Scene& scene, const Skin& skin)
 {
     for (const Index joint : skin.joints) {
@@ -129,7 +129,7 @@ Index root_of(const Scene& scene, const Skin& skin)
     return no_index;
 }
 
-/// The skeleton of a draw call, if the draw call is part of a body; none otherwise.
+/// Returns the skeleton of a draw call, if the draw call is part of a body; none otherwise.
 Index skeleton_of(const Scene& scene, const pose::DrawSource& source)
 {
     const Node& node = scene.nodes[source.node];
@@ -157,7 +157,7 @@ std::vector<double> areas_of(const Primitive& primitive)
     return areas_m2;
 }
 
-/// The bounds and the area of the vertices that each joint of a draw call's skin moves.
+/// Appends the bounds and the area of the vertices that each joint of a draw call's skin moves.
 void append_parts(const Primitive& primitive, uint32_t draw, std::vector<SeenBody::Part>& parts)
 {
     std::map<uint32_t, SeenBody::Part> of_joint;
@@ -189,10 +189,10 @@ void append_parts(const Primitive& primitive, uint32_t draw, std::vector<SeenBod
     }
 }
 
-/// A rotation that maps the z axis to the shortest of three sides.
+/// Returns a rotation that maps the z axis to the shortest of three sides.
 glm::quat turn_to_shortest(const glm::vec3& sides)
 {
-    constexpr float half = 0.70710678F; // cosine and sine of half a right angle
+    constexpr float half = 0.70710678F; // Cosine and sine of half a right angle
     if (sides.z <= sides.x && sides.z <= sides.y) {
         return {1.0F, 0.0F, 0.0F, 0.0F};
     }
@@ -268,7 +268,7 @@ cloth::Solid placed_body(const SeenBody& body, const pose::MeshData& layout, con
             half_m = glm::max(half_m, glm::abs(back * (point - glm::dvec3(solid.centre_m))));
         }
     }
-    constexpr double beside = 1.04; // margin around the body
+    constexpr double beside = 1.04; // Factor that adds a margin around the body
     solid.half_m = glm::vec3(beside * half_m + 1e-4);
     solid.grid = number;
     return solid;
@@ -279,7 +279,7 @@ namespace {
 constexpr uint32_t mesh_cells = 40;
 constexpr double mirror = -1.0;
 constexpr double margin_m = 1.0;
-constexpr double nobody_there_m = -1e4; // height of the ground where no sheet can reach it
+constexpr double nobody_there_m = -1e4; // Height of the ground at places that no sheet can reach
 
 cloth::SolidGrid grid_of(const Mesh& mesh, bool is_mirrored)
 {
@@ -303,7 +303,8 @@ cloth::SolidGrid grid_of(const Mesh& mesh, bool is_mirrored)
 
 using HeightAt = std::function<double(double x_m, double z_m)>;
 
-/// Box around the sheets with a margin of a metre, rounded to whole metres: least x and z, greatest x and z.
+/// Returns a box around the sheets with a margin of a metre, rounded to whole metres: least x and z, greatest
+/// x and z.
 glm::dvec4 level_box(std::span<const SheetPlace> sheets)
 {
     Bounds all;
@@ -330,12 +331,13 @@ std::vector<double> lows_of(std::span<const SheetPlace> sheets)
     return lows_m;
 }
 
-/// Whether the ground below a box may reach up to the box, judged by a few samples.
+/// Returns whether the ground below a sheet's box may reach up to the box, judged by a few samples.
 bool comes_down_to(const Bounds& box, const HeightAt& height_at)
 {
-    constexpr int places = 5;         // samples in each direction
-    constexpr double steepest = 0.7;  // steepest slope of sand
-    constexpr double unasked_m = 1.0; // largest move of a sheet before the next test, horizontally and down
+    constexpr int places = 5;        // Number of samples in each direction
+    constexpr double steepest = 0.7; // Steepest slope of sand
+    // Largest move of a sheet before the ground is sampled again, horizontally and down
+    constexpr double unasked_m = 1.0;
     const glm::dvec3 step = (box.max - box.min) / static_cast<double>(places - 1);
     double highest_m = -std::numeric_limits<double>::infinity();
     for (int z = 0; z < places; ++z) {

@@ -18,61 +18,63 @@
 
 namespace estampe::features {
 
-/// A capsule between a joint and one of its children.
+/// A capsule around a bone, from a joint to one of its children, with which cloth collides.
 struct BoneCapsule {
-    Index from = 0; ///< scene node of the parent joint
+    Index from = 0; ///< Scene node of the bone's parent joint
     Index to = 0;
-    float radius_share = 0.0F; ///< radius relative to the bone's length
+    float radius_share = 0.0F; ///< Radius of the capsule relative to the bone's length
 };
 
-/// One capsule per bone that moves part of a body. The capsule's radius is the median distance of the bone's
-/// vertices. Bones of cloth get none. Cost: linear in skinned vertices.
+/// Makes one capsule for each bone that moves part of a body. The capsule's radius is the median distance of
+/// the bone's vertices. Bones of cloth get none. Cost: linear in skinned vertices.
 [[nodiscard]] std::vector<BoneCapsule> bone_capsules(const Scene& scene);
 
-/// The capsule in a pose.
+/// Places a bone's capsule in a pose of the scene.
 [[nodiscard]] cloth::Solid placed_bone(const BoneCapsule& bone, const ScenePose& pose,
                                        const glm::dvec3& anchor);
 
-/// All draw calls of one skeleton except cloth. The depth maps look along the shortest side of the body's box
-/// in the bind pose. This axis rotates with the joint that moves most of the body's surface.
+/// A body with which cloth collides: all draw calls of one skeleton except cloth. The body's depth maps look
+/// along the shortest side of its box in the bind pose. This axis rotates with the joint that moves most of
+/// the body's surface.
 struct SeenBody {
-    /// The vertices that one joint moves, in the bind pose.
+    /// The vertices of a body that one joint moves, in the bind pose.
     struct Part {
         uint32_t draw = 0;
-        uint32_t joint = 0; ///< index into the skin's joints
+        uint32_t joint = 0; ///< Joint that moves the part, as an index of the skin's joints
         glm::vec3 min_m{0.0F};
         glm::vec3 max_m{0.0F};
         double area_m2 = 0.0;
     };
 
     cloth::Body mesh;
-    std::vector<Part> parts; ///< the first part is the one whose joint rotates the axis
-    cloth::Solid solid;      ///< in the bind pose
+    /// Parts of the body; the first part is moved by the joint that also rotates the depth maps' axis.
+    std::vector<Part> parts;
+    cloth::Solid solid; ///< Collider of the body in the bind pose
 };
 
-/// The bodies of a scene, in the order of the scene's draw calls. Cost: linear in skinned triangles.
+/// Finds the bodies of a scene, in the order of the scene's draw calls. Cost: linear in skinned triangles.
 [[nodiscard]] std::vector<SeenBody> seen_bodies(const Scene& scene, const pose::MeshData& layout);
 
-/// The body in a pose (anchor space), in a box that contains every part that the body's joints move. Vertices
-/// that morph targets move outside this box are cut off.
+/// Places a body in a pose (anchor space), in a box that contains every part that the body's joints move.
+/// Vertices that morph targets move outside this box are cut off.
 [[nodiscard]] cloth::Solid placed_body(const SeenBody& body, const pose::MeshData& layout,
                                        const pose::PoseData& pose, uint32_t number);
 
-/// The position of a sheet, in anchor space.
+/// The position of a cloth sheet, in anchor space.
 struct SheetPlace {
     Bounds box;
-    std::optional<Bounds> stays_in; ///< box that the sheet never leaves; none means no limits
+    std::optional<Bounds> stays_in; ///< Box that the cloth sheet never leaves; none: no limits
 };
 
 class SolidGrids {
 public:
     SolidGrids() = default;
 
-    /// Makes distance grids, 40 cells along the longest side, for all colliders of kind mesh. Cost: see
-    /// cloth::grid_of_distances().
+    /// Makes grids of distances to the mesh, with 40 cells along the longest side, for all colliders of kind
+    /// mesh. Cost: see cloth::grid_of_distances().
     explicit SolidGrids(const Scene& scene);
 
-    /// Samples the heights of the ground below the sheets that may reach it, every half second. Returns
+    /// Samples the heights of the ground below the cloth sheets that may reach it, every half second. Returns
     /// whether the heights changed. On slopes steeper than sand, features narrower than a quarter of a sheet
     /// may be missed. Cost when ground or sheets changed: 25 samples of the ground per sheet with a bounded
     /// reach, and up to 9,409 below sheets that may touch it; otherwise none.
@@ -81,10 +83,11 @@ public:
 
     [[nodiscard]] const std::vector<cloth::SolidGrid>& grids() const { return grids_; }
 
-    /// The ground's heights in anchor space; none if no sheet may reach the ground.
+    /// Returns the ground's heights in anchor space, for collisions of cloth; none if no sheet may reach the
+    /// ground.
     [[nodiscard]] std::optional<cloth::Solid> ground() const;
 
-    /// A mesh collider placed by a matrix; none if the mesh has no triangles.
+    /// Returns a mesh collider placed by a matrix; none if the mesh has no triangles.
     [[nodiscard]] std::optional<cloth::Solid> placed_mesh(Index mesh, const glm::dmat4& place) const;
 
 private:
@@ -93,16 +96,19 @@ private:
         glm::dvec3 anchor{0.0};
         double time_s = 0.0;
         const terrain::Program* program = nullptr;
-        std::vector<double> lows_m; ///< lowest heights that sheets may reach, in steps of a quarter metre
+        /// Lowest heights that the cloth sheets may reach, in steps of a quarter metre.
+        std::vector<double> lows_m;
 
         bool operator==(const GroundKey&) const = default;
     };
 
-    std::vector<cloth::SolidGrid> grids_; ///< with a terrain, the first grid holds the ground's heights
-    std::map<std::pair<Index, bool>, uint32_t> of_mesh_; ///< key: mesh, and whether it is mirrored
+    /// Grids of all colliders; with a terrain, the first grid holds the ground's heights.
+    std::vector<cloth::SolidGrid> grids_;
+    /// Number of the grid of each mesh; the key is the mesh, and whether it is mirrored.
+    std::map<std::pair<Index, bool>, uint32_t> of_mesh_;
     std::optional<GroundKey> ground_;
     bool is_ground_near_ = false;
-    std::optional<Terrain> terrain_; ///< keeps the program in `ground_` alive
+    std::optional<Terrain> terrain_; ///< Keeps the program in `ground_` alive
 };
 
 } // namespace estampe::features

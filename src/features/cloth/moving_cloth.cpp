@@ -13,9 +13,10 @@ namespace estampe::features {
 namespace {
 
 constexpr double usual_step_s = 1.0 / 120.0;
-constexpr uint32_t steps_between_poses = 5; // at most; held particles move linearly in between
+// Most simulation steps between two poses; held particles move linearly in between
+constexpr uint32_t steps_between_poses = 5;
 
-/// Vertices at the same position become one particle, so that sheets stay connected along UV seams.
+/// Merges vertices at the same position to one particle, so that cloth sheets stay connected along UV seams.
 cloth::DrawnSheet welded(const pose::MeshData& layout, const shared::DrawRecord& draw,
                          const std::vector<float>& held, cloth::Sheet& sheet)
 {
@@ -51,7 +52,7 @@ cloth::SolidKind solid_kind(ClothCollider collider)
     }
 }
 
-/// The smallest solid of this kind around a mesh. A capsule's ends stay within the mesh's box.
+/// Returns the smallest solid of this kind around a mesh. A capsule's ends stay within the mesh's box.
 cloth::Solid solid_about(const Mesh& mesh, ClothCollider collider)
 {
     Bounds bounds;
@@ -79,7 +80,7 @@ cloth::Solid solid_about(const Mesh& mesh, ClothCollider collider)
 
 namespace {
 
-/// The axis-aligned box around a transformed box.
+/// Returns the axis-aligned box around a transformed box.
 Bounds box_about(const Bounds& bounds, const glm::mat4& place)
 {
     Bounds box;
@@ -117,7 +118,8 @@ MovingCloth::Cut MovingCloth::cut(const Scene& scene, const pose::MeshData& layo
         if (cloth == nullptr || primitive.indices.empty()) {
             continue;
         }
-        if (primitive.material == cloth->back_material) { // the back of the preceding primitive
+        // This primitive is the back of the preceding primitive
+        if (primitive.material == cloth->back_material) {
             const auto front = std::ranges::find_if(cut.draws, [&](uint32_t draw) {
                 const pose::DrawSource& other = layout.sources[draw];
                 return other.node == source.node && other.primitive + 1 == source.primitive &&
@@ -237,7 +239,7 @@ std::vector<SheetPlace> MovingCloth::sheet_places(const pose::PoseData& pose) co
     for (size_t i = 0; i < places.size(); ++i) {
         SheetPlace& sheet = sheets.emplace_back(SheetPlace{.box = box_about(reaches_[i], places[i])});
         if (!may_go) {
-            // A hanging sheet stays within one diagonal of its held particles, and stretches little.
+            // A cloth sheet that hangs stays within one diagonal of its held particles, and stretches little.
             Bounds larger = reaches_[i];
             larger.extend(reaches_[i].min - reaches_[i].radius());
             larger.extend(reaches_[i].max + reaches_[i].radius());
@@ -342,7 +344,8 @@ std::vector<ClothSteps> MovingCloth::steps_between(double from_s, double to_s, c
         result.push_back(
             {.from_s = begin_s, .to_s = from_s + done * step_s, .count = count, .surroundings = around});
     }
-    result.back().to_s = to_s; // exact, since the next picture compares this value with its own time
+    // The last step ends at exactly this time, because the next picture compares the time with its own
+    result.back().to_s = to_s;
     return result;
 }
 
@@ -443,7 +446,7 @@ void MovingCloth::add_bodies(gpu::Graph& graph, cloth::Cloths::Handles& handles,
 std::vector<glm::mat4> MovingCloth::carries(const pose::PoseData& pose, const glm::dvec3& anchor,
                                             double time_s)
 {
-    constexpr double quick_m_per_s = 25.0; // a faster motion is treated as a jump
+    constexpr double quick_m_per_s = 25.0; // A node that moves faster than this is treated as a jump
     constexpr double jump_m = 1.0;
     std::vector<glm::mat4> places = places_of_draws(pose);
     std::vector<glm::mat4> carries;

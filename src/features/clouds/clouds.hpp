@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The buffers of a picture's clouds.
+// The buffers that hold a picture's clouds.
 
 #include "features/common/feature.hpp"
 #include "gpu/resources.hpp"
@@ -14,18 +14,19 @@ public:
     /// Clouds depend only on the style and its time. A change of the scene never makes them obsolete.
     void invalidate(Event /*event*/) override {}
 
-    /// Uploads the clouds of a plan. Uploads cloud shapes only if they changed.
+    /// Uploads the clouds of a plan. Uploads the shapes of the clouds only if they changed.
     void upload(gpu::Device& device, const sky::CloudPlan& plan);
 
-    /// The cloud shapes of the last plan, for sky::plan_clouds().
+    /// Returns the cloud shapes of the last plan, for sky::plan_clouds().
     [[nodiscard]] sky::CloudMemory& memory() { return memory_; }
 
-    /// Handles of the uploaded buffers, for sky::add_clouds() and sky::add_cloud_shadow().
+    /// Returns the handles of the uploaded buffers, for sky::add_clouds() and sky::add_cloud_shadow().
     [[nodiscard]] sky::CloudHandles import(gpu::Graph& graph);
 
 private:
     sky::CloudMemory memory_;
-    std::shared_ptr<const sky::CloudShapes> shapes_; ///< the shapes in starts_, puffs_ and streaks_
+    /// Cloud shapes whose data is in starts_, puffs_ and streaks_.
+    std::shared_ptr<const sky::CloudShapes> shapes_;
     gpu::Buffer globals_;
     gpu::Buffer starts_;
     gpu::Buffer puffs_;

@@ -61,7 +61,8 @@ class Change {
 public:
     explicit Change(StyleTables& style) : style_(style) {}
 
-    /// Replaces the value of the picture's style, and of every override that sets the key, by changed(value).
+    /// Replaces a parameter's value, in the picture's style and in every override of that key, by
+    /// changed(value).
     template <typename Changed>
     void replace(std::string_view key, const Changed& changed)
     {
@@ -98,7 +99,7 @@ private:
     StyleTables& style_;
 };
 
-/// Keys of the widths of all kinds of ink lines, and of the widths of outlines that other techniques draw.
+/// Returns the keys of the widths of all kinds of ink lines, and of the outlines that other techniques draw.
 const std::vector<std::string>& line_widths()
 {
     static const std::vector<std::string> keys = [] {
@@ -180,8 +181,9 @@ const StyleTables& with_drawing(const StyleTables& style, StyleTables& room)
     change.multiply_all(line_widths(), drawing.line_weight);
     change.multiply_all(stroke_widths, drawing.hatch_spacing * drawing.hatch_weight);
     change.multiply("hatch.dots_mm", drawing.hatch_spacing);
-    // The gap between strokes is the stroke's width divided by the darkness. The exponent of the tone curve
-    // darkens tones and leaves white paper white. A lower exposure would darken white paper, too.
+    // Darkens the hatching: the gap between strokes is the stroke's width divided by the darkness. The
+    // exponent of the tone curve darkens tones and leaves white paper white. A lower exposure would darken
+    // white paper, too.
     const float darkening = drawing.hatch_weight * drawing.darkness;
     if (room.tone.curve == light::ToneCurve::linear && darkening != 1.0F) {
         room.tone.curve = light::ToneCurve::gamma;

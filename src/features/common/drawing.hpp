@@ -14,7 +14,7 @@ struct StyleTables;
 
 enum class PaperKind : uint8_t { preset, white, cream, none };
 
-/// Each factor multiplies the rest of the style; 1 changes nothing.
+/// Values of the section [drawing]. Each factor multiplies the rest of the style; 1 changes nothing.
 struct DrawingStyle {
     float line_weight = 1.0F;
     float hatch_spacing = 1.0F;

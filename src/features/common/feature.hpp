@@ -18,7 +18,7 @@
 
 namespace estampe::features {
 
-/// Throws Error: the bytes are not the saved state of a film, or are damaged.
+/// Reports damaged data. Throws Error: the bytes are not the saved state of a film, or are damaged.
 [[noreturn]] void fail_damaged();
 
 /// Collects the bytes of one section of a film's saved state.
@@ -30,7 +30,7 @@ public:
 
     [[nodiscard]] gpu::Executor& executor() { return executor_; }
 
-    /// Appends a value. The type must have no padding, so that equal values give equal bytes.
+    /// Appends a value to the section. The type must have no padding, so that equal values give equal bytes.
     template <typename T>
     void value(const T& value)
     {
@@ -40,7 +40,7 @@ public:
 
     void flag(bool is_set) { value(uint8_t{is_set}); }
 
-    /// Appends the items without their number; a caller that needs the number must write it first.
+    /// Appends numbers without their count; a caller that needs the count must write it first.
     void floats(std::span<const float> numbers) { append(std::as_bytes(numbers)); }
 
     /// Appends the contents of `buffers`, one after the other. Cost: a graph that copies them to the host.
@@ -56,7 +56,8 @@ private:
     std::vector<std::byte> bytes_;
 };
 
-/// Reads one section in the order in which it was written. All functions throw Error past the section's end.
+/// Reads one section of a film's saved state, in the order in which it was written. All functions throw Error
+/// past the section's end.
 class FilmReader {
 public:
     FilmReader(gpu::Device& device, std::span<const std::byte> bytes) : device_(device), left_(bytes) {}
@@ -90,20 +91,20 @@ private:
 
 /// Events that may make data obsolete that a feature keeps between pictures.
 enum class Event : uint8_t {
-    scene_replaced,    ///< set_scene() replaced the whole scene
-    layout_replaced,   ///< the scene's draw calls, vertices and triangles have new numbers
-    triangles_changed, ///< some triangles have other flags, or were torn
-    ground_replaced,   ///< the terrain has other triangles; sent after layout_replaced
-    lights_changed,    ///< shadows may have changed
-    pose_changed,      ///< vertices are about to be posed differently than in the frame before
-    anchor_moved,      ///< positions on the device are relative to another origin
-    film_recalled,     ///< a film's state was restored, but has no section of this feature
+    scene_replaced,    ///< set_scene() has replaced the whole scene
+    layout_replaced,   ///< The scene's draw calls, vertices and triangles have new numbers
+    triangles_changed, ///< Some triangles have other flags, or were torn
+    ground_replaced,   ///< The terrain has other triangles; sent after layout_replaced
+    lights_changed,    ///< Lights have changed, so shadows may have changed
+    pose_changed,      ///< The vertices are about to be posed differently than in the previous frame
+    anchor_moved,      ///< Positions on the device are relative to another origin
+    film_recalled,     ///< A film's state was restored, but has no section of this feature
 };
 
 /// The feature's section in the saved state of a film.
 struct FilmSection {
     std::string_view name;
-    uint32_t version = 1; ///< version of the bytes that save() writes; load() never gets another one
+    uint32_t version = 1; ///< Version of the bytes that save() writes; load() only gets bytes of this version
 };
 
 /// A part of the renderer that keeps buffers or state from picture to picture. A feature plans on the CPU,
@@ -122,14 +123,15 @@ public:
     /// nothing.
     virtual void invalidate(Event event) = 0;
 
-    /// Name and version of the saved section; none if the feature keeps no state from frame to frame.
+    /// Returns name and version of the feature's saved section; none if the feature keeps no state from frame
+    /// to frame.
     [[nodiscard]] virtual std::optional<FilmSection> film_section() const { return std::nullopt; }
 
-    /// Writes the state that load() restores; writes nothing if the last frame left no state.
+    /// Writes the feature's state, which load() restores; writes nothing if the last frame left no state.
     virtual void save(FilmWriter& /*writer*/) {}
 
-    /// Restores the state that save() wrote, for the next frame. Throws Error if the bytes are damaged or
-    /// belong to another scene. After an Error the feature may have lost its former state.
+    /// Restores the feature's state that save() wrote, for the next frame. Throws Error if the bytes are
+    /// damaged or belong to another scene. After an Error the feature may have lost its former state.
     virtual void load(FilmReader& /*reader*/) {}
 };
 

@@ -14,14 +14,14 @@ namespace estampe::features {
 
 class PlacedNodes {
 public:
-    /// Time for which a transform is remembered, counted back from the newest record.
+    /// Time for which a node's transform is remembered, counted back from the newest record.
     static constexpr double remembered_s = 12.0;
 
-    /// Records the nodes' transforms at a time; forgets all records of later times.
+    /// Records the nodes' transforms at a time, and forgets all records of later times.
     void place(std::span<const NodePlace> places, double time_s);
 
-    /// Sets the scene's nodes to their transforms at a time. Transforms are interpolated between recorded
-    /// times. Before the first record and after the last one, transforms are constant.
+    /// Sets the scene's nodes to their recorded transforms at a time. Transforms are interpolated between
+    /// recorded times. Before the first record and after the last one, transforms are constant.
     void put(Scene& scene, double time_s) const;
 
     [[nodiscard]] bool empty() const { return stands_.empty(); }
@@ -35,11 +35,12 @@ private:
     std::map<Index, std::deque<Stand>> stands_;
 };
 
-/// Throws Error if a node does not exist or a number is not finite.
+/// Checks the nodes and transforms that the calling program gives. Throws Error if a node does not exist or a
+/// number is not finite.
 void check_places(std::span<const NodePlace> places, size_t node_count, double time_s);
 
-/// Clears the animation channels of these nodes' transforms. The channels remain without keys, and mark the
-/// nodes as moving. Returns whether a mesh moves now that was treated as static before.
+/// Clears the animation channels of the nodes that the calling program moves. The channels remain without
+/// keys, and mark the nodes as moving. Returns whether a mesh moves now that was treated as static before.
 [[nodiscard]] bool take_over(Scene& scene, std::span<const NodePlace> places);
 
 } // namespace estampe::features

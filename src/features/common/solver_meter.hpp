@@ -15,7 +15,7 @@ namespace estampe::features {
 
 class SolverMeter {
 public:
-    /// With `measures` false, run() only runs graphs.
+    /// Creates a meter for one fluid. With `measures` false, run() only runs graphs.
     SolverMeter(gpu::Device& device, gpu::Executor& executor, bool measures)
         : device_(device), executor_(executor), measures_(measures)
     {
@@ -27,7 +27,8 @@ public:
     void run(gpu::Graph& graph, const fluid::Fluid& fluid, const fluid::FluidStyle& style,
              const fluid::FluidFields& fields, uint32_t steps, bool is_last);
 
-    /// Returns none before the last graph has run, or if nothing is measured.
+    /// Returns the report of the measured solver. Returns none before the last graph has run, or if nothing
+    /// is measured.
     [[nodiscard]] std::optional<SolverReport> report() const { return report_; }
 
 private:

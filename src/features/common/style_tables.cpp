@@ -66,7 +66,8 @@ wind::WindStyle wind_over(const Terrain* terrain, const wind::WindStyle& style)
     if (terrain != nullptr && style.from == wind::WindSource::automatic) {
         over.speed_m_per_s = terrain->description().wind.speed_m_per_s;
         over.towards_deg = terrain->description().wind.towards_deg;
-        over.blown_m = wind::WindStyle().blown_m; // a distance at the style's speed
+        // The distance that the wind has blown follows from its speed and the time
+        over.blown_m = wind::WindStyle().blown_m;
     }
     return over;
 }
@@ -101,7 +102,7 @@ namespace {
 
 using By = style::Surfaces::By;
 
-/// One entry per override: true if the override applies.
+/// Tells for each override of the style whether it applies; one entry per override.
 using Matches = std::vector<bool>;
 
 Matches matches_of(const std::vector<style::Override>& overrides, By by, const std::string& name)
@@ -121,7 +122,7 @@ void add(Matches& matches, const Matches& more)
     }
 }
 
-/// Per node. An override also applies to the node's descendants.
+/// Returns for each node which overrides apply to it. An override also applies to the node's descendants.
 std::vector<Matches> matches_of_nodes(const Scene& scene, const std::vector<style::Override>& overrides)
 {
     std::vector<Matches> own;
@@ -228,10 +229,11 @@ StyleVariants style_variants(const pose::MeshData& meshes, const Scene& scene, c
         of_materials.push_back(matches_of(style.overrides, By::material, material.name));
     }
     std::map<Matches, uint32_t> variants{{Matches(style.overrides.size(), false), 0U}};
-    std::map<std::pair<uint32_t, Index>, uint32_t> clear_variants; // key: variant and material
+    // Number of the variant for a transparent material; the key is the variant and the material
+    std::map<std::pair<uint32_t, Index>, uint32_t> clear_variants;
     for (size_t draw = 0; draw < meshes.draws.size(); ++draw) {
         Matches matches(style.overrides.size(), false);
-        if (draw < meshes.sources.size()) { // a draw call without a source is the ground
+        if (draw < meshes.sources.size()) { // A draw call without a source is the ground
             add(matches, of_nodes[meshes.sources[draw].node]);
             if (meshes.draws[draw].material < of_materials.size()) {
                 add(matches, of_materials[meshes.draws[draw].material]);
@@ -293,7 +295,7 @@ bool has_light(const Scene& scene, const std::string& pattern)
                                [&](const Light& light) { return style::matches(pattern, light.name); });
 }
 
-/// What the override needs and the scene does not have; empty if the scene has it.
+/// Says what the override needs and the scene does not have; empty if the scene has it.
 std::string missing(const Scene& scene, const style::Override& change)
 {
     const std::string& pattern = change.surfaces.pattern;

@@ -41,14 +41,14 @@
 
 namespace estampe::features {
 
-/// Parameters that belong to no technique.
+/// Style parameters that belong to no technique.
 struct PictureStyle {
     style::AutoToggle ground = style::AutoToggle::automatic;
 };
 
 [[nodiscard]] const style::Table<PictureStyle>& picture_table();
 
-/// Every parameter of every technique.
+/// A style: the parameters of all techniques, and the overrides for single materials and objects.
 struct StyleTables {
     DrawingStyle drawing;
     PictureStyle picture;
@@ -78,56 +78,57 @@ struct StyleTables {
     sky::SkyStyle sky;
     sky::CloudStyle clouds;
     paper::PaperStyle paper;
-    std::vector<style::Override> overrides; ///< parameter values of single materials and objects
+    std::vector<style::Override> overrides; ///< Parameter values of single materials and objects
 };
 
-/// Describes every parameter; built once. Reads and writes StyleTables: `style_schema().set(tables,
-/// "hatch.width_mm=0.5")`.
+/// Returns the description of every style parameter; built once. The schema reads and writes StyleTables:
+/// `style_schema().set(tables, "hatch.width_mm=0.5")`.
 [[nodiscard]] const style::Schema<StyleTables>& style_schema();
 
 /// Copies sections that several features read to the tables of those features: the wind to hatch, clouds,
 /// smoke and particles, and the fading of paint and hatching in haze to wash and hatch. If wind.from is auto,
-/// the wind of `terrain` replaces that of the style; null means that the scene has no terrain. Returns
-/// `style` itself if wind and fading have their default values, or else `room` with the changed style.
-/// `style` may be `room`.
+/// the wind of `terrain` (which may be null) replaces that of the style. Returns `style` itself if wind and
+/// fading have their default values, or else `room` with the changed style. `style` may be `room`.
 [[nodiscard]] const StyleTables& with_shared_sections(const StyleTables& style, const Terrain* terrain,
                                                       StyleTables& room);
 
 /// The distinct styles within one picture, and the style of each draw call.
 struct StyleVariants {
-    std::vector<StyleTables> styles;       ///< the first is the picture's own style
-    std::vector<uint32_t> variant_of_draw; ///< index into `styles` per draw; empty if there is only one style
+    /// All distinct styles in the picture; the first is the picture's own style.
+    std::vector<StyleTables> styles;
+    /// Number of the style in `styles` for each draw call; empty if there is only one style.
+    std::vector<uint32_t> variant_of_draw;
     /// The lines to search for, for all style variants together. A kind of line is searched if any variant
     /// draws it, with the largest width of all variants.
     contour::ContourStyle lines;
 
     [[nodiscard]] bool has_several() const { return styles.size() > 1; }
 
-    /// Whether a kind of line has an ink of its own in some variant.
+    /// Returns whether a kind of line has an ink of its own in some style variant.
     [[nodiscard]] bool has_inks_by_kind() const;
 
     /// Whether lines need the widths and inks of each variant on the device (shared::VariantLines).
     [[nodiscard]] bool need_variant_lines() const { return has_several() || has_inks_by_kind(); }
 };
 
-/// Draw calls with the same overrides share a style variant; overrides of lights, zones of ink and emitters
-/// of particles make none. The list of styles reuses the memory of `room`. Cost: linear in draw calls times
-/// overrides.
+/// Finds the style variant of each draw call. Draw calls with the same overrides share a variant; overrides
+/// of lights, zones of ink and emitters of particles make none. The list of styles reuses the memory of
+/// `room`. Cost: linear in draw calls times overrides.
 [[nodiscard]] StyleVariants style_variants(const pose::MeshData& meshes, const Scene& scene,
                                            const StyleTables& style, std::vector<StyleTables> room = {});
 
-/// The style variant of each node: `variant_of_draw` has one entry per node. An override of a node also
+/// Finds the style variant of each node: `variant_of_draw` has one entry per node. An override of a node also
 /// applies to the node's descendants. Cost: linear in nodes times overrides.
 [[nodiscard]] StyleVariants style_variants_of_nodes(const Scene& scene, const StyleTables& style);
 
-/// One message per pattern of the style's overrides that matches nothing in the scene, or no light where the
-/// override changes a light.
+/// Returns one message per pattern of the style's overrides that matches nothing in the scene, or no light
+/// where the override changes a light.
 [[nodiscard]] std::vector<std::string> idle_overrides(const Scene& scene, const StyleTables& style);
 
-/// Whether a pattern matches the name of a node or of one of its ancestors.
+/// Returns whether a pattern matches the name of a node or of one of its ancestors.
 [[nodiscard]] bool is_named(const Scene& scene, Index node, const std::string& pattern);
 
-/// Whether a pattern matches the name of a light, or is_named() a node with that light.
+/// Returns whether a pattern matches the name of a light, or is_named() a node with that light.
 [[nodiscard]] bool is_named_light(const Scene& scene, Index light, const std::string& pattern);
 
 } // namespace estampe::features

@@ -14,7 +14,7 @@
 namespace estampe::features {
 namespace {
 
-/// The triangles of each draw call that are put into the atlas.
+/// Returns the triangles of each draw call that are put into the texture atlas.
 std::vector<std::vector<uint32_t>> triangles_of_draws(const pose::MeshData& layout)
 {
     std::vector<std::vector<uint32_t>> of_draw(layout.draws.size());
@@ -24,7 +24,7 @@ std::vector<std::vector<uint32_t>> triangles_of_draws(const pose::MeshData& layo
     return of_draw;
 }
 
-/// A chart from one of the file's UV sets; none if neither set is usable.
+/// Makes a chart of the atlas from one of the file's UV sets; none if neither set is usable.
 std::optional<charts::Chart> chart_of_uvs(const pose::MeshData& layout, const shared::DrawRecord& draw,
                                           const std::vector<uint32_t>& triangles,
                                           const std::vector<glm::vec3>& places)

@@ -15,22 +15,27 @@
 
 namespace estampe::features {
 
-/// The atlas as the shaders read it, see shaders/surface_map.glsl and shaders/map_corners.glsl.
+/// Content of the texture atlas over all surfaces as the shaders read it; see shaders/surface_map.glsl and
+/// shaders/map_corners.glsl.
 struct SurfaceMapData {
-    uint32_t size = 0;              ///< texels per side
-    float texels_per_m = 0.0F;      ///< at the scale of the rest pose
-    std::vector<glm::uvec4> texels; ///< row by row: triangle + 1, or 0; weights of corners 2 and 3
-    std::vector<glm::vec2> corners; ///< three per triangle, in texels; negative outside the atlas
-    uint32_t cut_draws = 0;         ///< number of draw calls without usable UVs, which were cut into charts
+    uint32_t size = 0;         ///< Texels per side of the atlas
+    float texels_per_m = 0.0F; ///< Resolution of the atlas on the surfaces, at the scale of the rest pose
+    /// Texels row by row: number of the triangle + 1, or 0; then the weights of the triangle's corners 2 and
+    /// 3.
+    std::vector<glm::uvec4> texels;
+    /// Position of the triangles' corners in the atlas, three per triangle, in texels; negative outside the
+    /// atlas.
+    std::vector<glm::vec2> corners;
+    uint32_t cut_draws = 0; ///< Number of draw calls without usable UVs, whose triangles were cut into charts
 };
 
-/// Packs all opaque and masked surfaces except ground and terrain into a square of `size` texels per side.
-/// The UVs of a draw call are used if they cover all its triangles without overlap; the second UV set is
-/// tried first. Otherwise the triangles of the draw call are cut into charts, as `estampe bake` does. Throws
-/// Error if the charts do not fit. Cost: a few microseconds per triangle.
+/// Packs all opaque and masked surfaces except ground and terrain into a square atlas of `size` texels per
+/// side. The UVs of a draw call are used if they cover all its triangles without overlap; the second UV set
+/// is tried first. Otherwise the triangles of the draw call are cut into charts, as `estampe bake` does.
+/// Throws Error if the charts do not fit. Cost: a few microseconds per triangle.
 [[nodiscard]] SurfaceMapData make_surface_map(const pose::MeshData& layout, uint32_t size);
 
-/// A SurfaceMapData on the device.
+/// The texture atlas over all surfaces, on the device.
 struct SurfaceMap {
     gpu::Buffer texels;
     gpu::Buffer corners;

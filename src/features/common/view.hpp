@@ -20,42 +20,46 @@ struct PixelRect {
 
 /// The whole page at reduced resolution. Results that must be equal in all tiles are computed from this page.
 struct Survey {
-    PixelRect part;      ///< in page pixels; larger than the page if `shrink` does not divide its size
-    uint32_t shrink = 1; ///< page pixels per survey pixel, along each axis
+    PixelRect part; ///< Rectangle in page pixels; larger than the page if `shrink` does not divide its size
+    uint32_t shrink = 1; ///< Page pixels per survey pixel, along each axis
 
     [[nodiscard]] glm::uvec2 size_px() const { return part.size_px / shrink; }
 };
 
 /// Page, tile and sampling of a picture, for the shaders' FrameGlobals.
 struct ViewSettings {
-    glm::uvec2 size_px{0};         ///< of the whole page
-    std::optional<PixelRect> tile; ///< part of the page to draw; none draws the whole page
-    std::optional<Survey> survey;  ///< a survey replaces the page by a page of fewer pixels
-    glm::dvec2 jitter_px{0.0};     ///< subpixel shift of the picture, within half a pixel
+    glm::uvec2 size_px{0};         ///< Size of the whole page in pixels
+    std::optional<PixelRect> tile; ///< Part of the page to draw; none draws the whole page
+    std::optional<Survey> survey;  ///< If set, the whole page is drawn in fewer pixels
+    glm::dvec2 jitter_px{0.0};     ///< Subpixel shift of the picture, within half a pixel
     double page_height_mm = 150.0;
-    float nearby_m = 1.0F; ///< see FrameGlobals::nearby_m
+    float nearby_m = 1.0F; ///< Distance from the eye to nearby objects, see FrameGlobals::nearby_m
 };
 
-/// Maps clip space of the page to clip space of a part of it. In both, y points down on the page.
+/// Returns a matrix that maps clip space of the page to clip space of a part of it. In both, y points down on
+/// the page.
 [[nodiscard]] glm::dmat4 crop_of(const PixelRect& part, glm::uvec2 page_px);
 
 /// The two views between which a frame's motion is measured.
 struct MotionPlan {
-    glm::mat4 clip_from_anchor{1.0F}; ///< without the subpixel shift of a sample
+    glm::mat4 clip_from_anchor{1.0F}; ///< Camera matrix of one moment, without the subpixel shift of a sample
     glm::mat4 clip_from_anchor_before{1.0F};
-    bool pose_moved = false; ///< vertices moved; MeshBuffers::posed_vertices[1] holds the former vertices
+    /// Vertices moved between the moments; MeshBuffers::posed_vertices[1] holds the former vertices.
+    bool pose_moved = false;
 };
 
-/// Camera matrices with reversed z. A perspective has an infinite far plane; a parallel projection has a
-/// depth range that contains `bounds`. Positions are made relative to `anchor` in double precision, before
-/// they are rounded to floats.
+/// Computes the camera matrices for shaders, with reversed z. A perspective has an infinite far plane; a
+/// parallel projection has a depth range that contains `bounds`. Positions are made relative to `anchor` in
+/// double precision, before they are rounded to floats.
 [[nodiscard]] shared::FrameGlobals frame_globals(const Camera& camera, const Bounds& bounds,
                                                  const glm::dvec3& anchor, const ViewSettings& settings);
 
-/// Maps anchor space to the clip space of the drawn tile, or of the whole page if there are no tiles.
+/// Returns a matrix that maps anchor space to the clip space of the drawn tile, or of the whole page if there
+/// are no tiles.
 [[nodiscard]] glm::mat4 drawn_clip(const shared::FrameGlobals& globals);
 
-/// The globals of a picture of half the resolution, which samples the pixels at even page coordinates.
+/// Returns the globals of a picture of half the resolution, which samples the pixels at even page
+/// coordinates.
 [[nodiscard]] shared::FrameGlobals every_second(shared::FrameGlobals globals);
 
 /// Distance from the eye within which the nearest fifth of `places` are, in the unit of `places`. At most
@@ -65,9 +69,10 @@ struct MotionPlan {
 /// Pixels per millimetre of a page that is `height_px` pixels high.
 [[nodiscard]] float pixels_per_mm(uint32_t height_px, double page_height_mm);
 
-/// Size of a page pixel in the scene.
+/// Size of a page pixel in the scene's metres.
 struct PixelSize {
-    float at_one_m = 0.001F; ///< at a distance of one metre; in parallel projection at any distance
+    /// Size of a pixel at a distance of one metre; in parallel projection at any distance.
+    float at_one_m = 0.001F;
     bool is_parallel = false;
 
     /// The size of a page pixel at a distance from the eye.
@@ -78,13 +83,14 @@ struct PixelSize {
     }
 };
 
-/// A camera with a wider view. A centred window with `share` of the page's height then shows the view of
-/// `camera` on the whole page.
+/// Returns a camera with a wider view. A centred window with `share` of the page's height then shows the view
+/// of `camera` on the whole page.
 [[nodiscard]] Camera seen_within(const Camera& camera, double share);
 
 [[nodiscard]] PixelSize pixel_size(const Camera& camera, uint32_t height_px);
 
-/// Subpixel shift number `index` of `count`: Halton sequence with bases 2 and 3. Zero if `count` is 1.
+/// Returns the subpixel shift of sample `index` of `count`: Halton sequence with bases 2 and 3. Zero if
+/// `count` is 1.
 [[nodiscard]] glm::dvec2 jitter(uint32_t index, uint32_t count);
 
 } // namespace estampe::features

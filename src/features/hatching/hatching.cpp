@@ -91,7 +91,7 @@ std::optional<shadow::HatchedLines> hatched_lines(const hatch::HatchStyle& style
 namespace {
 
 struct DrawTriangles {
-    std::vector<uint32_t> indices; ///< into the draw's vertices
+    std::vector<uint32_t> indices; ///< Vertices of the triangles, as indices of the draw call's vertices
     std::vector<size_t> numbers;
 };
 
@@ -139,7 +139,7 @@ tam::TonalArtMap drawn_or_kept(const tam::TamStyle& style)
         try {
             return tam::load_tam(path);
         } catch (const Error&) {
-            // A damaged file is ignored: the map is drawn and written again below.
+            // A damaged cache file is ignored: the tonal art map is drawn and written again below.
         }
     }
     tam::TonalArtMap map = tam::make_map(style);
@@ -148,7 +148,7 @@ tam::TonalArtMap drawn_or_kept(const tam::TamStyle& style)
             std::filesystem::create_directories(path.parent_path());
             tam::save_tam(map, path);
         } catch (const std::exception&) {
-            // On a full or read-only disk the map is drawn again next time.
+            // On a full or read-only disk the tonal art map is not cached, and is drawn again next time.
         }
     }
     return map;
@@ -172,7 +172,7 @@ std::filesystem::path kept_map(const tam::TamStyle& style)
     }
     Hash hash;
     hash.add_text(style::Schema(tam::tam_table()).to_toml(style));
-    hash.add(style.seed); // `seed` is not in the table: drawing.seed sets it
+    hash.add(style.seed); // The table does not contain `seed`, because drawing.seed sets it
     return folder / "estampe" / fmt::format("map-{}-{:016x}.tam", tam::drawing_version, hash.value());
 }
 

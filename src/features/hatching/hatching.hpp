@@ -2,7 +2,7 @@
 #pragma once
 
 // Hatching from picture to picture: the tonal art maps of the strokes, and the direction that strokes follow
-// on each surface, chosen from the style and from what the meshes provide.
+// on each surface, chosen from the style and from the data of the meshes.
 
 #include <cstdint>
 #include <filesystem>
@@ -22,13 +22,14 @@
 namespace estampe::features {
 
 struct StrokePlan {
-    std::vector<uint32_t> kind_of_draw; ///< numbered as in shaders/stroke_kind.glsl.h
-    uint32_t present = 0;               ///< one bit per kind that occurs
-    glm::vec2 ground_wind{1.0F, 0.0F};  ///< horizontal direction x, z
+    /// Stroke kind of each draw call, numbered as in shaders/stroke_kind.glsl.h.
+    std::vector<uint32_t> kind_of_draw;
+    uint32_t present = 0;              ///< Stroke kinds that occur, one bit per kind
+    glm::vec2 ground_wind{1.0F, 0.0F}; ///< Horizontal direction of the wind over the ground, as x and z
 
     [[nodiscard]] bool has(uint32_t kind) const { return (present >> kind & 1U) != 0; }
 
-    /// Whether some strokes follow height, wind, light or slope.
+    /// Returns whether some strokes follow height, wind, light or slope.
     [[nodiscard]] bool has_directions() const
     {
         return has(shared::strokes_height) || has(shared::strokes_wind) || has(shared::strokes_light) ||
@@ -42,18 +43,18 @@ struct StrokePlan {
 [[nodiscard]] StrokePlan plan_strokes(const pose::MeshData& meshes, const StyleVariants& variants,
                                       std::vector<uint32_t> room = {});
 
-/// The hatching lines whose direction shadow edges can follow; none if the hatching does not consist of
-/// lines.
+/// Returns the hatching lines whose direction shadow edges can follow; none if the hatching does not consist
+/// of lines.
 [[nodiscard]] std::optional<shadow::HatchedLines>
 hatched_lines(const hatch::HatchStyle& style, const glm::vec3& towards_light, const StrokePlan& strokes);
 
-/// Coordinates along the form in the rest pose, three per triangle; zero for draw calls that do not follow
-/// the form. Cost: form::follow_form() per draw call.
+/// Computes coordinates along the surface's form in the rest pose, three per triangle; zero for draw calls
+/// whose strokes do not follow the form. Cost: form::follow_form() per draw call.
 [[nodiscard]] std::vector<glm::vec2> form_coordinates(const pose::MeshData& meshes, const StrokePlan& plan);
 
-/// Everything on which a tonal art map depends.
+/// The settings on which a tonal art map depends.
 struct MapChoice {
-    std::string file; ///< path of a map; if empty, a map is drawn by `drawn`
+    std::string file; ///< Path of a tonal art map; if empty, a map is drawn with the settings of `drawn`
     tam::TamStyle drawn;
     hatch::MapTone tone = hatch::MapTone::order;
     float contrast = 1.0F;
@@ -63,8 +64,8 @@ struct MapChoice {
 
 [[nodiscard]] MapChoice map_choice(const StyleTables& style);
 
-/// Reads the map's file, or draws the map. A drawn map is cached in `estampe` under $XDG_CACHE_HOME or
-/// ~/.cache; without a usable cache the map is drawn every time. Throws Error with the file's name if the
+/// Reads the tonal art map's file, or draws the map. A drawn map is cached in `estampe` under $XDG_CACHE_HOME
+/// or ~/.cache; without a usable cache the map is drawn every time. Throws Error with the file's name if the
 /// file is not a map, or with the style's name if the map cannot be drawn. Cost: about a second to draw six
 /// tones of 512 px; 50 ms to read them.
 [[nodiscard]] hatch::MapData load_map(const MapChoice& choice);
@@ -73,10 +74,11 @@ struct MapChoice {
 /// picture.
 class TonalMaps {
 public:
-    /// Loads the maps that the variants need and that are not loaded yet. Throws Error as load_map() does.
+    /// Loads the tonal art maps that the style variants need and that are not loaded yet. Throws Error as
+    /// load_map() does.
     void ensure(gpu::Device& device, const std::vector<StyleTables>& variants);
 
-    /// The map of a style variant; null if its strokes use no map.
+    /// Returns the tonal art map of a style variant; null if its strokes use no map.
     [[nodiscard]] hatch::MapImages* of_variant(size_t variant)
     {
         return place_of_variant_.at(variant) ? &maps_.at(*place_of_variant_[variant]).images : nullptr;
@@ -92,7 +94,7 @@ private:
     std::vector<std::optional<size_t>> place_of_variant_;
 };
 
-/// The cache file of the map of `style`; empty without a cache folder.
+/// Returns the cache file for the tonal art map of `style`; empty without a cache folder.
 [[nodiscard]] std::filesystem::path kept_map(const tam::TamStyle& style);
 
 class Hatching final : public Feature {
@@ -104,24 +106,25 @@ public:
     /// in triangles if strokes follow the form.
     void ensure_strokes(gpu::Device& device, const pose::MeshData& layout, const StrokePlan& strokes);
 
-    /// Tonal art maps of the style variants.
+    /// Returns the tonal art maps of the style variants.
     [[nodiscard]] TonalMaps& maps() { return maps_; }
 
-    /// How each style variant is hatched; call TonalMaps::ensure() first. The result is valid until the next
-    /// call.
+    /// Returns how each style variant is hatched; call TonalMaps::ensure() first. The result is valid until
+    /// the next call.
     [[nodiscard]] const std::vector<hatch::HatchVariant>& variants(gpu::Graph& graph,
                                                                    const std::vector<StyleTables>& styles);
 
-    /// One stroke kind per draw call, numbered as in shaders/stroke_kind.glsl.h.
+    /// Returns the buffer with the stroke kind of each draw call, numbered as in shaders/stroke_kind.glsl.h.
     [[nodiscard]] gpu::Buffer& kinds() { return kinds_; }
 
-    /// Three per triangle; empty if no strokes follow the form.
+    /// Returns the buffer with coordinates along the form, three per triangle; empty if no strokes follow the
+    /// form.
     [[nodiscard]] gpu::Buffer& form_coordinates() { return form_coordinates_; }
 
 private:
     TonalMaps maps_;
-    std::vector<hatch::HatchVariant> variants_; ///< kept to reuse its memory
-    std::vector<uint32_t> kind_of_draw_;        ///< the content of `kinds_`
+    std::vector<hatch::HatchVariant> variants_; ///< Hatching of each variant, kept to reuse the list's memory
+    std::vector<uint32_t> kind_of_draw_;        ///< The stroke kinds that `kinds_` holds
     gpu::Buffer kinds_;
     gpu::Buffer form_coordinates_;
 };

@@ -19,7 +19,7 @@
 namespace estampe::features {
 namespace {
 
-/// A point's position on the page in millimetres; none for a point behind the eye.
+/// Returns a point's position on the page in millimetres; none for a point behind the eye.
 std::optional<glm::dvec2> page_place_mm(const ZoneView& view, const glm::dvec3& point)
 {
     const glm::dvec4 clip = glm::dmat4(view.page.clip_from_anchor) * glm::dvec4(point - view.anchor, 1.0);
@@ -122,11 +122,13 @@ std::vector<shared::InkZone> ink_zones(const ZoneView& view, const StyleTables& 
 
 namespace {
 
-constexpr double steps_per_s = 24.0; ///< at least
-constexpr double spin_up_s = 3.0;    ///< time in which new water is accelerated from rest
+constexpr double steps_per_s = 24.0; ///< Least number of simulation steps per second
+/// Time in which the water is accelerated from rest when its simulation starts.
+constexpr double spin_up_s = 3.0;
 constexpr float metres_per_mm = 1e-3F;
 
-/// A grid that covers exactly the page, with walls, and with 64 cells along the longer side. y points down.
+/// Returns a grid that covers exactly the page, with walls, and with 64 cells along the longer side. y points
+/// down.
 fluid::Grid grid_of(glm::vec2 page_mm)
 {
     constexpr float most = 64.0F;
@@ -137,8 +139,8 @@ fluid::Grid grid_of(glm::vec2 page_mm)
     return {.cells = {cells, 1}, .cell_m = metres_per_mm * cell_mm, .edges = {wall, wall, wall}};
 }
 
-/// The places where the given flow pushes the water: the zones, and discs on a lattice with a spacing of half
-/// a swirl.
+/// The places where the ink's water is pushed: the style's zones, and discs on a lattice with a spacing of
+/// half a swirl.
 class Spoons {
 public:
     Spoons(const ink::InkStyle& style, glm::vec2 page_mm, const std::vector<shared::InkZone>& zones)
@@ -154,7 +156,7 @@ public:
 
     [[nodiscard]] std::vector<fluid::Source> at(double time_s) const
     {
-        constexpr float stronger = 2.0F; // moves the water at about the swirls' own speed
+        constexpr float stronger = 2.0F; // Strength with which the water moves at about the swirls' own speed
         const auto phases = ink::phases_at(waves_, time_s);
         std::vector<fluid::Source> sources;
         for (uint32_t i = 0; i < counts_.x * counts_.y; ++i) {
@@ -195,8 +197,8 @@ private:
     float radius_mm_ = 1.0F;
 };
 
-/// The stream function at the corners of cells, in mm²/s; 0 along the walls. Its difference along a face is
-/// the flow to the right through the face.
+/// The stream function of the water's flow at the corners of cells, in mm²/s; 0 along the walls. Its
+/// difference along a face is the flow to the right through the face.
 class Corners {
 public:
     Corners(const fluid::Grid& grid, const std::vector<float>& velocity)
@@ -213,7 +215,7 @@ public:
         }
     }
 
-    /// Interpolates at `place`, from 0 to 1 across the page.
+    /// Interpolates the stream function at `place`, from 0 to 1 across the page.
     [[nodiscard]] float at(glm::vec2 place) const
     {
         const glm::vec2 corner = place * glm::vec2(glm::uvec2(counts_) - 1U);
@@ -262,8 +264,8 @@ std::optional<SolverReport> pass(fluid::Fluid& fluid, gpu::Device& device, Solve
     const fluid::FluidStyle style{
         .step_s = static_cast<float>(step_s),
         .stepping = fluid::Stepping::project,
-        // MacCormack advection distributes motion over the page. Cubic
-        // interpolation would keep the motion in jets.
+        // MacCormack advection distributes the water's motion over the page. Cubic interpolation would keep
+        // the motion in jets.
         .velocity_advection = fluid::Advection::maccormack,
         .projection = {.solver = solver_of(ink), .jacobi_rounds = ink.jacobi_passes},
         .forces = {.friction_per_s = 0.1F}};
@@ -388,7 +390,8 @@ void save_camera(FilmWriter& writer, const Camera& camera)
     writer.value(camera.up);
     writer.value(camera.vertical_fov_rad);
     writer.value(camera.near_m);
-    writer.value(camera.orthographic_half_height_m.value_or(-1.0)); // negative means perspective
+    // A negative height stands for a perspective camera
+    writer.value(camera.orthographic_half_height_m.value_or(-1.0));
 }
 
 Camera load_camera(FilmReader& reader)
@@ -488,8 +491,8 @@ std::optional<double> FlowingInk::before_s(const RenderSettings& settings, const
 
 namespace {
 
-/// Returns `ink` with the scene's wind as `camera` sees it on the page. A wind across the view at 4 m/s
-/// advects ink as fast as the default of ink.wind_mm_per_s does.
+/// Returns `ink` with the scene's wind as `camera` sees it on the page. A wind across the view at 4 m/s moves
+/// ink as fast as the default of ink.wind_mm_per_s does.
 ink::InkStyle blown_by(ink::InkStyle ink, const wind::WindStyle& wind, const Camera& camera)
 {
     constexpr double mm_per_m = 4.5;
@@ -542,7 +545,7 @@ std::optional<InkPlan> FlowingInk::ensure(gpu::Device& device, gpu::Executor& ex
     }
     plan.ink.mask = ink_mask(in.layout, in.scene, style.objects, notes);
     memory_.ensure(device, style, plan.ink);
-    memory_.forget(); // invalid until drawn() is called
+    memory_.forget(); // The saved ink is invalid until drawn() is called
     return plan;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 // Flowing ink from picture to picture: the ink's state and the camera of the last picture; the objects that
-// emit ink or move it; and the water on the page, which advects the ink.
+// emit ink or move it; and the simulated water on the page, which carries the ink.
 
 #include <memory>
 #include <optional>
@@ -28,13 +28,13 @@ class Fluid;
 
 namespace estampe::features {
 
-/// One value per draw call: 1 if a comma-separated pattern matches the draw call's node or an ancestor of the
-/// node. The blank ground never matches. Returns an empty list for "*", which means every draw call. Patterns
-/// that match nothing are reported in `notes`.
+/// Selects the draw calls that emit ink. One value per draw call: 1 if a comma-separated pattern matches the
+/// draw call's node or an ancestor of the node. The blank ground never matches. Returns an empty list for
+/// "*", which means every draw call. Patterns that match nothing are reported in `notes`.
 [[nodiscard]] std::vector<uint32_t> ink_mask(const pose::MeshData& meshes, const Scene& scene,
                                              std::string_view patterns, std::vector<std::string>& notes);
 
-/// The scene as it appears on the page, for placing zones.
+/// The scene as it appears on the page, for placing ink zones.
 struct ZoneView {
     const Scene& scene;
     const ScenePose& pose;
@@ -42,12 +42,12 @@ struct ZoneView {
     const shared::FrameGlobals& page;
 };
 
-/// The zones of the style: nodes whose names match an override by object of `ink.zone`. A zone is as large as
-/// a sphere of one metre radius in the node's space. Nodes behind the eye get none; at most `most_ink_zones`
-/// are made, in the order of the overrides. Cost: linear in nodes times overrides.
+/// Finds the ink zones of the style: nodes whose names match an override by object of `ink.zone`. A zone is
+/// as large as a sphere of one metre radius in the node's space. Nodes behind the eye get none; at most
+/// `most_ink_zones` are made, in the order of the overrides. Cost: linear in nodes times overrides.
 [[nodiscard]] std::vector<shared::InkZone> ink_zones(const ZoneView& view, const StyleTables& style);
 
-/// The state of the water at the end of a picture, for the next picture of a film.
+/// The state of the ink's water at the end of a picture, for the next picture of a film.
 struct KeptWater {
     double time_s = 0.0;
     std::vector<float> velocity; ///< two numbers per cell
@@ -61,7 +61,7 @@ public:
     InkWater(const InkWater&) = delete;
     InkWater& operator=(const InkWater&) = delete;
 
-    /// Advances the water over the ink's time step, and returns the resulting stream function for
+    /// Simulates the water over the ink's time step, and returns the resulting stream function for
     /// ink::add_stream(). If the water's state is not of the time `time.from_s`, the water starts from rest
     /// some seconds earlier. `is_measured` fills solver_report(). Cost: one step of about 2,000 cells per
     /// 24th of a second.
@@ -70,43 +70,43 @@ public:
                                              const ink::Time& time, const std::vector<shared::InkZone>& zones,
                                              bool is_measured = false);
 
-    /// Report of the last measured steps; none if the last steps were not measured.
+    /// Returns the report of the last measured simulation steps; none if the last steps were not measured.
     [[nodiscard]] const std::optional<SolverReport>& solver_report() const { return solver_report_; }
 
     void forget();
 
     [[nodiscard]] std::optional<KeptWater> kept(gpu::Device& device, gpu::Executor& executor);
 
-    /// Continues the next picture from `kept`, if its page has the same size.
+    /// Continues the next picture from the water's state `kept`, if its page has the same size.
     void recall(KeptWater kept);
 
 private:
-    std::unique_ptr<fluid::Fluid> fluid_; ///< made at the first use
+    std::unique_ptr<fluid::Fluid> fluid_; ///< Simulation of the water; made when it is first used
     std::optional<KeptWater> recalled_;
     std::optional<SolverReport> solver_report_;
     double time_s_ = 0.0;
 };
 
-/// The inputs for the ink of a picture.
+/// The inputs for the flowing ink of a picture.
 struct FlowingInkInputs {
-    const Scene& scene; ///< posed
+    const Scene& scene; ///< Scene in the pose of the picture
     const pose::MeshData& layout;
     const ScenePose& pose;
-    const Camera& camera; ///< camera of the whole page
+    const Camera& camera; ///< Camera of the whole page
     const RenderSettings& settings;
     const StyleTables& style;
-    float nearby_m = 1.0F;   ///< see FrameGlobals::nearby_m
-    bool pose_moved = false; ///< vertices moved since the previous picture
+    float nearby_m = 1.0F;   ///< Distance from the eye to nearby objects, see FrameGlobals::nearby_m
+    bool pose_moved = false; ///< The vertices moved since the previous picture
 };
 
 struct InkPlan {
     ink::Plan ink;
-    std::optional<MotionPlan> motion; ///< only if ink follows moving objects
+    std::optional<MotionPlan> motion; ///< Motion of the scene's objects; only set if ink follows them
 };
 
 class FlowingInk final : public Feature {
 public:
-    /// The time of the ink at the end of the last picture; none if the ink starts again.
+    /// Returns the time of the ink at the end of the last picture; none if the ink starts again.
     [[nodiscard]] std::optional<double> before_s(const RenderSettings& settings,
                                                  const ink::InkStyle& style) const;
 
@@ -118,8 +118,8 @@ public:
     /// Maps the ink of `drawn`, a picture of another size that was just drawn, to this picture's page.
     [[nodiscard]] InkPlan shown_on(gpu::Device& device, const InkPlan& drawn, const FlowingInkInputs& in);
 
-    /// Advances the ink from the layers of `in` in the first sample of a picture, and returns the page's ink
-    /// as an image, as ink::add_layer() does.
+    /// Advances the ink from the drawn layers of `in` in the first sample of a picture, and returns the
+    /// page's ink as an image, as ink::add_layer() does.
     [[nodiscard]] gpu::ImageId record(gpu::Graph& graph, const InkPlan& plan, const ink::Inputs& in,
                                       bool is_first, glm::uvec2 size_px);
 
@@ -134,7 +134,7 @@ public:
     void save(FilmWriter& writer) override;
     void load(FilmReader& reader) override;
 
-    /// Report on the water's solver, from the last measured steps.
+    /// Returns the report of the water's pressure solver, from the last measured steps.
     [[nodiscard]] const std::optional<SolverReport>& solver_report() const { return water_.solver_report(); }
 
 private:

@@ -31,7 +31,8 @@ ViewAnalysis DefaultLight::analysis(const Scene& scene, const light::LightStyle&
     if (!analysis_) {
         cloud_ = surface_cloud(scene, pose_scene(scene, 0.0, no_index));
         analysis_ = analyze_view(*cloud_);
-        if (scene.terrain && cloud_->points.empty()) { // the terrain has no triangles yet
+        // No point was found, because the terrain has no triangles yet
+        if (scene.terrain && cloud_->points.empty()) {
             analysis_->wind_towards_deg = scene.terrain->description().wind.towards_deg;
         }
     }
@@ -46,7 +47,7 @@ namespace {
 
 constexpr int group_count = 16;
 
-/// Reads "1+3" as bits 0 and 2.
+/// Parses light groups: "1+3" becomes bits 0 and 2.
 Groups parse_groups(const std::string& text, const char* key)
 {
     uint32_t bits = 0;
@@ -64,11 +65,11 @@ Groups parse_groups(const std::string& text, const char* key)
     return static_cast<Groups>(bits);
 }
 
-/// The values of the style for one light, node or material.
+/// The lighting values of the style for one light, node or material.
 struct Changes {
     light::LightStyle style;
-    std::optional<bool> shadows;          ///< set if an override sets `light.shadows`
-    std::optional<bool> receives_shadows; ///< set if an override sets `light.receives_shadows`
+    std::optional<bool> shadows;          ///< Set if an override sets `light.shadows`
+    std::optional<bool> receives_shadows; ///< Set if an override sets `light.receives_shadows`
 
     void add(const style::Override& change)
     {
@@ -81,8 +82,8 @@ struct Changes {
     }
 };
 
-/// The groups for which shadows are thrown: those of the style, else those of the file; none without shadows.
-/// `shadows = true` throws shadows for all groups where the file throws none.
+/// Returns the groups for which shadows are cast: those of the style, else those of the file; none without
+/// shadows. `shadows = true` casts shadows for all groups if the file casts none.
 Groups shadow_groups(Groups of_file, const Changes& changes)
 {
     const std::string& groups = changes.style.changes.shadow_groups;
@@ -122,7 +123,8 @@ void apply(LightLinks& links, const Changes& all)
 
 constexpr const char* light_section = "light";
 
-/// The picture's values with those overrides of section `light` that are accepted.
+/// Returns the lighting values of the picture, changed by the overrides of section `light` that `accepts`
+/// selects.
 template <typename Accepts>
 Changes changes_for(const StyleTables& style, Accepts accepts)
 {

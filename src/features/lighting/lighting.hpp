@@ -20,17 +20,18 @@
 
 namespace estampe::features {
 
-/// Finds the default light of a scene without lights. Use one instance per scene: the scene is analysed
+/// Finds the default light of a scene without lights. Use one DefaultLight per scene: the scene is analysed
 /// once, at the first call.
 class DefaultLight {
 public:
-    /// Returns the analysis that places the light, for an eye if there is one; empty if the style uses the
-    /// scene's own lights. Cost: the first call costs as much as analyze_view(), a later call a millisecond.
+    /// Returns the view analysis that places the default light, for an eye if there is one; empty if the
+    /// style uses the scene's own lights. Cost: the first call costs as much as analyze_view(), a later call
+    /// a millisecond.
     [[nodiscard]] ViewAnalysis analysis(const Scene& scene, const light::LightStyle& style,
                                         const std::optional<glm::dvec3>& eye);
 
 private:
-    std::optional<SurfaceCloud> cloud_; ///< the scene in its rest pose
+    std::optional<SurfaceCloud> cloud_; ///< Points on the surfaces of the scene in its rest pose
     std::optional<ViewAnalysis> analysis_;
 };
 
@@ -43,42 +44,44 @@ struct LightingOfScene {
     bool operator==(const LightingOfScene& other) const = default;
 };
 
-/// The part of a style that changes lights and links.
+/// The part of a style that changes lights, and links between lights and objects.
 class LightingSettings {
 public:
     explicit LightingSettings(const StyleTables& style);
 
-    /// Whether the style has the same settings. Does not allocate. Cost: linear in the style's overrides.
+    /// Returns whether the style has the same lighting settings. Does not allocate. Cost: linear in the
+    /// style's overrides.
     [[nodiscard]] bool are_of(const StyleTables& style) const;
 
 private:
     light::LightChanges changes_;
-    std::vector<style::Override> overrides_; ///< of section `light`
+    std::vector<style::Override> overrides_; ///< Overrides of the style's section `light`
 };
 
 [[nodiscard]] LightingOfScene lighting_of(const Scene& scene);
 
-/// Whether the links are equal. If they differ, triangles and draw calls must be built again.
+/// Returns whether the links between lights and objects are equal. If they differ, triangles and draw calls
+/// must be built again.
 [[nodiscard]] bool same_links(const LightingOfScene& a, const LightingOfScene& b);
 
-/// Whether both are equal, apart from the intensities of lights that are on in both.
+/// Returns whether two lightings are equal, apart from the intensities of lights that are on in both.
 [[nodiscard]] bool same_but_for_brightness(const LightingOfScene& a, const LightingOfScene& b);
 
 /// Sets light intensities. Throws Error if a light does not exist, or if an intensity is negative or not
 /// finite.
 void brighten(LightingOfScene& lighting, std::span<const LightBrightness> lights);
 
-/// Applies light::LightChanges of the style and of its overrides to `own`. An override by object applies to
-/// the node of that name and its descendants, and to the lights that is_named_light() finds; an override by
-/// material applies to the links of that material. Throws Error if light groups cannot be parsed. Cost: the
-/// number of overrides, times the sum of materials and of nodes for each light.
+/// Applies the style's changes of lights, and those of its overrides, to the lighting `own`. An override by
+/// object applies to the node of that name and its descendants, and to the lights that is_named_light()
+/// finds; an override by material applies to the links of that material. Throws Error if light groups cannot
+/// be parsed. Cost: linear in lights, nodes and materials, times overrides.
 [[nodiscard]] LightingOfScene styled_lighting(const LightingOfScene& own, const Scene& scene,
                                               const StyleTables& style);
 
-/// The scene with the style's lighting. Throws as styled_lighting() does.
+/// Returns the scene with the style's lighting. Throws Error as styled_lighting() does.
 [[nodiscard]] Scene lit_by_style(Scene scene, const StyleTables& style);
 
-/// Writes `lighting` into the scene.
+/// Writes the lights and links of `lighting` into the scene.
 void set_lighting(Scene& scene, const LightingOfScene& lighting);
 
 class Lighting final : public Feature {
@@ -101,7 +104,7 @@ public:
 
     [[nodiscard]] gpu::Buffer& globals() { return globals_; }
 
-    /// One LightRecord per light.
+    /// Returns the buffer with one LightRecord per light.
     [[nodiscard]] gpu::Buffer& lights() { return lights_; }
 
 private:

@@ -15,7 +15,8 @@
 namespace estampe::features {
 namespace {
 
-using Place = std::tuple<Index, uint32_t, uint32_t>; // node, primitive, instance
+// Place of a mesh in the scene: node, primitive, instance
+using Place = std::tuple<Index, uint32_t, uint32_t>;
 
 /// Calls `visit` with each triangle's number, its draw call, and its number within that draw call.
 template <class Visit>
@@ -28,7 +29,7 @@ void visit_triangles(const pose::MeshData& meshes, const Visit& visit)
     }
 }
 
-/// Mean luminance over the triangles that have a lightmap. Each triangle is sampled at its centre and
+/// Mean luminance of the lightmap over the triangles that have it. Each triangle is sampled at its centre and
 /// weighted by its area in the map.
 float mean_level(const lightmap::MapData& map, const pose::MeshData& meshes)
 {
@@ -56,8 +57,8 @@ float mean_level(const lightmap::MapData& map, const pose::MeshData& meshes)
     return static_cast<float>(sum / std::max(room, 1e-12));
 }
 
-/// The lightmap that the file assigns to a draw call: by node, otherwise by material, otherwise for the whole
-/// scene.
+/// Returns the lightmap that the file assigns to a draw call: by node, otherwise by material, otherwise for
+/// the whole scene.
 std::optional<WornPicture> picture_of(const Lightmap& map, Index node, Index material)
 {
     if (node < map.of_node.size() && map.of_node[node]) {
@@ -67,7 +68,7 @@ std::optional<WornPicture> picture_of(const Lightmap& map, Index node, Index mat
                                                                           : map.of_scene;
 }
 
-/// Lightmaps that the scene's file assigns to meshes, with the meshes' own UVs.
+/// Collects the lightmaps that the scene's file assigns to meshes, with the meshes' own UVs.
 lightmap::MapData worn_pictures(const Lightmap& map, const Scene& scene, const pose::MeshData& meshes)
 {
     lightmap::MapData data{.layers = map.pictures};

@@ -21,20 +21,20 @@ namespace estampe::features {
 [[nodiscard]] lightmap::MapData worn_map(const Lightmap& map, const Scene& scene,
                                          const pose::MeshData& meshes);
 
-/// A lightmap on the device.
+/// A lightmap on the device, with its exposure and the lights that it contains.
 struct WornLight {
     lightmap::MapBuffers maps;
-    float exposure = 1.0F; ///< exposure of the bake; 0 means that no exposure is applied to the map
-    float level = 0.0F;    ///< mean luminance of the map
-    uint32_t kinds = 0;    ///< BakedLights bits: the kinds of lights that the map contains
+    float exposure = 1.0F; ///< Exposure of the bake; 0: no exposure is applied to the map
+    float level = 0.0F;    ///< Mean luminance of the lightmap
+    uint32_t kinds = 0;    ///< Kinds of lights that the map contains, as bits of BakedLights
 };
 
-/// Uploads worn_map() of `map`; nothing if `map` is null. Throws Error as worn_map() and
-/// lightmap::upload_maps() do.
+/// Uploads the lightmap `map` as worn_map() assigns it to triangles; nothing if `map` is null. Throws Error
+/// as worn_map() and lightmap::upload_maps() do.
 [[nodiscard]] std::optional<WornLight> upload_baked(gpu::Device& device, const Lightmap* map,
                                                     const Scene& scene, const pose::MeshData& meshes);
 
-/// The BakedLights bit of a light's kind.
+/// Returns the BakedLights bit of a light's kind.
 [[nodiscard]] uint32_t kind_of(const shared::LightRecord& record);
 
 /// Prepares a frame's lights for a lightmap: removes lights of the kinds that the map already contains and,

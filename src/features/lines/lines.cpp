@@ -22,8 +22,8 @@ struct Share {
     float to = 1.0F;
 };
 
-/// Shortens the range `kept` to the part where the segment from `a` to `b` is between `least` and `most`.
-/// `kept` is measured in shares of the segment, 0 to 1.
+/// Shortens the range `kept` of a segment to the part where its values, `a` at one end and `b` at the other,
+/// are between `least` and `most`. `kept` is measured in shares of the segment, 0 to 1.
 void keep_between(float a, float b, float least, float most, Share& kept)
 {
     for (const auto& [from, to] : {std::pair(a - least, b - least), std::pair(most - a, most - b)}) {
@@ -96,7 +96,7 @@ std::vector<VectorStroke> clipped(const VectorStroke& stroke, const paper::Windo
 
 namespace {
 
-/// One number per node instance, assigned to each of the instance's draw calls.
+/// Numbers the bodies (instances of nodes), and returns for each draw call the number of its body.
 std::vector<uint32_t> bodies_of_draws(const pose::MeshData& layout)
 {
     std::map<std::pair<Index, uint32_t>, uint32_t> numbers;
@@ -110,12 +110,12 @@ std::vector<uint32_t> bodies_of_draws(const pose::MeshData& layout)
     return bodies;
 }
 
-/// Diameter of each vertex's object in units of the rest pose; the bending of lines is relative to this
-/// diameter.
+/// Returns for each vertex the diameter of its object in units of the rest pose; the bending of lines is
+/// relative to this diameter.
 std::vector<float> sizes_of_objects(const pose::MeshData& layout)
 {
     const std::vector<uint32_t> body_of_draw = bodies_of_draws(layout);
-    std::vector<Bounds> bounds(layout.draws.size()); // there are at most as many bodies as draw calls
+    std::vector<Bounds> bounds(layout.draws.size()); // There are at most as many bodies as draw calls
     for (size_t v = 0; v < layout.draw_of_vertex.size(); ++v) {
         const uint32_t body = body_of_draw[layout.draw_of_vertex[v]];
         if (body != contour::no_side) {
@@ -132,7 +132,8 @@ std::vector<float> sizes_of_objects(const pose::MeshData& layout)
     return sizes;
 }
 
-/// Per triangle, 1 if its corners run clockwise as seen from the side to which its normals point.
+/// Returns for each triangle 1 if its corners run clockwise as seen from the side to which its normals point,
+/// else 0.
 std::vector<uint8_t> clockwise_triangles(const pose::MeshData& layout)
 {
     std::vector<uint8_t> clockwise;
@@ -257,9 +258,10 @@ namespace {
 constexpr uint32_t brush_columns = shared::brush_columns;
 constexpr uint32_t rows = shared::brush_rows;
 constexpr uint32_t seed = 7;
-constexpr float hairs = 4.0F; // finer than in tonal art maps, whose strokes are a few pixels wide
+// Hairs of a brush stroke are finer than in tonal art maps, whose strokes are a few pixels wide
+constexpr float hairs = 4.0F;
 
-/// Position along a tool's stroke: either a whole stroke from start to end, or a periodic stroke whose end
+/// Position along a brush's stroke: either a whole stroke from start to end, or a periodic stroke whose end
 /// joins its start.
 float progress(float share, contour::BrushFit fit)
 {
@@ -314,7 +316,7 @@ contour::BrushStrip strip_of(const std::string& brush, contour::BrushFit fit)
     return brush == "brush" ? drawn_by(tam::Tool::brush, fit) : pictured(brush);
 }
 
-/// One dash with round ends, and the gap after it.
+/// Draws the picture of one dash with round ends, and the gap after it.
 contour::BrushStrip dash(const BrushChoice& choice)
 {
     const float period_mm = choice.dash_mm + choice.gap_mm;
@@ -346,8 +348,8 @@ BrushChoice brush_choice(const contour::ContourStyle& style)
     BrushChoice choice{.fit = style.brush_fit};
     for (uint32_t kind = 0; kind < shared::line_kind_count; ++kind) {
         const std::string& own = contour::line_style(style, kind).brush;
-        // Geometric kinds of lines are searched even if the style draws none: a material's style variant may
-        // draw them.
+        // Geometric kinds of lines, such as creases, are searched even if the style draws none: a material's
+        // style variant may draw them.
         const bool is_found = kind < shared::line_marked || contour::has_lines(style, kind);
         if (is_found) {
             choice.brush_of_kind.at(kind) = own.empty() ? style.brush : own;

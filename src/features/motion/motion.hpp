@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Records the motion pass of a frame and reads its vectors back.
+// Records the motion pass of a frame and reads its motion vectors back.
 
 #include <estampe/renderer.hpp>
 
@@ -10,13 +10,13 @@
 
 namespace estampe::features {
 
-/// Allocates the buffer that receives the motion of a picture of this size.
+/// Allocates the buffer that receives the motion vectors of a picture of this size.
 void ensure_motion(gpu::Device& device, gpu::Buffer& pixels, const RenderSettings& settings);
 
 /// Declares the motion pass, and a pass that copies its image into `pixels`.
 void declare_motion(gpu::Graph& graph, const motion::MotionInputs& in, gpu::Buffer& pixels);
 
-/// The motion vectors in `pixels`, after the frame has been drawn.
+/// Returns the motion vectors in `pixels`. Call this function after the frame has been drawn.
 [[nodiscard]] Motion read_motion(const gpu::Buffer& pixels, const RenderSettings& settings);
 
 } // namespace estampe::features

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Motion blur and smear strokes from picture to picture: the cached data about the scene's meshes.
+// Motion blur and smear strokes (strokes along a motion) from picture to picture: the cached data about the
+// scene's meshes.
 
 #include "features/common/feature.hpp"
 #include "techniques/motion_blur/motion_blur.hpp"
@@ -11,17 +12,18 @@ namespace estampe::features {
 
 class MotionBlur final : public Feature {
 public:
-    /// Forgets vertices and seeds when the scene or its layout is replaced, because both contain vertex and
-    /// triangle numbers.
+    /// Forgets the vertices and the starting points of smear strokes when the scene or its layout is
+    /// replaced, because both contain vertex and triangle numbers.
     void invalidate(Event event) override;
 
-    /// Computes the data that the style needs. Smear strokes start on solid surfaces, but not on blank ground
-    /// or terrain. Costs nothing if the data exists; otherwise n log n in vertices and linear in triangles.
+    /// Computes the data that the style's motion blur needs. Smear strokes start on solid surfaces, but not
+    /// on blank ground or terrain. Costs nothing if the data exists; otherwise n log n in vertices and linear
+    /// in triangles.
     void prepare(gpu::Device& device, const pose::MeshData& layout,
                  const motion_blur::MotionBlurStyle& style);
 
-    /// The shape whose motion blurs the picture, if the style's mode does not use the scene's own. See
-    /// motion_blur::add_velocity_shape().
+    /// Returns the shape whose motion blurs the picture, if the style's mode uses another shape than the
+    /// scene. See motion_blur::add_velocity_shape().
     [[nodiscard]] std::optional<motion_blur::VelocityShape> record(gpu::Graph& graph,
                                                                    const motion_blur::VelocityShapeInputs& in,
                                                                    const motion_blur::MotionBlurStyle& style);

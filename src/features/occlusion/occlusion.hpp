@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Ambient occlusion from picture to picture: the data that its method keeps about the scene's surfaces.
+// Ambient occlusion from picture to picture: the data about the scene's surfaces that its method keeps.
 
 #include <optional>
 
@@ -18,12 +18,12 @@ public:
     /// use occlusion.
     void invalidate(Event event) override;
 
-    /// Makes the data that the style's method keeps about all surfaces except blank ground and terrain.
-    /// Costs nothing if it exists; otherwise n log n in vertices.
+    /// Makes the data about surfaces that the style's occlusion method keeps. Leaves out blank ground and
+    /// terrain. Costs nothing if the data exists; otherwise n log n in vertices.
     void prepare(gpu::Device& device, const pose::MeshData& layout, const surface::MaterialBuffers& materials,
                  const occlusion::OcclusionStyle& style);
 
-    /// Declares the passes of the style's method; none if the scene has no surface that occludes.
+    /// Declares the passes of the style's occlusion method; none if the scene has no surface that occludes.
     [[nodiscard]] std::optional<occlusion::AmbientOcclusion>
     record(gpu::Graph& graph, const occlusion::OcclusionInputs& in, const occlusion::OcclusionStyle& style);
 

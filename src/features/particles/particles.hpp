@@ -2,8 +2,8 @@
 #pragma once
 
 // Finds the nodes that emit particles and plans their sprites on the page. The smoke puff of a sprite is
-// simulated once and stored as frames. Section 6.5 of the thesis calls this a mixed technique: one small
-// simulation is shown on dozens of sprites.
+// simulated once and stored as frames. Section 6.5 of the thesis (Zanuttini, 2008) calls this a mixed
+// technique: one small simulation is shown on dozens of sprites.
 
 #include <functional>
 #include <span>
@@ -20,14 +20,14 @@
 
 namespace estampe::features {
 
-/// Simulates 6 x 6 frames of 64 x 64 pixels over four seconds: a warm puff that rises, rolls up and thins.
-/// The same device gives the same frames. Cost: 240 steps of the solver.
+/// Simulates a puff of smoke for sprites: 6 x 6 frames of 64 x 64 pixels over four seconds. The warm puff
+/// rises, rolls up and thins. The same device gives the same frames. Cost: 240 steps of the solver.
 [[nodiscard]] particles::SheetImage smoke_sheet(gpu::Device& device, gpu::Executor& executor);
 
-/// The nodes without a mesh whose names match one of the comma-separated patterns, in scene order.
+/// Returns the nodes without a mesh whose names match one of the comma-separated patterns, in scene order.
 [[nodiscard]] std::vector<size_t> emitting_nodes(const Scene& scene, const std::string& patterns);
 
-/// The buffers from which one plan is drawn.
+/// The buffers of one particle plan.
 struct ParticleBuffers {
     gpu::Buffer sprites;
     gpu::Buffer starts;
@@ -38,9 +38,9 @@ struct ParticleBuffers {
 struct ParticlePlanInputs {
     const Scene& scene;
     const pose::MeshData& layout;
-    bool are_nodes_placed = false; ///< the calling program moves some nodes
+    bool are_nodes_placed = false; ///< The calling program moves some nodes
     const ScenePose& pose;
-    std::function<ScenePose(double time_s)> pose_at; ///< pose at another moment
+    std::function<ScenePose(double time_s)> pose_at; ///< Returns the scene's pose at another time
     const Camera& camera;
     const RenderSettings& settings;
     const StyleTables& style;
@@ -56,16 +56,16 @@ public:
     [[nodiscard]] std::vector<particles::ParticlePlan> plan(gpu::Device& device, gpu::Executor& executor,
                                                             const ParticlePlanInputs& in);
 
-    /// Draws the plans over the layers, one after the other. `in` holds the page's inputs, which all plans
-    /// share.
+    /// Draws the planned particles over the layers, one plan after the other. `in` holds the page's inputs,
+    /// which all plans share.
     [[nodiscard]] particles::ParticleLayers record(gpu::Graph& graph,
                                                    std::span<const particles::ParticlePlan> plans,
                                                    const particles::ParticleInputs& in,
                                                    particles::ParticleLayers layers);
 
 private:
-    std::vector<ParticleBuffers> buffers_; ///< one per plan, in the same order
-    std::string patterns_;                 ///< the style's patterns that gave `emitting_`
+    std::vector<ParticleBuffers> buffers_; ///< Buffers of the particle plans, in the same order
+    std::string patterns_;                 ///< The style's patterns by which `emitting_` was found
     std::vector<size_t> emitting_;
 };
 

@@ -16,7 +16,8 @@ namespace estampe::features {
 
 GroundShadowPlan plan_ground_shadow(const GroundShadowScene& scene, const shadow::ShadowStyle& style)
 {
-    constexpr double texel_m = 0.125; // a power of two: periodic ground is sampled at equal points far away
+    // Size of a texel, a power of two: periodic ground is then sampled at equal points far away
+    constexpr double texel_m = 0.125;
     constexpr uint32_t small_page_px = 540;
     const uint32_t size = scene.page_height_px <= small_page_px ? 256 : 512;
     const glm::dvec3& eye = scene.camera.eye;
@@ -104,7 +105,7 @@ void GroundShadow::drawn(const GroundShadowPlan& plan, const terrain::TerrainBuf
 
 namespace {
 
-constexpr float range_steps = 4.0F; // steps per doubling of the range
+constexpr float range_steps = 4.0F; // Number of range steps for each doubling of a light's range
 
 bool is_spot(const shared::LightRecord& record)
 {
@@ -167,7 +168,8 @@ shadow::AtlasRequest atlas_request(const shared::LightRecord& record, const shad
     const uint32_t largest = style.local_size > 0 ? static_cast<uint32_t>(style.local_size)
                              : light.is_cube()    ? std::clamp(half_page, 256U, 1024U)
                                                   : std::clamp(2 * half_page, 512U, 2048U);
-    // The resolution is chosen for shadows at half the light's range, or at half the scene's radius.
+    // The resolution of a lamp's shadow map is chosen for shadows at half the light's range, or at half the
+    // scene's radius.
     const float distance_m = std::max(glm::distance(light.position, page.eye_anchor), 1e-6F);
     const float throw_m = 0.5F * std::min(light.range_m, page.scene_radius_m);
     const float side_m = 2.0F * throw_m * (light.is_cube() ? 1.0F : std::tan(light.half_angle_rad));

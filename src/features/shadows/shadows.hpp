@@ -33,10 +33,11 @@ struct GroundShadowPlan {
     bool is_thrown = false;
     glm::dvec3 towards_sun{0.0, 1.0, 0.0};
     float sun_radius_rad = 0.0F;
-    uint32_t size = 0; ///< texels per side of each field
+    uint32_t size = 0; ///< Texels per side of each height field
     shadow::GroundLevels levels{};
     shadow::HeightMethod method = shadow::HeightMethod::sweep;
-    double relief_m = 0.0; ///< between the lowest ground and the top of the highest object on it
+    /// Height difference between the lowest ground and the top of the highest object on it.
+    double relief_m = 0.0;
 };
 
 struct GroundShadowScene {
@@ -45,64 +46,66 @@ struct GroundShadowScene {
     glm::dvec3 towards_sun{0.0, 1.0, 0.0};
     bool is_thrown = false;
     uint32_t page_height_px = 0;
-    gpu::ExecutionProfile execution; ///< of the device that computes the shadow
-    double relief_m = 0.0;           ///< see GroundShadowPlan
+    gpu::ExecutionProfile execution; ///< Execution profile of the device that computes the shadow
+    double relief_m = 0.0;           ///< Height difference of ground and objects, see GroundShadowPlan
 };
 
-/// Plans the height fields around the camera. A CPU finds their horizons by sweeps, which need the least
-/// work. A GPU uses pyramids instead, because sweeps have too few parallel threads. On a small page each
-/// field extends half as far: a pixel there is as large as one of a large page at twice the distance.
+/// Plans the height fields around the camera, from which the terrain's shadow is computed. A CPU finds their
+/// horizons by sweeps, which need the least work. A GPU uses pyramids instead, because sweeps have too few
+/// parallel threads. On a small page each field extends half as far: a pixel there is as large as one of a
+/// large page at twice the distance.
 [[nodiscard]] GroundShadowPlan plan_ground_shadow(const GroundShadowScene& scene,
                                                   const shadow::ShadowStyle& style);
 
 struct GroundShadowInputs {
     const GroundShadowPlan& plan;
-    gpu::BufferId texels; ///< texels of the terrain
-    gpu::BufferId frame;  ///< FrameGlobals
+    gpu::BufferId texels; ///< Texels of the textures in the terrain's height graph
+    gpu::BufferId frame;  ///< FrameGlobals of the picture
     gpu::ImageId depth;
     glm::uvec2 size_px{0};
-    std::optional<glm::mat4> clip_from_anchor = std::nullopt; ///< given if there are no tiles
+    /// Camera matrix of the page; set if the page is not drawn in tiles.
+    std::optional<glm::mat4> clip_from_anchor = std::nullopt;
 };
 
-/// Keeps fields of heights and horizons between pictures. A field is computed again when it moves with the
-/// eye, or when the sun or the ground changes. While sun or ground keep changing, the pyramid method
-/// computes only the part that the picture looks up.
+/// Keeps fields of the terrain's heights and horizons between pictures. A field is computed again when it
+/// moves with the eye, or when the sun or the ground changes. While sun or ground keep changing, the pyramid
+/// method computes only the part that the picture looks up.
 class GroundShadow {
 public:
     void forget() { held_.reset(); }
 
-    /// Allocates the buffer for `plan`.
+    /// Allocates the buffer of height fields for `plan`.
     void ensure(gpu::Device& device, const GroundShadowPlan& plan);
-    /// Updates the fields, and returns the visible share of the sun at each pixel.
+    /// Updates the height fields, and returns the visible share of the sun at each pixel.
     [[nodiscard]] gpu::ImageId record(gpu::Graph& graph, terrain::TerrainBuffers& terrain,
                                       const GroundShadowInputs& in);
-    /// Records that the fields of `plan` have been drawn.
+    /// Records that the height fields of `plan` have been computed.
     void drawn(const GroundShadowPlan& plan, const terrain::TerrainBuffers& terrain);
 
 private:
     struct Held {
         GroundShadowPlan plan;
-        uint64_t form = 0; ///< number of the terrain's shape
+        uint64_t form = 0; ///< Number that identifies the terrain's shape
     };
 
-    /// Whether a field's position is unchanged.
+    /// Returns whether a field's position is the same as in the last picture.
     [[nodiscard]] bool stands(const GroundShadowPlan& plan, uint32_t level) const;
 
     [[nodiscard]] bool is_held(const GroundShadowPlan& plan, uint32_t level, uint64_t form) const;
 
     gpu::Buffer kept_;
     std::optional<Held> held_;
-    bool is_in_part_ = false; ///< the fields are valid only where the last picture looked them up
+    bool is_in_part_ = false; ///< The height fields are valid only where the last picture looked them up
 };
 
-/// The properties of a local light on which its maps depend. The range is rounded up in steps, so that small
-/// exposure changes do not make the maps obsolete.
+/// Returns the properties of a local light on which its shadow maps depend. The range is rounded up in steps,
+/// so that small exposure changes do not make the maps obsolete.
 [[nodiscard]] shadow::LocalLight local_light(const shared::LightRecord& record);
 
-/// Radius of the light's sphere in metres: its own, or otherwise the style's.
+/// Radius of the light's sphere in metres: the light's own radius, or otherwise the style's.
 [[nodiscard]] float radius_of(const shared::LightRecord& record, const shadow::ShadowStyle& style);
 
-/// Eye and resolution of the page, to judge how many texels a light needs.
+/// Eye and resolution of the page, by which the size of a lamp's shadow map is chosen.
 struct PageView {
     glm::vec3 eye_anchor{0.0F};
     PixelSize pixel;
@@ -110,26 +113,28 @@ struct PageView {
     uint32_t longer_side_px = 1;
 };
 
-/// A light's request to the shadow atlas: as many texels as its shadow covers pixels, limited to the style's
-/// size, or without one to half the page for a point light and the whole page for a spot. The importance
-/// grows with the share of the page that the light reaches.
+/// Returns a light's request for space in the shadow atlas: as many texels as its shadow covers pixels,
+/// limited to the style's size. If the style sets no size, the limit is half the page for a point light and
+/// the whole page for a spot. The importance grows with the share of the page that the light reaches.
 [[nodiscard]] shadow::AtlasRequest atlas_request(const shared::LightRecord& record,
                                                  const shadow::LocalLight& light, const PageView& page,
                                                  const shadow::ShadowStyle& style);
 
-/// Appends the views that draw the maps of a light; call raster::place_views() afterwards.
+/// Appends the views from a light that draw its shadow maps; call raster::place_views() afterwards.
 void add_views(std::vector<shared::RasterView>& list, const shadow::LocalLight& light,
                const shared::LocalShadow& shadow);
 
-/// Views of obsolete maps, by drawing method. Each list is placed by raster::place_views().
+/// Views that draw obsolete shadow maps, in one list per drawing method. Each list is placed by
+/// raster::place_views().
 struct LocalMapViews {
-    std::vector<shared::RasterView> whole;  ///< drawn from all casters
-    std::vector<shared::RasterView> still;  ///< drawn from static casters, into a layer
-    std::vector<shared::RasterView> moving; ///< drawn from moving casters, and merged with the layer
+    std::vector<shared::RasterView> whole; ///< Views that draw all shadow casters
+    std::vector<shared::RasterView> still; ///< Views that draw static shadow casters into a separate layer
+    /// Views that draw moving shadow casters and merge them with the layer of static ones.
+    std::vector<shared::RasterView> moving;
 
     [[nodiscard]] bool empty() const { return whole.empty() && still.empty() && moving.empty(); }
 
-    /// Keeps the capacity of the lists.
+    /// Clears the lists, but keeps their memory.
     void clear()
     {
         whole.clear();
@@ -140,48 +145,49 @@ struct LocalMapViews {
 
 /// The shadow maps of local lights in a picture.
 struct LocalMapPlan {
-    bool is_there = false; ///< some light has a shadow map
-    uint32_t variant = 0;  ///< see shadow/shadow_style.hpp
-    LocalMapViews views;   ///< obsolete maps, to be drawn
+    bool is_there = false; ///< Some light has a shadow map
+    uint32_t variant = 0;  ///< Variant of the shadow shader, see shadow/shadow_style.hpp
+    LocalMapViews views;   ///< Views that draw the obsolete shadow maps
 };
 
 /// The local lights' shadow maps of one frame.
 struct LocalShadowPlan {
-    std::vector<shared::LocalShadow> shadows; ///< LightRecord::shadow is an index into them, from 1
+    /// Shadow maps of the lights; LightRecord::shadow is an index into them, from 1.
+    std::vector<shared::LocalShadow> shadows;
     LocalMapViews views;
-    uint64_t texel_count = 0; ///< size of the buffer of all maps
-    size_t without = 0;       ///< number of lights that throw shadows but got no map
+    uint64_t texel_count = 0; ///< Texels in the buffer of all shadow maps
+    size_t without = 0;       ///< Number of lights that cast shadows but got no shadow map
 };
 
 /// Plans the shadow maps of a scene's local lights and remembers which are valid.
 class LocalShadows {
 public:
-    /// Sets the records' `shadow`. `moved` lists boxes of moved objects, before and after the move. If
-    /// casters move within reach of an unchanged light, its static casters get a layer in a second buffer,
-    /// as large as the buffer of the maps. `shadow.local_megatexels` limits the maps. The result is valid
-    /// until the next call. Cost: linear in lights and moved objects.
+    /// Plans the shadow maps and sets `shadow` in the lights' records. `moved` lists boxes of moved objects,
+    /// before and after the move. If casters move within reach of an unchanged light, its static casters get
+    /// a layer in a second buffer, as large as the buffer of the maps. `shadow.local_megatexels` limits the
+    /// maps. The result is valid until the next call. Cost: linear in lights and moved objects.
     [[nodiscard]] const LocalShadowPlan& plan(light::Lighting& lighting, std::span<const Bounds> moved,
                                               const PageView& page, const shadow::ShadowStyle& style,
                                               const CasterKinds& casters = {});
 
-    /// Makes all maps and layers obsolete, for another scene or buffer.
+    /// Makes all shadow maps and layers obsolete, for another scene or buffer.
     void forget() { kept_.clear(); }
 
 private:
     struct Kept {
         shadow::LocalLight light;
         shadow::Allotment allotment;
-        bool has_layer = false; ///< a layer of static casters
+        bool has_layer = false; ///< The map has a separate layer with static casters
     };
 
     shadow::Atlas atlas_;
-    std::vector<Kept> kept_; ///< content of the maps, per local light
-    LocalShadowPlan plan_;   ///< kept for its memory, as are the two below
+    std::vector<Kept> kept_; ///< Content of the shadow maps, per local light
+    LocalShadowPlan plan_;   ///< Plan of the last picture, kept for its memory, as are the next two members
     std::vector<shadow::LocalLight> lights_;
     std::vector<shadow::AtlasRequest> requests_;
 };
 
-/// The lists of LocalMapViews on the device.
+/// The lists of LocalMapViews in buffers on the device.
 struct LocalViewBuffers {
     gpu::Buffer whole;
     gpu::Buffer still;
@@ -190,55 +196,59 @@ struct LocalViewBuffers {
 
 /// Buffers of the local lights' shadow maps.
 struct LocalShadowBuffers {
-    gpu::Buffer shadows; ///< one LocalShadow per light that has maps
-    gpu::Buffer maps;    ///< texels of the maps, kept from frame to frame
-    gpu::Buffer layers;  ///< texels of static casters; empty if no light keeps them apart
+    gpu::Buffer shadows; ///< Buffer of the shadow maps' descriptions: one LocalShadow per light that has maps
+    gpu::Buffer maps;    ///< Texels of the shadow maps, kept from frame to frame
+    gpu::Buffer layers;  ///< Texels of the layers of static casters; empty if no light keeps them apart
     LocalViewBuffers views;
 };
 
-/// As list_casters(), but returns the list.
+/// Returns the shadow casters as list_casters() does, as a new list.
 [[nodiscard]] std::vector<raster::Batch> caster_batches(const pose::MeshData& layout, Groups groups,
                                                         Casters which = Casters::all);
 
-/// Draws the obsolete maps: from all casters, or from moving casters over the layer of static ones.
+/// Draws the obsolete shadow maps of lamps: from all casters, or from moving casters over the layer of static
+/// ones.
 ///
-/// Writes  maps and layers of `buffers`; returns the maps
-/// Cost    nothing if no map is obsolete; otherwise raster::add_depth_views() per list of views
+/// Writes  maps and layers of `buffers`; returns the maps Cost    nothing if no map is obsolete; otherwise
+/// raster::add_depth_views() per list of views
 [[nodiscard]] gpu::BufferId add_local_maps(gpu::Graph& graph, const ShadowScene& scene,
                                            const LocalMapViews& views, LocalShadowBuffers& buffers);
 
 /// The inputs for planning the local lights' shadow maps.
 struct LocalMapScene {
     PageView page;
-    shadow::ShadowStyle style; ///< with the number of local lights that may throw shadows
+    shadow::ShadowStyle style; ///< Settings of shadows, with the number of local lights that may cast shadows
     CasterKinds casters;
 };
 
-/// The shadow maps of a sample of a picture, and what must be drawn of them.
+/// The shadow maps of one sample of a picture, and which parts of them must be drawn.
 struct ShadowMapWork {
     const SunMapPlan& sun;
     const SunMapWork& of_sun;
     const LocalMapPlan& local;
-    bool draws_local = true; ///< false if an earlier sample has drawn the local maps
+    /// The local lights' maps must be drawn; false if an earlier sample has drawn them.
+    bool draws_local = true;
 };
 
 class Shadows final : public Feature {
 public:
-    /// Makes maps obsolete when the scene, its lights or the origin change.
+    /// Makes shadow maps obsolete when the scene, its lights or the origin change.
     void invalidate(Event event) override;
 
-    /// Records that something moved from and to these boxes (anchor space).
+    /// Records that an object moved between these boxes (anchor space), so that shadow maps there are drawn
+    /// again.
     void move(std::span<const Bounds> places);
 
-    /// Plans the maps of local lights, sets the records' `shadow`, and allocates buffers. Reports in `notes`
-    /// how many lights get no map.
+    /// Plans the shadow maps of local lights, sets `shadow` in the lights' records, and allocates buffers.
+    /// Reports in `notes` how many lights get no map.
     [[nodiscard]] LocalMapPlan ensure_local_maps(gpu::Device& device, light::Lighting& lighting,
                                                  const LocalMapScene& scene, std::vector<std::string>& notes);
 
-    /// Uploads the globals that shadow lookups read.
+    /// Uploads the constants with which shaders look up shadows.
     void upload(gpu::Device& device, const shared::EdgeProfile& edges, const shared::SunShadow& sun);
 
-    /// Draws the obsolete parts of a picture's maps. Cost: that of SunMap::record() and add_local_maps().
+    /// Draws the obsolete parts of a picture's shadow maps. Cost: that of SunMap::record() and
+    /// add_local_maps().
     [[nodiscard]] light::ShadowMaps record(gpu::Graph& graph, const ShadowScene& scene,
                                            const ShadowMapWork& work);
 
@@ -251,9 +261,9 @@ private:
     GroundShadow ground_;
     LocalShadows local_;
     LocalShadowBuffers local_buffers_;
-    std::vector<Bounds> moved_; ///< since the last plan of local maps
-    gpu::Buffer edge_profile_;  ///< EdgeProfile, see shadow/shadow.glsl.h
-    gpu::Buffer sun_globals_;   ///< SunShadow, see shadow/shadow.glsl.h
+    std::vector<Bounds> moved_; ///< Boxes of objects that moved since local maps were last planned
+    gpu::Buffer edge_profile_;  ///< Buffer of an EdgeProfile, see shadow/shadow.glsl.h
+    gpu::Buffer sun_globals_;   ///< Buffer of a SunShadow, see shadow/shadow.glsl.h
 };
 
 } // namespace estampe::features

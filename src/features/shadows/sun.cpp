@@ -14,7 +14,7 @@
 namespace estampe::features {
 namespace {
 
-/// World bounds of a draw in the rest pose; empty if unknown.
+/// World bounds of a draw call in the rest pose; empty if unknown.
 Bounds place_of(const pose::MeshData& layout, const Scene& scene, const ScenePose& rest, uint32_t draw)
 {
     const pose::DrawSource& source = layout.sources[draw];
@@ -34,7 +34,8 @@ Bounds place_of(const pose::MeshData& layout, const Scene& scene, const ScenePos
     return bounds;
 }
 
-/// Whether a box overlaps or adjoins a piece of the clipmap, in the sun's projection.
+/// Returns whether a box overlaps or adjoins a piece of the clipmap (shadow map in levels around the eye), in
+/// the sun's projection.
 bool is_within(const Bounds& place, const glm::dvec3& anchor, const shadow::Clipmap& clipmap,
                const shadow::Piece& piece)
 {
@@ -58,7 +59,7 @@ bool is_within(const Bounds& place, const glm::dvec3& anchor, const shadow::Clip
 
 std::vector<StillCaster> still_casters(const pose::MeshData& layout, const Scene& scene)
 {
-    const ScenePose rest = pose_scene(scene, 0.0); // static nodes have the same pose at any time
+    const ScenePose rest = pose_scene(scene, 0.0); // Static nodes have the same pose at any time
     std::vector<StillCaster> casters;
     for (const pose::CasterRun& run : layout.casters) {
         const uint32_t end = run.range.first + run.range.count;
@@ -83,8 +84,9 @@ void add_casters_within(const shadow::Piece& piece, const shadow::Clipmap& clipm
                         std::vector<raster::Batch>& batches)
 {
     const size_t first = batches.size();
-    std::vector<bool> bars;        // per batch: the gap before it contains triangles that must not be drawn
-    uint32_t passed_triangles = 0; // triangles of casters outside the piece, since the last batch
+    // One value per batch: the gap before it contains triangles that must not be drawn
+    std::vector<bool> bars;
+    uint32_t passed_triangles = 0; // Number of triangles of casters outside the piece, since the last batch
     for (const StillCaster& caster : still) {
         if (!caster.place.empty() && !is_within(caster.place, anchor, clipmap, piece)) {
             passed_triangles += caster.range.count;
@@ -142,7 +144,7 @@ uint32_t whole_size(const StyleTables& style, glm::uvec2 size_px)
                : std::clamp(std::bit_ceil(std::max(size_px.x, size_px.y)), 512U, 4096U);
 }
 
-/// Approximate distance from the eye to the nearest caster, horizontally or down to the lowest one.
+/// Approximate distance from the eye to the nearest shadow caster, horizontally or down to the lowest one.
 double nearest_m(const Bounds& casters, const glm::dvec3& eye)
 {
     const double beside = glm::distance(glm::clamp(eye, casters.min, casters.max), eye);
@@ -150,8 +152,9 @@ double nearest_m(const Bounds& casters, const glm::dvec3& eye)
     return std::clamp(std::max(beside, above), 1e-3 * casters.radius(), 2.0 * casters.radius());
 }
 
-/// The casters' box, rounded to a coarse lattice and extended around the static casters. Motion within the
-/// box changes neither the box nor the map. Motion beyond the box seldom changes them.
+/// Returns the shadow casters' box, rounded to a coarse lattice and extended around the static casters.
+/// Motion within the box changes neither the box nor the shadow map. Motion beyond the box seldom changes
+/// them.
 Bounds roomy(const SunScene& scene)
 {
     const Bounds& middle = scene.still.empty() ? scene.casters : scene.still;
@@ -161,8 +164,8 @@ Bounds roomy(const SunScene& scene)
             .max = glm::ceil(glm::max(scene.casters.max, middle.max + about_m) / pitch_m) * pitch_m};
 }
 
-/// One view per square, for raster::add_depth_views(). The texels of a whole level are rotated to the
-/// level's own layout.
+/// Returns one view per square of the shadow map, for raster::add_depth_views(). The texels of a whole level
+/// are rotated to the level's own layout.
 std::vector<shared::RasterView> views_of(std::span<const shadow::Piece> squares,
                                          const shadow::Clipmap& clipmap, Groups groups)
 {
@@ -240,7 +243,7 @@ SunMapWork SunMap::ensure(gpu::Device& device, const SunMapPlan& plan, const Sun
     }
     layout_ = casters.layout;
     const bool stands = plan.size > 0 && view_ == plan.view.clip_from_anchor;
-    // If the sun moves in every picture, a static layer would never be reused.
+    // If the sun moves in every picture, a separate map of static casters would never be reused.
     const bool had_still = has_still_ && (stands || stood_);
     stood_ = stands;
     has_still_ = plan.clipmap && casters.are_parted && (had_still || (stands && !moved_.empty()));
@@ -278,7 +281,7 @@ void SunMap::ensure_moving(gpu::Device& device, const SunMapPlan& plan, SunMapWo
     }
     shadow::list_tiles(clipmap, work.squares, moved_, work.pieces, tile_list_);
     work.tile_count = static_cast<uint32_t>(tile_list_.size());
-    // Sized for all tiles, since their number changes in every frame.
+    // The buffer has room for all tiles, since their number changes in every frame.
     const uint64_t side_tiles = clipmap.size / shared::square_tile_texels;
     const uint64_t tiles_bytes = sizeof(uint32_t) * clipmap.level_count * side_tiles * side_tiles;
     if (tiles_.empty() || tiles_.size_bytes() != tiles_bytes) {
@@ -304,17 +307,17 @@ bool counts(const pose::CasterRun& run, Casters which)
     return which == Casters::all || run.moves == (which == Casters::moving);
 }
 
-/// Draws pieces of a clipmap.
+/// The inputs for drawing pieces of the sun's clipmap.
 struct PieceDrawing {
     const ShadowScene& scene;
     raster::RasterInputs by_sun;
-    std::span<const raster::Batch> casters; ///< moving casters
+    std::span<const raster::Batch> casters; ///< Runs of triangles of moving casters
     const shadow::Clipmap& clipmap;
     const SunMapWork& work;
 
     [[nodiscard]] std::vector<raster::Batch> casters_of(const shadow::Piece& piece) const
     {
-        // A batch costs a GPU several dispatches, but a CPU almost nothing.
+        // Limits the number of batches: a batch costs a GPU several dispatches, but a CPU almost nothing.
         const size_t most = scene.path == RasterPath::compute ? 6 : 24;
         std::vector<raster::Batch> batches;
         if (!work.has_still) {
@@ -344,8 +347,8 @@ struct PieceDrawing {
 
 SunCasters sun_casters(const pose::MeshData& layout, uint32_t layout_number, Groups groups, RasterPath path)
 {
-    // The hardware rasteriser's depths differ in their last bits between views. With it, layers would make a
-    // continued film differ from an uninterrupted one.
+    // The hardware rasteriser's depths differ in their last bits between views. With that rasteriser,
+    // separate layers would make a continued film differ from an uninterrupted one.
     const CasterKinds kinds = caster_kinds(layout);
     const bool by_compute = path == RasterPath::compute;
     return {.layout = layout_number,
@@ -414,8 +417,8 @@ gpu::BufferId SunMap::record(gpu::Graph& graph, const ShadowScene& scene, const 
             scene.tuning),
         .path = scene.path,
         .tuning = scene.tuning};
-    // Draws all levels as views in one pass, instead of preparing, batching and copying each level. The last
-    // piece is the coarsest level, whose window contains the others.
+    // Draws all levels of the clipmap as views in one pass, instead of preparing, batching and copying each
+    // level. The last piece is the coarsest level, whose window contains the others.
     drawn = work.draws_levels ? raster::add_depth_views(graph, "shadow", drawing.by_sun,
                                                         drawing.casters_of(work.pieces.back()), views, drawn)
                               : drawing.add(graph, view, drawn);

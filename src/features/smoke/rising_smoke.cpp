@@ -20,9 +20,10 @@ namespace estampe::features {
 namespace {
 
 constexpr double longest_gap_s = 1.0;
-constexpr double caught_up_s = 0.25; // per picture, for smoke that starts during a film
+// Simulated time per picture by which smoke that starts during a film catches up
+constexpr double caught_up_s = 0.25;
 
-/// Grid size in cells: the powers of two nearest to the box's proportions.
+/// Returns the grid size in cells: the powers of two nearest to the proportions of the smoke's box.
 glm::uvec3 sides_of(const glm::dvec3& size_m, uint32_t longest)
 {
     constexpr double fewest = 8.0;
@@ -35,7 +36,7 @@ glm::uvec3 sides_of(const glm::dvec3& size_m, uint32_t longest)
     return sides;
 }
 
-/// The box of a node; none if the node's scale is zero.
+/// Returns the smoke box of a node; none if the node's scale is zero.
 std::optional<smoke::Box> box_about(const glm::dmat4& world_from_node, const glm::dvec3& anchor,
                                     uint32_t cells)
 {
@@ -66,7 +67,7 @@ std::optional<smoke::Box> box_about(const glm::dmat4& world_from_node, const glm
                       .grid_from_anchor = glm::mat4(glm::inverse(anchor_from_grid))};
 }
 
-/// Steps of the simulation that run in the picture's graph.
+/// Steps of the smoke simulation that run in the picture's graph.
 struct StepsLeft {
     fluid::FluidStyle style;
     uint32_t count = 0;
@@ -77,13 +78,13 @@ struct Rise {
     const smoke::Box& box;
     const smoke::SmokeStyle& style;
     double gap_s = 0.0;
-    uint32_t boxes = 1; ///< number of boxes simulated together
+    uint32_t boxes = 1; ///< Number of boxes simulated together
     bool is_measured = false;
 };
 
-/// The result of let_rise().
+/// The result of simulating smoke with let_rise().
 struct Risen {
-    std::optional<SolverReport> report; ///< none if no step was taken
+    std::optional<SolverReport> report; ///< Report of the pressure solver; none if no step was taken
     StepsLeft left;
 };
 
@@ -111,7 +112,7 @@ Risen let_rise(fluid::Fluid& fluid, gpu::Device& device, SolverMeter meter, cons
     return {.report = meter.report(), .left = {solver, left}};
 }
 
-/// Moves the patterns of puffs and strokes along with the wind and the rising air.
+/// Moves the patterns of puffs and strokes in the smoke along with the wind and the rising air.
 void carry_along(smoke::Box& box, const smoke::SmokeStyle& style, double time_s)
 {
     const Draught draught = draught_of(box, style);
@@ -121,7 +122,7 @@ void carry_along(smoke::Box& box, const smoke::SmokeStyle& style, double time_s)
         static_cast<float>(std::fmod(time_s * static_cast<double>(draught.speed_m_per_s), 1e3));
 }
 
-/// The number of cells. Throws Error if smoke cannot have these dimensions.
+/// Returns the number of cells of the smoke's grid. Throws Error if smoke cannot have these dimensions.
 uint64_t checked_cell_count(const glm::uvec3& cells, float cell_m, uint32_t channels)
 {
     const auto is_count = [](uint32_t count) {
@@ -142,7 +143,7 @@ struct RisingSmoke::Kept {
     glm::uvec3 cells{0};
     float cell_m = 1.0F;
     double time_s = 0.0;
-    double behind_s = 0.0; ///< lag behind the picture's time
+    double behind_s = 0.0; ///< Time by which the smoke is behind the picture's time
     uint32_t channels = 2;
     std::vector<float> velocity;   ///< three numbers per cell
     std::vector<float> quantities; ///< one number per channel and cell
@@ -154,20 +155,20 @@ struct RisingSmoke::Column {
     glm::uvec3 cells{0};
     float cell_m = 1.0F;
     double time_s = 0.0;
-    double behind_s = 0.0;               ///< lag behind the last picture's time
-    Kept recalled;                       ///< saved state, until the fluid is made from it
-    std::unique_ptr<fluid::Fluid> fluid; ///< made at the first use
+    double behind_s = 0.0;               ///< Time by which the smoke is behind the last picture's time
+    Kept recalled;                       ///< Saved state of the smoke, until the fluid is made from it
+    std::unique_ptr<fluid::Fluid> fluid; ///< Simulation of the smoke; made when it is first used
     std::optional<SolverReport> solver_report = {};
-    StepsLeft left = {}; ///< for the next graph that uses the fluid
+    StepsLeft left = {}; ///< Steps for the next graph that uses the fluid
 
-    /// The fluid at time_s. Call at most once per graph.
+    /// Returns the simulated smoke at time_s. Call at most once per graph.
     [[nodiscard]] fluid::FluidFields add(gpu::Graph& graph)
     {
         const StepsLeft now = std::exchange(left, {});
         return fluid->add_steps(graph, now.style, now.count);
     }
 
-    /// Runs the remaining steps if no picture's graph has run them.
+    /// Runs the remaining steps of the smoke if no picture's graph has run them.
     void catch_up(gpu::Executor& executor)
     {
         if (left.count > 0) {
@@ -216,7 +217,8 @@ void add_fires(light::Lighting& lighting, const std::vector<smoke::Box>& boxes,
         const fluid::Source source = source_of(box, style);
         const glm::mat4 anchor_from_grid = glm::inverse(box.grid_from_anchor);
         const float half_m = 0.5F * box.width_m();
-        // Two waves with an irrational ratio of frequencies, so that the flicker does not repeat.
+        // The flicker of a fire is the sum of two waves with an irrational ratio of frequencies, so that it
+        // does not repeat.
         const auto flicker = static_cast<float>(1.0 + 0.12 * std::sin(17.3 * time_s + box.number) +
                                                 0.08 * std::sin(41.7 * time_s + 2.0 * box.number));
         shared::LightRecord record{};

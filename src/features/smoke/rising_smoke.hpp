@@ -23,7 +23,7 @@ class Fluid;
 
 namespace estampe::features {
 
-/// The scene's lights, converted for smoke. If there is a sun shadow map, the first light uses it when it is
+/// Converts the scene's lights for smoke. If there is a sun shadow map, the first light uses it when it is
 /// directional.
 [[nodiscard]] std::vector<smoke::Lamp> smoke_lamps(const light::Lighting& lighting, bool has_sun_map);
 
@@ -34,23 +34,23 @@ void add_fires(light::Lighting& lighting, const std::vector<smoke::Box>& boxes,
 
 /// The inputs for the smoke of a picture.
 struct SmokeInputs {
-    const Scene& scene; ///< posed
+    const Scene& scene; ///< Scene in the pose of the picture
     const pose::MeshData& layout;
     const ScenePose& pose;
     const RenderSettings& settings;
     const StyleTables& style;
     const std::vector<smoke::Lamp>& lamps;
-    float ambient = 0.0F;                           ///< luminance
-    const std::vector<smoke::Box>* risen = nullptr; ///< the result of rise(), if it was called
+    float ambient = 0.0F;                           ///< Luminance of the ambient light
+    const std::vector<smoke::Box>* risen = nullptr; ///< Boxes that rise() returned, if it was called
 };
 
 struct SmokePlan {
-    std::vector<smoke::Box> boxes; ///< at least one
+    std::vector<smoke::Box> boxes; ///< Boxes of smoke in the picture; at least one
 };
 
-/// One box per node that the pattern matches: 2 m wide along each axis in the node's space, with the node in
-/// the middle of the box's floor. The number of cells along each side is a power of two. Boxes are numbered
-/// in the order of matching nodes. Nodes with zero scale get no box.
+/// Makes one smoke box per node that the pattern matches: 2 m wide along each axis in the node's space, with
+/// the node in the middle of the box's floor. The number of cells along each side is a power of two. Boxes
+/// are numbered in the order of matching nodes. Nodes with zero scale get no box.
 [[nodiscard]] std::vector<smoke::Box> smoke_boxes(const Scene& scene, const ScenePose& pose,
                                                   const glm::dvec3& anchor, const std::string& pattern,
                                                   uint32_t cells);
@@ -69,14 +69,16 @@ public:
     [[nodiscard]] std::vector<smoke::Box> rise(gpu::Device& device, gpu::Executor& executor,
                                                const SmokeInputs& in, std::vector<std::string>& notes);
 
-    /// The velocity in a box returned by rise(). Call at most once per graph.
+    /// Returns the air's velocity in a smoke box that rise() returned. Call at most once per graph.
     [[nodiscard]] gpu::ImageId velocity(gpu::Graph& graph, size_t box);
 
-    /// Plans light and drawing of the smoke; calls rise() unless that was done. None without smoke.
+    /// Plans light and drawing of the smoke; calls rise() unless that was done. Returns none if the picture
+    /// has no smoke.
     [[nodiscard]] std::optional<SmokePlan> ensure(gpu::Device& device, gpu::Executor& executor,
                                                   const SmokeInputs& in, std::vector<std::string>& notes);
 
-    /// Reports of the boxes whose last steps were measured, numbered if there are several boxes.
+    /// Returns the solver reports of the smoke boxes whose last steps were measured, numbered if there are
+    /// several boxes.
     [[nodiscard]] std::vector<SolverReport> solver_reports() const;
 
     /// Forgets the smoke of a replaced scene. A moved anchor has no effect: smoke is stored in box space.
@@ -87,22 +89,22 @@ public:
     void save(FilmWriter& writer) override;
     void load(FilmReader& reader) override;
 
-    /// Records the smoke's density volume and its lighting, with shadows from the scene's `maps` if the
-    /// style asks for them. Call once per picture; other graphs use volume().
+    /// Records the smoke's density volume and its lighting, with shadows from the scene's `maps` if the style
+    /// asks for them. Call once per picture; other graphs use volume().
     [[nodiscard]] smoke::Volume record(gpu::Graph& graph, const smoke::SmokeStyle& style, gpu::BufferId frame,
                                        const light::ShadowMaps& maps);
 
-    /// The result of record().
+    /// Returns the smoke volume that record() made, for another graph.
     [[nodiscard]] smoke::Volume volume(gpu::Graph& graph) { return volume_.import(graph); }
 
-    /// Inputs for drawing the smoke on a page. `frame`: FrameGlobals; `depth`: r32f, reversed.
+    /// Returns the inputs for drawing the smoke on a page. `frame`: FrameGlobals; `depth`: r32f, reversed.
     [[nodiscard]] smoke::ViewInputs view(gpu::Graph& graph, gpu::BufferId frame, gpu::ImageId depth,
                                          glm::uvec2 size_px);
 
 private:
     /// The simulated smoke of a box.
     struct Column;
-    /// The state of a box from which the next frame of a film continues.
+    /// The saved state of a smoke box, from which the next frame of a film continues.
     struct Kept;
 
     [[nodiscard]] std::unique_ptr<Column> started(gpu::Device& device, gpu::Executor& executor,

@@ -10,16 +10,17 @@
 namespace estampe::features {
 namespace {
 
-constexpr float held_s = 0.2F; ///< shortest time that air spends in a source, for its density
-/// Natural logarithm of the ratio of saturation at floor and top of the box, as if it were some kilometres
-/// high.
+/// Shortest time that air spends in a source of smoke, which limits the density.
+constexpr float held_s = 0.2F;
+/// Natural logarithm of a ratio: the saturation of the air at the floor over that at the top of the box, as
+/// if the box were some kilometres high.
 constexpr float holds_less_above = 2.0F;
 
 fluid::Solver solver_of(const smoke::SmokeStyle& style)
 {
     switch (style.solver) {
     case smoke::Solver::spectral:
-        // The spectral solver does not support obstacles.
+        // Smoke with obstacles cannot use the spectral solver, which does not support them.
         return style.obstacles ? fluid::Solver::automatic : fluid::Solver::spectral;
     case smoke::Solver::multigrid:
         return fluid::Solver::multigrid;
@@ -48,7 +49,7 @@ fluid::Advection advection_of(const smoke::SmokeStyle& style)
     return fluid::Advection::automatic;
 }
 
-/// Width of the zone at the open faces in which the outside air acts.
+/// Width of the zone at the open faces of a smoke box in which the outside air acts.
 float rim_m(const Draught& draught)
 {
     return 0.15F * draught.width_m;
@@ -64,7 +65,7 @@ float outside_vapour(const smoke::SmokeStyle& style)
     return style.humidity_outside * style.humidity;
 }
 
-/// How the advected quantities change over time.
+/// Returns how the quantities that the air carries, such as density, change over time.
 fluid::MatterStyle changing(const Draught& draught, const smoke::SmokeStyle& style)
 {
     return {.fading_per_s = 1.0F / style.life_s,
@@ -113,7 +114,8 @@ double steps_per_s(const smoke::Box& box, const smoke::SmokeStyle& style)
 
 fluid::Grid grid_of(const smoke::Box& box)
 {
-    // Periodic faces act as open ones: the rim removes smoke that would enter again at the opposite face.
+    // Periodic faces act as open faces: the zone along them removes smoke that would enter again at the
+    // opposite face.
     constexpr fluid::Edge open = fluid::Edge::periodic;
     return {.cells = box.cells, .cell_m = box.cell_m, .edges = {open, open, open}};
 }
@@ -145,8 +147,8 @@ fluid::Source source_of(const smoke::Box& box, const smoke::SmokeStyle& style)
     const glm::vec3 floor = 0.5F * box.cell_m * glm::vec3(box.cells) * glm::vec3(1.0F, 0.0F, 1.0F);
     fluid::Source source{.shape = fluid::disc(floor + glm::vec3(0.0F, 0.6F * radius_m, 0.0F), radius_m)};
     source.gain_per_s[shared::fluid_density] = style.amount_per_s;
-    // Without this, air that enters at the floor would rise before it becomes visible, and farther at a
-    // higher speed.
+    // Without a least density, air that enters at the source's floor would rise before it becomes visible,
+    // and farther at a higher speed.
     source.least_density = std::min(held_s * style.amount_per_s, 1.0F);
     source.gain_per_s[shared::fluid_temperature] = 6.0F / style.rise_s;
     source.gain_per_s[shared::fluid_fuel] = style.fuel_per_s;
@@ -157,13 +159,13 @@ fluid::Source source_of(const smoke::Box& box, const smoke::SmokeStyle& style)
 std::vector<float> stirred_air(const smoke::Box& box, const smoke::SmokeStyle& style)
 {
     constexpr int wave_count = 10;
-    constexpr double most_waves = 3.0; // waves per side of the box
+    constexpr double most_waves = 3.0; // Most waves along a side of the smoke box
     const Draught draught = draught_of(box, style);
     std::mt19937 random(static_cast<uint32_t>(style.seed) + 7919U * box.number);
     const auto number = [&] { return 2.0 * static_cast<double>(random()) / 4294967295.0 - 1.0; };
 
     struct Wave {
-        glm::dvec3 turns; ///< periods across the box, whole numbers
+        glm::dvec3 turns; ///< Periods of a wave across the box, whole numbers
         glm::dvec3 swing;
         double phase = 0.0;
     };
@@ -220,7 +222,7 @@ using Triangle = std::array<glm::dvec3, 3>;
 
 constexpr double half_cell = 0.5;
 
-/// Whether an axis separates the triangle from a cell centred at the origin.
+/// Returns whether an axis separates the triangle from a cell centred at the origin.
 bool parts(const glm::dvec3& axis, const Triangle& triangle)
 {
     const double reach = half_cell * (std::abs(axis.x) + std::abs(axis.y) + std::abs(axis.z));
@@ -248,7 +250,7 @@ bool touches_cell(const Triangle& triangle, const glm::dvec3& middle)
     return true;
 }
 
-/// Flags for the cells of a box that a triangle touches.
+/// Marks the cells of a smoke box that a triangle touches.
 class Cells {
 public:
     explicit Cells(const glm::uvec3& size) : size_(size), flags_(size_t{size.x} * size.y * size.z) {}
@@ -260,7 +262,7 @@ public:
         const glm::dvec3 last = glm::dvec3(size_) - 1.0;
         if (!glm::all(glm::lessThanEqual(low, glm::dvec3(size_))) ||
             !glm::all(glm::greaterThanEqual(high, glm::dvec3(0.0)))) {
-            return; // also catches NaN
+            return; // This form of the test also catches NaN
         }
         const glm::uvec3 from(glm::clamp(glm::floor(low), glm::dvec3(0.0), last));
         const glm::uvec3 to(glm::clamp(glm::floor(high), glm::dvec3(0.0), last));

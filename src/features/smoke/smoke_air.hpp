@@ -16,45 +16,47 @@
 
 namespace estampe::features {
 
-/// Speed of the air through a box, and the box's size.
+/// Speed of the air through a smoke box, and the box's size.
 struct Draught {
     float speed_m_per_s = 1.0F;
     float width_m = 1.0F;
     float height_m = 1.0F;
-    glm::vec3 wind_m_per_s{0.0F}; ///< along the grid's axes
+    glm::vec3 wind_m_per_s{0.0F}; ///< Wind in metres per second, along the grid's axes
 };
 
 [[nodiscard]] Draught draught_of(const smoke::Box& box, const smoke::SmokeStyle& style);
 
-/// Temperature above which fuel burns. A source reaches this temperature within its own height.
+/// Temperature above which fuel burns, in the units of the simulation. A source reaches this temperature
+/// within its own height.
 inline constexpr float smoke_ignition = 0.2F;
 
-/// Number of quantities that the air advects: density and temperature, plus fuel or water if the style has
-/// them.
+/// Returns the number of quantities that the air carries: density and temperature, plus fuel or water if the
+/// style has them.
 [[nodiscard]] uint32_t smoke_channels(const smoke::SmokeStyle& style);
 
-/// Least number of steps per second: 24, or more so that the wind crosses at most half the rim at the open
-/// faces in one step; at most 480.
+/// Returns the least number of simulation steps per second for smoke: 24, or more so that the wind crosses at
+/// most half the zone at the open faces in one step; at most 480.
 [[nodiscard]] double steps_per_s(const smoke::Box& box, const smoke::SmokeStyle& style);
 
-/// The grid of a box; all its faces are open.
+/// Returns the simulation grid of a smoke box; all its faces are open.
 [[nodiscard]] fluid::Grid grid_of(const smoke::Box& box);
 
-/// The fluid's settings for steps of `step_s`.
+/// Returns the fluid simulation's settings for steps of `step_s`.
 [[nodiscard]] fluid::FluidStyle solving(const smoke::Box& box, const smoke::SmokeStyle& style, double step_s);
 
 [[nodiscard]] fluid::Source source_of(const smoke::Box& box, const smoke::SmokeStyle& style);
 
-/// Initial velocity: wind with slight turbulence. Without turbulence smoke would rise in a straight column.
+/// Returns the air's initial velocity: wind with slight turbulence. Without turbulence smoke would rise in a
+/// straight column.
 [[nodiscard]] std::vector<float> stirred_air(const smoke::Box& box, const smoke::SmokeStyle& style);
 
-/// Initial quantities of the air for fluid::Fluid: the outside air's vapour, limited by saturation. Empty if
-/// the air is dry.
+/// Returns the air's initial quantities for fluid::Fluid: the outside air's vapour, limited by saturation.
+/// Empty if the air is dry.
 [[nodiscard]] std::vector<float> clean_air(const smoke::Box& box, const smoke::SmokeStyle& style);
 
-/// One flag per cell of the box, row by row and layer by layer: 1 if a triangle of a rigid mesh touches the
-/// cell in this pose. Source: Akenine-Moeller, "Fast 3D Triangle-Box Overlap Testing", 2001. Cost: linear in
-/// triangles, and in the cells around each.
+/// Finds the cells of a smoke box that solid objects occupy. One flag per cell, row by row and layer by
+/// layer: 1 if a triangle of a rigid mesh touches the cell in this pose. Source: Akenine-Moeller, "Fast 3D
+/// Triangle-Box Overlap Testing", 2001. Cost: linear in triangles, and in the cells around each.
 [[nodiscard]] std::vector<uint8_t> standing_cells(const Scene& scene, const ScenePose& pose,
                                                   const glm::dvec3& anchor, const smoke::Box& box);
 

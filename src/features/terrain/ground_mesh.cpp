@@ -10,7 +10,7 @@ namespace estampe::features {
 
 namespace {
 
-/// The node of the object that the terrain displaces; the end of the nodes if there is none.
+/// Returns the node of the object that the terrain displaces; the end of the nodes if there is none.
 auto raised_node(const Scene& scene)
 {
     return std::ranges::find_if(scene.nodes, [&](const Node& candidate) {
@@ -18,7 +18,7 @@ auto raised_node(const Scene& scene)
     });
 }
 
-/// Bounds of a scene that has only a terrain.
+/// Returns the bounds of a scene that has only a terrain.
 Bounds near_origin(const Terrain& terrain)
 {
     const double height_m = terrain.sample(0.0, 0.0).height_m;

@@ -6,24 +6,27 @@
 
 namespace estampe::features {
 
-/// Returns the scene with a node and a material "terrain" appended to its lists. The terrain is drawn as
-/// this node.
+/// Returns the scene with a node and a material "terrain" appended to its lists. The terrain is drawn as this
+/// node.
 [[nodiscard]] Scene with_terrain_node(const Scene& scene);
 
-/// The object that the terrain displaces, in the rest pose; empty if the terrain uses another mesh method.
-/// Throws Error if the scene has no such object.
+/// Returns the triangles of the object that the terrain displaces, in the rest pose; empty if the terrain
+/// uses another mesh method. Throws Error if the scene has no such object.
 [[nodiscard]] terrain::ObjectTriangles raised_object(const Scene& scene);
 
-/// The terrain's mesh before the first view has placed it. `scene` must come from with_terrain_node().
+/// Returns the terrain's mesh before the first view has placed it. `scene` must come from
+/// with_terrain_node().
 [[nodiscard]] pose::ForeignMesh ground_mesh(const Scene& scene);
 
-/// The consequences of replacing the terrain of a scene by another one.
+/// The consequences of replacing the terrain of a scene by another terrain.
 struct TerrainChange {
-    bool is_cut_otherwise = false; ///< the layout must be built again, since triangles or anchor differ
-    Bounds bounds;                 ///< bounds of the scene with the other terrain
+    /// The layout of the scene must be built again, since triangles or anchor differ.
+    bool is_cut_otherwise = false;
+    Bounds bounds; ///< Bounds of the scene with the new terrain
 };
 
-/// Compares two terrains; `layout` is of the scene with `own`. Cost: two samples.
+/// Compares two terrains to find what a replacement changes; `layout` is of the scene with `own`. Cost: two
+/// samples.
 [[nodiscard]] TerrainChange change_of(const pose::MeshData& layout, const Terrain& own, const Terrain& other);
 
 } // namespace estampe::features
