@@ -73,7 +73,8 @@ void BakeOptions::add_to(CLI::App& app)
         ->required()
         ->type_name("FILE");
     input_.add_to(command);
-    world_.add_to(command, WorldOptions::Seed::is_left_out); // --seed is the seed of the noise
+    // --seed is left out of the world's options, because it is the seed of the bake's noise
+    world_.add_to(command, WorldOptions::Seed::is_left_out);
     command.add_option("-o,--output", output_, "Output file, NAME.exr, an OpenEXR lightmap")
         ->required()
         ->type_name("FILE");
@@ -160,7 +161,7 @@ BakeCommand BakeOptions::read() const
 
 namespace {
 
-/// Bakes until the map is complete; returns false when a signal came first. `partial` then holds the
+/// Bakes until the map is complete. Returns false when a signal came first; then the file `partial` holds the
 /// progress.
 bool work_through(LightmapBake& bake, const std::filesystem::path& partial)
 {

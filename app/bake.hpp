@@ -14,14 +14,14 @@ class App;
 
 namespace estampe::app {
 
-/// The options of `estampe bake` as typed.
+/// The options of `estampe bake` as the user typed them.
 class BakeOptions {
 public:
-    /// Adds the command to `app`; this object must outlive the parsing.
+    /// Adds the command `bake` to `app`; this object must outlive the parsing.
     void add_to(CLI::App& app);
 
-    /// Checks and returns the options. Throws UsageError for invalid options, Error for a style that cannot
-    /// be read.
+    /// Checks the typed options and returns them as a command. Throws UsageError for invalid options, Error
+    /// for a style that cannot be read.
     [[nodiscard]] BakeCommand read() const;
 
 private:

@@ -129,7 +129,8 @@ namespace {
 using style::WordEntry;
 using style::WordTable;
 
-/// Options of `estampe render`, and its scene. Options for measuring and for the device are left out.
+/// Keys that a batch job may have: the options of `estampe render`, and its scene. Options for measuring and
+/// for the device are left out.
 const std::vector<std::string>& job_keys()
 {
     static const std::vector<std::string> keys{
@@ -170,7 +171,7 @@ void check_entry(const WordEntry& entry)
     }
 }
 
-/// A job's own keys, and the keys of [defaults] that the job does not set.
+/// The keys of one batch job: its own, and the keys of [defaults] that the job does not set.
 using Entries = std::map<std::string, WordEntry>;
 
 Entries with_defaults(const WordTable& job, const Entries& defaults)
@@ -180,7 +181,7 @@ Entries with_defaults(const WordTable& job, const Entries& defaults)
         check_entry(entry);
         entries.insert_or_assign(entry.key, entry);
     }
-    // A page of the job replaces a size of [defaults], and a size replaces a page. A camera and a view also
+    // A page of the job replaces a size in [defaults], and a size replaces a page. A camera and a view also
     // replace each other.
     const bool has_camera = entries.contains("camera");
     const bool has_view = entries.contains("view");
@@ -205,11 +206,12 @@ const WordEntry& required(const Entries& entries, const char* key, const std::st
     return found->second;
 }
 
-/// Replaces a word in a file name, because paths and placements cannot be part of a file name.
+/// Replaces a word that would become a part of an output's file name, because paths and camera placements
+/// cannot be part of a file name.
 std::string name_part(const WordEntry& entry, size_t index)
 {
     const std::string& word = entry.words[index];
-    if (word.find('=') != std::string::npos) { // a placement
+    if (word.find('=') != std::string::npos) { // The word is a camera placement
         return std::to_string(index + 1);
     }
     std::vector<std::string> stems;
@@ -219,7 +221,7 @@ std::string name_part(const WordEntry& entry, size_t index)
     return fmt::format("{}", fmt::join(stems, "+"));
 }
 
-/// Throws Error if one table expands into more jobs than is reasonable.
+/// Checks the number of jobs. Throws Error if one table expands into more jobs than is reasonable.
 void check_job_count(const std::vector<const WordEntry*>& varied, const std::string& where)
 {
     constexpr size_t most = 1'000'000;
@@ -233,7 +235,7 @@ void check_job_count(const std::vector<const WordEntry*>& varied, const std::str
     }
 }
 
-/// Appends all jobs that one table expands into. The last of the varied keys changes fastest.
+/// Appends all jobs that one table expands into. The last of the keys with several values changes fastest.
 void append_jobs(const WordTable& table, const Entries& entries, std::vector<BatchJob>& jobs)
 {
     const WordEntry& scene = required(entries, "scene", table.where);
@@ -341,8 +343,8 @@ std::vector<BatchJob> read_jobs(const std::string& file)
 
 namespace {
 
-/// The jobs of one of `shards` parts, counted from 1. Parts are consecutive runs of jobs; their lengths
-/// differ by one at most.
+/// Returns the jobs of one of `shards` parts; the part's number counts from 1. Parts are consecutive runs of
+/// jobs; their lengths differ by one at most.
 std::vector<BatchJob> shard_of(const std::vector<BatchJob>& jobs, uint32_t shard, uint32_t shards)
 {
     const auto bound = [&](uint64_t i) { return static_cast<std::ptrdiff_t>(i * jobs.size() / shards); };
@@ -376,7 +378,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Result of a job.
+/// Result of one batch job.
 struct JobResult {
     enum class Status : uint8_t { not_begun, done, failed };
     Status status = Status::not_begun;
@@ -407,8 +409,8 @@ Json job_json(const BatchJob& job, const JobResult& result)
     return json;
 }
 
-/// Writes one result per job to the command's report. The report is replaced completely or not at all. Throws
-/// Error when it cannot be written.
+/// Writes one result per job to the batch's report file. The report is replaced completely or not at all.
+/// Throws Error when it cannot be written.
 void write_report(const BatchCommand& command, const std::string& device, const std::vector<BatchJob>& jobs,
                   const std::vector<JobResult>& results)
 {
@@ -426,17 +428,18 @@ void write_report(const BatchCommand& command, const std::string& device, const 
     for (size_t i = 0; i < jobs.size(); ++i) {
         json["jobs"].push_back(job_json(jobs[i], results[i]));
     }
-    // Names come from files and may hold bytes that are not UTF-8.
+    // Names in the report come from files and may hold bytes that are not UTF-8.
     const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     write_file_atomically(command.report, std::as_bytes(std::span(text)));
 }
 
-/// The scene of the renderer, kept for the following jobs.
+/// Keeps the scene of the renderer for the following jobs.
 class SceneKeeper {
 public:
     explicit SceneKeeper(Renderer& renderer) : renderer_(renderer) {}
 
-    /// The scene and the lightmap of these options. Throws Error when either cannot be read.
+    /// Returns the scene of these options, and sets the renderer's scene and lightmap if they differ from the
+    /// last job's. Throws Error when either cannot be read.
     [[nodiscard]] const Scene& ensure(const DrawOptions& draw)
     {
         if (is_there_ && load_the_same(draw, loaded_) && draw.lightmap == loaded_.lightmap) {
@@ -457,7 +460,7 @@ public:
 private:
     Renderer& renderer_;
     Scene scene_;
-    DrawOptions loaded_; ///< options with which `scene_` was read
+    DrawOptions loaded_; ///< Options with which `scene_` was read
     bool is_there_ = false;
 };
 
@@ -485,7 +488,7 @@ JobResult draw_job(Renderer& renderer, SceneKeeper& scenes, const BatchJob& job,
     return result;
 }
 
-/// Throws Error if jobs failed or were not begun.
+/// Ends the batch. Throws Error if jobs failed or were not begun.
 void conclude(const BatchCommand& command, const std::vector<JobResult>& results)
 {
     const auto count = [&](JobResult::Status status) {
@@ -512,7 +515,7 @@ void run(const BatchCommand& command)
     Renderer renderer(command.device);
     SceneKeeper scenes(renderer);
     Progress progress("batch", 0.0);
-    // Written after each job, so that the report exists even if the program is ended.
+    // The report is written after each job, so that it exists even if the program is ended.
     const auto report = [&] { write_report(command, renderer.device().name, jobs, results); };
     report();
     for (size_t i = 0; i < jobs.size() && !was_told_to_stop(); ++i) {

@@ -11,13 +11,13 @@
 
 namespace estampe::app {
 
-/// The options of `estampe batch` as typed.
+/// The options of `estampe batch` as the user typed them.
 class BatchOptions {
 public:
-    /// Adds the command to `app`; this object must outlive the parsing.
+    /// Adds the command `batch` to `app`; this object must outlive the parsing.
     void add_to(CLI::App& app);
 
-    /// Checks and returns the options. Throws UsageError for invalid options.
+    /// Checks the typed options and returns them as a command. Throws UsageError for invalid options.
     [[nodiscard]] BatchCommand read() const;
 
 private:
@@ -28,20 +28,21 @@ private:
     std::string raster_ = "auto";
 };
 
-/// One picture or film of a batch, as it would be typed on the command line.
+/// One picture or film of a batch, in the form of a command line.
 struct BatchJob {
-    uint32_t number = 1; ///< number among all jobs of the file
-    std::string where;   ///< file:line:column of the job
+    uint32_t number = 1; ///< Number of the job among all jobs of the file
+    std::string where;   ///< Place of the job in its file, as file:line:column
     std::string scene;
     std::string output;
-    std::vector<std::string> arguments; ///< arguments of `estampe render`
+    std::vector<std::string> arguments; ///< Arguments of `estampe render` for this job
 };
 
 /// Reads a job file and combines every scene, camera and style in its lists. Throws Error for an invalid job,
 /// with its file, line and column, and for two jobs with one output.
 [[nodiscard]] std::vector<BatchJob> read_jobs(const std::string& file);
 
-/// The command of a job. Throws Error for invalid options and for a style that cannot be read.
+/// Returns the render command of a batch job. Throws Error for invalid options and for a style that cannot be
+/// read.
 [[nodiscard]] RenderCommand command_of(const BatchJob& job, const RendererOptions& device);
 
 } // namespace estampe::app

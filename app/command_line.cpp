@@ -24,7 +24,7 @@
 namespace estampe::app {
 namespace {
 
-/// A page has one height.
+/// Checks that no assignment sets the page's height when an option sets it already.
 void check_page_is_free(const std::vector<std::string>& assignments)
 {
     for (const std::string& assignment : assignments) {
@@ -62,7 +62,7 @@ DrawOptions read_draw_options(const TypedOptions& typed)
     draw.device.device = typed.device;
     draw.device.raster = parse_raster_path(typed.raster);
     draw.is_draft = typed.draft;
-    if (typed.draft) { // explicit options override a draft
+    if (typed.draft) { // Options that the user typed override those of --draft
         draw.assignments.assign(draft_assignments.begin(), draft_assignments.end());
     }
     typed.transparent.assign(draw.assignments);
@@ -93,7 +93,7 @@ CameraChoice read_camera(const TypedOptions& typed, bool has_camera)
     return choice;
 }
 
-/// Some options apply only to strokes, others only to pictures.
+/// Checks the output format: some options apply only to strokes (.svg), others only to pictures.
 void check_strokes(const TypedOptions& typed, const PictureChoice& picture)
 {
     const bool is_strokes = picture.format == PictureFormat::svg;
@@ -115,7 +115,7 @@ void check_strokes(const TypedOptions& typed, const PictureChoice& picture)
     }
 }
 
-/// Reads --motion and --since.
+/// Reads the options --motion and --since.
 void read_motion(const TypedOptions& typed, RenderCommand& render)
 {
     constexpr double step_s = 1.0 / 30.0;
@@ -133,7 +133,7 @@ void read_motion(const TypedOptions& typed, RenderCommand& render)
     }
 }
 
-/// Some options apply only to single pictures.
+/// Checks the options of a film: some options apply only to single pictures.
 void check_film(const TypedOptions& typed, const RenderCommand& command)
 {
     if (command.film && command.film->flies) {
@@ -266,8 +266,8 @@ Command to_command(const CLI::App& app, const TypedOptions& typed)
     return GraphCommand{std::move(draw)};
 }
 
-/// The value of --help-style, if the option is typed. It needs neither a scene nor an output, so it is read
-/// before other parts of the command line, which may be wrong.
+/// Returns the value of --help-style, if the option is typed. --help-style needs neither a scene nor an
+/// output, so it is read before other parts of the command line, which may be wrong.
 std::optional<StyleManualCommand> style_manual_of(std::span<const char* const> words)
 {
     constexpr std::string_view option = "--help-style";
@@ -284,14 +284,14 @@ std::optional<StyleManualCommand> style_manual_of(std::span<const char* const> w
     return std::nullopt;
 }
 
-/// Advice for a command line that cannot be parsed.
+/// Returns advice for a command line that cannot be parsed.
 std::string remedy_of(const CLI::ParseError& problem, const CLI::App& app, std::span<const char* const> words)
 {
     if (app.get_subcommands().empty()) {
         return "see estampe --help";
     }
     const CLI::App& command = *app.get_subcommands().front();
-    for (size_t i = 2; i < words.size(); ++i) { // --set a=1 b=2
+    for (size_t i = 2; i < words.size(); ++i) { // Several assignments after one --set: "--set a=1 b=2"
         const std::string_view option = words[i - 2];
         const std::string_view word = words[i];
         if ((option == "--set" || option == "--world") && !word.starts_with('-') &&

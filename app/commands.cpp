@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The short commands: devices, info, styles, graph, tam, view.
+// Runs the short commands: devices, info, styles, graph, tam, view.
 #include "commands.hpp"
 
 #include <cstdio>
@@ -151,7 +151,7 @@ void run(const TamCommand& command)
     }
     AtomicFile preview = AtomicFile::file(command.preview, encode_png(map_sheet(map, command.style)));
     save_tonal_art_map(map, command.output);
-    preview.publish(); // both files are written, or none
+    preview.publish(); // Publishes both files, or none
 }
 
 void run(const ViewCommand& command)
@@ -163,7 +163,7 @@ void run(const ViewCommand& command)
     viewer::Viewer viewer(command);
     viewer.run();
     if (viewer.is_reading()) {
-        // A thread may still read a large file whose scene is not needed. The thread ends with the program.
+        // A thread may still read a large file whose scene is not needed. That thread ends with the program.
         std::fflush(nullptr);
         remove_piped_scenes();
         std::_Exit(0);

@@ -21,11 +21,11 @@ namespace estampe::app {
 namespace {
 
 constexpr uint32_t gap_px = 16;
-constexpr uint32_t letter_px = 13; // Dear ImGui's own font is designed for this height
+constexpr uint32_t letter_px = 13; // Height of the letters in Dear ImGui's own font
 constexpr uint32_t letter_scale = 2;
 constexpr uint32_t name_px = letter_px * letter_scale + gap_px / 2;
 
-/// The letters of Dear ImGui's own font as coverage, so that no font file has to be found.
+/// The letters of Dear ImGui's own font as coverage of pixels, so that no font file has to be found.
 class Letters {
 public:
     Letters()
@@ -35,13 +35,13 @@ public:
         atlas_.GetTexDataAsAlpha8(&coverage_, &width_, &height_);
     }
 
-    /// Draws `text` in black, its upper left corner at a pixel of the sheet.
+    /// Draws `text` in black; the text's upper left corner is at a pixel of the sheet.
     void draw(Image& sheet, const std::string& text, uint32_t left_px, uint32_t top_px) const
     {
         float pen = 0.0F;
         for (const char letter : text) {
             if (static_cast<unsigned char>(letter) > '~') {
-                continue; // a byte of a character outside ASCII
+                continue; // Skips the bytes of a character outside ASCII
             }
             const ImFontGlyph* glyph = font_->FindGlyphNoFallback(static_cast<ImWchar>(letter));
             if (glyph == nullptr) {
@@ -79,7 +79,7 @@ private:
     int height_ = 0;
 };
 
-/// Round, flat and thin objects on a ground, for a user who gives no scene.
+/// Makes a small scene of round, flat and thin objects on a ground, for a user who gives no scene.
 Scene still_life()
 {
     Scene scene;

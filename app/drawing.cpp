@@ -85,7 +85,7 @@ Index choose_animation(const DrawOptions& draw, const Scene& scene)
         names.push_back(in_quotes(animation.name));
     }
     if (draw.animation == all_animations && !names.empty()) {
-        return 0; // the only animation
+        return 0; // The scene has only this animation
     }
     if (const auto index = number_from<Index>(draw.animation); index && *index < names.size()) {
         return *index;
@@ -122,7 +122,7 @@ Index first_placed_camera(const Scene& scene)
     return first;
 }
 
-/// Direction of the sun over ground without objects.
+/// Direction towards the sun over a terrain without objects.
 glm::dvec3 towards_sun(const SunBearing& sun, const Terrain& terrain)
 {
     SunPlace place{sun.azimuth_deg, sun.elevation_deg};
@@ -135,7 +135,7 @@ glm::dvec3 towards_sun(const SunBearing& sun, const Terrain& terrain)
     return {level * std::sin(azimuth_rad), std::sin(elevation_rad), level * std::cos(azimuth_rad)};
 }
 
-/// Lifts the whole scene by adding a root node.
+/// Lifts the whole scene by adding a root node above all others.
 void lift(Scene& scene, double height_m)
 {
     const auto lifted = static_cast<Index>(scene.nodes.size());
@@ -148,7 +148,8 @@ void lift(Scene& scene, double height_m)
     scene.roots = {lifted};
 }
 
-/// Throws Error for a variant of a world or terrain, because only scene files have material variants.
+/// Checks that no variant is chosen for a world or terrain, because only scene files have material variants.
+/// Throws Error otherwise.
 void refuse_variant(const DrawOptions& draw)
 {
     if (!draw.load.variant.empty()) {
@@ -158,7 +159,8 @@ void refuse_variant(const DrawOptions& draw)
     }
 }
 
-/// Throws Error for a name that is neither a file nor a world, and that does not look like a file name.
+/// Checks the name of a scene. Throws Error for a name that is neither a file nor a world, and that does not
+/// look like a file name.
 void check_is_known(const std::string& scene)
 {
     std::error_code problem;
@@ -171,7 +173,7 @@ void check_is_known(const std::string& scene)
                 meant.empty() ? known_worlds() : fmt::format("did you mean the world {}?", meant));
 }
 
-/// Loads the scene from its file or pipe; messages name it as the user typed it.
+/// Loads the scene from its file or pipe; messages use the name that the user typed.
 Scene load_file_of(const DrawOptions& draw)
 {
     if (!is_piped(draw.scene)) {
@@ -194,7 +196,7 @@ Scene load_file_of(const DrawOptions& draw)
     }
 }
 
-/// The view direction that an automatic camera has chosen.
+/// Returns the view direction that an automatic camera has chosen.
 ViewDirection direction_of_camera(const Camera& camera)
 {
     const glm::dvec3 back = glm::normalize(camera.eye - camera.target);
@@ -295,7 +297,7 @@ RenderSettings settings_of(const DrawOptions& draw, Index animation)
 
 void set_scene(Renderer& renderer, const Scene& scene, const DrawOptions& draw)
 {
-    // A lightmap on the command line replaces the lightmaps that the file names.
+    // A lightmap on the command line replaces the lightmaps that the scene's file names.
     const std::optional<Lightmap> lightmap = draw.lightmap.empty()
                                                  ? named_lightmap(scene_file(draw.scene, draw.input_format))
                                                  : load_lightmap(draw.lightmap);

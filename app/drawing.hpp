@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The first steps of every command that draws: loads the scene, chooses animation and camera, and checks that
-// something is in view.
+// The first steps of every command that draws: these functions load the scene, choose animation and camera,
+// and check that something is in view.
 
 #include <span>
 #include <string>
@@ -13,34 +13,35 @@
 
 namespace estampe::app {
 
-/// Loads the scene that `draw` names and puts it on its terrain if `draw` names one. A terrain file alone
-/// becomes a scene with only a terrain. Throws Error as load_scene() and load_terrain() do.
+/// Loads the scene that `draw` names, and puts the scene on a terrain if `draw` names one. A terrain file
+/// alone becomes a scene with only a terrain. Throws Error as load_scene() and load_terrain() do.
 [[nodiscard]] Scene load_scene_of(const DrawOptions& draw);
 
-/// Whether load_scene_of() returns equal scenes for `a` and `b`.
+/// Returns whether load_scene_of() returns equal scenes for `a` and `b`.
 [[nodiscard]] bool load_the_same(const DrawOptions& a, const DrawOptions& b);
 
 /// Appends an animation named "all" that plays all animations of the scene together. Its duration is that of
-/// the longest animation; shorter ones hold their last key. If several animate one property of one node, the
-/// first is used and a warning says so. Returns whether there was no such conflict. Does nothing for a scene
-/// with fewer than two animations, or with one named "all".
+/// the longest animation; shorter animations hold their last key. If several animations change one property
+/// of one node, the first is used and a warning says so. Returns whether there was no such conflict. Does
+/// nothing for a scene with fewer than two animations, or with an animation named "all".
 bool add_all_animations(Scene& scene);
 
-/// The animation that `draw` selects. Throws Error that lists the file's animations if none has this name.
+/// Returns the animation that `draw` selects. Throws Error that lists the file's animations if none has this
+/// name.
 [[nodiscard]] Index choose_animation(const DrawOptions& draw, const Scene& scene);
 
-/// A line that names the animation that is played and the others. Empty unless the scene has several and
-/// `draw` chose none.
+/// Returns a line of text that names the animation that is played, and the other animations. Empty unless the
+/// scene has several and `draw` chose none.
 [[nodiscard]] std::string note_of_animations(const DrawOptions& draw, const Scene& scene);
 
-/// The camera that `draw` selects, at the time of `draw`. Throws Error that lists the file's cameras if none
-/// has this name.
+/// Returns the camera that `draw` selects, at the time of `draw`. Throws Error that lists the file's cameras
+/// if none has this name.
 [[nodiscard]] Camera choose_camera(const DrawOptions& draw, const Scene& scene, Index animation);
 
-/// Whether `draw` selects one of the scene's own cameras, which may move.
+/// Returns whether `draw` selects one of the scene's own cameras, which may move.
 [[nodiscard]] bool has_camera_of_file(const DrawOptions& draw, const Scene& scene);
 
-/// Render settings of a picture: size, samples and time.
+/// Returns the render settings of a picture: size, samples and time.
 [[nodiscard]] RenderSettings settings_of(const DrawOptions& draw, Index animation);
 
 /// Sets the renderer's scene and its lightmaps: the lightmap that `draw` names, or otherwise the lightmaps

@@ -34,8 +34,8 @@
 namespace estampe::app {
 namespace {
 
-constexpr int moment_count = 13; // times at which moving parts are sampled
-constexpr int side_count = 12;   // directions from which a turntable is checked
+constexpr int moment_count = 13; // Number of times at which moving parts are sampled
+constexpr int side_count = 12;   // Number of directions from which the view of a turntable is checked
 
 Camera turned(const Camera& camera, double turn)
 {
@@ -47,7 +47,7 @@ Camera turned(const Camera& camera, double turn)
     return other;
 }
 
-/// Largest distance of the box from the middle of the page, relative to half the page's height or width.
+/// Returns how far the box reaches from the middle of the page, relative to half the page's height or width.
 double reach(const Camera& camera, const Bounds& box, double aspect)
 {
     const std::optional<double>& half_height_m = camera.orthographic_half_height_m;
@@ -92,18 +92,18 @@ Camera far_enough(const Camera& camera, const std::vector<Bounds>& boxes, int si
     return away;
 }
 
-/// The camera of a film. A view of the whole scene does not move; it is far enough away for everything that
-/// moves later. A camera of the file moves as in the file. On a turntable either camera turns once around its
-/// target. A world's own film has its own camera path.
+/// The camera of a film. A camera that shows the whole scene does not move; it is far enough away for
+/// everything that moves later. A camera of the file moves as in the file. On a turntable either camera turns
+/// once around its target. A world's own film has its own camera path.
 class FilmCamera {
 public:
-    /// For frames from `begin_s` to `end_s`; follows `path` unless it is null. Throws Error as
-    /// choose_camera() does. Cost for a view of the whole scene: framing_camera(), and scene_bounds() at some
-    /// moments.
+    /// Chooses the camera for the frames from `begin_s` to `end_s`; the camera follows `path` unless `path`
+    /// is null. Throws Error as choose_camera() does. Cost for a view of the whole scene: framing_camera(),
+    /// and scene_bounds() at some times.
     FilmCamera(const DrawOptions& draw, const Scene& scene, Index animation, double begin_s, double end_s,
                bool turntable, std::shared_ptr<const worlds::CameraPath> path = nullptr);
 
-    /// The camera at a time; `turn` is the position on a turntable, 0 to 1.
+    /// Returns the film's camera at a time; `turn` is the position on a turntable, 0 to 1.
     [[nodiscard]] Camera at(double time_s, double turn) const;
 
 private:
@@ -111,7 +111,8 @@ private:
     const Scene& scene_;
     Index animation_;
     std::shared_ptr<const worlds::CameraPath> path_;
-    std::optional<Camera> still_; ///< nothing for a camera of the file, which may move
+    /// Camera that does not move; nothing for a camera of the file, which may move.
+    std::optional<Camera> still_;
 };
 
 FilmCamera::FilmCamera(const DrawOptions& draw, const Scene& scene, Index animation, double begin_s,
@@ -156,14 +157,14 @@ Camera FilmCamera::at(double time_s, double turn) const
     return turned(choose_camera(now, scene_, animation_), turn);
 }
 
-/// Playing time of an animation, from the start of the file's time range.
+/// Playing time of an animation in seconds, from the start of the file's time range.
 double playing_s(const Animation& animation)
 {
     const double left_s = static_cast<double>(animation.duration_s) - static_cast<double>(animation.start_s);
     return left_s > 0.0 ? left_s : animation.duration_s;
 }
 
-/// Sets the start of the film: without --time it is the start of the file's time range.
+/// Sets the start of the film: without --time the film begins at the start of the file's time range.
 RenderCommand with_begin(RenderCommand command, const Scene& scene, Index animation)
 {
     if (!command.draw.has_time && animation < scene.animations.size()) {
@@ -172,7 +173,7 @@ RenderCommand with_begin(RenderCommand command, const Scene& scene, Index animat
     return command;
 }
 
-/// Duration of a film that shows all movement. Throws Error if nothing moves.
+/// Returns the duration of a film that shows all movement. Throws Error if nothing moves.
 double moving_s(const DrawOptions& draw, bool is_own_film, const Scene& scene, Index animation)
 {
     if (const worlds::Description* const world = world_of(draw.scene)) {
@@ -188,10 +189,11 @@ double moving_s(const DrawOptions& draw, bool is_own_film, const Scene& scene, I
     return playing_s(scene.animations.at(animation));
 }
 
-/// The film's settings, with the last frame and the file's frame rate filled in.
+/// Returns the film's settings, with the last frame and the file's frame rate filled in.
 FilmChoice with_end(FilmChoice film, const DrawOptions& draw, const Scene& scene, Index animation)
 {
-    constexpr double least_rate = 1.0; // outside of this range the file's rate is ignored
+    // Lowest frame rate of a file that is used; a file's rate outside the range is ignored
+    constexpr double least_rate = 1.0;
     constexpr double most_rate = 240.0;
     constexpr double turn_s = 5.0;
     if (!film.has_rate && scene.frames_per_s && *scene.frames_per_s >= least_rate &&
@@ -206,7 +208,7 @@ FilmChoice with_end(FilmChoice film, const DrawOptions& draw, const Scene& scene
     return film;
 }
 
-/// Hash of everything that the frames depend on.
+/// Returns a hash of everything that the film's frames depend on.
 uint64_t fingerprint(const DrawOptions& draw, const FilmChoice& film, const Scene& scene,
                      const Renderer& renderer)
 {
@@ -255,8 +257,8 @@ uint64_t fingerprint(const DrawOptions& draw, const FilmChoice& film, const Scen
     hash.add(draw.load.up.value_or(UpAxis::y));
     hash.add(film.first);
     hash.add(film.frames_per_s);
-    // The last frame determines how far each frame of a turn goes, and what a view of all movement must
-    // contain.
+    // The last frame belongs to the hash: it determines how far each frame of a turntable turns, and what a
+    // view of all movement must contain.
     hash.add(film.last);
     hash.add(film.turntable);
     hash.add(film.flies);
@@ -284,7 +286,8 @@ public:
         warn_if_empty(scene);
     }
 
-    /// The next frame after an earlier run; adds that run's frames to the film file.
+    /// Returns the number of the next frame after an earlier run, and adds the frames of that run to the film
+    /// file.
     [[nodiscard]] uint32_t recall()
     {
         const std::optional<FilmState> state = film_.resume ? frames_.state(film_.first) : std::nullopt;
@@ -308,8 +311,8 @@ public:
         return next;
     }
 
-    /// Draws all frames from `next` on, or until a signal arrives. Returns the frame after the last one
-    /// drawn.
+    /// Draws all frames from `next` on, or until a signal arrives. Returns the number after that of the last
+    /// frame drawn.
     [[nodiscard]] uint32_t draw_from(uint32_t next)
     {
         constexpr double keep_s = 5.0;
@@ -339,7 +342,7 @@ public:
         return next;
     }
 
-    /// Finishes the film; after a stop, it ends with the last frame drawn.
+    /// Finishes the film's file; if drawing was stopped, the film ends with the last frame drawn.
     void finish(bool is_whole)
     {
         if (writer_) {
@@ -366,7 +369,8 @@ private:
         }
     }
 
-    /// Whether a frame times its passes; the other frames measure the time of a whole frame.
+    /// Returns whether a frame measures the time of each pass; the other frames measure the time of a whole
+    /// frame.
     [[nodiscard]] bool times_passes(uint32_t number) const
     {
         constexpr uint32_t every = 4;
@@ -392,14 +396,14 @@ private:
         return draw_.time_s + (number - 1) / film_.frames_per_s;
     }
 
-    /// Turntable position of a frame, or of a time between two frames.
+    /// Returns the position on a turntable of a frame, or of a time between two frames.
     [[nodiscard]] double turn_at(double number) const
     {
         return film_.turntable ? (number - film_.first) / (film_.last + 1 - film_.first) : 0.0;
     }
 
-    /// The time half an exposure before a frame. For the first frame it is half an exposure after the frame,
-    /// because an animation loops to its end before its start.
+    /// Returns the time half an exposure before a frame. For the first frame it is half an exposure after the
+    /// frame, because an animation loops to its end before its start.
     [[nodiscard]] std::optional<Moment> exposure_end(uint32_t number,
                                                      const motion_blur::MotionBlurStyle& style) const
     {
@@ -434,7 +438,8 @@ private:
     Index animation_;
     Renderer& renderer_;
     WorldAnimator animator_;
-    std::shared_ptr<const worlds::CameraPath> path_; ///< path of the world's own film; null for other films
+    /// Camera path of the world's own film; null for other films.
+    std::shared_ptr<const worlds::CameraPath> path_;
     FilmCamera camera_;
     FilmFrames frames_;
     std::optional<FilmWriter> writer_;

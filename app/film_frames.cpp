@@ -31,7 +31,7 @@ std::string numbered(const std::string& pattern, uint32_t number)
     return field.prefix().str() + digits + field.suffix().str();
 }
 
-/// Header of the state file.
+/// Header of the file with a film's state.
 struct StateHead {
     std::array<char, 8> signature{'e', 's', 't', 'f', 'i', 'l', 'm', '1'};
     uint64_t job = 0;
@@ -133,7 +133,7 @@ void FilmFrames::forget() const
 void FilmFrames::finish() const
 {
     forget();
-    std::error_code problem; // files that others put there stay
+    std::error_code problem; // The folder stays if it holds files that others put there
     if (is_of_film_) {
         std::filesystem::remove(folder_, problem);
     }

@@ -18,34 +18,34 @@
 
 namespace estampe::app {
 
-/// Whether a file name contains one number field, such as "%d" or "%04d".
+/// Returns whether a file name contains one number field, such as "%d" or "%04d".
 [[nodiscard]] bool is_numbered(const std::string& name);
 
-/// Progress of a film that was stopped.
+/// State of a film that was stopped, from which it can be continued.
 struct FilmState {
-    uint32_t next = 1;             ///< the next frame to draw
-    std::vector<std::byte> memory; ///< Renderer::film_memory() of the frame before
+    uint32_t next = 1;             ///< Number of the next frame to draw
+    std::vector<std::byte> memory; ///< Result of Renderer::film_memory() after the previous frame
 };
 
 /// The frames of a film as files. Numbered pictures stay; frames of a film file lie in FILM.partial/ until
 /// the film is complete. A file `film-state` in the same folder records the progress.
 class FilmFrames {
 public:
-    /// `output` is the pattern of the pictures or the film file. `job` is a fingerprint of everything that
-    /// the frames depend on.
+    /// Prepares the files of a film. `output` is the pattern of the pictures or the film file. `job` is a
+    /// fingerprint of everything that the frames depend on.
     FilmFrames(const std::string& output, uint64_t job);
 
-    /// Path of a frame.
+    /// Path of the file of a frame.
     [[nodiscard]] std::filesystem::path path_of(uint32_t number) const;
 
-    /// The state that an earlier run saved; nothing if there is none. Throws Error when the state belongs to
-    /// another job or is damaged, or when a frame from `first` on is missing.
+    /// Reads the film's state that an earlier run saved; nothing if there is none. Throws Error when the
+    /// state belongs to another job or is damaged, or when a frame from `first` on is missing.
     [[nodiscard]] std::optional<FilmState> state(uint32_t first) const;
 
-    /// Writes a frame. Throws Error on failure.
+    /// Writes a frame to its file. Throws Error on failure.
     void save(uint32_t number, const Image& image) const;
 
-    /// Records the progress; the files of all frames up to it must exist. Throws Error on failure.
+    /// Saves the film's state; the files of all frames up to this state must exist. Throws Error on failure.
     void save_state(const FilmState& state) const;
 
     /// Creates the folder of the frames. Call this before the first save(). Throws Error when the folder
@@ -55,8 +55,8 @@ public:
     /// Deletes the state of an earlier run, and its frames if they belong to a film file.
     void forget() const;
 
-    /// Call this when all frames are drawn and the film is written: as forget(), and also deletes the folder
-    /// of a film file's frames.
+    /// Deletes the film's state. Call this function when all frames are drawn and the film is written. Also
+    /// deletes the folder with a film file's frames.
     void finish() const;
 
 private:
@@ -66,18 +66,20 @@ private:
     uint64_t job_;
 };
 
-/// Writes frames in a separate thread while the next ones are drawn.
+/// Writes frames in a separate thread while the next frames are drawn.
 class FilmQueue {
 public:
     struct Frame {
         uint32_t number = 0;
         Image image;
-        std::optional<std::vector<std::byte>> memory; ///< state for resuming after this frame; may be absent
+        /// State of the film for resuming after this frame; may be absent.
+        std::optional<std::vector<std::byte>> memory;
     };
 
-    /// `frames`, and `film` if it is not null, must outlive this object.
+    /// Starts the thread that writes frames. `frames`, and `film` if it is not null, must outlive this
+    /// object.
     FilmQueue(const FilmFrames& frames, FilmWriter* film);
-    /// Discards frames that wait to be written.
+    /// Discards the frames that wait to be written.
     ~FilmQueue();
     FilmQueue(const FilmQueue&) = delete;
     FilmQueue& operator=(const FilmQueue&) = delete;
@@ -86,7 +88,7 @@ public:
     /// not be written.
     void push(Frame frame);
 
-    /// Waits until all frames are written. Throws as push() does.
+    /// Waits until all frames are written. Throws the Error of a frame that could not be written.
     void finish();
 
 private:

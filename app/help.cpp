@@ -78,7 +78,7 @@ std::string joined(const std::vector<std::string>& words)
     return fmt::format("{}", fmt::join(words, " "));
 }
 
-/// Keys of all style parameters, as "hatch.width_mm=".
+/// Returns the keys of all style parameters for completion, as "hatch.width_mm=".
 std::vector<std::string> style_keys()
 {
     std::vector<std::string> keys;
@@ -99,7 +99,7 @@ std::vector<std::string> style_sections()
     return names;
 }
 
-/// Keys of all worlds' options, as "seed=".
+/// Returns the keys of all worlds' options for completion, as "seed=".
 std::vector<std::string> world_keys()
 {
     std::set<std::string> keys;
@@ -111,7 +111,7 @@ std::vector<std::string> world_keys()
     return {keys.begin(), keys.end()};
 }
 
-/// File extensions in a description: "Scene: .gltf .glb" has "gltf" and "glb".
+/// Finds the file extensions in a description: "Scene: .gltf .glb" has "gltf" and "glb".
 std::vector<std::string> endings_in(const std::string& description)
 {
     std::vector<std::string> endings;
@@ -124,7 +124,8 @@ std::vector<std::string> endings_in(const std::string& description)
     return endings;
 }
 
-/// The bash function that completes a value of `option`; empty if the value cannot be completed.
+/// Returns the name of the bash function that completes a value of `option`; empty if the value cannot be
+/// completed.
 std::string completer(const CLI::Option& option)
 {
     const std::string type = option.get_type_name();
@@ -176,12 +177,12 @@ std::string completer(const CLI::Option& option)
     return {};
 }
 
-/// Parts of the completion script for one command and its subcommands.
+/// Parts of bash's completion script for one command and its subcommands.
 struct Tables {
-    std::string values;   ///< cases of the function _estampe_value
-    std::string commands; ///< cases of the subcommands
+    std::string values;   ///< Cases of the script's function _estampe_value
+    std::string commands; ///< Cases of the script for subcommands
     std::string options;
-    std::string taking; ///< cases of the options that take a value
+    std::string taking; ///< Cases of the script for options that take a value
 };
 
 void add_command(const CLI::App& command, const std::string& typed, Tables& tables)
@@ -262,7 +263,7 @@ std::string roff(std::string_view text)
     return escaped;
 }
 
-/// Heading of an option in roff: "-o, --output FILE", with names in bold and the value in italics.
+/// Writes the heading of an option in roff: "-o, --output FILE", with names in bold and the value in italics.
 std::string heading(const CLI::Option& option)
 {
     std::string names;
@@ -292,7 +293,7 @@ std::string entry(const CLI::Option& option)
     return text + "\n";
 }
 
-/// All commands with the words that run each.
+/// Lists all commands, each with the words that run it.
 std::vector<std::pair<std::string, const CLI::App*>> list_commands(const CLI::App& app)
 {
     std::vector<std::pair<std::string, const CLI::App*>> found;
@@ -302,7 +303,7 @@ std::vector<std::pair<std::string, const CLI::App*>> list_commands(const CLI::Ap
     return found;
 }
 
-/// Usage line of a command: "render [OPTION]... SCENE -o FILE".
+/// Returns the usage line of a command: "render [OPTION]... SCENE -o FILE".
 std::string usage(const std::string& typed, const CLI::App& command)
 {
     std::string line = fmt::format("\\fB{}\\fR [\\fIOPTION\\fR]...", roff(typed));
@@ -319,7 +320,7 @@ std::string usage(const std::string& typed, const CLI::App& command)
     return line;
 }
 
-/// The end of a command's help, without the line on exit status.
+/// Returns the end of a command's help, without the line on exit status.
 std::string examples_of(const CLI::App& command)
 {
     const std::string footer = command.get_footer();

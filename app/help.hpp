@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Texts about the program itself: examples for --help-all, the manual page, completion for bash.
+// Texts about the program itself: examples for --help-all, the manual page, and the completion script for
+// bash.
 
 #include <string>
 
@@ -11,7 +12,7 @@ class App;
 
 namespace estampe::app {
 
-// The end of each command's --help-all; the first example is also that of --help.
+// Examples at the end of each command's --help-all; the first example is also shown by --help.
 
 inline constexpr const char* examples = R"(Examples:
   estampe render helmet.gltf -o helmet.png --style pencil --size 1920x1080
@@ -36,7 +37,8 @@ inline constexpr const char* examples = R"(Examples:
   estampe bake room.glb -o room.exr
 )";
 
-/// Last line of --help-all of the program, of `render` and of `info`; manual_page() removes it.
+/// Text on the exit status: the last line of --help-all of the program, of `render` and of `info`;
+/// manual_page() removes it.
 inline constexpr const char* exit_status =
     "\nExit status: 0 done, 1 the job failed, 2 the command line is wrong.";
 
@@ -60,11 +62,11 @@ inline constexpr const char* view_examples = R"(Examples:
 
 Exit status: 0 done, 1 the job failed, 2 the command line is wrong.)";
 
-/// A bash script that completes commands, options, presets, parameters of the style, and files with the
-/// extensions that an option accepts.
+/// Returns a bash script that completes commands, options, presets, parameters of the style, and files with
+/// the extensions that an option accepts.
 [[nodiscard]] std::string bash_completion(const CLI::App& app);
 
-/// The manual page estampe(1) of the whole program: every command with its options, as in --help-all.
+/// Returns the manual page estampe(1) of the whole program: every command with its options, as in --help-all.
 [[nodiscard]] std::string manual_page(const CLI::App& app);
 
 } // namespace estampe::app

@@ -13,19 +13,20 @@ namespace estampe::app {
 namespace {
 
 constexpr size_t page_columns = 100;
-constexpr size_t short_name_columns = 24; ///< of --help
-constexpr size_t full_name_columns = 34;  ///< of --help-all
+constexpr size_t short_name_columns = 24; ///< Width of the column of options in --help
+constexpr size_t full_name_columns = 34;  ///< Width of the column of options in --help-all
 
 using Options = std::vector<const CLI::Option*>;
 
 struct OptionGroup {
     const char* title;
-    std::vector<const char*> options; ///< long names, in the order of the page
+    std::vector<const char*> options; ///< Long names of the options, in the order of the help page
 };
 
 constexpr const char* other_options = "Options";
 
-/// The groups in the order of the page. Options that no group names are below `other_options`.
+/// Returns the groups of options in the order of the help page. Options that no group names are below
+/// `other_options`.
 const std::vector<OptionGroup>& option_groups()
 {
     static const std::vector<OptionGroup> groups{
@@ -64,7 +65,8 @@ Options options_in(const CLI::App& command, const OptionGroup& group)
     return found;
 }
 
-/// The first sentence of a description on one line, with the default in brackets if `columns` are enough.
+/// Returns the first sentence of an option's description on one line, with the default in brackets if
+/// `columns` are enough.
 std::string first_sentence(const CLI::Option& option, size_t columns)
 {
     std::string text = option.get_description();
@@ -79,7 +81,7 @@ std::string first_sentence(const CLI::Option& option, size_t columns)
     return !fallback.empty() && with_default.size() <= columns ? with_default : text;
 }
 
-/// "-o, --output FILE"
+/// Returns the names of an option as help shows them: "-o, --output FILE".
 std::string names_of(const CLI::Option& option)
 {
     std::string names = option.get_name(option.get_positional(), true);
@@ -96,7 +98,7 @@ std::string short_line(const CLI::Option& option)
                        first_sentence(option, page_columns - short_name_columns));
 }
 
-/// The first example in a footer that runs this command, as a line; empty if there is none.
+/// Returns the first example in a footer of help that runs this command, as one line; empty if there is none.
 std::string first_example(const std::string& footer, const std::string& command)
 {
     std::istringstream lines(footer);
@@ -138,7 +140,7 @@ std::string HelpPage::make_usage(const CLI::App* app, std::string name) const
 std::string HelpPage::make_option_opts(const CLI::Option* option) const
 {
     std::string text = CLI::Formatter::make_option_opts(option);
-    if (!option->get_allow_extra_args()) { // such an option is repeated to give it several values
+    if (!option->get_allow_extra_args()) { // Such an option must be repeated to give it several values
         replace_all(text, " ...", "");
     }
     return text;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The layout of --help and --help-all.
+// The layout of the help pages: --help and --help-all.
 
 #include <CLI/CLI.hpp>
 
 namespace estampe::app {
 
-/// Prints options in groups. --help prints one line per option: the first sentence of its description, with
-/// the default in brackets if the line has room for it. --help-all prints whole descriptions, and everything
-/// below the options: examples, keys, file formats.
+/// Prints the options of a command in groups. --help prints one line per option: the first sentence of its
+/// description, with the default in brackets if the line has room for it. --help-all prints whole
+/// descriptions, and everything below the options: examples, keys, file formats.
 class HelpPage : public CLI::Formatter {
 public:
     HelpPage();

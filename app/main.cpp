@@ -25,7 +25,8 @@ int fail(const char* message, int status)
     return status;
 }
 
-/// Opens unusable files for closed standard streams, so that no output file gets their descriptors.
+/// If standard streams are closed, opens unusable files in their place, so that no output file gets their
+/// descriptors.
 void hold_standard_streams()
 {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Messages on stderr: warnings, notes, progress.
+// Messages of the program on stderr: warnings, notes, progress.
 
 #include <chrono>
 #include <string>
@@ -26,10 +26,11 @@ void print_notes(const std::vector<std::string>& notes);
 /// one line per tenth of the job is written.
 class Progress {
 public:
-    /// `done`, 0 to 1, is the share of the job that is complete at the start.
+    /// Starts to show the progress of a job. `done`, 0 to 1, is the share of the job that is complete at the
+    /// start.
     Progress(std::string job, double done);
 
-    /// Shows the share `done`, followed by `what`, such as "frame 3 of 48".
+    /// Shows that the share `done` of the job is complete, followed by `what`, such as "frame 3 of 48".
     void show(double done, const std::string& what = {});
 
     /// Clears the progress line of a terminal before other output.

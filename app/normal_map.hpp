@@ -11,13 +11,13 @@ class App;
 
 namespace estampe::app {
 
-/// The options of `estampe normalmap` as typed.
+/// The options of `estampe normalmap` as the user typed them.
 class NormalMapOptions {
 public:
-    /// Adds the command to `app`; this object must outlive the parsing.
+    /// Adds the command `normalmap` to `app`; this object must outlive the parsing.
     void add_to(CLI::App& app);
 
-    /// Checks and returns the options. Throws UsageError for invalid options.
+    /// Checks the typed options and returns them as a command. Throws UsageError for invalid options.
     [[nodiscard]] NormalMapCommand read() const;
 
 private:

@@ -28,7 +28,8 @@ constexpr const char* camera_syntax =
     throw UsageError(what, "--camera", camera_syntax);
 }
 
-/// Returns the result of `parse` for --camera; an Error of `parse` is a mistake in the command line.
+/// Parses the value of --camera with `parse`, and reports an Error of `parse` as a mistake in the command
+/// line.
 template <typename Parse>
 auto parsed(const Parse& parse)
 {
@@ -74,7 +75,7 @@ CameraChoice parse_camera(const std::string& text)
         choice.direction = parsed([&] { return parse_view_direction(text); });
     } else if (has_any(text, {"eye=", "target=", "fov="})) {
         choice.kind = CameraChoice::Kind::placed;
-        const bool has_target = has_any(text, {"target="}); // else the origin
+        const bool has_target = has_any(text, {"target="}); // Without a target the camera looks at the origin
         choice.placed =
             parsed([&] { return estampe::parse_camera(has_target ? text : text + " target=0,0,0"); });
     } else if (text.empty()) {
@@ -101,7 +102,7 @@ CameraChoice parse_view(const std::string& text)
 
 namespace {
 
-/// "x", "y", "z", "-x", "-y" or "-z". Throws UsageError when it is none of them.
+/// Parses an axis: "x", "y", "z", "-x", "-y" or "-z". Throws UsageError for any other text.
 UpAxis parse_up_axis(const std::string& text)
 {
     constexpr std::array<std::pair<std::string_view, UpAxis>, 6> axes{{{"x", UpAxis::x},
@@ -120,7 +121,7 @@ UpAxis parse_up_axis(const std::string& text)
     return found->second;
 }
 
-/// Throws UsageError unless `text` is empty or a format of --input-format.
+/// Checks the value of --input-format. Throws UsageError unless `text` is empty or a known format.
 void check_input_format(const std::string& text)
 {
     const auto formats = input_formats();

@@ -22,23 +22,25 @@ namespace estampe::app {
 
 inline constexpr uint32_t largest_side_px = 65535;
 
-/// Parses "1920x1080". Throws UsageError for other text, or if a side is 0 or larger than largest_side_px.
+/// Parses a picture's size such as "1920x1080". Throws UsageError for other text, or if a side is 0 or larger
+/// than largest_side_px.
 [[nodiscard]] std::pair<uint32_t, uint32_t> parse_size(const std::string& text);
 
-/// Parses "auto", "hardware" or "compute". Throws UsageError for other text.
+/// Parses a raster path: "auto", "hardware" or "compute". Throws UsageError for other text.
 [[nodiscard]] RasterPath parse_raster_path(const std::string& text);
 
-/// Parses "auto", a name or index, "eye=x,y,z target=x,y,z fov=degrees", or "azimuth=degrees
+/// Parses a camera: "auto", a name or index, "eye=x,y,z target=x,y,z fov=degrees", or "azimuth=degrees
 /// elevation=degrees". Throws UsageError when one of the last two is malformed.
 [[nodiscard]] CameraChoice parse_camera(const std::string& text);
 
-/// Parses "front", "three-quarter" and so on. Throws UsageError listing the views for an unknown name.
+/// Parses a named view: "front", "three-quarter" and so on. Throws UsageError listing the views for an
+/// unknown name.
 [[nodiscard]] CameraChoice parse_view(const std::string& text);
 
-/// Throws UsageError unless `text` is "auto", "cpu" or an index.
+/// Checks the value of --device. Throws UsageError unless `text` is "auto", "cpu" or an index.
 void check_device(const std::string& text);
 
-/// Throws UsageError naming `option` unless `count` is 1 to `most`.
+/// Checks a number that was typed. Throws UsageError naming `option` unless `count` is 1 to `most`.
 void check_count(const char* option, uint32_t count, uint32_t most);
 
 /// Assignments that `--draft` adds to a style. They turn off or coarsen effects that are slow and hardly
@@ -52,20 +54,20 @@ inline constexpr std::array draft_assignments{"hatch.layers=1",         "contour
                                               "shadow.lamp_radius_m=0", "cloth.effort=0.5",
                                               "occlusion.enabled=false"};
 
-/// The style that `--style` names, or the default one, with the assignments of `--set`. Throws UsageError for
-/// an invalid assignment, Error for a style that cannot be read.
+/// Returns the style that `--style` names, or the default style, with the assignments of `--set`. Throws
+/// UsageError for an invalid assignment, Error for a style that cannot be read.
 [[nodiscard]] Style read_style(const std::string& name, const std::vector<std::string>& assignments);
 
-/// The options for reading a scene.
+/// The options for reading a scene: --up and --input-format.
 class SceneOptions {
 public:
     /// Adds --up and --input-format to the command; this object must outlive the parsing.
     void add_to(CLI::App& command);
 
-    /// The axis of the file that points up, if one was typed. Throws UsageError for an invalid axis.
+    /// Returns the axis of the file that points up, if one was typed. Throws UsageError for an invalid axis.
     [[nodiscard]] std::optional<UpAxis> up() const;
 
-    /// The format of a piped scene; empty if none was typed. Throws UsageError for an unknown format.
+    /// Returns the format of a piped scene; empty if none was typed. Throws UsageError for an unknown format.
     [[nodiscard]] std::string format() const;
 
 private:
@@ -73,7 +75,7 @@ private:
     std::string format_;
 };
 
-/// The presets that are complete styles: all except tam-..., which are tools of `estampe tam`.
+/// Returns the presets that are complete styles: all except tam-..., which are tools of `estampe tam`.
 [[nodiscard]] std::vector<std::string> style_presets();
 
 /// Adds `--no-cache`, which takes effect while the command line is read: see gpu::keep_pipelines().

@@ -43,7 +43,7 @@ constexpr std::array named_pages{NamedPage{"a0", {841.0, 1189.0}},   NamedPage{"
                                  NamedPage{"a6", {105.0, 148.0}},    NamedPage{"letter", {215.9, 279.4}},
                                  NamedPage{"legal", {215.9, 355.6}}, NamedPage{"tabloid", {279.4, 431.8}}};
 
-/// "210x297mm"
+/// Parses a page size in millimetres, such as "210x297mm".
 std::optional<Millimetres> typed_page(std::string_view text)
 {
     const size_t cross = text.find('x');
@@ -67,7 +67,7 @@ Millimetres parse_page(const std::string& text)
                          "write A0 to A6, letter, legal, tabloid, or a size such as 210x297mm");
     }
     constexpr double least_mm = 10.0;
-    constexpr double most_mm = 5000.0; // as paper.height_mm
+    constexpr double most_mm = 5000.0; // Largest page size, the same limit as for paper.height_mm
     const auto [shorter, longer] = std::minmax(page->width, page->height);
     if (!(shorter >= least_mm && longer <= most_mm)) {
         throw UsageError(fmt::format("{} is out of range", text), "--page",
@@ -144,14 +144,14 @@ namespace {
 
 constexpr uint32_t most_frames = 1000000;
 
-/// The whole number, 1 to most_frames, that all of `text` consists of; otherwise 0.
+/// Returns the frame number, 1 to most_frames, if all of `text` is one; otherwise 0.
 uint32_t frame_number(std::string_view text)
 {
     const uint32_t number = number_from<uint32_t>(text).value_or(0);
     return number <= most_frames ? number : 0;
 }
 
-/// "48", or "25-48".
+/// Reads a range of frames: "48" (all frames up to this number), or "25-48".
 void read_range(const std::string& text, FilmChoice& film)
 {
     const size_t dash = text.find('-');
@@ -163,7 +163,7 @@ void read_range(const std::string& text, FilmChoice& film)
     }
 }
 
-/// Whether `output` is a film, or pictures with numbers in their names ("frames/%04d.png").
+/// Returns whether `output` names a film, or pictures with numbers in their names ("frames/%04d.png").
 bool is_film_output(const std::string& output)
 {
     return is_film(output) || is_numbered(output);
@@ -229,11 +229,12 @@ namespace {
 /// Names and limits of a picture format.
 struct FormatFacts {
     PictureFormat format;
-    const char* extension; ///< value of --format, after a dot
+    const char* extension; ///< Value of --format for this format, after a dot
     const char* name;
-    std::array<int, 2> depths; ///< bits per channel, the usual number first; 0: none
-    int least_quality;         ///< negative: the format has no quality
-    uint32_t longest_side_px;  ///< longest side that the format allows; 0: as a picture
+    std::array<int, 2> depths; ///< Bits per channel that the format allows, the usual number first; 0: none
+    int least_quality;         ///< Lowest value of the quality; negative: the format has no quality
+    /// Longest side in pixels that the format allows; 0: the same limit as for all pictures.
+    uint32_t longest_side_px;
 };
 
 constexpr std::array known_formats{
@@ -390,7 +391,7 @@ void TransparentOption::assign(std::vector<std::string>& assignments) const
     if (mode_.empty()) {
         return;
     }
-    const std::string mode = mode_ == "true" ? "background" : mode_; // typed without a mode
+    const std::string mode = mode_ == "true" ? "background" : mode_; // The option was typed without a mode
     constexpr std::array modes{"none", "background", "paper"};
     if (std::ranges::find(modes, mode) == modes.end()) {
         throw UsageError(fmt::format("cannot make {} transparent", in_quotes(mode)), "--transparent",

@@ -31,7 +31,8 @@
 namespace estampe::app {
 namespace {
 
-/// Number of bytes that suffice to detect a scene's format; comments at the beginning of text may be long.
+/// Number of bytes that suffice to detect a scene's format; comments at the beginning of a text file may be
+/// long.
 constexpr size_t sniffed_bytes = size_t{1} << 16U;
 
 bool is_binary_stl(std::string_view beginning, uint64_t size_bytes)
@@ -46,8 +47,8 @@ bool is_binary_stl(std::string_view beginning, uint64_t size_bytes)
     return size_bytes == head_bytes + triangle_bytes * triangles;
 }
 
-/// Whether an OBJ file may begin with this statement. If other languages use the same first word, the rest of
-/// the line must match OBJ too.
+/// Returns whether an OBJ file may begin with this statement. If other formats use the same first word, the
+/// rest of the line must match OBJ too.
 bool is_obj_statement(Scanner line)
 {
     constexpr std::array<std::string_view, 6> with_numbers{"v", "vn", "vt", "vp", "f", "s"};
@@ -69,8 +70,8 @@ bool is_blank_or_comment(Scanner line)
     return line.is_done() || line.word().starts_with('#');
 }
 
-/// Whether the text after the first line is that of an STL file; "solid" alone is not enough, because many
-/// binary files begin with it too.
+/// Returns whether the text after the first line is that of an STL file; the word "solid" alone is not
+/// enough, because many binary files begin with it too.
 bool is_rest_of_stl(const std::string& text)
 {
     constexpr std::array<std::string_view, 3> words{"facet", "vertex", "endsolid"};
@@ -79,7 +80,7 @@ bool is_rest_of_stl(const std::string& text)
            });
 }
 
-/// Detects the format of line-based text.
+/// Detects the format of a scene in line-based text.
 std::string_view text_format(std::string_view beginning)
 {
     Input input(std::as_bytes(std::span(beginning)), {});
@@ -188,7 +189,7 @@ void write_all(int to, std::string_view bytes, const fs::path& file)
     }
 }
 
-/// The temporary folders that currently exist.
+/// List of the temporary folders that currently exist.
 struct Folders {
     std::mutex guard;
     std::set<fs::path> paths;
@@ -200,7 +201,7 @@ Folders& folders()
     return folders;
 }
 
-/// A new folder for temporary files, removed by the destructor.
+/// A temporary folder for piped scenes, removed by the destructor.
 class TemporaryFolder {
 public:
     TemporaryFolder()
@@ -219,7 +220,7 @@ public:
     {
         const std::lock_guard lock(folders().guard);
         std::error_code problem;
-        fs::remove_all(path_, problem); // removes links, not their targets
+        fs::remove_all(path_, problem); // Removes links in the folder, not their targets
         folders().paths.erase(path_);
     }
 
@@ -232,13 +233,13 @@ private:
     fs::path path_;
 };
 
-/// A piped scene that was read completely.
+/// A piped scene that was read to its end.
 struct Received {
     TemporaryFolder folder;
     fs::path file;
 };
 
-/// Links all files of the current folder into `folder`, so that the scene finds its textures.
+/// Links all files of the current folder into `folder`, so that the piped scene finds its textures.
 void link_current_folder(const fs::path& folder)
 {
     constexpr size_t most_links = 20000;
@@ -258,7 +259,7 @@ void link_current_folder(const fs::path& folder)
 /// The beginning of a piped scene, long enough to detect its format.
 struct Beginning {
     std::string text;
-    uint64_t size_bytes = 0; ///< size of the whole scene
+    uint64_t size_bytes = 0; ///< Size of the whole scene in bytes
 };
 
 Beginning copy_to(int from, const fs::path& file, const std::string& scene, uint64_t most_bytes)
@@ -280,7 +281,7 @@ Beginning copy_to(int from, const fs::path& file, const std::string& scene, uint
     return beginning;
 }
 
-/// The format that the name of a named pipe suggests; empty if it has none.
+/// Returns the format that the file name of a named pipe suggests; empty if it suggests none.
 std::string format_of_name(const std::string& scene)
 {
     const std::string extension = lower_extension(scene);
@@ -318,7 +319,7 @@ std::unique_ptr<Received> receive(const std::string& scene, const std::string& f
     return received;
 }
 
-/// All scenes received in this run, by the name that was typed.
+/// All piped scenes that this run has received, by the name that the user typed.
 struct Memory {
     std::mutex guard;
     std::map<std::string, std::unique_ptr<Received>> scenes;
@@ -326,7 +327,7 @@ struct Memory {
 
 Memory& memory()
 {
-    folders(); // constructed first, so that it is destroyed after the memory that depends on it
+    folders(); // Constructed first, so that the folders are destroyed after the memory that depends on them
     static Memory memory;
     return memory;
 }
@@ -340,7 +341,8 @@ std::span<const std::string_view> input_formats()
 
 bool is_piped(const std::string& scene)
 {
-    if (scene == standard_input || scene.starts_with("/dev/")) { // such as /dev/stdin, whatever it refers to
+    // Names such as /dev/stdin count as pipes, whatever they refer to
+    if (scene == standard_input || scene.starts_with("/dev/")) {
         return true;
     }
     struct stat facts = {};
@@ -371,7 +373,8 @@ std::string with_typed_name(std::string text, const std::string& scene, const fs
         return text;
     }
     replace_all(text, file.string(), name_of(scene));
-    replace_all(text, file.parent_path().string() + '/', ""); // keeps names as in the scene
+    // Messages show file names as the scene writes them
+    replace_all(text, file.parent_path().string() + '/', "");
     replace_all(text, "beside the scene's file", "into the current folder");
     return text;
 }
@@ -386,7 +389,8 @@ std::string missing_beside_pipe(const std::vector<std::string>& files, const std
 
 void remove_piped_scenes()
 {
-    // Does not lock the memory of received scenes, because a thread that waits for a pipe may hold the lock.
+    // This function does not lock the memory of received scenes, because a thread that waits for a pipe may
+    // hold that lock.
     const std::lock_guard lock(folders().guard);
     for (const fs::path& path : folders().paths) {
         std::error_code problem;

@@ -36,7 +36,7 @@ bool is_ignored(int number)
     return sigaction(number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
 }
 
-/// Ends the program by raising the signal, so that a shell can report the signal.
+/// Ends the program by raising the signal, so that a shell can report which signal ended it.
 [[noreturn]] void end_by(int number)
 {
     remove_all_pending();
@@ -53,7 +53,7 @@ void wait_for_signals()
     const sigset_t set = watched_set();
     for (int number = 0; sigwait(&set, &number) == 0;) {
         if (is_ignored(number) && (!is_told || number == SIGHUP)) {
-            continue; // nohup ignores signals in this way
+            continue; // The signal was ignored before, as nohup does with SIGHUP
         }
         if (is_told && !is_to_stop.exchange(true)) {
             continue;
@@ -68,11 +68,13 @@ void watch_signals()
 {
     std::signal(SIGXFSZ, SIG_IGN);
     const sigset_t set = watched_set();
-    pthread_sigmask(SIG_BLOCK, &set, nullptr); // blocked in all later threads; one thread waits for them
+    // The signals are blocked in all later threads; one thread waits for them
+    pthread_sigmask(SIG_BLOCK, &set, nullptr);
     try {
         std::thread(wait_for_signals).detach();
     } catch (const std::system_error&) {
-        pthread_sigmask(SIG_UNBLOCK, &set, nullptr); // restores the default, in which they end the program
+        // Unblocked signals have their default effect: they end the program
+        pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
     }
 }
 
@@ -88,7 +90,7 @@ bool was_told_to_stop()
 
 namespace {
 
-constexpr const char* setting = "GALLIVM_PERF"; ///< a variable of Mesa
+constexpr const char* setting = "GALLIVM_PERF"; ///< Environment variable of Mesa
 
 } // namespace
 

@@ -52,7 +52,7 @@ bool is_layers_exr(const PictureChoice& choice)
     return lower_extension(choice.layers) == ".exr";
 }
 
-/// Dots per metre; 0 for a picture that is not a page.
+/// Resolution in dots per metre; 0 for a picture that is not a page.
 uint32_t dots_per_m(const PageSize& page)
 {
     constexpr double inches_a_m = 1000.0 / 25.4;
@@ -75,7 +75,7 @@ bool is_written_as_drawn(const RenderCommand& command, const RenderSettings& set
            command.draw.output != standard_output && pixels_of(settings) > most_in_memory;
 }
 
-/// Draws the picture, and shows progress if it takes long.
+/// Draws the picture in bands, and shows progress if it takes long.
 void draw_bands(Renderer& renderer, const Camera& camera, const Style& style, const RenderSettings& settings,
                 const std::function<void(const Image&)>& take)
 {
@@ -116,7 +116,7 @@ std::vector<std::byte> encode(const DrawnPicture& picture, const PictureChoice& 
     }
 }
 
-/// Throws Error unless a folder of this name can be created.
+/// Checks the name of a new folder. Throws Error unless a folder of this name can be created.
 void check_new_folder(std::filesystem::path folder)
 {
     if (!folder.has_filename()) {
@@ -190,7 +190,7 @@ void check_outputs(const RenderCommand& command)
     const PictureChoice& choice = command.picture;
     const std::vector<std::filesystem::path> inputs{draw.scene, draw.lightmap};
     if (draw.output != standard_output) {
-        // The folder of numbered frames is created on demand.
+        // The folder of numbered frames is created when the film is drawn.
         const std::filesystem::path folder = std::filesystem::path(draw.output).parent_path();
         const bool makes_folder =
             is_numbered(draw.output) && !folder.empty() && !std::filesystem::exists(folder);
@@ -208,7 +208,7 @@ void check_outputs(const RenderCommand& command)
 
 namespace {
 
-/// Writes to a file, or to standard output if `output` is "-".
+/// Writes bytes to a file, or to standard output if `output` is "-".
 void write_output(const std::string& output, std::span<const std::byte> bytes)
 {
     if (output == standard_output) {
@@ -248,7 +248,7 @@ void write_pictures(DrawnPicture& picture, const Renderer& renderer, const Rende
     }
 }
 
-/// Wall time of a job's steps.
+/// Measures the wall time of a job's steps.
 class StepClock {
 public:
     void finish(const std::string& step)
@@ -271,7 +271,7 @@ private:
     std::vector<std::pair<std::string, double>> steps_;
 };
 
-/// Whether clouds drift over the scene, or particles fly in it.
+/// Returns whether clouds drift over the scene, or particles fly in it.
 bool has_weather(const DrawOptions& draw, const Scene& scene)
 {
     const features::StyleTables& style = draw.style.tables();
@@ -280,7 +280,7 @@ bool has_weather(const DrawOptions& draw, const Scene& scene)
            !features::emitting_nodes(scene, style.particles.emitters).empty();
 }
 
-/// Finds a misspelt --layer before anything is drawn.
+/// Checks the name of --layer, so that a misspelt name is found before anything is drawn.
 void check_layer(const RenderCommand& command, const Scene& scene)
 {
     if (!command.picture.layer.empty()) {
@@ -303,7 +303,7 @@ std::string in_meters(double mm)
     return fmt::format("{:.2f} m", 1e-3 * mm);
 }
 
-/// Prints the requested text; to stderr if the picture goes to standard output.
+/// Prints the requested text to stdout, or to stderr if the picture goes to standard output.
 void tell(const RenderCommand& command, const std::string& text)
 {
     if (command.draw.output == standard_output || command.is_quiet) {
@@ -313,7 +313,7 @@ void tell(const RenderCommand& command, const std::string& text)
     }
 }
 
-/// The render settings of the command's pictures.
+/// Returns the render settings of the command's pictures.
 RenderSettings render_settings(const RenderCommand& command, const Scene& scene, Index animation)
 {
     RenderSettings settings = settings_of(command.draw, animation);
@@ -325,8 +325,8 @@ RenderSettings render_settings(const RenderCommand& command, const Scene& scene,
     return settings;
 }
 
-/// Settings for extracting paths. Their precision depends on the page, so a large page is reduced to one that
-/// can be drawn in one piece.
+/// Returns the settings for extracting strokes as paths. The precision of paths depends on the page's size in
+/// pixels, so a large page is reduced to one that can be drawn in one piece.
 RenderSettings settings_of_strokes(const DrawOptions& draw, Index animation)
 {
     constexpr double most_pixels = 16e6;
@@ -341,8 +341,8 @@ RenderSettings settings_of_strokes(const DrawOptions& draw, Index animation)
     return settings;
 }
 
-/// Sets the exact size of the page. Pixels of a page are not exactly square, because a page has a whole
-/// number of them.
+/// Sets the exact size of the page for strokes. Pixels of a page are not exactly square, because a page has a
+/// whole number of pixels.
 void fit_to_page(VectorDrawing& drawing, const PageSize& page)
 {
     if (!page.width_mm || !page.height_mm || !(drawing.width_mm > 0.0F && drawing.height_mm > 0.0F)) {
@@ -424,7 +424,8 @@ void run(const RenderCommand& command)
     }
     tell_of_time(draw, scene);
     const Index animation = choose_animation(draw, scene);
-    // For a large scene, choosing a view of everything takes as long as the upload, so both run in parallel.
+    // For a large scene, choosing a camera that shows the whole scene takes as long as the upload, so both
+    // run in parallel.
     std::future<Camera> choosing =
         std::async(launch_if_possible, [&] { return choose_camera(draw, scene, animation); });
     clock.finish("load");
@@ -461,7 +462,7 @@ void run(const RenderCommand& command)
     std::vector<double> frames_gpu_ms{renderer.gpu_ms()};
     std::vector<double> later_frames_ms;
     for (uint32_t frame = 1; frame < command.repeat; ++frame) {
-        // Every second frame times its passes; the others measure the time of a whole frame.
+        // Every second frame measures the time of each pass; the others measure the time of a whole frame.
         const bool by_passes = reports && frame % 2 == 0;
         if (frame == 1) {
             frames_gpu_ms.clear();

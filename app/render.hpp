@@ -14,21 +14,23 @@ namespace estampe::app {
 /// A picture in the forms that its file format needs.
 struct DrawnPicture {
     Image bytes;
-    std::unique_ptr<PngFile> file; ///< replaces `bytes` for large pictures
+    std::unique_ptr<PngFile> file; ///< File that replaces `bytes` for large pictures
     std::optional<LinearImage> floats;
     std::optional<LayeredImage> layers;
 };
 
-/// Throws Error when the command's files cannot be written at their paths. Does not change any file.
+/// Checks that the command's files can be written at their paths. Throws Error otherwise. Does not change any
+/// file.
 void check_outputs(const RenderCommand& command);
 
-/// Draws what the command's file format needs. `style` replaces the command's own style.
+/// Draws a picture in the forms that the command's file format needs. `style` replaces the command's own
+/// style.
 [[nodiscard]] DrawnPicture draw_picture(Renderer& renderer, const Camera& camera,
                                         const RenderCommand& command, const Style& style,
                                         const RenderSettings& settings);
 
 /// Draws the picture that `command` asks for, with a renderer that already has the scene, and writes its
-/// files. `command` is not a film. Throws Error on failure.
+/// files. `command` must not be a film. Throws Error on failure.
 void draw_and_write(Renderer& renderer, const Scene& scene, const RenderCommand& command);
 
 } // namespace estampe::app

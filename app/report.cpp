@@ -46,7 +46,7 @@ struct PrimitiveCounts {
     }
 };
 
-/// Number of drawn triangles: a mesh counts once for every node and instance that shows it.
+/// Returns the number of drawn triangles: a mesh counts once for every node and instance that shows it.
 uint64_t drawn_triangles(const Scene& scene)
 {
     uint64_t drawn = 0;
@@ -65,16 +65,16 @@ uint64_t drawn_triangles(const Scene& scene)
     return drawn;
 }
 
-/// The counts that `estampe info` prints.
+/// The numbers that `estampe info` prints about a scene.
 struct SceneSummary {
-    /// In display order.
+    /// Labels and numbers in display order.
     std::vector<std::pair<std::string, uint64_t>> counts;
     std::vector<std::string> camera_names;
-    Bounds bounds; ///< in the rest pose
+    Bounds bounds; ///< Bounds of the scene in the rest pose
     LightChoice light = LightChoice::own;
 };
 
-/// Cost: linear in vertices and triangles, because of the bounds and the light.
+/// Counts the parts of a scene. Cost: linear in vertices and triangles, because of the bounds and the light.
 SceneSummary summarize(const Scene& scene)
 {
     PrimitiveCounts counts;
@@ -132,7 +132,7 @@ Json option_json(const worlds::Option& option)
     return json;
 }
 
-/// Labels and texts about a world, in display order.
+/// Returns the labels and texts about a world, in display order.
 std::vector<std::pair<std::string, std::string>> world_rows(const worlds::Description& world)
 {
     std::vector<std::pair<std::string, std::string>> rows{{"world", world.summary}};
@@ -149,7 +149,7 @@ std::vector<std::pair<std::string, std::string>> world_rows(const worlds::Descri
     return rows;
 }
 
-/// The content of world_rows() as JSON for programs.
+/// Returns the content of world_rows() as JSON for programs.
 Json world_json(const worlds::Description& world)
 {
     Json json{{"name", world.name},
@@ -197,7 +197,7 @@ std::string world_examples()
 
 namespace {
 
-/// Serialises JSON. Names from files may contain bytes that are not UTF-8.
+/// Writes JSON as text. Names from files may contain bytes that are not UTF-8.
 std::string to_text(const Json& json)
 {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -258,8 +258,8 @@ Json scene_json(const SceneSummary& summary, const Scene& scene, const std::stri
     return json;
 }
 
-/// Bounds as text with four significant digits, and as many more as the position needs for the same step: far
-/// from the origin, four digits of the position would hide the size.
+/// Writes bounds as text with four significant digits, and as many more as the position needs for the same
+/// step: far from the origin, four digits of the position would hide the size.
 std::string in_words(const Bounds& bounds)
 {
     constexpr int digits_of_side = 4;
@@ -336,7 +336,7 @@ std::string timings_json(const TimingReport& report, double passes_ms)
     return to_text(json);
 }
 
-/// A table of pressure solvers after an empty line; empty if there are none.
+/// Returns a table of pressure solvers after an empty line; empty if there are none.
 std::string solvers_text(const std::vector<SolverReport>& solvers)
 {
     std::string text = solvers.empty() ? ""

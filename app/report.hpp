@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reports about scenes, worlds, devices and timings, as text for people (`json` false) or as JSON for
-// programs.
+// Reports about scenes, worlds, devices and timings: text for people (`json` false), or JSON for programs.
 
 #include <cstdint>
 #include <string>
@@ -16,31 +15,33 @@
 
 namespace estampe::app {
 
-/// `world` is the world that made the scene; null for a file.
+/// Reports on a scene. `world` is the world that made the scene; null for a scene file.
 [[nodiscard]] std::string report_scene(const Scene& scene, const std::string& path, bool json,
                                        const worlds::Description* world = nullptr);
 
 [[nodiscard]] std::string report_devices(const std::vector<DeviceInfo>& devices, bool json);
 
-/// Timings of one `render`.
+/// Timings of one run of `estampe render`.
 struct TimingReport {
     std::string device;
-    RasterPath raster = RasterPath::automatic; ///< the path that was used
+    RasterPath raster = RasterPath::automatic; ///< Raster path that was used
     std::string output;
     RenderSettings settings;
     uint32_t frames = 1;
-    std::vector<PassTiming> passes; ///< medians over every second frame after the first; may be empty
-    double gpu_ms = 0.0;            ///< median of the other frames, in which passes may overlap
+    /// GPU time of each pass: medians over every second frame after the first; may be empty.
+    std::vector<PassTiming> passes;
+    /// GPU time of a whole frame: median of the other frames, in which passes may overlap.
+    double gpu_ms = 0.0;
     std::vector<SolverReport> solvers;
-    std::vector<std::pair<std::string, double>> cpu_ms; ///< wall time of the steps of the command, in order
+    std::vector<std::pair<std::string, double>> cpu_ms; ///< Wall time of the steps of the command, in order
 };
 
 [[nodiscard]] std::string report_timings(const TimingReport& report, bool json);
 
-/// All worlds with their rows.
+/// Reports on all worlds.
 [[nodiscard]] std::string report_worlds(bool json);
 
-/// The examples of all worlds, one per line, indented as examples are in help.
+/// Returns the examples of all worlds for help, one per line, indented as other examples are.
 [[nodiscard]] std::string world_examples();
 
 } // namespace estampe::app

@@ -56,7 +56,7 @@ void add_unit(SceneDetails& details, const Scene& scene, const std::string& path
                                                           : "metres");
 }
 
-/// A camera's own name, or the name of its node.
+/// Returns a camera's own name, or the name of its node.
 std::string camera_name(const Scene& scene, Index camera)
 {
     const auto node =
@@ -120,7 +120,7 @@ const char* name_of(LightType type)
     return "";
 }
 
-/// One entry per visible node that carries a light.
+/// Adds the lights to the details: one entry per visible node that carries a light.
 void add_lights(SceneDetails& details, const Scene& scene)
 {
     constexpr size_t most_rows = 20;
@@ -188,7 +188,7 @@ void check_layer_name(const Scene& scene, const std::string& layer)
             names.push_back(name.empty() ? fmt::format("object {}", i) : name);
         }
     }
-    // The second of two objects named leaf is "leaf 2".
+    // Layer names are unique: the second of two objects named leaf is "leaf 2".
     const size_t digits = layer.find_last_not_of("0123456789");
     const bool is_numbered = digits != std::string::npos && digits + 1 < layer.size() && layer[digits] == ' ';
     const std::string unnumbered = is_numbered ? layer.substr(0, digits) : layer;
@@ -227,7 +227,7 @@ double key_rate(const Animation& animation)
         const bool all_fit = std::ranges::all_of(animation.channels, [&](const AnimationChannel& channel) {
             return std::ranges::all_of(channel.times_s, [&](float time_s) {
                 const double frame = rate * static_cast<double>(time_s);
-                constexpr double slack = 0.01; // in frames; times were rounded to floats
+                constexpr double slack = 0.01; // Tolerance in frames, because times were rounded to floats
                 return std::abs(frame - std::round(frame)) <= slack;
             });
         });

@@ -15,7 +15,7 @@ void add_set_option(CLI::App& command, TypedOptions& typed, const char* help)
     command.add_option("--set", typed.assignments, help)->type_name("KEY=VALUE")->allow_extra_args(false);
 }
 
-/// Options for the camera.
+/// Adds the options for the camera to a command.
 void add_camera_options(CLI::App& command, TypedOptions& typed)
 {
     command
@@ -37,7 +37,7 @@ void add_camera_options(CLI::App& command, TypedOptions& typed)
                      "isometric view always has parallel projection.");
 }
 
-/// Options for the device and the raster path.
+/// Adds the options for the device and the raster path to a command.
 void add_device_options(CLI::App& command, TypedOptions& typed)
 {
     command
@@ -54,7 +54,7 @@ void add_device_options(CLI::App& command, TypedOptions& typed)
         ->capture_default_str();
 }
 
-/// Options for the content and the style of a picture, for any output.
+/// Adds the options for the content and the style of a picture to a command, for any output.
 void add_style_options(CLI::App& command, TypedOptions& typed)
 {
     typed.page.add_to(command, command.get_name() == "render");
@@ -257,7 +257,8 @@ void add_style_manual(CLI::App& command, TypedOptions& typed)
         ->type_name("[NAME]");
 }
 
-/// An empty word comes from a variable that was not set; it is no number, name or file.
+/// Makes options refuse an empty word: it comes from a variable that was not set, and is no number, name or
+/// file.
 void refuse_empty_values(CLI::App& app)
 {
     const auto check = [](const std::string& word) { return std::string(word.empty() ? "is empty" : ""); };

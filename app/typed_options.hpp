@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The options of all commands as they are typed, before anything is checked.
+// The options of all commands as the user typed them, before anything is checked.
 
 #include <cstdint>
 #include <optional>
@@ -21,7 +21,7 @@ class App;
 
 namespace estampe::app {
 
-/// What was typed. Each command fills its part; read_command_line() checks it.
+/// The options as the user typed them. Each command fills its part; read_command_line() checks the values.
 struct TypedOptions {
     std::string scene;
     std::string output;
@@ -50,7 +50,7 @@ struct TypedOptions {
     bool json = false;
     bool hidden = false;
     bool plotter = false;
-    std::string style_manual; ///< only declared; see style_manual_of()
+    std::string style_manual; ///< Value of --help-style; only declared, because style_manual_of() reads it
     bool schema = false;
     bool manual_page = false;
     bool completion = false;

@@ -142,7 +142,7 @@ void keep_choices(Style& style, const ChosenStyle& chosen)
             }
         }
     }
-    // A sun that the user has turned is kept.
+    // A direction of the sun that the user has chosen is kept.
     const light::LightStyle& light = changed.light;
     if (light.sun_azimuth_deg != base.light.sun_azimuth_deg ||
         light.sun_elevation_deg != base.light.sun_elevation_deg) {

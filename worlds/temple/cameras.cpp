@@ -24,13 +24,13 @@ public:
         return static_cast<float>(desert_.sample(place.x, place.y).height_m);
     }
 
-    /// Adds a viewpoint outside, with the eye `over_m` above the sand.
+    /// Adds a viewpoint outside the prison, with the eye `over_m` above the sand.
     void outside(const char* name, const glm::vec2& eye, float over_m, const glm::vec3& target, float fov_deg)
     {
         all_.push_back({name, {eye.x, ground_m(eye) + over_m, eye.y}, target, fov_deg});
     }
 
-    /// The highest place nearby.
+    /// Returns the highest place near `place`.
     [[nodiscard]] glm::vec2 crest_near(const glm::vec2& place) const
     {
         constexpr int steps = 8;
@@ -61,7 +61,7 @@ private:
     std::vector<Viewpoint> all_;
 };
 
-/// The largest room of a kind, or the entrance if there is none.
+/// Returns the largest room of a kind, or the entrance if there is none.
 int largest(const Plan& plan, RoomKind kind)
 {
     int best = 0;
@@ -77,7 +77,7 @@ int largest(const Plan& plan, RoomKind kind)
     return best;
 }
 
-/// Adds a viewpoint near one end of a room that looks along its length.
+/// Adds a viewpoint near one end of a room, from which the camera looks along the room's length.
 void look_along(Finder& finder, const char* name, const Room& room, float aside_m, float fov_deg)
 {
     const glm::vec2 half = 0.5F * (room.high_m() - room.low_m());
@@ -119,9 +119,9 @@ namespace {
 constexpr double over_ground_m = 1.68;
 constexpr double spacing_m = 0.25;
 constexpr double keys_a_s = 10.0;
-constexpr double held_s = 6.5; ///< seconds of the minute that the camera stands in the last hall
+constexpr double held_s = 6.5; ///< Part of the film's minute during which the camera stands in the last hall
 
-/// Smooths values with a Gaussian-like kernel. The values at both ends are unchanged.
+/// Smooths a list of values with a Gaussian-like kernel. The values at both ends are unchanged.
 template <typename Value>
 std::vector<Value> smoothed(const std::vector<Value>& values, double width)
 {
@@ -130,7 +130,7 @@ std::vector<Value> smoothed(const std::vector<Value>& values, double width)
     std::vector<Value> result;
     result.reserve(values.size());
     for (int i = 0; i < count; ++i) {
-        // The window is symmetric, so that nothing is pulled inwards from the ends.
+        // The kernel's window is symmetric, so that nothing is pulled inwards from the ends.
         const int most = std::min({reach, i, count - 1 - i});
         Value sum = values[static_cast<size_t>(i)];
         double weights = 1.0;
@@ -144,7 +144,7 @@ std::vector<Value> smoothed(const std::vector<Value>& values, double width)
     return result;
 }
 
-/// Resamples a path at equal spacing.
+/// Resamples the camera's path at equal spacing.
 std::vector<glm::dvec3> resampled(const std::vector<glm::dvec3>& way)
 {
     std::vector<glm::dvec3> even{way.front()};
@@ -161,7 +161,7 @@ std::vector<glm::dvec3> resampled(const std::vector<glm::dvec3>& way)
     return even;
 }
 
-/// Straightens a path where there is room, and rounds its turns.
+/// Straightens the camera's path where there is room, and rounds its turns.
 void relax(std::vector<glm::dvec3>& way, const walk::Chart& chart)
 {
     constexpr int rounds = 400;
@@ -178,7 +178,7 @@ void relax(std::vector<glm::dvec3>& way, const walk::Chart& chart)
     }
 }
 
-/// The square near a place that has the most room.
+/// Returns the square near a place that has the most room around it.
 glm::dvec2 roomy(const walk::Chart& chart, const glm::dvec2& near_m)
 {
     constexpr int steps = 12;
@@ -206,23 +206,23 @@ glm::dvec3 turned(const glm::dvec3& look, double yaw_rad)
     return {c * look.x - s * look.z, look.y, s * look.x + c * look.z};
 }
 
-/// Turns each view direction sideways by at most 50 degrees, in steps of 2.5 degrees, to where something is
-/// visible between the walls. Dynamic programming (Bellman) finds the directions of least total cost. Near
-/// obstacles in view, looking sideways and turning have costs.
+/// Turns each view direction of the film's camera sideways by at most 50 degrees, in steps of 2.5 degrees, to
+/// where something is visible between the walls. Dynamic programming (Bellman) finds the directions of least
+/// total cost. Obstacles close in view, looking sideways and turning have costs.
 void look_into_the_open(const std::vector<glm::dvec3>& eyes, std::vector<glm::dvec3>& looks,
                         const walk::Solids& solids)
 {
-    constexpr int most = 20; // steps to one side
-    constexpr int half = 10; // half of the field of view, in steps
+    constexpr int most = 20; // Number of steps to one side, 2.5 degrees each
+    constexpr int half = 10; // Half of the field of view, in steps of 2.5 degrees
     constexpr int count = 2 * most + 1;
-    constexpr int quickest = 2; // steps per key
+    constexpr int quickest = 2; // Fastest turn, in steps per key
     constexpr double aside_cost = 0.25;
     constexpr double turn_cost = 0.16;
     const double step_rad = glm::radians(2.5);
     std::vector<std::array<double, count>> costs(eyes.size());
     std::vector<std::array<int, count>> from(eyes.size());
     for (size_t i = 0; i < eyes.size(); ++i) {
-        std::array<double, count + 2 * half> open{}; // free sight by direction, 0 to 1
+        std::array<double, count + 2 * half> open{}; // Free sight in each direction, 0 to 1
         for (size_t ray = 0; ray < open.size(); ++ray) {
             glm::dvec3 way = turned(looks[i], (static_cast<int>(ray) - most - half) * step_rad);
             for (const double rise : {-0.1, 0.2}) {
@@ -264,7 +264,7 @@ void look_into_the_open(const std::vector<glm::dvec3>& eyes, std::vector<glm::dv
     }
 }
 
-/// Speed along the path in metres per second: fast over the dunes, slow inside.
+/// Speed of the film's camera along its path in metres per second: fast over the dunes, slow inside.
 double speed_at(const glm::dvec3& place_m)
 {
     const double z = place_m.z;
@@ -283,7 +283,7 @@ Flight::Flight(const estampe::Scene& scene, uint64_t seed)
     const double still_s = 0.0;
     const walk::Place place(solids, sand_of(desert, still_s));
     const auto sand_m = [&](double x, double z) { return desert.sample(x, z).height_m; };
-    // The path flies over the dunes and walks from there on.
+    // The camera flies over the dunes to this place and walks from there on.
     const estampe::Camera arrival =
         estampe::scene_camera(scene, estampe::pose_scene(scene, 0.0, estampe::no_index), "arrival");
     const glm::dvec2 avenue_m(0.4, 62.0);
@@ -293,13 +293,14 @@ Flight::Flight(const estampe::Scene& scene, uint64_t seed)
                                    glm::dvec2(-14.0, 93.0), glm::dvec2(-1.0, 78.0)}) {
         way.emplace_back(past.x, sand_m(past.x, past.y) + 0.9, past.y);
     }
-    // A wide body keeps the eye away from the obstacles that it passes.
+    // The film's camera moves as a wide body, which keeps the eye away from the obstacles that it passes.
     const walk::Body body{.radius_m = 0.42F, .height_m = 2.05F};
     const walk::Chart chart(place, body, {avenue_m.x, sand_m(avenue_m.x, avenue_m.y), avenue_m.y},
                             {.low_m = {-34.0, -66.0}, .high_m = {32.0, 68.0}, .square_m = 0.25});
     const Room& last = plan.rooms[static_cast<size_t>(plan.last_room)];
     const glm::dvec2 end_m(last.middle_m());
-    const double walk_x = static_cast<double>(court_west_m) - 3.1; // x of the path below the western arcade
+    // x of the camera's path below the western arcade
+    const double walk_x = static_cast<double>(court_west_m) - 3.1;
     const std::array<glm::dvec2, 6> stations{{avenue_m,
                                               {0.0, static_cast<double>(court_south_m)},
                                               {walk_x, 17.0},
@@ -310,7 +311,7 @@ Flight::Flight(const estampe::Scene& scene, uint64_t seed)
     for (size_t i = 1; i < stations.size(); ++i) {
         const glm::dvec2 to_m = roomy(chart, stations.at(i));
         const std::vector<glm::dvec3> leg = chart.way(from_m, to_m);
-        if (!leg.empty()) { // in some temples sand fills the arcade
+        if (!leg.empty()) { // In some temples sand fills the arcade, and there is no way through it
             way.insert(way.end(), leg.begin(), leg.end());
             from_m = to_m;
         }
@@ -318,7 +319,7 @@ Flight::Flight(const estampe::Scene& scene, uint64_t seed)
     way = resampled(way);
     relax(way, chart);
     way = smoothed(resampled(way), 2.0);
-    // Heights follow the ground, but its steps are smoothed.
+    // The camera's heights follow the ground, but the ground's steps are smoothed.
     std::vector<double> heights_m;
     for (const glm::dvec3& at : way) {
         const bool is_outside = at.z > static_cast<double>(court_south_m) + 8.0;
@@ -354,7 +355,7 @@ Flight::Flight(const estampe::Scene& scene, uint64_t seed)
         return glm::mix(way[k - 1], way[k], glm::clamp(part, 0.0, 1.0));
     };
     // The camera looks at a point ahead on its path. From afar it looks at the temple, and at the end up to
-    // the opening for light.
+    // the opening in the roof.
     const int count = static_cast<int>(length_s * keys_a_s) + 1;
     std::vector<glm::dvec3> eyes;
     std::vector<glm::dvec3> looks;
@@ -395,7 +396,8 @@ estampe::Camera Flight::camera(double time_s) const
     const auto i = std::min(static_cast<size_t>(at), keys_.size() - 2);
     const double t = at - static_cast<double>(i);
     const auto key = [&](size_t k) { return keys_.at(std::min(k, keys_.size() - 1)); };
-    // A uniform B-spline has continuous acceleration and stays in the convex hull of its keys.
+    // The camera's keys are interpolated by a uniform B-spline, which has continuous acceleration and stays
+    // in the convex hull of its keys.
     const std::array<Key, 4> near{{key(i > 0 ? i - 1 : 0), key(i), key(i + 1), key(i + 2)}};
     const std::array<double, 4> weights{
         {(1.0 - t) * (1.0 - t) * (1.0 - t) / 6.0, (3.0 * t * t * t - 6.0 * t * t + 4.0) / 6.0,

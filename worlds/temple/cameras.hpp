@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Twelve viewpoints, and a camera path of one minute: from the dunes down the avenue, through gate, court,
-// arcade and portal, to the last hall.
+// The temple's cameras: twelve viewpoints, and a camera path of one minute. The path leads from the dunes
+// down the avenue, through gate, court, arcade and portal, to the last hall.
 
 #include <cstdint>
 #include <optional>
@@ -28,7 +28,7 @@ struct Viewpoint {
     float vertical_fov_deg = 45.0F;
 };
 
-/// Viewpoints from outside to the last hall; each eye stands on the ground or floor below it.
+/// Returns viewpoints from outside to the last hall; each eye stands on the ground or floor below it.
 [[nodiscard]] std::vector<Viewpoint> find_viewpoints(const Plan& plan, const Site& site,
                                                      const estampe::Terrain& desert);
 
@@ -36,16 +36,18 @@ class Flight final : public worlds::CameraPath {
 public:
     static constexpr double length_s = 60.0;
 
-    /// A path through the scene that build_temple() made with `seed`. Cost: about a second.
+    /// Finds the film's camera path through the scene that build_temple() made with `seed`. Cost: about a
+    /// second.
     Flight(const estampe::Scene& scene, uint64_t seed);
 
-    /// The camera at a moment of the minute; outside of the minute, the camera at its nearer end.
+    /// Returns the film's camera at a time of its minute; before and after the minute, the camera at the
+    /// nearer end of the path.
     [[nodiscard]] estampe::Camera camera(double time_s) const override;
 
-    /// When the camera stops in the last hall.
+    /// Returns the time at which the film's camera stops in the last hall.
     [[nodiscard]] double arrives_s() const { return arrives_s_; }
 
-    /// A camera that reaches the last hall makes the world end.
+    /// Returns the time at which the camera reaches the last hall, which makes the world end.
     [[nodiscard]] std::optional<double> end_s() const override { return arrives_s_; }
 
 private:
@@ -55,7 +57,7 @@ private:
         double fov_rad = 0.9;
     };
 
-    std::vector<Key> keys_; ///< at equal intervals of time
+    std::vector<Key> keys_; ///< Keys of the camera's path, at equal intervals of time
     double arrives_s_ = 0.0;
 };
 

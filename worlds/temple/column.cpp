@@ -18,7 +18,8 @@ namespace shapes = estampe::shapes;
 
 constexpr float turn_rad = 2.0F * std::numbers::pi_v<float>;
 
-/// A shaft as a height field around its axis: flutes, slightly displaced drums, chips, a broken top.
+/// The shaft of a column as a height field around its axis: flutes, slightly displaced drums, chips, a broken
+/// top.
 class Shaft {
 public:
     Shaft(float radius_m, float height_m, int flutes, float wear, bool is_broken, Dice dice)
@@ -65,7 +66,7 @@ public:
                 const float height = std::min(row, top_m(angle));
                 mesh.positions.push_back(place(angle, height));
                 mesh.normals.push_back(normal(angle, height));
-                // UVs let strokes go around the shaft, slightly rising, and bend into the flutes.
+                // UVs let pen strokes go around the shaft, slightly rising, and bend into the flutes.
                 const float around =
                     radius_m_ * turn_rad * static_cast<float>(i) / static_cast<float>(columns);
                 mesh.uvs[0].emplace_back(around, height + 0.12F * around);
@@ -90,14 +91,16 @@ private:
 
     [[nodiscard]] float radius_at(float angle, float height_m) const
     {
-        const float up = std::max(height_m / height_m_, 0.0F); // normals are also computed below the foot
+        // Normals are also computed below the foot of the shaft
+        const float up = std::max(height_m / height_m_, 0.0F);
         const float taper = 1.0F - 0.17F * std::pow(up, 1.4F);
         const auto after = std::ranges::upper_bound(joints_m_, height_m);
         const size_t drum = static_cast<size_t>(std::max<std::ptrdiff_t>(after - joints_m_.begin() - 1, 0));
         float radius = radius_m_ * (taper + swells_[drum]);
         if (flutes_ > 0) {
             const float phase = static_cast<float>(flutes_) * (angle + turns_[drum]) / turn_rad;
-            const float across = 2.0F * (phase - std::floor(phase)) - 1.0F; // -1 and 1 at the ridges
+            // Position across a flute: -1 and 1 at the ridges on both sides
+            const float across = 2.0F * (phase - std::floor(phase)) - 1.0F;
             radius *= 1.0F - 0.09F * (1.0F - across * across);
         }
         for (const Chip& chip : chips_) {
@@ -112,7 +115,7 @@ private:
         return radius;
     }
 
-    /// Height at which the shaft ends, by direction.
+    /// Returns the height at which the broken shaft ends in a direction.
     [[nodiscard]] float top_m(float angle) const
     {
         if (!is_broken_) {
@@ -167,16 +170,18 @@ private:
     bool is_broken_;
     Dice dice_;
     std::vector<float> joints_m_;
-    std::vector<float> turns_, swells_; ///< one per drum
+    std::vector<float> turns_, swells_; ///< Rotation and extra radius of each drum of the shaft
     std::vector<Chip> chips_;
     std::array<float, 4> phases_{};
 };
 
-/// Base and capital of a shaft, as profiles of (radius, height) in radii of the shaft at that end.
+/// Base and capital of a column's shaft, as profiles of (radius, height) in radii of the shaft at that end.
 struct Profile {
     std::vector<glm::vec2> base, capital;
-    float plinth = 0.0F, abacus = 0.0F;           ///< heights
-    float plinth_half = 0.0F, abacus_half = 0.0F; ///< half their side lengths
+    /// Heights of the lowest block (plinth) and of the topmost block (abacus).
+    float plinth = 0.0F, abacus = 0.0F;
+    /// Half the side lengths of the lowest and the topmost block.
+    float plinth_half = 0.0F, abacus_half = 0.0F;
 };
 
 Profile profile_of(Order order)
@@ -298,7 +303,8 @@ Kit build_column(const Column& column)
 
     Kit straight;
     const float half = profile.plinth_half * radius;
-    // The lowest block reaches into the ground, so that a leaning column does not lift it into the air.
+    // The column's lowest block reaches into the ground, so that a leaning column does not lift it into the
+    // air.
     add_block(straight, Stuff::marble, {-half, -1.2F, -half}, {half, profile.plinth * radius, half});
     if (!profile.base.empty()) {
         straight.add(Stuff::marble, turned(profile.base, radius), at({0.0F, profile.plinth * radius, 0.0F}));

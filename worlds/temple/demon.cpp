@@ -12,7 +12,7 @@ namespace {
 constexpr auto dt = static_cast<float>(Demon::step_s);
 constexpr float half_turn = std::numbers::pi_v<float>;
 
-/// Share of a distance that exponential smoothing with this time constant covers in a step.
+/// Returns the share of a distance that exponential smoothing with this time constant covers in one step.
 float nearer(float within_s)
 {
     return 1.0F - std::exp(-dt / within_s);
@@ -96,7 +96,7 @@ void Demon::choose_mood(const glm::vec3& walker_m)
         return;
     }
     const float away_m = glm::distance(walker_m, glm::vec3(place_m_.x, height_m_, place_m_.y));
-    // Hysteresis: a demon that is afraid, or watches a visitor, stays so until the visitor is a little
+    // Hysteresis: a demon that is afraid of a visitor, or watches one, stays so until the visitor is a little
     // farther away.
     const float fear_m = shies_m * (mood_ == Mood::shy ? 1.35F : 1.0F);
     const float sight_m = sees_m * (mood_ == Mood::watch ? 1.2F : 1.0F);
@@ -116,7 +116,8 @@ void Demon::choose_goal(const glm::vec3& walker_m)
         goal_m_ = place_m_;
         rests_s_ = 0.5F;
     } else if (mood_ == Mood::shy) {
-        // Goes to the farthest of some places nearby, so that a demon against a wall slips past the visitor.
+        // The demon flees to the farthest of some places nearby, so that a demon against a wall slips past
+        // the visitor.
         const glm::vec2 walker(walker_m.x, walker_m.z);
         float best = -1e9F;
         for (int i = 0; i < 12; ++i) {
@@ -132,7 +133,7 @@ void Demon::choose_goal(const glm::vec3& walker_m)
         }
         rests_s_ = 0.0F;
     } else if (goes_s_ += dt; glm::distance(place_m_, goal_m_) < 0.3F || goes_s_ > 14.0F) {
-        // Gives up on a goal that an obstacle may cover.
+        // The demon gives up on a goal that an obstacle may cover.
         rests_s_ -= dt;
         if (rests_s_ < 0.0F) {
             goes_s_ = 0.0F;
@@ -161,7 +162,8 @@ void Demon::move(float most_m_per_s)
 
 void Demon::keep_in_haunt()
 {
-    // Repeats, because pushing the demon out of a pillar may push it into a wall, and vice versa.
+    // The pushes are repeated, because pushing the demon out of a pillar may push it into a wall, and vice
+    // versa.
     for (int round = 0; round < 4; ++round) {
         for (const glm::vec3& pillar : haunt_.pillars) {
             const glm::vec2 off = place_m_ - glm::vec2(pillar);
@@ -246,7 +248,8 @@ void Demon::drift(const glm::vec2& wind_m_per_s)
             velocity += dt * (spring * (rest - joints[k]) / size + loose * air);
             velocity *= std::exp(-damping_per_s * dt);
             joints[k] += dt * velocity;
-            // A segment stretches by a fifth at most; a compressed one lengthens gradually.
+            // A segment of a sleeve or ribbon stretches by a fifth at most; a compressed segment lengthens
+            // gradually.
             const glm::vec3 off = joints[k] - joints[k - 1];
             const float far_m = glm::length(off);
             const float opens_m = std::max(far_m, std::min(far_m + 0.02F, 0.8F * length_m));

@@ -2,7 +2,7 @@
 #pragma once
 
 // The demons of the temple: beings of ink and smoke. This file has the behaviour of one demon and the motion
-// of its body, simulated in steps of a sixtieth of a second; the result is deterministic.
+// of its body, simulated in steps of a sixtieth of a second; the same input always gives the same motion.
 
 #include <array>
 #include <cstdint>
@@ -16,57 +16,60 @@
 
 namespace temple {
 
-/// Ground that a demon stays on: a rectangle without the pillars on it.
+/// Ground on which a demon stays: a rectangle without the pillars on it.
 struct Haunt {
-    glm::vec2 low_m{0.0F}; ///< limits of the demon's middle, which keeps its own width away from walls
+    /// Smallest x and z of the demon's middle, which keeps its own width away from walls.
+    glm::vec2 low_m{0.0F};
     glm::vec2 high_m{0.0F};
-    std::vector<glm::vec3> pillars; ///< x, z, and the distance that the demon's middle keeps
-    int room = outside;             ///< room of the prison that the ground is in
-    bool is_on_floor = true;        ///< it is a floor of the prison, not sand
-    bool is_cell = false;           ///< the demon is held in this cell
-    float size = 1.0F;              ///< size of the demon relative to the usual height of 2.4 m
+    /// Pillars on the ground: x, z, and the distance that the demon's middle keeps.
+    std::vector<glm::vec3> pillars;
+    int room = outside;      ///< Room of the prison in which the ground lies
+    bool is_on_floor = true; ///< The ground is a floor of the prison, not sand
+    bool is_cell = false;    ///< The ground is a cell in which the demon is held
+    float size = 1.0F;       ///< Size of the demon relative to the usual height of 2.4 m
 };
 
 enum class Mood : uint8_t {
-    wander,   ///< drifts from place to place
-    watch,    ///< stands and looks at the visitor
-    shy,      ///< keeps away from a visitor who is too near
-    dissolve, ///< dissolves into ink
+    wander,   ///< The demon drifts from place to place
+    watch,    ///< The demon stands and looks at the visitor
+    shy,      ///< The demon keeps away from a visitor who is too near
+    dissolve, ///< The demon dissolves into ink
     gone
 };
 
-/// A chain of joints that trails behind the body: a part of the body from the head down.
+/// A strand of a demon: a chain of joints from the head down, which trails behind when the body moves.
 struct Strand {
     int joints = 4;
-    float length_m = 0.3F;           ///< distance between joints
-    glm::vec3 root_m{0.0F};          ///< attachment on the body, relative to the head
-    glm::vec3 hangs{0.0F, -1, 0.0F}; ///< rest direction, unit
-    float stiffness = 1.0F;          ///< stiffness of the first joint; decreases further down
+    float length_m = 0.3F;           ///< Distance between two joints of the strand
+    glm::vec3 root_m{0.0F};          ///< Place where the strand starts on the body, relative to the head
+    glm::vec3 hangs{0.0F, -1, 0.0F}; ///< Direction in which the strand hangs at rest, a unit vector
+    float stiffness = 1.0F;          ///< Stiffness of the first joint; the stiffness decreases further down
 };
 
 inline constexpr int strand_count = 6;
 
-/// The strands of a demon: the body, two sleeves and three ribbons.
+/// Returns the strands of a demon: the body, two sleeves and three ribbons.
 [[nodiscard]] const std::array<Strand, strand_count>& strands();
 
 class Demon {
 public:
     static constexpr double step_s = 1.0 / 60.0;
-    static constexpr float sees_m = 15.0F;       ///< a visitor nearer than this is watched
-    static constexpr float shies_m = 5.5F;       ///< a demon retreats from a visitor nearer than this
-    static constexpr float despairs_m = 2.2F;    ///< a demon dissolves if a visitor stays nearer than this
-    static constexpr float despairs_s = 2.5F;    ///< how long the visitor must stay that near
-    static constexpr float dissolves_s = 4.5F;   ///< duration of the dissolving
-    static constexpr float half_width_m = 0.75F; ///< distance kept from walls, for a size of 1
-    static constexpr float head_m = 2.05F;       ///< height of the head above the ground, for a size of 1
+    static constexpr float sees_m = 15.0F;    ///< A demon watches a visitor who is nearer than this
+    static constexpr float shies_m = 5.5F;    ///< A demon retreats from a visitor who is nearer than this
+    static constexpr float despairs_m = 2.2F; ///< A demon dissolves if a visitor stays nearer than this
+    /// Time for which the visitor must stay nearer than `despairs_m`.
+    static constexpr float despairs_s = 2.5F;
+    static constexpr float dissolves_s = 4.5F;   ///< Time in which a demon dissolves
+    static constexpr float half_width_m = 0.75F; ///< Distance that a demon of size 1 keeps from walls
+    static constexpr float head_m = 2.05F; ///< Height of a demon's head above the ground, for a size of 1
 
-    /// `ground_m` gives the height of the ground at x and z.
+    /// Creates a demon. `ground_m` gives the height of the ground at x and z.
     Demon(Haunt haunt, std::function<float(const glm::vec2&)> ground_m, Dice dice);
 
-    /// Advances the simulation by step_s. `wind_m_per_s` is the wind along x and z.
+    /// Advances the demon by one step of step_s. `wind_m_per_s` is the wind along x and z.
     void step(const glm::vec3& walker_m, const glm::vec2& wind_m_per_s);
 
-    /// Starts to dissolve, whoever is near.
+    /// Makes the demon dissolve, even if no visitor is near.
     void dissolve();
 
     [[nodiscard]] Mood mood() const { return mood_; }
@@ -79,18 +82,18 @@ public:
 
     [[nodiscard]] glm::vec3 head() const { return joints_[0][0]; }
 
-    /// Direction that the demon faces, from +z towards +x.
+    /// Returns the direction that the demon faces: 0 is +z, a quarter turn is +x.
     [[nodiscard]] float yaw_rad() const { return yaw_rad_; }
 
     [[nodiscard]] float pitch_rad() const { return pitch_rad_; }
 
-    /// Joints of a strand in world space, from its attachment on.
+    /// Returns the joints of a demon's strand in world space, from its first joint on the body.
     [[nodiscard]] const std::vector<glm::vec3>& joints(int strand) const
     {
         return joints_[static_cast<size_t>(strand)];
     }
 
-    /// Opening of the eyes: 0 shut, 1 normal, above 1 when the demon is afraid.
+    /// Returns how far the demon's eyes are open: 0 shut, 1 normal, above 1 when the demon is afraid.
     [[nodiscard]] float eyes() const { return eyes_; }
 
     /// Share of the demon's ink that has flowed out.
@@ -119,7 +122,7 @@ private:
     glm::vec2 place_m_{0.0F};
     glm::vec2 velocity_m_s_{0.0F};
     glm::vec2 goal_m_{0.0F};
-    float height_m_ = 0.0F; ///< height of the head
+    float height_m_ = 0.0F; ///< Height of the demon's head
     float yaw_rad_ = 0.0F;
     float pitch_rad_ = 0.0F;
     float eyes_ = 1.0F;

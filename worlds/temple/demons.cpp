@@ -22,8 +22,8 @@ using estampe::Primitive;
 
 constexpr float full_turn = 2.0F * std::numbers::pi_v<float>;
 
-/// The joints of a demon's body in the rest pose, relative to the head: the joints of one strand after
-/// another, each from the head down, then the two eyes.
+/// Returns the joints of a demon's body in the rest pose, relative to the head: the joints of one strand
+/// after another, each from the head down, then the two eyes.
 const std::vector<glm::vec3>& rest_joints()
 {
     static const std::vector<glm::vec3> all = [] {
@@ -50,7 +50,7 @@ size_t first_joint(int strand)
     return first;
 }
 
-/// Two joints and the weight of the second.
+/// Joints that move a vertex of a demon: two joints and the weight of the second.
 struct Hold {
     size_t first = 0;
     size_t second = 0;
@@ -65,8 +65,8 @@ void add_vertex(Primitive& part, const glm::vec3& place, const glm::vec2& uv, co
     part.weights_0.emplace_back(1.0F - hold.share, hold.share, 0.0F, 0.0F);
 }
 
-/// Adds triangles between two rows of vertices of equal number, the second directly after the first; closes
-/// the band to a ring.
+/// Adds a band of triangles between two rows of vertices of equal number, the second directly after the
+/// first; closes the band to a ring.
 void add_band(Primitive& part, uint32_t first, uint32_t columns)
 {
     for (uint32_t i = 0; i < columns; ++i) {
@@ -92,7 +92,7 @@ void find_normals(Primitive& part)
     }
 }
 
-/// Joint weights of a place along a strand, by its distance from the root.
+/// Returns the joint weights of a vertex on a strand, by its distance from the strand's start.
 Hold hold_at(int strand, float down_m)
 {
     const Strand& hung = strands()[static_cast<size_t>(strand)];
@@ -102,7 +102,7 @@ Hold hold_at(int strand, float down_m)
     return {first, first + 1, along - static_cast<float>(whole)};
 }
 
-/// Adds hood, shoulders and a cloak with a torn hem.
+/// Adds the demon's hood, shoulders and a cloak with a torn hem.
 void add_cloak(Primitive& part, Dice& dice)
 {
     struct Ring {
@@ -149,8 +149,8 @@ void add_cloak(Primitive& part, Dice& dice)
     }
 }
 
-/// Adds a sleeve with a wide, torn end, or a ribbon that ends in a point. `root_m` and `end_m` are width and
-/// depth at both ends.
+/// Adds a demon's sleeve with a wide, torn end, or a ribbon that ends in a point. `root_m` and `end_m` are
+/// width and depth at both ends.
 void add_strand(Primitive& part, int number, const glm::vec2& root_m, const glm::vec2& end_m, Dice& dice)
 {
     const Strand& strand = strands()[static_cast<size_t>(number)];
@@ -202,8 +202,8 @@ void add_eyes(Primitive& part)
     }
 }
 
-/// Builds a hooded shape with a torn hem, sleeves and ribbons of the material `ink`, and two eyes of `pale`,
-/// skinned to rest_joints(). Its front is +z, and its head is at the origin.
+/// Builds the mesh of a demon: a hooded shape with a torn hem, sleeves and ribbons of the material `ink`, and
+/// two eyes of `pale`, skinned to rest_joints(). Its front is +z, and its head is at the origin.
 estampe::Mesh build_demon(Dice dice, estampe::Index ink, estampe::Index pale)
 {
     Primitive body;
@@ -225,9 +225,9 @@ estampe::Mesh build_demon(Dice dice, estampe::Index ink, estampe::Index pale)
 using estampe::Index;
 
 constexpr size_t most_cells = 6;
-constexpr int forms = 3; ///< number of meshes with different torn edges
+constexpr int forms = 3; ///< Number of demon meshes with different torn edges
 
-/// A joint of a strand from which smoke rises.
+/// A joint of a demon's strand from which smoke rises.
 struct Wisp {
     int strand;
     int joint;
@@ -256,8 +256,8 @@ Haunt room_haunt(const Plan& plan, size_t room, float size)
     return haunt;
 }
 
-/// Ground of a demon on the sand between `low` and `high`, without the places of columns, drums, the statue
-/// and flags.
+/// Returns the ground of a demon on the sand between `low` and `high`, without the places of columns, drums,
+/// the statue and flags.
 Haunt sand_haunt(const Site& site, const glm::vec2& low, const glm::vec2& high, float size)
 {
     Haunt haunt{.low_m = low, .high_m = high, .pillars = {}, .is_on_floor = false, .size = size};
@@ -268,7 +268,7 @@ Haunt sand_haunt(const Site& site, const glm::vec2& low, const glm::vec2& high, 
     for (const glm::vec3& drum : site.drums) {
         haunt.pillars.emplace_back(drum.x, drum.y, 1.9F + wide_m);
     }
-    haunt.pillars.emplace_back(-5.4F, -4.0F, 1.6F + wide_m); // the statue
+    haunt.pillars.emplace_back(-5.4F, -4.0F, 1.6F + wide_m); // The statue is an obstacle, too
     for (const Sheet& sheet : site.sheets) {
         haunt.pillars.emplace_back(sheet.corner_m.x, sheet.corner_m.z, 0.3F + wide_m);
     }
@@ -329,7 +329,7 @@ Demons::Demons(const Plan& plan, const Site& site, const estampe::Terrain& deser
 void Demons::step(double seconds, const glm::dvec3& walker_m, const glm::vec2& wind_m_per_s)
 {
     owed_s_ += std::max(seconds, 0.0);
-    // The tolerance lets a step that is due run despite rounding in the sum of times.
+    // The tolerance lets a simulation step that is due run despite rounding in the sum of times.
     for (; owed_s_ > Demon::step_s - 1e-9; owed_s_ -= Demon::step_s) {
         for (Demon& demon : all_) {
             demon.step(glm::vec3(walker_m), wind_m_per_s);
@@ -408,7 +408,7 @@ std::vector<estampe::NodePlace> Demons::places(Index first,
         const auto size = static_cast<double>(demon.haunt().size);
         const bool is_gone = demon.mood() == Mood::gone || (is_hidden && is_hidden(demon));
         const auto left = static_cast<double>(demon.body());
-        // A dissolving demon grows thin and sinks.
+        // A demon that dissolves grows thin and sinks.
         const double thin = std::max(std::sqrt(std::max(left, 0.0)), 1e-3);
         const glm::dvec3 head(demon.head());
         const glm::dquat turned = facing(demon);
@@ -425,7 +425,8 @@ std::vector<estampe::NodePlace> Demons::places(Index first,
             const auto open = static_cast<double>(demon.eyes());
             put(glm::dvec3(rest_joints()[eye]), straight, {0.6 + 0.4 * open, std::max(open, 0.02), 1.0});
         }
-        // Emitters are rotated differently, but mostly upwards, so that no two streams look alike.
+        // The emitters of smoke are rotated differently, but mostly upwards, so that no two streams look
+        // alike.
         for (size_t i = 0; i < wisps.size(); ++i) {
             const double lean = wisps[i].strand == 0 ? 0.5 : 1.1;
             const glm::dquat aside = glm::angleAxis(2.4 * static_cast<double>(i), glm::dvec3(0.0, 1.0, 0.0)) *

@@ -18,20 +18,20 @@
 
 namespace temple {
 
-/// The grounds of all demons: cells, shut ones first; one in the last hall; and some free ones in the court,
-/// on the avenue, by the giant statue and in the dunes.
+/// Returns the grounds of all demons: cells, shut ones first; one in the last hall; and some free ones in the
+/// court, on the avenue, by the giant statue and in the dunes.
 [[nodiscard]] std::vector<Haunt> find_haunts(const Plan& plan, const Site& site);
 
 class Demons {
 public:
     Demons(const Plan& plan, const Site& site, const estampe::Terrain& desert, uint64_t seed);
 
-    /// Advances the simulation in steps of a 60th of a second; a remainder is kept for the next call. The
-    /// demons watch and avoid a visitor at `walker_m`; `wind_m_per_s` is the wind along x and z. Cost: 20 us
-    /// per step.
+    /// Advances all demons in steps of a 60th of a second; a remainder is kept for the next call. The demons
+    /// watch and avoid a visitor at `walker_m`; `wind_m_per_s` is the wind along x and z. Cost: 20 us per
+    /// step.
     void step(double seconds, const glm::dvec3& walker_m, const glm::vec2& wind_m_per_s = {});
 
-    /// Makes this demon dissolve from now on. Throws std::out_of_range if it does not exist.
+    /// Makes the demon with this number dissolve from now on. Throws std::out_of_range if it does not exist.
     void dissolve(size_t demon) { all_.at(demon).dissolve(); }
 
     [[nodiscard]] std::span<const Demon> all() const { return all_; }
@@ -40,12 +40,12 @@ public:
     /// particles, and `stain N` as zones of ink. Appends two materials to the scene.
     void add_to(estampe::Scene& scene) const;
 
-    /// Current transforms of the nodes, for Renderer::place(); `first` is the scene's node `demon 0`. Demons
-    /// for which `is_hidden` returns true have no size and emit no smoke.
+    /// Returns the demons' current transforms of nodes, for Renderer::place(); `first` is the scene's node
+    /// `demon 0`. Demons for which `is_hidden` returns true have no size and emit no smoke.
     [[nodiscard]] std::vector<estampe::NodePlace>
     places(estampe::Index first, const std::function<bool(const Demon&)>& is_hidden = {}) const;
 
-    /// The hollows that demons press into the sand, one for each demon on sand.
+    /// Returns the hollows that demons press into the sand, one for each demon on sand.
     [[nodiscard]] std::vector<Hollow> hollows() const;
 
 private:

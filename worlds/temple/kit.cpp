@@ -8,7 +8,7 @@ namespace {
 
 struct Look {
     const char* name;
-    glm::vec3 color; ///< linear
+    glm::vec3 color; ///< Linear base colour of the material
     bool double_sided;
     glm::vec3 emissive;
 };

@@ -19,11 +19,11 @@ using estampe::shapes::at;
 using estampe::shapes::rod;
 
 /// Random numbers that are equal on every machine: SplitMix64 (Steele et al., "Fast splittable pseudorandom
-/// number generators", 2014). The standard library's distributions differ between implementations.
+/// number generators", 2014). The standard library's distributions would differ between implementations.
 class Dice {
 public:
-    /// Each `part` of a seed has its own random numbers, so that changing one part leaves the others
-    /// unchanged.
+    /// Starts the random numbers of one `part` of a seed. Each part has its own numbers, so that changing one
+    /// part leaves the others unchanged.
     explicit Dice(uint64_t seed, uint64_t part = 0) : state_(mixed(seed) ^ mixed(~part)) {}
 
     [[nodiscard]] uint64_t number()
@@ -32,12 +32,12 @@ public:
         return mixed(state_);
     }
 
-    /// Uniform from 0 inclusive to 1 exclusive.
+    /// Returns a uniform random number from 0 inclusive to 1 exclusive.
     [[nodiscard]] float share() { return static_cast<float>(number() >> 40U) * 0x1p-24F; }
 
     [[nodiscard]] float between(float low, float high) { return low + (high - low) * share(); }
 
-    /// Uniform whole number from 0 to count - 1.
+    /// Returns a uniform random whole number from 0 to count - 1.
     [[nodiscard]] int below(int count) { return static_cast<int>(share() * static_cast<float>(count)); }
 
     [[nodiscard]] bool chance(float of_one) { return share() < of_one; }
@@ -55,15 +55,16 @@ private:
 
 enum class Stuff : estampe::Index { stone, paving, marble, dark, iron, flame, red };
 
-/// The materials, in the order of the enum Stuff.
+/// Returns the temple's materials, in the order of the enum Stuff.
 [[nodiscard]] std::vector<estampe::Material> materials();
 
-/// Direction of strokes on a flat face: along `along`, with `up` to the left of the strokes; both unit
-/// vectors.
+/// Direction of the pen strokes on a flat face: strokes run along `along`, with `up` to their left; both are
+/// unit vectors.
 struct Grain {
     glm::vec3 along{1.0F, 0.0F, 0.0F};
     glm::vec3 up{0.0F, 1.0F, 0.0F};
-    glm::vec2 offset_m{0.0F}; ///< differs between stones, so that their strokes begin at different places
+    /// Shift of the strokes; differs between stones, so that their strokes begin at different places.
+    glm::vec2 offset_m{0.0F};
 };
 
 /// Collects the shapes of one object. For some faces it stores which edges a pen would draw.
@@ -75,7 +76,7 @@ public:
                   const Grain& grain, uint32_t drawn);
 };
 
-/// Adds the block between the corners `low` and `high`.
+/// Adds a block with its opposite corners at `low` and `high`.
 void add_block(Kit& kit, Stuff stuff, const glm::vec3& low, const glm::vec3& high);
 
 } // namespace temple

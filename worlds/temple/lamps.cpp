@@ -22,7 +22,7 @@ class Hanger {
 public:
     explicit Hanger(Lamps& lamps) : lamps_(lamps) {}
 
-    /// Adds a bowl on three chains below a ceiling.
+    /// Adds a lamp: a bowl on three chains below a ceiling.
     void lamp(const glm::vec3& place_m, float ceiling_m, float candela)
     {
         const std::array<glm::vec2, 7> bowl{{{0.0F, -0.2F},
@@ -42,7 +42,7 @@ public:
         light(place_m + glm::vec3(0.0F, 0.22F, 0.0F), candela, false);
     }
 
-    /// Adds a bowl of embers on a foot.
+    /// Adds a brazier: a bowl of embers on a foot.
     void brazier(const glm::vec3& place_m, float candela, bool throws_shadows)
     {
         const std::array<glm::vec2, 11> foot{{{0.0F, 0.0F},
@@ -61,7 +61,7 @@ public:
         light(place_m + glm::vec3(0.0F, 1.75F, 0.0F), candela, throws_shadows);
     }
 
-    /// Adds the daylight through a hole in the roof, as a spot above it.
+    /// Adds the daylight that falls through a hole in the roof, as a spot light above the hole.
     void shaft(const glm::vec3& hole_m, float depth_m)
     {
         constexpr float above_m = 5.0F;
@@ -136,7 +136,7 @@ void light_room(Hanger& hanger, const Plan& plan, int index, Dice& dice)
                                throws_shadows);
             }
         }
-        // Hangs lamps along the middle, where no columns stand.
+        // Lamps hang along the middle of the hall, where no columns stand.
         const bool is_along_x = modules.x >= modules.y;
         for (int i = 0; i < std::max(modules.x, modules.y); i += 2) {
             const float along = module_m * (static_cast<float>(i) + 0.5F);
@@ -193,8 +193,8 @@ Lamps hang_lamps(const Plan& plan, uint64_t seed)
 namespace {
 
 constexpr double seen_within_m = 26.0;
-constexpr double box_half_m = 1.8;  ///< half the size of the smoke simulation's box
-constexpr float over_foot_m = 0.1F; ///< height of the box's floor above the foot of the fire
+constexpr double box_half_m = 1.8;  ///< Half the size of the box in which the brazier's smoke is simulated
+constexpr float over_foot_m = 0.1F; ///< Height of the smoke box's floor above the foot of the fire
 
 bool is_within(const Room& room, const glm::vec2& place_m)
 {

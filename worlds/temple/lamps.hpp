@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Lamps, braziers, the smoke of the large braziers, and the daylight that falls through the roofs.
+// The fires of the temple: lamps, braziers, the smoke of the large braziers, and the daylight that falls
+// through the roofs.
 
 #include <cstdint>
 #include <vector>
@@ -16,7 +17,7 @@
 
 namespace temple {
 
-/// A light and its position; spots shine straight down.
+/// A light and its position; spot lights shine straight down.
 struct PlacedLight {
     estampe::Light light;
     glm::vec3 place_m{0.0F};
@@ -24,17 +25,17 @@ struct PlacedLight {
 
 /// A flame of a lamp or a fire of a brazier.
 struct PlacedFlame {
-    glm::vec3 place_m{0.0F}; ///< position of its foot
-    bool is_fire = false;    ///< it belongs to a brazier, not to a lamp
+    glm::vec3 place_m{0.0F}; ///< Position of the flame's foot
+    bool is_fire = false;    ///< The flame is the fire of a brazier, not of a lamp
 };
 
 struct Lamps {
-    std::vector<PlacedLight> lights; ///< at least 30, of which few cast shadows
-    std::vector<PlacedFlame> flames; ///< one for each lamp and brazier
-    Kit kit;                         ///< the bodies of lamps and braziers
+    std::vector<PlacedLight> lights; ///< Lights of the temple: at least 30, of which few cast shadows
+    std::vector<PlacedFlame> flames; ///< Flames of the temple, one for each lamp and brazier
+    Kit kit;                         ///< Shapes of the lamps and braziers
 };
 
-/// Builds a flame, or the tongues of a brazier's fire, with its foot at the origin.
+/// Builds the flame of a lamp, or the fire of a brazier, with its foot at the origin.
 [[nodiscard]] Kit build_flame(bool is_fire);
 
 [[nodiscard]] Lamps hang_lamps(const Plan& plan, uint64_t seed);
@@ -45,16 +46,16 @@ struct Plume {
     int room = 0;
 };
 
-/// The plumes over two braziers in the entrance and two in the last hall: in each room, those farthest from
-/// the door through which a visitor comes.
+/// Finds the columns of smoke over two braziers in the entrance and two in the last hall: in each room, over
+/// those farthest from the door through which a visitor comes.
 [[nodiscard]] std::vector<Plume> find_plumes(const Plan& plan, uint64_t seed);
 
-/// Adds the emitters `smoke N`, which have no size until they are placed.
+/// Adds the smoke emitters `smoke N` to the scene; they have no size until they are placed.
 void add_smoke(estampe::Scene& scene, const std::vector<Plume>& plumes);
 
-/// Transforms of the emitters, for Renderer::place(); `first` is the scene's node `smoke 0`. Emitters in
-/// rooms out of sight, and those too far away to be more than a dot, have no size, so that they emit no
-/// smoke.
+/// Returns the transforms of the smoke emitters, for Renderer::place(); `first` is the scene's node `smoke
+/// 0`. Emitters in rooms out of sight, and those too far away to be more than a dot, have no size, so that
+/// they emit no smoke.
 [[nodiscard]] std::vector<estampe::NodePlace> smoke_places(estampe::Index first,
                                                            const std::vector<Plume>& plumes,
                                                            const glm::dvec3& eye_m,

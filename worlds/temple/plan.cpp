@@ -23,7 +23,7 @@ glm::vec2 corner_m(glm::ivec2 module)
             front_z_m - module_m * static_cast<float>(module.y)};
 }
 
-/// Fills free modules with rectangles.
+/// Divides the prison's ground into rooms: fills free modules (squares of the plan) with rectangles.
 class Divider {
 public:
     explicit Divider(Dice& dice) : dice_(dice) { taken_.fill(false); }
@@ -111,11 +111,11 @@ float height_of(const Room& room, Dice& dice)
     return 4.0F;
 }
 
-/// All straight pieces of wall, each between the same two rooms.
+/// Finds all straight pieces of wall, each between the same two rooms.
 std::vector<WallRun> find_walls(const Plan& plan)
 {
     std::vector<WallRun> walls;
-    // Lines of the grid along x first, then along z.
+    // First the lines of the plan's grid along x, then those along z.
     for (const bool is_along_x : {true, false}) {
         const int lines = is_along_x ? modules_z : modules_x;
         const int steps = is_along_x ? modules_x : modules_z;
@@ -161,7 +161,7 @@ bool is_cell(const Plan& plan, int room)
 Door door_in(const Plan& plan, const WallRun& wall)
 {
     Door door{.a = wall.a, .b = wall.b, .place_m = 0.5F * (wall.from_m + wall.to_m)};
-    if (wall.a == outside || wall.b == outside) { // this wall is for the portal only
+    if (wall.a == outside || wall.b == outside) { // The only door in an outer wall is the portal
         door.half_m = 1.9F;
         door.springing_m = 3.4F;
     } else if (is_cell(plan, wall.a) || is_cell(plan, wall.b)) {
@@ -176,7 +176,8 @@ Door door_in(const Plan& plan, const WallRun& wall)
     return door;
 }
 
-/// Opens doors that join all rooms into a random spanning tree (Kruskal), and a few more that close loops.
+/// Opens doors in walls: doors that join all rooms into a random spanning tree (Kruskal), and a few more that
+/// close loops.
 void open_doors(Plan& plan, Dice& dice)
 {
     struct Choice {
@@ -231,7 +232,7 @@ void open_doors(Plan& plan, Dice& dice)
     }
 }
 
-/// Piers stand wherever walls end, as high as the highest of them.
+/// Finds the piers: they stand wherever walls end, as high as the highest of these walls.
 std::vector<Post> find_posts(const std::vector<WallRun>& walls)
 {
     std::map<std::pair<float, float>, float> heights;
@@ -321,9 +322,9 @@ Plan make_plan(uint64_t seed)
 namespace {
 
 constexpr float cell_m = 0.25F;
-constexpr float margin_m = 4.0F; ///< width of free ground around the prison
+constexpr float margin_m = 4.0F; ///< Width of the free ground around the prison
 
-/// The ground of the prison as a grid of free and blocked squares.
+/// The floors of the prison as a grid of free and blocked squares, for finding a path.
 class Floor {
 public:
     explicit Floor(float radius_m)
@@ -334,7 +335,7 @@ public:
     {
     }
 
-    /// Blocks a rectangle and a margin of the walker's radius around it.
+    /// Blocks the squares in a rectangle and in a margin of the walker's radius around it.
     void fill(const glm::vec2& low_m, const glm::vec2& high_m)
     {
         const glm::vec2 grow(radius_m_);
@@ -372,7 +373,8 @@ public:
         if (next.empty()) {
             return way;
         }
-        // Each square knows the step by which the search reached it from the goal.
+        // Follows the path backwards: each square knows the step by which the search reached it from the
+        // goal.
         for (glm::ivec2 here = goal;; here -= steps[state_[index(here)]]) {
             way.push_back(low_m_ + cell_m * (glm::vec2(here) + 0.5F));
             if (here == start) {

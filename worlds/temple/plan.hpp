@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The floor plan of the prison: which rooms are adjacent, where doors lead, where columns stand. Contains
-// only numbers, no meshes.
+// The floor plan of the prison: which rooms are adjacent, where doors lead, where columns stand. The plan
+// contains only numbers, no meshes.
 
 #include <cstdint>
 #include <optional>
@@ -14,30 +14,32 @@
 
 namespace temple {
 
-inline constexpr float module_m = 6.0F; ///< length and width of rooms are whole multiples of this
+/// Side of the plan's squares; length and width of rooms are whole multiples of this.
+inline constexpr float module_m = 6.0F;
 inline constexpr int modules_x = 8;
 inline constexpr int modules_z = 6;
-inline constexpr float floor_m = 1.2F;     ///< height of all floors above the court
-inline constexpr float front_z_m = -27.0F; ///< z of the prison's front; its rooms lie behind it, towards -z
-inline constexpr float post_half_m = 0.7F; ///< half the width of the piers where walls meet
+inline constexpr float floor_m = 1.2F; ///< Height of all floors of the prison above the court
+/// Z of the prison's front; its rooms lie behind the front, towards -z.
+inline constexpr float front_z_m = -27.0F;
+inline constexpr float post_half_m = 0.7F; ///< Half the width of the piers where walls meet
 
 enum class RoomKind : uint8_t {
     entrance,
     hall,
     corridor,
     cell,
-    fallen, ///< its roof has collapsed and sand lies in it
-    last,   ///< the visitor's destination
+    fallen, ///< A room whose roof has collapsed, with sand in it
+    last,   ///< The last hall, which is the visitor's destination
 };
 
-/// A rectangle of modules; `last` is exclusive.
+/// A room of the prison: a rectangle of modules (squares of the plan); `last` is exclusive.
 struct Room {
     RoomKind kind = RoomKind::hall;
     glm::ivec2 first{0}, last{0};
     float height_m = 4.0F;
 
-    [[nodiscard]] glm::vec2 low_m() const;  ///< corner with the smallest x and z
-    [[nodiscard]] glm::vec2 high_m() const; ///< corner with the largest x and z
+    [[nodiscard]] glm::vec2 low_m() const;  ///< Corner of the room with the smallest x and z
+    [[nodiscard]] glm::vec2 high_m() const; ///< Corner of the room with the largest x and z
 
     [[nodiscard]] glm::vec2 middle_m() const { return 0.5F * (low_m() + high_m()); }
 
@@ -48,18 +50,18 @@ inline constexpr int outside = -1;
 
 /// A doorway through a wall.
 struct Door {
-    int a = outside, b = outside; ///< rooms
+    int a = outside, b = outside; ///< The two rooms that the door joins
     glm::vec2 place_m{0.0F};
     float half_m = 1.0F;
     float springing_m = 2.2F;
     bool is_arched = true;
-    bool is_barred = false; ///< a grating still closes this cell
+    bool is_barred = false; ///< A grating still closes the door of this cell
 };
 
 /// A wall between two rooms or around the prison, along x or z.
 struct WallRun {
     int a = outside, b = outside;
-    glm::vec2 from_m{0.0F}, to_m{0.0F}; ///< from pier to pier
+    glm::vec2 from_m{0.0F}, to_m{0.0F}; ///< Both ends of the wall, from pier to pier
     bool is_along_x = true;
     float height_m = 4.0F;
     float thickness_m = 0.9F;
@@ -79,21 +81,21 @@ struct PlacedColumn {
 };
 
 struct Plan {
-    std::vector<Room> rooms; ///< the first is the entrance
-    std::vector<Door> doors; ///< the first is the portal
+    std::vector<Room> rooms; ///< Rooms of the prison; the first is the entrance
+    std::vector<Door> doors; ///< Doors of the prison; the first is the portal
     std::vector<WallRun> walls;
     std::vector<Post> posts;
     std::vector<PlacedColumn> columns;
     int last_room = 0;
 
-    /// Index of the room that contains a module.
+    /// Returns the index of the room that contains a square of the plan.
     [[nodiscard]] int room_at(glm::ivec2 module) const;
 };
 
 [[nodiscard]] Plan make_plan(uint64_t seed);
 
-/// A path for a walker of that radius from the portal to the middle of the last hall, on a grid of a quarter
-/// of a metre; empty if there is none.
+/// Finds a path for a walker of that radius from the portal to the middle of the last hall, on a grid of a
+/// quarter of a metre; empty if there is none.
 [[nodiscard]] std::vector<glm::vec2> find_way(const Plan& plan, float radius_m = 0.35F);
 
 } // namespace temple

@@ -14,7 +14,7 @@
 namespace temple {
 namespace {
 
-/// Height of what remains of a wall in the open.
+/// Returns the height of the remains of a wall in the open, by the position along the wall.
 std::function<float(float)> ruined_top(float height_m, float deep, Dice& dice)
 {
     const float phase = 6.0F * dice.share();
@@ -47,7 +47,7 @@ Kit build_run(const Plan& plan, const WallRun& run, Dice dice)
     }
     if (stands_open(plan, run)) {
         wall.top_m = ruined_top(run.height_m, dice.between(0.25F, 0.5F), dice);
-    } else if (run.a == outside || run.b == outside) { // only its parapet is damaged
+    } else if (run.a == outside || run.b == outside) { // Only the parapet of an outer wall is damaged
         wall.top_m = ruined_top(run.height_m, 1.3F / run.height_m, dice);
     }
     // Walls are built along +x; a wall along z begins at its end with the greater z.
@@ -71,7 +71,7 @@ void add_post(Kit& kit, const Post& post, Dice& dice)
             at({post.place_m.x - post_half_m, floor_m, post.place_m.y}));
 }
 
-/// Adds flagstones in rows; only a few of their joints are drawn.
+/// Adds the floor of a room: flagstones in rows. Only a few of their joints are drawn.
 void add_floor(Kit& kit, const Room& room, Dice& dice)
 {
     const glm::vec2 low = room.low_m();
@@ -93,7 +93,7 @@ void add_floor(Kit& kit, const Room& room, Dice& dice)
     }
 }
 
-/// Adds a roof of slabs, with a hole for light if `shaft` is set.
+/// Adds the roof of a room: slabs, with a hole for light if `shaft` is set.
 void add_roof(Kit& kit, const Room& room, std::optional<glm::vec2> shaft)
 {
     constexpr float thick_m = 0.5F;
@@ -115,7 +115,7 @@ void add_roof(Kit& kit, const Room& room, std::optional<glm::vec2> shaft)
     slab(to.x, from.y, high.x, to.y);
 }
 
-/// Adds beams above the columns, from wall to wall.
+/// Adds beams above the columns of a room, from wall to wall.
 void add_beams(Kit& kit, const Plan& plan, int index)
 {
     const Room& room = plan.rooms[static_cast<size_t>(index)];
@@ -247,23 +247,23 @@ std::vector<Thing> build_prison(const Plan& plan, uint64_t seed)
 
 namespace {
 
-constexpr float wider_m = 0.8F;   ///< widening of a door, on either side, in visibility tests
-constexpr float within_m = 1.2F;  ///< distance from a door within which an eye counts as in both rooms
-constexpr float above_m = 5.0F;   ///< height above the floor from which roofs are visible from above
-constexpr float around_m = 60.0F; ///< distance within which holes in roofs are visible
+constexpr float wider_m = 0.8F;  ///< Widening of a door, on either side, in visibility tests
+constexpr float within_m = 1.2F; ///< Distance from a door within which an eye counts as being in both rooms
+constexpr float above_m = 5.0F;  ///< Height of an eye above the floor from which roofs are visible from above
+constexpr float around_m = 60.0F; ///< Distance within which an eye above the roofs sees the holes in them
 
 float cross(const glm::vec2& a, const glm::vec2& b)
 {
     return a.x * b.y - a.y * b.x;
 }
 
-/// A door of a room, between its two sides.
+/// A door of a room, as the line between its two sides.
 struct Portal {
     int to = outside;
     glm::vec2 from_m{0.0F}, to_m{0.0F};
 };
 
-/// The directions between two, counter-clockwise from the first, less than half a turn.
+/// The directions between two directions, counter-clockwise from the first, less than half a turn.
 struct Wedge {
     glm::vec2 first{0.0F}, last{0.0F};
 };
@@ -282,13 +282,13 @@ public:
     {
     }
 
-    /// Finds everything visible from inside a room, or from outdoors.
+    /// Finds everything that is visible from inside a room, or from outdoors.
     void look_around(int room) { look(room, std::nullopt); }
 
     [[nodiscard]] const std::vector<bool>& seen() const { return seen_; }
 
 private:
-    /// Rooms without a roof count as outdoors.
+    /// Returns the room in which an eye counts as standing: a room without a roof counts as outdoors.
     [[nodiscard]] int place_of(int room) const
     {
         return room == outside || plan_.rooms[static_cast<size_t>(room)].is_roofed() ? room : outside;
@@ -319,7 +319,7 @@ private:
         if (room != outside) {
             const auto index = static_cast<size_t>(room);
             if (is_passed_[index]) {
-                return; // a straight line enters a room only once
+                return; // A straight line of sight enters a room only once
             }
             seen_[index] = true;
             is_passed_[index] = true;
@@ -357,7 +357,7 @@ private:
     const Plan& plan_;
     glm::vec2 eye_;
     std::vector<bool> seen_;
-    std::vector<bool> is_passed_; ///< rooms on the line of sight that is being followed
+    std::vector<bool> is_passed_; ///< Rooms on the line of sight that is being followed
     bool is_outside_passed_ = false;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Builds the rooms of a plan in stone, and computes which of them are visible from a place: rooms are the
-// cells and doors the portals of the visibility search.
+// Builds the rooms of the prison's plan in stone, and computes which rooms are visible from a place by a
+// portal search: rooms are its cells and doors its portals.
 
 #include <string>
 #include <vector>
@@ -14,27 +14,28 @@
 
 namespace temple {
 
-/// An object of the scene: one mesh and one node.
+/// An object of the temple: one mesh and one node.
 struct Thing {
     std::string name;
     Kit kit;
     glm::vec3 place_m{0.0F};
-    bool on_sand = false; ///< the height of `place_m` is relative to the sand
+    bool on_sand = false; ///< The height of `place_m` is relative to the sand
 };
 
-/// Builds walls and piers, and for each room its floor, roof, columns and bars.
+/// Builds the prison's walls and piers, and for each room its floor, roof, columns and bars.
 [[nodiscard]] std::vector<Thing> build_prison(const Plan& plan, uint64_t seed);
 
-/// Centre of the opening in a hall's roof through which light falls; nothing if the roof has none.
+/// Returns the centre of the opening in a hall's roof through which light falls; nothing if the roof has
+/// none.
 [[nodiscard]] std::optional<glm::vec2> shaft_of(const Plan& plan, int room);
 
 inline constexpr float shaft_half_m = 0.9F;
 
-/// For each room, whether anything in it may be visible from that place. Doors count as 0.8 m wider on either
-/// side than they are, so that objects appear in the scene before they come into sight. Rooms without a roof
-/// count as outdoors. From outside, rooms are visible through doors and, from above the roofs within 60 m,
-/// through the holes in them. After Luebke and Georges, "Portals and Mirrors", 1995, in the plane. Cost: some
-/// microseconds.
+/// Tells for each room whether any part of it may be visible from a place. Doors count as 0.8 m wider on
+/// either side than they are, so that objects appear in the scene before they come into sight. Rooms without
+/// a roof count as outdoors. From outside, rooms are visible through doors and, from above the roofs within
+/// 60 m, through the holes in them. After Luebke and Georges, "Portals and Mirrors", 1995, in the plane.
+/// Cost: some microseconds.
 [[nodiscard]] std::vector<bool> rooms_in_sight(const Plan& plan, const glm::vec3& eye_m);
 
 } // namespace temple

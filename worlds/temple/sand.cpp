@@ -17,14 +17,14 @@ namespace {
 constexpr float mask_m = 264.0F;
 constexpr int mask_texels = 528;
 
-/// Distance from a place to a rectangle; negative inside.
+/// Returns the distance from a place to a rectangle; negative inside.
 float distance_m(const glm::vec2& place, const glm::vec2& low, const glm::vec2& high)
 {
     const glm::vec2 off = glm::abs(place - 0.5F * (low + high)) - 0.5F * (high - low);
     return glm::length(glm::max(off, 0.0F)) + std::min(std::max(off.x, off.y), 0.0F);
 }
 
-/// Smooth noise in [-1, 1]: a sum of waves in several directions.
+/// Smooth noise in [-1, 1], as a sum of waves in several directions.
 class Waves {
 public:
     explicit Waves(Dice dice)
@@ -50,13 +50,15 @@ private:
     glm::vec3 waves_[4];
 };
 
-/// Height of a sand bank against a wall: `high_m` at its foot, half as high at `half_way_m`.
+/// Returns the height of a sand bank against a wall, `way_m` from the wall: `high_m` at the wall, half as
+/// high at `half_way_m`.
 float bank_m(float way_m, float high_m, float half_way_m)
 {
     return high_m * std::exp2(-std::max(way_m, 0.0F) / half_way_m);
 }
 
-/// Banks against the walls on the windward and lee sides, higher in some places than in others.
+/// Returns the height of the sand banks against the walls on the windward and lee sides, higher in some
+/// places than in others.
 float banks_m(const glm::vec2& place, const Waves& waves)
 {
     const float uneven = 0.65F + 0.7F * waves.at(place, 26.0F);
@@ -74,15 +76,15 @@ float banks_m(const glm::vec2& place, const Waves& waves)
                                                     (0.8F + 0.3F * waves.at(place, 31.0F)),
                                                 4.2F));
     }
-    // The western arcade catches sand that blows across the court.
+    // The western arcade catches the sand that blows across the court.
     const float along_court = glm::smoothstep(court_south_m + 5.0F, court_south_m - 4.0F, std::abs(place.y));
     const float before_west = place.x - (court_west_m + 0.5F);
     level = std::max(level, along_court * bank_m(std::abs(before_west), 1.5F * uneven, 1.5F));
-    // The eastern arcade stands in its own bank.
+    // The eastern arcade stands in a sand bank of its own.
     const float from_east = place.x - court_east_m;
     level = std::max(
         level, along_court * bank_m(from_east > 0.0F ? from_east : -2.2F * from_east, 1.9F * uneven, 3.8F));
-    // Corners fill first.
+    // Sand fills corners first.
     const auto corner = [&](float x, float z, float high, float half_way) {
         level = std::max(level, bank_m(glm::distance(place, glm::vec2(x, z)), high, half_way));
     };
@@ -97,8 +99,8 @@ float banks_m(const glm::vec2& place, const Waves& waves)
     return level;
 }
 
-/// Sand that has blown in through the portal, above the floor: a heap on its sill that slopes to both sides,
-/// flat enough to walk over. Far below the floor where there is none.
+/// Returns the height of the sand that has blown in through the portal, above the floor: a heap on its sill
+/// that slopes to both sides, flat enough to walk over. Far below the floor where there is none.
 float tongue_m(const Plan& plan, const Waves& waves, const glm::vec2& place)
 {
     const glm::vec2 in = glm::vec2(1.0F, -1.0F) * (place - plan.doors.front().place_m);
@@ -106,7 +108,8 @@ float tongue_m(const Plan& plan, const Waves& waves, const glm::vec2& place)
     return 0.42F - run - 0.16F * std::abs(in.x + 0.35F * in.y) + 0.06F * waves.at(place, 3.0F);
 }
 
-/// 0 in a doorway, 1 where high sand blocks no door. Changes no more steeply than a person can walk.
+/// Factor that lowers the sand at doors: 0 in a doorway, 1 where high sand blocks no door. Changes no more
+/// steeply than a person can walk.
 float clear_of_doors(const Plan& plan, const glm::vec2& place)
 {
     float nearest_m = 100.0F;
@@ -116,7 +119,7 @@ float clear_of_doors(const Plan& plan, const glm::vec2& place)
     return glm::smoothstep(1.0F, 6.5F, nearest_m);
 }
 
-/// Sand below the floors, and above them where it came in.
+/// Returns the height of the sand inside the prison: below the floors, and above them where sand came in.
 float indoors_m(const Plan& plan, const Waves& waves, const glm::vec2& place)
 {
     constexpr float hidden_m = floor_m - 1.4F;
@@ -136,7 +139,7 @@ float indoors_m(const Plan& plan, const Waves& waves, const glm::vec2& place)
     return level;
 }
 
-/// A number in the syntax of height expressions.
+/// Writes a number in the syntax of the terrain's height expressions.
 std::string decimal(float value)
 {
     std::array<char, 32> text{};
@@ -145,8 +148,8 @@ std::string decimal(float value)
     return {text.data(), end};
 }
 
-/// Nodes for a bowl with a rim of the displaced volume. A hollow without depth keeps the graph unchanged in
-/// form: it becomes too small to see.
+/// Writes the nodes of the terrain's graph for a bowl with a rim of the displaced volume. A hollow without
+/// depth keeps the graph unchanged in form: it becomes too small to see.
 std::string hollow_nodes(const std::string& number, const Hollow& hollow)
 {
     constexpr float least_m = 0.0002F;
@@ -159,7 +162,8 @@ std::string hollow_nodes(const std::string& number, const Hollow& hollow)
            ") + smoothstep(" + at(0.3F) + ", " + at(1.2F) + ", " + away + ") - 1)\"\n";
 }
 
-/// Footprints down the avenue, through the gate, past the obstacles in the court, to the stairs.
+/// Makes the footprints of an earlier visitor: down the avenue, through the gate, past the obstacles in the
+/// court, to the stairs.
 estampe::TerrainTrack pilgrim()
 {
     return {.name = "pilgrim",
@@ -187,9 +191,9 @@ float sand_level_m(const Plan& plan, uint64_t seed, const glm::vec2& place_m)
     if (distance_m(place_m, low, high) < 0.0F) {
         return indoors_m(plan, waves, place_m);
     }
-    // The court is level; outside it the dunes begin to move.
+    // The sand in the court is level; outside the court the dunes begin to move.
     const float out_m = distance_m(place_m, {court_west_m - 6.0F, front_z_m}, {court_east_m, court_south_m});
-    const float way_m = std::abs(place_m.x) - 4.0F; // the avenue is fairly level
+    const float way_m = std::abs(place_m.x) - 4.0F; // The avenue is fairly level
     const float wild = glm::smoothstep(2.0F, 30.0F, out_m) *
                        glm::smoothstep(0.0F, 30.0F, way_m + std::max(0.0F, -place_m.y));
     const float roll = (0.1F + 1.3F * wild) * waves.at(place_m, 46.0F) + 0.08F * waves.at(place_m, 11.0F);
@@ -250,7 +254,7 @@ estampe::Terrain Desert::with(std::span<const Hollow> hollows, bool is_trodden) 
         "speed_m_per_s = " +
         decimal(calm_m_per_s) +
         "\n"
-        "[ripples]\n" // the pen draws the ripples of the sand itself
+        "[ripples]\n" // No ripples in the terrain, because the pen draws the ripples of the sand
         "height_m = 0\n";
     estampe::TerrainDescription description = estampe::parse_terrain(text, "temple");
     if (is_trodden) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The desert, and the sand that has drifted against the walls and through the gaps.
+// The desert around the temple, and the sand that has drifted against the walls and through the gaps.
 
 #include <cstddef>
 #include <span>
@@ -13,10 +13,10 @@
 
 namespace temple {
 
-/// Height of the sand around the temple and under its floors. The wind blows from the east.
+/// Returns the height of the sand around the temple and under its floors. The wind blows from the east.
 [[nodiscard]] float sand_level_m(const Plan& plan, uint64_t seed, const glm::vec2& place_m);
 
-/// A hollow that something presses into the sand, with a rim around it.
+/// A hollow that a demon presses into the sand, with a rim around it.
 struct Hollow {
     glm::vec2 place_m{0.0F};
     float depth_m = 0.0F;
@@ -27,22 +27,23 @@ struct Hollow {
 
 inline constexpr size_t most_hollows = 5;
 
-/// Dunes that move with the wind, and the sand at the temple, which does not move.
+/// The desert: dunes that move with the wind, and the sand at the temple, which does not move.
 class Desert {
 public:
     Desert(const Plan& plan, uint64_t seed);
 
-    /// The desert with these hollows; only the first `most_hollows` count. Hollows are parameters of the same
-    /// graph, so that a renderer can keep its compiled shader. With `is_trodden`, somebody has walked down
-    /// the avenue and into the temple before time 0, and left footprints. Cost: a copy of a megabyte.
+    /// Returns the desert with these hollows; only the first `most_hollows` count. Hollows are parameters of
+    /// the same height graph, so that a renderer can keep its compiled shader. With `is_trodden`, somebody
+    /// has walked down the avenue and into the temple before time 0, and left footprints. Cost: a copy of a
+    /// megabyte.
     [[nodiscard]] estampe::Terrain with(std::span<const Hollow> hollows, bool is_trodden = false) const;
 
 private:
     uint64_t seed_;
-    std::vector<float> levels_m_; ///< values of the mask around the temple
+    std::vector<float> levels_m_; ///< Heights of the sand around the temple, as values of a mask
 };
 
-/// The desert without hollows and footprints.
+/// Returns the desert without hollows and footprints.
 [[nodiscard]] estampe::Terrain make_desert(const Plan& plan, uint64_t seed);
 
 } // namespace temple

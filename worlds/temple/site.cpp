@@ -28,7 +28,7 @@ void limb(Kit& kit, const glm::vec3& a, const glm::vec3& b, float radius_a, floa
     kit.add(Stuff::marble, rod(a, b, radius_a, radius_b, 24, 3));
 }
 
-/// A giant on a throne, broken off at the chest; the rest is about 9 m high.
+/// Builds a statue: a giant on a throne, broken off at the chest; the rest is about 9 m high.
 Kit build_seated(Dice dice)
 {
     Kit kit;
@@ -43,7 +43,7 @@ Kit build_seated(Dice dice)
         add_block(kit, Stuff::marble, {side > 0 ? 2.7F : -3.3F, 0.9F, -3.8F},
                   {side > 0 ? 3.3F : -2.7F, 6.3F, 1.6F});
     }
-    // The remains of the trunk, and one forearm on its armrest.
+    // The remains of the statue's trunk, and one forearm on its armrest.
     limb(kit, {0.0F, 5.6F, -1.9F}, {0.0F, 8.0F, -2.1F}, 1.7F, 1.5F);
     limb(kit, {0.0F, 8.3F, -2.1F}, {0.5F, 9.4F, -2.2F}, 1.55F, 0.9F);
     limb(kit, {3.0F, 6.75F, -1.2F}, {3.0F, 6.7F, 1.4F}, 0.5F, 0.4F);
@@ -51,7 +51,7 @@ Kit build_seated(Dice dice)
     return kit;
 }
 
-/// The giant's head, an egg whose only features are a brow and a nose; its centre is on y = 0.
+/// Builds the giant's head, an egg whose only features are a brow and a nose; its centre is on y = 0.
 Kit build_head(float radius_m)
 {
     Kit kit;
@@ -69,7 +69,7 @@ Kit build_head(float radius_m)
     return kit;
 }
 
-/// A hand that reaches up, from the wrist on.
+/// Builds a giant's hand that reaches up, from the wrist on.
 Kit build_hand(float length_m)
 {
     Kit kit;
@@ -101,7 +101,7 @@ Kit build_hand(float length_m)
     return kit;
 }
 
-/// A draped figure on a block, without arms, and perhaps without a head.
+/// Builds a statue: a draped figure on a block, without arms, and perhaps without a head.
 Kit build_figure(Dice dice)
 {
     Kit kit;
@@ -112,7 +112,7 @@ Kit build_figure(Dice dice)
                                       {0.31F, 1.6F}, {0.34F, 1.95F}, {0.39F, 2.25F}, {0.33F, 2.45F},
                                       {0.14F, 2.6F}, {0.0F, 2.62F}};
     estampe::Primitive folds = shapes::lathe(robe, 56, 2.5F);
-    // The folds fall straight, deeper towards the hem.
+    // The folds of the figure's robe fall straight, deeper towards the hem.
     for (size_t i = 0; i < folds.positions.size(); ++i) {
         glm::vec3& place = folds.positions[i];
         const float angle = std::atan2(place.x, place.z);
@@ -137,7 +137,7 @@ Kit build_figure(Dice dice)
     return kit;
 }
 
-/// Adds four walls around the y axis.
+/// Adds the four walls of a tower around the y axis.
 void add_shell(Kit& kit, const Wall& side, float half_m, Dice dice)
 {
     for (int i = 0; i < 4; ++i) {
@@ -171,7 +171,8 @@ void add_ring(Kit& kit, float radius_m, float foot_m, float height_m, int count)
     }
 }
 
-/// A square block of masonry beside the gate, with walls that lean inwards; in ruin its top has collapsed.
+/// Builds a pylon: a square block of masonry beside the gate, with walls that lean inwards; in ruin its top
+/// has collapsed.
 Kit build_pylon(float height_m, bool is_ruin, Dice dice)
 {
     constexpr float half_m = 3.2F;
@@ -204,7 +205,7 @@ Kit build_pylon(float height_m, bool is_ruin, Dice dice)
     return kit;
 }
 
-/// A square tower, 34 m high, with a ring of columns on top.
+/// Builds a square tower, 34 m high, with a ring of columns on top.
 Kit build_tower(Dice dice)
 {
     Kit kit;
@@ -235,7 +236,7 @@ constexpr int portico_columns = 6;
 constexpr float step_run_m = 0.44F;
 constexpr float portico_pitch_m = 4.9F;
 
-/// A row of as many arches as fit between piers of at least this width.
+/// Returns a row of arches: as many as fit between piers of at least this width.
 std::vector<Arch> row_of_arches(float length_m, float half_m, float springing_m, float pier_m)
 {
     const int count = static_cast<int>((length_m - pier_m) / (2.0F * half_m + pier_m));
@@ -251,7 +252,7 @@ std::vector<Arch> row_of_arches(float length_m, float half_m, float springing_m,
     return arches;
 }
 
-/// Adds blocks at the foot of the piers, and below the springing of their arches.
+/// Adds blocks to an arcade at the foot of its piers, and below the springing of its arches.
 void add_imposts(Kit& kit, const Wall& wall)
 {
     const float z = 0.5F * wall.thickness_m + 0.1F;
@@ -361,7 +362,7 @@ void add_portico(Site& site)
         add_block(kit, Stuff::stone, {side * stairs_half_m - 0.6F, -3.0F, front_z_m},
                   {side * stairs_half_m + 0.6F, floor_m + 0.5F, stairs_foot_m + 0.8F});
     }
-    // Beams lie where both columns that carry them stand.
+    // A beam lies where both columns that carry it still stand.
     const auto is_whole = [&](int i) {
         return i >= 0 && i < portico_columns && site.columns[static_cast<size_t>(i)].column.left >= 1.0F;
     };
@@ -416,13 +417,13 @@ void add_statues(Site& site, uint64_t seed)
     part("hand", build_hand(5.6F), {-8.5F, 15.0F}, glm::rotate(at({0.0F, 0.4F, 0.0F}, -30.0F), 0.22F, along));
 }
 
-/// Adds a pole with a ball on top, whose foot is deep in the ground.
+/// Adds a flagpole with a ball on top; its foot is deep in the ground.
 void add_pole(Site& site, Kit& kit, const glm::vec3& foot, float height_m, const glm::vec2& cloth_m)
 {
     kit.add(Stuff::iron,
             rod(foot - glm::vec3(0, 2.5F, 0), foot + glm::vec3(0, height_m, 0), 0.08F, 0.055F, 8, 3));
     kit.add(Stuff::iron, shapes::sphere(0.17F, 10, 6), at(foot + glm::vec3(0, height_m + 0.12F, 0)));
-    // The flag starts in the direction of the wind.
+    // The flag's cloth starts in the direction of the wind.
     const glm::vec3 along = cloth_m.x * glm::normalize(glm::vec3(-0.94F, 0.0F, -0.34F));
     site.sheets.push_back(
         {foot + glm::vec3(0.0F, height_m - 0.15F, 0.0F) + 0.02F * along, along, {0.0F, -cloth_m.y, 0.0F}});
@@ -481,12 +482,12 @@ std::vector<StandingColumn> stand_columns(uint64_t seed)
         }
         columns.push_back({{x, stairs_foot_m - 5.0F * step_run_m - 1.8F}, floor_m, true, column});
     }
-    for (const float z : {15.0F, 4.5F, -6.0F}) { // along the eastern side of the court
+    for (const float z : {15.0F, 4.5F, -6.0F}) { // Columns along the eastern side of the court
         columns.push_back({{13.6F, z}, -0.1F, false, throw_column(dice, 0.78F, 8.2F, 0.2F)});
         columns.back().column.lean_deg *= 0.5F;
     }
     columns.back().column.left = 0.45F;
-    for (int pair = 0; pair < 6; ++pair) { // the avenue that leads to the gate
+    for (int pair = 0; pair < 6; ++pair) { // Columns along the avenue that leads to the gate
         for (const float side : {-1.0F, 1.0F}) {
             const glm::vec2 place(side * 7.4F, 36.5F + 9.0F * static_cast<float>(pair));
             Column column = throw_column(dice, 0.8F, 8.6F, 0.5F);

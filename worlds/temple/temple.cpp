@@ -18,7 +18,7 @@ namespace {
 
 using estampe::Index;
 
-/// Collects the scene's nodes.
+/// Collects the nodes and meshes of the temple's scene.
 class Stage {
 public:
     estampe::Node& node(const std::string& name, const glm::dvec3& place_m)
@@ -30,7 +30,7 @@ public:
         return node;
     }
 
-    /// Adds a mesh that several nodes may show.
+    /// Stores a mesh that several nodes may show, and returns its index.
     Index keep(estampe::Mesh mesh)
     {
         scene_.meshes.push_back(std::move(mesh));
@@ -68,7 +68,7 @@ public:
     estampe::Scene& scene() { return scene_; }
 
 private:
-    /// Rotation that turns -z towards a direction and keeps up upright.
+    /// Returns a rotation that turns -z towards a direction and keeps y upright.
     static glm::dquat looking(const glm::dvec3& towards)
     {
         const glm::dvec3 way = glm::normalize(towards);
@@ -83,7 +83,7 @@ private:
 /// Adds a low sun in the east and a little south: long shadows fall across the court.
 void add_sun(Stage& stage)
 {
-    constexpr double azimuth_deg = 66.0; // 0 is +z, 90 +x
+    constexpr double azimuth_deg = 66.0; // Direction of the sun: 0 is +z, 90 is +x
     constexpr double elevation_deg = 17.0;
     const double azimuth = glm::radians(azimuth_deg);
     const double elevation = glm::radians(elevation_deg);

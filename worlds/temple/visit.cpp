@@ -9,18 +9,18 @@
 namespace temple {
 namespace {
 
-constexpr double reach_m = 2.6;         ///< distance from the middle of the last hall
-constexpr double spreads_m_per_s = 5.5; ///< speed at which the ending spreads from the last hall outwards
-constexpr double sinks_s = 4.0;         ///< duration in which a fire sinks
-constexpr double embers = 0.07;         ///< share of its light that remains
-constexpr double low_flame = 0.22;      ///< share of its height that remains
-constexpr double day_grows = 2.4;       ///< factor of the daylight's brightness
-constexpr double grows_s = 9.0;         ///< duration in which daylight grows
+constexpr double reach_m = 2.6; ///< Distance from the middle of the last hall at which the ending begins
+constexpr double spreads_m_per_s = 5.5; ///< Speed at which the ending spreads from the last hall outwards
+constexpr double sinks_s = 4.0;         ///< Time in which a fire sinks to embers
+constexpr double embers = 0.07;         ///< Share of a fire's light that remains
+constexpr double low_flame = 0.22;      ///< Share of a flame's height that remains
+constexpr double day_grows = 2.4;       ///< Factor by which the daylight in the halls brightens
+constexpr double grows_s = 9.0;         ///< Time in which the daylight brightens
 constexpr double gratings_from_s = 2.0;
 constexpr double gratings_to_s = 9.0;
 constexpr double gratings_down_m = 2.7;
 
-/// 0 before, 1 after, with a smooth transition.
+/// Progress of a change: 0 before `from_s`, 1 after `length_s`, with a smooth transition.
 double part(double now_s, double from_s, double length_s)
 {
     return glm::smoothstep(0.0, 1.0, (now_s - from_s) / length_s);
@@ -132,7 +132,7 @@ Tour::Tour(const Visit& visit, uint64_t seed)
     const Plan plan = make_plan(seed);
     std::vector<glm::dvec2> stations{{-1.2, 80.0}, {18.0, 98.0}, {-20.0, 90.0}, {0.0, 30.0},
                                      {-24.0, 2.0}, {13.0, 6.0},  {0.0, -19.0}};
-    // Sorts rooms by the length of the path from the portal; the last hall comes last.
+    // Sorts the rooms of the tour by the length of the path from the portal; the last hall comes last.
     std::vector<size_t> rooms;
     for (size_t i = 0; i < plan.rooms.size(); ++i) {
         if (static_cast<int>(i) != plan.last_room && find_open(plan.rooms[i])) {

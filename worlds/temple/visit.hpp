@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A walk through the temple; what happens when the visitor reaches the middle of the last hall (from there
-// outwards, fires sink to embers, daylight grows in the halls, and the gratings of the cells sink into the
-// floor; no text appears); and an automatic tour of the whole temple.
+// A walk through the temple, the ending, and an automatic tour of the whole temple. The ending begins when
+// the visitor reaches the middle of the last hall: from there outwards, fires sink to embers, daylight grows
+// in the halls, and the gratings of the cells sink into the floor; no text appears.
 
 #include <cstddef>
 #include <cstdint>
@@ -24,25 +24,27 @@ namespace temple {
 
 class Ending {
 public:
-    static constexpr double lasts_s = 24.0; ///< after this, nothing changes any more
+    static constexpr double lasts_s = 24.0; ///< Length of the ending; afterwards nothing changes any more
 
-    /// `scene` was made by build_temple() with `seed`; it may be destroyed afterwards.
+    /// Prepares the ending for a scene. `scene` was made by build_temple() with `seed`; it may be destroyed
+    /// afterwards.
     Ending(const estampe::Scene& scene, uint64_t seed);
 
-    /// Whether a visitor at this position starts the ending.
+    /// Returns whether a visitor at this position starts the ending.
     [[nodiscard]] bool begins_at(const glm::dvec3& feet_m) const;
 
-    /// Brightness of the lights at this time after the start of the ending; negative times give the scene's
-    /// own values.
+    /// Returns the brightness of the lights at a time after the start of the ending; negative times give the
+    /// scene's own values.
     [[nodiscard]] std::vector<estampe::LightBrightness> lights(double after_s) const;
 
-    /// Transforms of flames and gratings at this time after the start of the ending, for Renderer::place().
+    /// Returns the transforms of flames and gratings at a time after the start of the ending, for
+    /// Renderer::place().
     [[nodiscard]] std::vector<estampe::NodePlace> nodes(double after_s) const;
 
-    /// The node of the gratings, which block the way until the ending opens them.
+    /// Returns the node of the gratings, which block the way until the ending opens them.
     [[nodiscard]] estampe::Index gratings() const { return gratings_.node; }
 
-    /// Whether the gratings no longer block the way.
+    /// Returns whether the gratings no longer block the way, at a time after the start of the ending.
     [[nodiscard]] static bool are_open(double after_s);
 
 private:
@@ -63,19 +65,20 @@ private:
     estampe::NodePlace gratings_;
 };
 
-/// The parts of the scene that block a walker.
+/// Returns the parts of the scene that block a walker.
 [[nodiscard]] walk::Solids solids_of(const estampe::Scene& scene);
 
-/// The sand at the moment `time_s`, which may advance; both arguments must outlive the result.
+/// Returns a function for the sand's height at the time `time_s`, which may advance; both arguments must
+/// outlive the result.
 [[nodiscard]] walk::SandAt sand_of(const estampe::Terrain& desert, const double& time_s);
 
 class Visit final : public worlds::Visit {
 public:
-    /// `scene` was made by build_temple() with `seed`. The walk begins at the start of the avenue. Cost: 0.2
-    /// s.
+    /// Starts a walk. `scene` was made by build_temple() with `seed`. The walk begins at the start of the
+    /// avenue. Cost: 0.2 s.
     Visit(const estampe::Scene& scene, uint64_t seed);
 
-    /// Walks for `seconds`; `time_s` is the scene's time.
+    /// Lets the visitor walk for `seconds`; `time_s` is the scene's time.
     void go(const walk::Intent& intent, double seconds, double time_s) override;
 
     [[nodiscard]] walk::Walker& walker() override { return *walker_; }
@@ -84,7 +87,7 @@ public:
 
     [[nodiscard]] const walk::Solids& solids() const { return solids_; }
 
-    /// Seconds since the visitor reached the last hall; nothing before that.
+    /// Returns the seconds since the visitor reached the last hall; nothing before that.
     [[nodiscard]] std::optional<double> since_arrival_s() const { return since_arrival_s_; }
 
     [[nodiscard]] bool has_arrived() const override { return since_arrival_s_.has_value(); }
@@ -102,22 +105,22 @@ private:
 
 class Tour {
 public:
-    /// `visit` has just begun and must outlive this object. Cost: half a second.
+    /// Plans an automatic tour. `visit` has just begun and must outlive this object. Cost: half a second.
     Tour(const Visit& visit, uint64_t seed);
 
-    /// What the walker should do now.
+    /// Returns how the walker must move now to follow the tour.
     [[nodiscard]] walk::Intent intent();
 
-    /// Number of completed rounds of the tour.
+    /// Returns the number of completed rounds of the tour.
     [[nodiscard]] size_t rounds() const { return rounds_; }
 
-    /// Number of rooms on the tour that are not cells.
+    /// Returns the number of rooms on the tour that are not cells.
     [[nodiscard]] size_t halls() const { return halls_; }
 
 private:
     [[nodiscard]] glm::dvec2 target_m() const { return {way_.at(next_).x, way_.at(next_).z}; }
 
-    /// The reachable place nearest to a room's middle.
+    /// Returns the reachable place nearest to a room's middle.
     [[nodiscard]] std::optional<glm::dvec2> find_open(const Room& room) const;
 
     const Visit& visit_;

@@ -12,7 +12,8 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-/// Heights of the joints between courses: at the springing of the arches, and evenly spaced between.
+/// Returns the heights of the joints between the wall's courses (rows of stones): at the springing of the
+/// arches, and evenly spaced between.
 std::vector<float> beds(const Wall& wall)
 {
     std::vector<float> fixed{0.0F, wall.height_m};
@@ -37,7 +38,7 @@ std::vector<float> beds(const Wall& wall)
     return all;
 }
 
-/// A part of a course between openings.
+/// A part of a course (row of stones) between two openings.
 struct Span {
     float left_m, right_m;
     int arch_left, arch_right;
@@ -94,7 +95,7 @@ std::vector<Stone> course_of(const Wall& wall, float low_m, float high_m, bool i
     return course;
 }
 
-/// Share of a stone's width that the course below supports.
+/// Returns the share of a stone's width that the course below supports.
 float carried(const Stone& stone, const std::vector<Stone>& below, const Wall& wall,
               const std::vector<bool>& is_whole)
 {
@@ -141,7 +142,7 @@ void lay_arches(const Wall& wall, Dice& dice, Laid& laid)
         const bool stands_left = !wall.top_m || wall.top_m(arch.x_m - arch.half_m) > arch.springing_m;
         const bool stands_right = !wall.top_m || wall.top_m(arch.x_m + arch.half_m) > arch.springing_m;
         for (int k = 0; k < stones; ++k) {
-            // Stones are counted from +x: the right pier carries the first ones.
+            // The stones of an arch are counted from +x: the right pier carries the first ones.
             const bool holds =
                 laid.is_whole[i] || (k < right && stands_right) || (k >= stones - left && stands_left);
             if (!holds) {
@@ -163,7 +164,7 @@ float cut_half_m(const Arch& arch, float height_m)
     if (height_m < arch.springing_m) {
         return arch.half_m;
     }
-    // The wall overlaps the ring of stones, so that no gap is visible.
+    // The wall overlaps the arch's ring of stones, so that no gap is visible.
     const float radius_m = arch.half_m + 0.5F * arch.ring_m;
     const float rise_m = height_m - arch.springing_m;
     return arch.ring_m == 0.0F || rise_m >= radius_m ? 0.0F
@@ -211,13 +212,14 @@ glm::vec3 hewn(const glm::vec3& normal, const glm::vec3& along, Dice& dice)
     return glm::normalize(normal + dice.between(-lean, lean) * along + dice.between(-lean, lean) * up);
 }
 
-/// Half the width of an arch beside a stone at a height; the stones of the piers end where its curve begins.
+/// Returns half the width of an arch beside a stone at a height; the stones of the piers end where the arch's
+/// curve begins.
 float half_beside_m(const Arch& arch, const Stone& stone, float height_m)
 {
     return stone.low_m < arch.springing_m - 0.01F ? arch.half_m : cut_half_m(arch, height_m);
 }
 
-/// x of a stone's left side at a height.
+/// Returns x of a stone's left side at a height.
 float left_at(const Wall& wall, const Stone& stone, float height_m)
 {
     if (stone.arch_left < 0) {
@@ -236,7 +238,7 @@ float right_at(const Wall& wall, const Stone& stone, float height_m)
     return std::max(arch.x_m - half_beside_m(arch, stone, height_m), stone.left_m);
 }
 
-/// Whether other stones cover less than 98 % of a stone's top; true if there is no course above.
+/// Returns whether other stones cover less than 98 % of a stone's top; true if there is no course above.
 bool is_open_above(const Stone& stone, const std::vector<Stone>* above)
 {
     if (above == nullptr) {
@@ -335,7 +337,7 @@ private:
         return false;
     }
 
-    /// Whether a joint is drawn: as in pen drawings, only clusters of joints are.
+    /// Returns whether a joint is drawn: as in pen drawings, only clusters of joints are drawn.
     [[nodiscard]] bool is_drawn(float x_m, float y_m)
     {
         const float cluster = 0.5F + 0.5F * std::sin(0.61F * x_m + 1.7F * std::sin(0.23F * y_m + phase_)) *
@@ -359,7 +361,8 @@ private:
                                            {right_at(wall_, stone, low), low, side * half_m_},
                                            {right_at(wall_, stone, high), high, side * half_m_},
                                            {left_at(wall_, stone, high), high, side * half_m_}}};
-            // Corners are the lower left, the lower right, the upper right and the upper left, seen from +z.
+            // The corners of a stone are the lower left, the lower right, the upper right and the upper left,
+            // seen from +z.
             uint32_t drawn = 0;
             drawn |= row == 0 && draws_bed ? 1U : 0U;
             drawn |= stone.ends_right && stone.arch_right < 0 ? 2U : 0U;
@@ -374,7 +377,7 @@ private:
             }
             if (side < 0.0F) {
                 std::reverse(face.begin(), face.end());
-                // Reorders the edges to match the corners: top, right, bottom, left.
+                // Reorders the stone's drawn edges to match the corners: top, right, bottom, left.
                 drawn = (drawn & 4U) >> 2U | (drawn & 2U) | (drawn & 1U) << 2U | (drawn & 8U);
             }
             kit_.add_face(Stuff::stone, face, normal, grain, drawn);
@@ -452,7 +455,7 @@ Kit build_wall(const Wall& wall, const Laid& laid, Dice dice)
     Kit kit = mason.take();
     const float half_m = 0.5F * wall.thickness_m;
     for (const Arch& arch : wall.arches) {
-        if (arch.ring_m == 0.0F) { // a lintel protrudes a little
+        if (arch.ring_m == 0.0F) { // The lintel of a door protrudes a little
             add_block(kit, Stuff::stone, {arch.x_m - arch.half_m - 0.35F, arch.springing_m, -half_m - 0.06F},
                       {arch.x_m + arch.half_m + 0.35F, arch.springing_m + wall.course_m, half_m + 0.06F});
         }

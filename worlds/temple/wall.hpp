@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Walls of stones in courses, with round arches, whole or in ruin.
+// Walls of stones in courses (rows), with round arches, whole or in ruin.
 
 #include <functional>
 #include <vector>
@@ -10,12 +10,12 @@
 
 namespace temple {
 
-/// A round arch through a wall; with `ring_m` 0, a door under a lintel.
+/// An opening of a wall: a round arch, or with `ring_m` 0 a door under a lintel.
 struct Arch {
-    float x_m = 0.0F; ///< middle of the arch along the wall
+    float x_m = 0.0F; ///< Middle of the arch along the wall
     float half_m = 1.5F;
-    float springing_m = 3.0F; ///< height where the curve begins, or where the lintel lies
-    float ring_m = 0.6F;      ///< radial depth of the arch stones
+    float springing_m = 3.0F; ///< Height where the arch's curve begins, or where the lintel lies
+    float ring_m = 0.6F;      ///< Radial depth of the stones of the arch
 
     [[nodiscard]] float crown_m() const { return springing_m + (ring_m > 0.0F ? half_m : 0.0F); }
 };
@@ -25,21 +25,21 @@ struct Wall {
     float length_m = 10.0F;
     float height_m = 6.0F;
     float thickness_m = 1.0F;
-    float foot_m = -4.0F; ///< lowest height, in the sand
+    float foot_m = -4.0F; ///< Lowest height of the wall, in the sand
     float course_m = 0.62F;
     float stone_m = 1.35F;
     std::vector<Arch> arches;
-    std::function<float(float)> top_m; ///< height of the remaining wall at x; empty for an undamaged wall
-    float joints = 0.45F;              ///< share of joints that are drawn
+    std::function<float(float)> top_m; ///< Height of the remaining wall at x; empty for an undamaged wall
+    float joints = 0.45F;              ///< Share of the joints between stones that are drawn
     bool cornice = false;
 };
 
-/// A stone in its place. Its sides are vertical except where an arch cuts them.
+/// A stone of a wall, in its place. Its sides are vertical except where an arch cuts them.
 struct Stone {
     float low_m, high_m;
     float left_m, right_m;
-    int arch_left = -1, arch_right = -1;        ///< the arch that cuts this side
-    bool ends_left = false, ends_right = false; ///< no stone lies beside it on this side
+    int arch_left = -1, arch_right = -1;        ///< Arch that cuts the left or right side of the stone
+    bool ends_left = false, ends_right = false; ///< No other stone lies beside the left or right side
 };
 
 /// A stone of an arch, between two angles counter-clockwise from +x around the centre of the arch.
@@ -49,17 +49,19 @@ struct Voussoir {
     float outer_m;
 };
 
-/// Layout of a wall's stones, before it is built.
+/// Layout of a wall's stones, before the wall is built.
 struct Laid {
-    std::vector<std::vector<Stone>> courses; ///< from bottom to top; each from left to right
+    /// Stones of the wall: courses from bottom to top, each from left to right.
+    std::vector<std::vector<Stone>> courses;
     std::vector<Voussoir> voussoirs;
-    std::vector<bool> is_whole; ///< for each arch
+    std::vector<bool> is_whole; ///< For each arch: it is not broken
 };
 
-/// Decides where each stone lies. Removes stones that have no support.
+/// Decides where each stone of a wall lies. Removes stones that have no support.
 [[nodiscard]] Laid lay(const Wall& wall, Dice dice);
 
-/// Distance at a height from an arch's middle to the nearest stones of the wall; 0 above the arch.
+/// Returns the distance at a height from an arch's middle to the nearest stones of the wall; 0 above the
+/// arch.
 [[nodiscard]] float cut_half_m(const Arch& arch, float height_m);
 
 [[nodiscard]] Kit build_wall(const Wall& wall, const Laid& laid, Dice dice);

@@ -17,7 +17,7 @@ namespace temple {
 namespace {
 
 constexpr double first_storm_s = 38.0;
-constexpr float usual_hour = 16.67F; ///< hour at which the sun is where the scene has it
+constexpr float usual_hour = 16.67F; ///< Hour of the day at which the sun is where the scene has it
 constexpr std::array<std::pair<std::string_view, WeatherKind>, 4> kinds{{{"calm", WeatherKind::calm},
                                                                          {"gusts", WeatherKind::gusts},
                                                                          {"storm", WeatherKind::storm},
@@ -29,7 +29,7 @@ double smooth(double low, double high, double x)
     return t * t * (3.0 - 2.0 * t);
 }
 
-/// Smooth noise between 0 and 1, with a random value at each whole number.
+/// Returns smooth noise between 0 and 1, with a random value at each whole number.
 double noise(uint64_t seed, double x)
 {
     const double cell = std::floor(x);
@@ -120,7 +120,8 @@ double WeatherTimeline::wind_at(double time_s) const
 
 Tornado WeatherTimeline::tornado_at(double time_s) const
 {
-    constexpr glm::dvec2 from_m(78.0, -88.0); // on the path of the wind, behind the temple
+    // Place where the tornado begins, on the path of the wind, behind the temple
+    constexpr glm::dvec2 from_m(78.0, -88.0);
     constexpr double lives_s = 32.0;
     const auto walked = [&](double share, double stray) {
         const glm::dvec2 way(wind_way());
@@ -138,7 +139,7 @@ Tornado WeatherTimeline::tornado_at(double time_s) const
     }
     const auto near = static_cast<int64_t>(std::floor((time_s - first_storm_s) / between_s + 0.5));
     for (int64_t number = std::max<int64_t>(near, 0); number <= near + 1; ++number) {
-        // A tornado comes before its storm, and disappears in it.
+        // A tornado comes before its sandstorm, and disappears in it.
         const double since_s = time_s - (storm_s(number) - 24.0);
         if (since_s > 0.0 && since_s < lives_s) {
             const double strength =
@@ -157,7 +158,7 @@ Weather WeatherTimeline::at(double time_s) const
                     .gusts = gusts_at(time_s),
                     .dust = dust_at(time_s),
                     .tornado = tornado_at(time_s)};
-    // Integrates the wind: whole steps, each with its middle value, then the remainder.
+    // Integrates the wind's speed over time: whole steps, each with its middle value, then the remainder.
     const double end_s = std::max(time_s, 0.0);
     const auto whole = static_cast<int64_t>(end_s / step_s);
     for (int64_t i = 0; i < whole; ++i) {
@@ -166,7 +167,7 @@ Weather WeatherTimeline::at(double time_s) const
     const double left_s = end_s - static_cast<double>(whole) * step_s;
     weather.blown_m += left_s * wind_at(static_cast<double>(whole) * step_s + 0.5 * left_s);
     const double veil = noise(seed_ + 13, time_s / 40.0);
-    // Rounded to invisible steps, so that clouds need not be rebuilt for every picture.
+    // The cloud cover is rounded to invisible steps, so that clouds need not be rebuilt for every picture.
     constexpr double cloud_steps = 1024.0;
     const double clouds = choice_.kind == WeatherKind::calm
                               ? 0.0
@@ -178,7 +179,7 @@ Weather WeatherTimeline::at(double time_s) const
     if (choice_.hour || choice_.hours_a_minute != 0.0F) {
         const auto from = static_cast<double>(choice_.hour.value_or(usual_hour));
         // The sun moves on every fourth frame of a film, so that its shadows, which move at most a pixel in
-        // that time, are not rendered for every picture. The tolerance puts a moment on the border into the
+        // that time, are not drawn again for every picture. The tolerance puts a time on the border into the
         // later step.
         const double held_s = std::floor(sun_steps_a_s * end_s + 1e-6) / sun_steps_a_s;
         const double passed = static_cast<double>(choice_.hours_a_minute) * held_s / 60.0;
@@ -192,15 +193,15 @@ namespace {
 using estampe::Index;
 using estampe::Primitive;
 
-constexpr double funnel_m = 46.0; ///< height of the funnel
+constexpr double funnel_m = 46.0; ///< Height of the tornado's funnel
 
-constexpr int ring_count = 12; ///< rings one above the other, the first at the foot
+constexpr int ring_count = 12; ///< Number of rings of the funnel, one above the other, the first at the foot
 constexpr uint32_t skin_columns = 40;
 constexpr uint32_t skin_rows = 44;
 constexpr double whole_turn = 2.0 * std::numbers::pi;
-constexpr double hidden_deep_m = 200.0; ///< depth below the ground at which an inactive tornado is hidden
+constexpr double hidden_deep_m = 200.0; ///< Depth below the ground at which an inactive tornado is hidden
 
-/// Offset of the funnel's axis from its foot at a share of its height, along x and z.
+/// Returns the offset of the funnel's axis from its foot at a share of its height, along x and z.
 glm::dvec2 funnel_sway_m(double share, double time_s)
 {
     const glm::dvec2 ahead(wind_way());
@@ -209,14 +210,14 @@ glm::dvec2 funnel_sway_m(double share, double time_s)
                     2.6 * std::sin(0.83 * time_s + 5.2 * share) * ahead);
 }
 
-/// Radius of the funnel at a share of its height.
+/// Returns the radius of the tornado's funnel at a share of its height.
 double funnel_radius_m(double share)
 {
-    // A thin foot, a trunk that widens slowly, and a wide top.
+    // The funnel has a thin foot, a trunk that widens slowly, and a wide top.
     return 0.8 + 3.2 * share + 11.0 * std::pow(share, 3.5) + 1.5 * std::exp(-60.0 * share * share);
 }
 
-/// Rotation of the funnel at a share of its height, clockwise from above.
+/// Returns the rotation of the funnel at a share of its height, clockwise from above.
 double funnel_turn_rad(double share, double time_s)
 {
     return 2.1 * time_s - 0.9 * share;
@@ -227,8 +228,8 @@ double joint_share(int joint)
     return static_cast<double>(joint) / (ring_count - 1);
 }
 
-/// Distance of the skin from the axis, as a multiple of the radius. Strands of sand wind around the skin and
-/// fray its upper end.
+/// Returns the distance of the funnel's surface from its axis, as a multiple of the radius. Strands of sand
+/// wind around the funnel and fray its upper end.
 double strands_at(double share, double angle)
 {
     return 1.0 + 0.17 * std::sin(3.0 * angle - 9.0 * share) +
@@ -248,7 +249,8 @@ Primitive trunk(Index material)
 {
     Primitive part;
     part.material = material;
-    constexpr double rises_m = 8.0; // rise of a strand per turn; strokes meet where the skin closes
+    // Rise of a strand of sand per turn; pen strokes meet where the funnel's surface closes
+    constexpr double rises_m = 8.0;
     constexpr double tiny = 1e-3;
     for (uint32_t row = 0; row <= skin_rows; ++row) {
         const double share = static_cast<double>(row) / skin_rows;
@@ -277,15 +279,15 @@ Primitive trunk(Index material)
     return part;
 }
 
-/// Transforms of the funnel's nodes; `first` is the node `funnel`. The node after the last one belongs to the
-/// caller.
+/// Returns the transforms of the funnel's nodes; `first` is the node `funnel`. The node after the last one
+/// belongs to the caller.
 std::vector<estampe::NodePlace> funnel_places(Index first, const Tornado& tornado, double ground_m,
                                               double time_s)
 {
     std::vector<estampe::NodePlace> places;
     const auto strength = static_cast<double>(tornado.strength);
     const bool is_there = strength > 0.03;
-    // The tornado descends from above as a thread, and disappears as one.
+    // The tornado descends from above as a thread, and disappears as a thread.
     const double grown = glm::smoothstep(0.0, 1.0, strength);
     const double lifted_m = is_there ? 0.5 * funnel_m * (1.0 - grown) : -hidden_deep_m;
     places.push_back({first,
@@ -307,8 +309,8 @@ std::vector<estampe::NodePlace> funnel_places(Index first, const Tornado& tornad
     return places;
 }
 
-/// Adds the node `funnel`, its joints, and its skinned mesh, and appends its material. The funnel is hidden
-/// until it is placed.
+/// Adds the tornado's node `funnel`, its joints, and its skinned mesh, and appends its material. The funnel
+/// is hidden until it is placed.
 void add_funnel(estampe::Scene& scene)
 {
     const auto sand = static_cast<Index>(scene.materials.size());
@@ -342,13 +344,13 @@ void add_funnel(estampe::Scene& scene)
     }
 }
 
-constexpr int sand_side = 7; ///< side of the square grid of emitters around the eye
+constexpr int sand_side = 7; ///< Emitters along a side of the square grid of sand emitters around the eye
 constexpr double sand_cell_m = 11.0;
-constexpr int whirls = 26; ///< emitters of sand around the tornado's foot and on its skin
-constexpr int skirts = 14; ///< those of the whirls that are around its foot
-constexpr int murks = 8;   ///< emitters of ink
+constexpr int whirls = 26; ///< Number of sand emitters around the tornado's foot and on its funnel
+constexpr int skirts = 14; ///< Number of the tornado's sand emitters that are around its foot
+constexpr int murks = 8;   ///< Number of emitters of ink
 
-/// Rotation that turns +y towards a direction.
+/// Returns a rotation that turns +y towards a direction.
 glm::dquat towards(const glm::dvec3& way)
 {
     const glm::dvec3 unit = glm::normalize(way);
@@ -357,7 +359,7 @@ glm::dquat towards(const glm::dvec3& way)
                                     : glm::dquat(1.0, 0.0, 0.0, 0.0);
 }
 
-/// A random number from 0 to 1 for a cell of the ground.
+/// Returns a random number from 0 to 1 for a cell of the ground.
 double chance_of(int64_t x, int64_t z, uint64_t which)
 {
     return static_cast<double>(Dice(static_cast<uint64_t>(x * 73'856'093 ^ z * 19'349'663), which).share());
@@ -366,8 +368,8 @@ double chance_of(int64_t x, int64_t z, uint64_t which)
 estampe::NodePlace sand_at(estampe::Index node, int column, int row, const Weather& weather,
                            const AirView& view)
 {
-    // Each emitter chooses, among the cells with its own number (modulo the grid's side), the cell nearest to
-    // the eye. When the eye moves on, cells that fall behind reappear in front.
+    // Each sand emitter chooses, among the cells with its own number (modulo the grid's side), the cell
+    // nearest to the eye. When the eye moves on, cells that fall behind reappear in front.
     const auto nearest = [](double eye_m, int number) {
         const double cell = eye_m / sand_cell_m;
         return number + sand_side * static_cast<int64_t>(std::llround((cell - number) / sand_side));
@@ -378,7 +380,7 @@ estampe::NodePlace sand_at(estampe::Index node, int column, int row, const Weath
                                             0.8 * (glm::dvec2(chance_of(x, z, 1), chance_of(x, z, 2)) - 0.5));
     const double most_m = 0.5 * sand_side * sand_cell_m;
     const double away_m = std::max(std::abs(place.x - view.eye_m.x), std::abs(place.y - view.eye_m.z));
-    // Gusts move across the ground.
+    // Gusts of wind move across the ground as waves.
     const double waves =
         0.5 + 0.5 * std::sin(0.9 * view.time_s - 0.16 * glm::dot(place, glm::dvec2(wind_way())) +
                              6.0 * chance_of(x / 3, z / 3, 3));
@@ -394,7 +396,8 @@ estampe::NodePlace sand_at(estampe::Index node, int column, int row, const Weath
              .scale = glm::dvec3(is_none ? 0.0 : size)}};
 }
 
-/// Transform of an emitter that rotates with the funnel, at the distance `off_m` from the funnel's skin.
+/// Returns the transform of an emitter that rotates with the tornado's funnel, at the distance `off_m` from
+/// its surface.
 estampe::NodePlace whirl_at(estampe::Index node, double share, double angle, double off_m, double size,
                             const Weather& weather, const AirView& view)
 {

@@ -2,8 +2,8 @@
 #pragma once
 
 // The temple's weather and time of day, as a random timeline: one wind for sand, flags and ink, gusts,
-// sandstorms that rise, hide the view and pass, tornadoes that wander by, clouds, and a moving sun. Also the
-// nodes that the wind moves: sand over the ground and in storms, and the funnel of a tornado.
+// sandstorms that rise, hide the view and pass, tornadoes that wander by, clouds, and a moving sun. This file
+// also has the nodes that the wind moves: sand over the ground and in storms, and the funnel of a tornado.
 
 #include <cstddef>
 #include <cstdint>
@@ -20,58 +20,61 @@
 
 namespace temple {
 
-/// The weather that a user may choose; it then stays of this kind.
+/// A kind of weather that a user may choose; the weather then stays of this kind.
 enum class WeatherKind : uint8_t { calm, gusts, storm, tornado };
 
-/// The weather of that name; nothing for an unknown name.
+/// Returns the kind of weather with that name; nothing for an unknown name.
 [[nodiscard]] std::optional<WeatherKind> weather_named(std::string_view name);
 
-/// All names that weather_named() accepts.
+/// Returns all names that weather_named() accepts.
 [[nodiscard]] std::vector<std::string> weather_names();
 
-/// A moving tornado.
+/// State of a tornado at one time.
 struct Tornado {
     glm::vec2 foot_m{0.0F};
-    float strength = 0.0F; ///< 0, no tornado, to 1
+    float strength = 0.0F; ///< Strength of the tornado: 0, no tornado, to 1
 };
 
-/// The weather at a moment.
+/// The temple's weather at one time.
 struct Weather {
     float wind_m_per_s = 7.0F;
-    double blown_m = 0.0; ///< distance that the wind has blown since time 0
-    float gusts = 0.0F;   ///< strength of the gusts, 0 to 1
-    float dust = 0.0F;    ///< dust in the air, 0 to 1; at 1 visibility is as short as a room
-    float clouds = 0.0F;  ///< share of the sky that clouds cover
+    double blown_m = 0.0; ///< Distance that the wind has blown since time 0
+    float gusts = 0.0F;   ///< Strength of the gusts, 0 to 1
+    float dust = 0.0F;    ///< Dust in the air, 0 to 1; at 1 one sees no farther than the length of a room
+    float clouds = 0.0F;  ///< Share of the sky that clouds cover
     Tornado tornado;
-    std::optional<float> hour; ///< hour of the sun; nothing: the sun of the scene
+    std::optional<float> hour; ///< Hour of the day that sets the sun; nothing: the sun of the scene
 };
 
-inline constexpr float wind_to_deg = 200.0F; ///< direction that the wind always blows to: 0 is +x, 90 is +z
+/// Direction towards which the wind always blows: 0 is +x, 90 is +z.
+inline constexpr float wind_to_deg = 200.0F;
 inline constexpr float calm_m_per_s = 7.0F;
 inline constexpr float strongest_m_per_s = 19.0F;
 
-/// Unit vector along x and z that the wind blows to.
+/// Returns the unit vector along x and z towards which the wind blows.
 [[nodiscard]] glm::vec2 wind_way();
 
 /// The weather that the user asked for.
 struct WeatherChoice {
-    std::optional<WeatherKind> kind; ///< none: the kind of weather changes over time
-    std::optional<float> hour;   ///< hour of the sun; nothing: it moves, or stands still in single pictures
-    float hours_a_minute = 0.0F; ///< speed of the sun, starting from `hour` or from the scene's own
+    std::optional<WeatherKind> kind; ///< Kind of the weather; none: the kind changes over time
+    /// Hour of the day that sets the sun; nothing: the sun moves, or stands still in single pictures.
+    std::optional<float> hour;
+    float hours_a_minute = 0.0F; ///< Speed of the sun, starting from `hour` or from the scene's own hour
 };
 
 /// The weather of a temple at any moment. Each moment is computed independently of earlier calls.
 class WeatherTimeline {
 public:
-    static constexpr double rises_s = 9.0; ///< duration in which a storm rises
+    static constexpr double rises_s = 9.0; ///< Time in which a sandstorm rises
     static constexpr double holds_s = 9.0;
     static constexpr double passes_s = 11.0;
-    static constexpr double between_s = 75.0;    ///< average time from the middle of one storm to the next
-    static constexpr double sun_steps_a_s = 6.0; ///< the hour advances in steps, this many per second
+    static constexpr double between_s = 75.0; ///< Average time from the middle of one sandstorm to the next
+    /// Number of steps per second in which the hour of the day advances.
+    static constexpr double sun_steps_a_s = 6.0;
 
     WeatherTimeline(uint64_t seed, WeatherChoice choice) : seed_(seed), choice_(choice) {}
 
-    /// Cost: a few hundred additions.
+    /// Returns the weather at a time. Cost: a few hundred additions.
     [[nodiscard]] Weather at(double time_s) const;
 
 private:
@@ -85,20 +88,21 @@ private:
     WeatherChoice choice_;
 };
 
-/// Adds the particle emitters `sand N`, `whirl N` and `murk N`, the ink vortices `eddy N`, and the funnel of
-/// a tornado. Emitters and vortices have no size until they are placed.
+/// Adds nodes for the air's motion: the particle emitters `sand N`, `whirl N` and `murk N`, the ink vortices
+/// `eddy N`, and the funnel of a tornado. Emitters and vortices have no size until they are placed.
 void add_air(estampe::Scene& scene);
 
-/// The camera and the ground that the air depends on.
+/// The camera and the ground, on which the nodes of the air depend.
 struct AirView {
     glm::dvec3 eye_m{0.0};
     double time_s = 0.0;
     std::function<float(const glm::vec2&)> ground_m;
-    std::function<bool(const glm::vec2&)> is_roofed; ///< whether a roof covers a place; no sand rises there
+    /// Tells whether a roof covers a place; no sand rises there.
+    std::function<bool(const glm::vec2&)> is_roofed;
 };
 
-/// Transforms of the nodes of add_air(), for Renderer::place(); `first` is the scene's node `sand 0`.
-/// Inactive nodes have no size.
+/// Returns the transforms of the nodes of add_air(), for Renderer::place(); `first` is the scene's node `sand
+/// 0`. Inactive nodes have no size.
 [[nodiscard]] std::vector<estampe::NodePlace> air_places(estampe::Index first, const Weather& weather,
                                                          const AirView& view);
 

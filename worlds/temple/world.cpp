@@ -22,7 +22,7 @@ namespace temple {
 
 namespace {
 
-/// Sets parameters of a style.
+/// Sets parameters of a style by their keys.
 class Setter {
 public:
     explicit Setter(estampe::Style& style) : style_(style) {}
@@ -45,10 +45,10 @@ void Setter::color(const std::string& key, const glm::vec3& srgb)
     style_.set(key + "=" + text);
 }
 
-/// Style of the demons, and of the blots that they leave on the page.
+/// Sets the style of the demons, and of the blots that they leave on the page.
 void dress_demons(Setter& set)
 {
-    // Ink is black in every style.
+    // The demons' ink is black in every style.
     set("material.demon*.wash.strength", 1.0);
     set("material.demon*.wash.neutral", 1.0);
     set("material.demon*.wash.least", 0.0);
@@ -69,7 +69,7 @@ void dress_demons(Setter& set)
     set(wisp + "soft_m", 0.05);
 }
 
-/// Style of sand and other particles in the wind.
+/// Sets the style of sand and other particles in the wind.
 void dress_air(Setter& set)
 {
     const std::string sand = "object.sand*.particles.";
@@ -104,8 +104,8 @@ void dress_air(Setter& set)
     }
 }
 
-/// Style of the ink that runs from demons, and over the page when they dissolve. If `base` has ink already,
-/// its settings stay.
+/// Sets the style of the ink that runs from demons, and over the page when they dissolve. If `base` has ink
+/// already, its settings stay.
 void dress_ink(Setter& set, const estampe::Style& base)
 {
     if (base.number("ink.enabled") != 0.0) {
@@ -131,13 +131,13 @@ void dress_ink(Setter& set, const estampe::Style& base)
     set("ink.sharpness", 0.8);
 }
 
-/// Style of the smoke over fires. If `base` has smoke already, its settings stay.
+/// Sets the style of the smoke over fires. If `base` has smoke already, its settings stay.
 void dress_smoke(Setter& set, const estampe::Style& base)
 {
     if (base.number("smoke.enabled") != 0.0) {
         return;
     }
-    // A slender, transparent column: puffs over a bowl on a foot would look like a tree.
+    // The smoke is a slender, transparent column: puffs over a bowl on a foot would look like a tree.
     set("smoke.cells", "64");
     set("smoke.puffs", "false");
     set("smoke.age_s", 3.0);
@@ -157,13 +157,13 @@ void dress_smoke(Setter& set, const estampe::Style& base)
     set("smoke.line_mm", 0.16);
 }
 
-/// Style of films, as opposed to pictures: smoke rises, the lens is sharp at one distance, and motion blur
-/// follows the moving eye. Settings that `base` has already stay.
+/// Sets the style of films, as opposed to pictures: smoke rises, the lens is sharp at one distance, and
+/// motion blur follows the moving eye. Settings that `base` has already stay.
 void dress_film(Setter& set, const estampe::Style& base)
 {
     set("smoke.enabled", "true");
     if (base.number("lens.enabled") == 0.0) {
-        // The aperture leaves a room sharp except close to the eye; far objects are a little soft.
+        // The lens's aperture leaves a room sharp except close to the eye; far objects are a little soft.
         set("lens.enabled", "true");
         set("lens.focus_m", 8.0);
         set("lens.f_number", 2.8);
@@ -176,11 +176,12 @@ void dress_film(Setter& set, const estampe::Style& base)
     }
 }
 
-constexpr double before_s = 8.0;      ///< time simulated before time 0
-constexpr double remembered_s = 60.0; ///< time simulated before a moment that is jumped to
-constexpr double sample_s = 0.1;      ///< interval of the samples that plumes are simulated with
+constexpr double before_s = 8.0;      ///< Time that is simulated before time 0
+constexpr double remembered_s = 60.0; ///< Time that is simulated before a time to which the program jumps
+/// Interval of the simulated samples from which plumes of particles are computed.
+constexpr double sample_s = 0.1;
 
-const glm::vec3 dust_color(0.84F, 0.72F, 0.52F); ///< sRGB
+const glm::vec3 dust_color(0.84F, 0.72F, 0.52F); ///< Colour of dust in the air, sRGB
 
 bool is_in_prison(const Plan& plan, const glm::vec2& place)
 {
@@ -190,14 +191,14 @@ bool is_in_prison(const Plan& plan, const glm::vec2& place)
     });
 }
 
-/// How sheltered a place is: 0 outside, 1 deep under a roof.
+/// Returns how sheltered a place is: 0 outside, 1 deep under a roof.
 float shelter_at(const Plan& plan, const glm::vec2& place)
 {
     constexpr float within_m = 3.5F;
     float inside_m = 0.0F;
     for (const Room& room : plan.rooms) {
         const glm::vec2 in = glm::min(place - room.low_m(), room.high_m() - place);
-        // Inner walls do not count: depth is measured from the prison's front.
+        // Inner walls do not count for the shelter: depth is measured from the prison's front.
         if (room.is_roofed() && std::min(in.x, in.y) > 0.0F) {
             inside_m = front_z_m - place.y;
         }
@@ -208,13 +209,14 @@ float shelter_at(const Plan& plan, const glm::vec2& place)
 float hours_a_minute(worlds::Occasion occasion)
 {
     constexpr float of_films = 1.2F;
-    constexpr float of_walks = 0.04F; // the sun sets after half an hour from its initial position
+    // Speed of the sun in walks: it sets after half an hour from its initial position
+    constexpr float of_walks = 0.04F;
     return occasion == worlds::Occasion::film   ? of_films
            : occasion == worlds::Occasion::walk ? of_walks
                                                 : 0.0F;
 }
 
-/// Interpolates in the logarithm of a size.
+/// Interpolates a size in its logarithm.
 double mixed_size(double from, double to, double share)
 {
     return std::exp((1.0 - share) * std::log(std::max(from, 0.01)) + share * std::log(std::max(to, 0.01)));
@@ -241,7 +243,7 @@ estampe::Scene World::scene() const
 void World::go_to(double time_s, const estampe::Camera& walker)
 {
     constexpr double leap_s = 10.0;
-    constexpr double slack_s = 0.5; // tolerance for two pictures that are drawn alternately
+    constexpr double slack_s = 0.5; // Tolerance for two pictures that are drawn alternately
     if (!time_s_ || time_s < *time_s_ - slack_s || time_s > *time_s_ + leap_s) {
         demons_ = Demons(plan_, site_, still_, seed_);
         time_s_ = std::max(time_s - remembered_s, 0.0) - before_s;
@@ -267,7 +269,7 @@ void World::go_to(double time_s, const estampe::Camera& walker)
         shown.places.insert(shown.places.end(), air.begin(), air.end());
         const auto smoke = smoke_places(first_of_smoke_, plumes_, walker.eye, in_sight);
         shown.places.insert(shown.places.end(), smoke.begin(), smoke.end());
-        // Static nodes of the ending are not moved before it begins.
+        // The nodes that the ending moves stay static until it begins.
         has_begun_to_end_ = has_begun_to_end_ || (end_s_ && *time_s_ >= *end_s_);
         if (has_begun_to_end_ && ending_) {
             const auto moved = ending_->nodes(end_s_ ? *time_s_ - *end_s_ : -1.0);
@@ -376,19 +378,19 @@ estampe::Style World::style(const estampe::Style& base, const estampe::Camera& c
     const auto blow = [&](const std::string& what, double speed_m_per_s) {
         set("object." + what + ".particles.wind_m_per_s", speed_m_per_s);
     };
-    // Plumes consist of the paths of all their particles at once: wind that changed with every gust would
-    // shake them.
+    // Smoke columns consist of the paths of all their particles at once: wind that changed with every gust
+    // would shake them.
     blow("wisp*", 0.8);
     blow("sand*", 12.0);
     blow("whirl*", 4.0);
     blow("murk*", 4.0);
-    // Lighter than the ground; in a storm darker than the dusty air.
+    // Blown sand is lighter than the ground, but in a storm darker than the dusty air.
     set.color("object.sand*.particles.color", dust_color + static_cast<float>(glm::mix(0.06, -0.16, dust)));
     set("sky.darkness", base.number("sky.darkness") * (1.0 - 0.85 * dust));
     set.color("object.whirl*.particles.color", dust_color);
     set("drift.amount", std::min(0.6 + 0.4 * gusts, 1.0));
 
-    // Direction of the wind on the page.
+    // Computes the direction of the wind on the page.
     const glm::dvec3 ahead = glm::normalize(camera.target - camera.eye);
     const glm::dvec3 right = glm::normalize(glm::cross(ahead, camera.up));
     const glm::dvec3 way(wind_way().x, 0.0, wind_way().y);
@@ -405,8 +407,8 @@ estampe::Style World::style(const estampe::Style& base, const estampe::Camera& c
     dusty("sky.zenith", 0.75 * dust);
     dusty("haze.tint_color", dust);
     if (base.text("light.metering") == "lights") {
-        // Automatic exposure would darken the court because of its many lamps; this value keeps white marble
-        // white in the sun.
+        // Sets the exposure by hand: automatic exposure would darken the court because of its many lamps.
+        // This value keeps white marble white in the sun.
         set("light.metering", "manual");
         set("light.ev100", -0.1);
     }
@@ -470,7 +472,7 @@ worlds::Description description()
                          .without = "16.67",
                          .changes_scene = false}},
             .film_s = Flight::length_s,
-            .show_s = 60.0, // gusts, a tornado and a storm come once
+            .show_s = 60.0, // In this time gusts, a tornado and a storm come once each
             .make = make};
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The animated temple: brings its demons, weather and light to a moment and shows them, and adjusts any style
-// to them.
+// The animated temple: moves its demons, weather and light to a time and shows them, and adjusts any style to
+// them.
 
 #include <cstdint>
 #include <memory>
@@ -29,9 +29,9 @@
 namespace temple {
 
 /// A temple with everything that moves in it. The same seed, weather and paths of the walker give the same
-/// moments.
+/// states at the same times.
 ///
-///     temple::World world(seed, {.kind = temple::WeatherKind::storm});
+/// temple::World world(seed, {.kind = temple::WeatherKind::storm});
 ///     const Scene scene = world.scene();
 ///     world.meet(scene);
 ///     renderer.set_scene(scene);
@@ -43,49 +43,49 @@ class World final : public worlds::World {
 public:
     explicit World(uint64_t seed, const WeatherChoice& weather = {});
 
-    /// The whole scene at time 0. Cost: a fifth of a second.
+    /// Returns the whole scene of the temple at time 0. Cost: a fifth of a second.
     [[nodiscard]] estampe::Scene scene() const override;
 
-    /// Calls meet(). The sun moves in a film, and slowly in a walk, unless WeatherChoice sets its speed.
-    /// Calls film() for a film that is not a draft.
+    /// Prepares the temple to be drawn: calls meet(). The sun moves in a film, and slowly in a walk, unless
+    /// WeatherChoice sets its speed. Calls film() for a film that is not a draft.
     void begin(const estampe::Scene& scene, const worlds::Purpose& purpose) override;
 
-    /// Finds its own nodes in a scene that scene() made. Throws Error for a scene without demons.
+    /// Finds the temple's nodes in a scene that scene() made. Throws Error for a scene without demons.
     void meet(const estampe::Scene& scene);
 
-    /// Simulates up to a moment, for a visitor at `walker`. Moments of a film or a walk must follow each
-    /// other. A moment far before the last one, or more than 10 s after it, restarts the simulation 8 s
-    /// before time 0 or a minute before that moment. A moment up to half a second before the last one changes
+    /// Simulates the temple up to a time, for a visitor at `walker`. Times of a film or a walk must follow
+    /// each other. A time far before the last one, or more than 10 s after it, restarts the simulation 8 s
+    /// before time 0 or a minute before that time. A time up to half a second before the last one changes
     /// nothing. Cost: a millisecond per tenth of a second.
     void go_to(double time_s, const estampe::Camera& walker) override;
 
-    /// The visitor reaches the middle of the last hall at `time_s`; the Ending starts then.
+    /// Records that the visitor reaches the middle of the last hall at `time_s`; the ending starts then.
     void end_at(double time_s) override { end_s_ = time_s; }
 
-    /// Prepares for a film: smoke rises from the fires of the great halls, footprints of an earlier visitor
-    /// are in the sand, and style() sets lens and shutter for motion blur.
+    /// Prepares the temple for a film: smoke rises from the fires of the great halls, footprints of an
+    /// earlier visitor are in the sand, and style() sets lens and shutter for motion blur.
     void film() { is_filmed_ = true; }
 
-    /// Updates the nodes on a renderer that has the scene. Cost: linear in moving nodes; at the start of the
-    /// ending, once the cost of preparing static nodes to move.
+    /// Places the temple's moving nodes on a renderer that has the scene. Cost: linear in moving nodes; at
+    /// the start of the ending, once the cost of preparing static nodes to move.
     void show(estampe::Renderer& renderer) override;
 
-    /// Deforms the renderer's sand where demons are. Cost: if one has moved on sand, a copy of the heights of
-    /// its mask.
+    /// Presses hollows into the renderer's sand where demons are. Cost: if a demon has moved on sand, a copy
+    /// of the heights of its mask.
     void press(estampe::Renderer& renderer) override;
 
-    /// Call this after other code has changed the renderer's sand.
+    /// Call this function after other code has changed the renderer's sand.
     void forget_pressed() override { pressed_.reset(); }
 
-    /// `base` with the weather and the light of the moment that was shown: wind for cloth, sand and ink, air,
-    /// sky, clouds and the sun; also how demons and particles are drawn.
+    /// Returns the style `base` with the weather and the light of the time that was shown: wind for cloth,
+    /// sand and ink, air, sky, clouds and the sun; also how demons and particles are drawn.
     [[nodiscard]] estampe::Style style(const estampe::Style& base,
                                        const estampe::Camera& camera) const override;
 
-    /// Makes the Flight through the temple.
+    /// Makes the camera path of the temple's own film.
     [[nodiscard]] std::unique_ptr<worlds::CameraPath> film_camera(const estampe::Scene& scene) const override;
 
-    /// Makes a Visit of the temple.
+    /// Makes a visit: a walk through the temple.
     [[nodiscard]] std::unique_ptr<worlds::Visit> visit(const estampe::Scene& scene) const override;
 
     [[nodiscard]] Demons& demons() { return demons_; }
@@ -94,7 +94,7 @@ public:
 
     [[nodiscard]] const Weather& weather() const { return weather_; }
 
-    /// The ground without hollows, for walking.
+    /// Returns the ground without hollows, for walking.
     [[nodiscard]] const estampe::Terrain& desert() const { return still_; }
 
     [[nodiscard]] const Plan& plan() const { return plan_; }
@@ -102,7 +102,7 @@ public:
     [[nodiscard]] const Site& site() const { return site_; }
 
 private:
-    /// Transforms of nodes at a moment.
+    /// Transforms of the temple's nodes at one time.
     struct Shown {
         double time_s = 0.0;
         std::vector<estampe::NodePlace> places;
@@ -122,15 +122,16 @@ private:
     estampe::Index first_of_demons_ = 0;
     estampe::Index first_of_air_ = 0;
     estampe::Index first_of_smoke_ = 0;
-    std::vector<Shown> shown_;                   ///< not sent to a renderer yet
-    std::optional<std::vector<Hollow>> pressed_; ///< nothing: the state of the renderer's sand is unknown
+    std::vector<Shown> shown_; ///< Transforms that were not sent to a renderer yet
+    /// Hollows in the renderer's sand; nothing: the state of the sand is unknown.
+    std::optional<std::vector<Hollow>> pressed_;
     std::optional<Ending> ending_;
     std::optional<double> end_s_;
     bool has_begun_to_end_ = false;
     bool is_filmed_ = false;
 };
 
-/// Describes the temple for the registry of worlds.
+/// Returns the description of the temple for the registry of worlds.
 [[nodiscard]] worlds::Description description();
 
 } // namespace temple

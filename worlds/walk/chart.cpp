@@ -16,7 +16,7 @@ constexpr float most_room_m = 2.0F;
 constexpr std::array<glm::ivec2, 8> around{
     {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
 
-/// Whether a body can stand there without sliding.
+/// Returns whether a body can stand on this ground without sliding.
 bool holds(const Footing& footing, const Body& body)
 {
     constexpr double reserve_deg = 3.0;
@@ -29,7 +29,8 @@ struct Open {
     double cost = 0.0;
     glm::ivec2 square{0};
 
-    bool operator<(const Open& other) const { return cost > other.cost; } // the lowest cost comes first
+    // In the search queue, the lowest cost comes first
+    bool operator<(const Open& other) const { return cost > other.cost; }
 };
 
 } // namespace
@@ -74,7 +75,7 @@ void Chart::flood(const Place& place, const Body& body, const glm::dvec3& from_m
     const auto enter = [&](const glm::ivec2& square, double height_m) {
         const glm::dvec2 at = middle_m(square);
         const std::optional<Footing> footing = place.footing({at.x, height_m, at.y}, body, drop_m);
-        // A square that is too high from here may be reached from elsewhere.
+        // A square that is too high from this neighbour may be reached from elsewhere.
         if (!footing || std::abs(footing->height_m - height_m) > drop_m || !holds(*footing, body)) {
             return;
         }
@@ -103,7 +104,7 @@ void Chart::flood(const Place& place, const Body& body, const glm::dvec3& from_m
 
 void Chart::measure_room()
 {
-    // Distances grow from square to square by 1 or the square root of 2.
+    // Distances to obstacles grow from square to square by 1 or the square root of 2.
     const auto square_m = static_cast<float>(limits_.square_m);
     std::priority_queue<Open> next;
     for (int z = 0; z < size_.y; ++z) {
@@ -149,7 +150,7 @@ std::vector<glm::dvec3> Chart::way(const glm::dvec2& from_m, const glm::dvec2& t
     if (!reaches(from_m) || !reaches(to_m)) {
         return {};
     }
-    // A* runs from the end, so that the path comes out from its beginning.
+    // A* searches from the end, so that the path comes out from its beginning.
     const glm::ivec2 start = square_of(to_m);
     const glm::ivec2 goal = square_of(from_m);
     std::vector<double> cost(height_m_.size(), std::numeric_limits<double>::infinity());
@@ -170,7 +171,7 @@ std::vector<glm::dvec3> Chart::way(const glm::dvec2& from_m, const glm::dvec2& t
             const auto is_free = [&](const glm::ivec2& square) {
                 return is_in(square) && !std::isnan(height_m_[index(square)]);
             };
-            // Does not cut corners, and does not step between squares whose heights differ too much.
+            // The path does not cut corners, and does not step between squares whose heights differ too much.
             if (!is_free(there) || !is_free({here.square.x, there.y}) || !is_free({there.x, here.square.y}) ||
                 std::abs(height_m_[index(there)] - height_m_[index(here.square)]) > 0.42F) {
                 continue;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Finds where a body can walk, and a path between two places, on a grid of squares.
+// A chart of a scene: finds where a body can walk, and a path between two places, on a grid of squares.
 
 #include <vector>
 
@@ -12,7 +12,7 @@
 namespace walk {
 
 struct ChartLimits {
-    glm::dvec2 low_m{-50.0}; ///< x and z
+    glm::dvec2 low_m{-50.0}; ///< Corner of the grid with the smallest x and z
     glm::dvec2 high_m{50.0};
     double square_m = 0.3;
 };
@@ -20,18 +20,19 @@ struct ChartLimits {
 /// The squares that a body can reach and return from, and on which it has room; one height per square.
 class Chart {
 public:
-    /// Explores the ground from `from_m`, where the body stands. Cost: about 10 microseconds per square
-    /// reached.
+    /// Explores the ground from `from_m`, where the body stands. Cost: about 10 microseconds for each square
+    /// that the body can reach.
     Chart(const Place& place, const Body& body, const glm::dvec3& from_m, const ChartLimits& limits);
 
-    /// Whether a place lies on a reachable square.
+    /// Returns whether a place lies on a square that the body can reach.
     [[nodiscard]] bool reaches(const glm::dvec2& place_m) const;
 
-    /// A path between two places, as centres of squares at the height of the feet. It is short, but prefers
-    /// the middle of a room to its walls. Empty if there is no path. Cost: n log n in squares.
+    /// Returns a path between two places, as centres of squares at the height of the feet. The path is short,
+    /// but prefers the middle of a room to its walls. Empty if there is no path. Cost: n log n in squares.
     [[nodiscard]] std::vector<glm::dvec3> way(const glm::dvec2& from_m, const glm::dvec2& to_m) const;
 
-    /// Distance from a place to the nearest one without room, up to 2 m; 0 outside of reachable squares.
+    /// Returns the distance from a place to the nearest place without room for the body, up to 2 m; 0 outside
+    /// of reachable squares.
     [[nodiscard]] double room_m(const glm::dvec2& place_m) const;
 
 private:
@@ -44,7 +45,7 @@ private:
 
     ChartLimits limits_;
     glm::ivec2 size_{0};
-    std::vector<float> height_m_; ///< not a number on squares that cannot be reached
+    std::vector<float> height_m_; ///< Height of each square; not a number on squares that cannot be reached
     std::vector<float> room_m_;
 };
 

@@ -23,7 +23,8 @@ glm::vec3 high_of(const Triangle& triangle)
     return glm::max(glm::max(triangle.a, triangle.b), triangle.c);
 }
 
-/// Position along `way` from `from` at which it hits a triangle (Möller and Trumbore), in lengths of `way`.
+/// Returns the position along `way` from `from` at which it hits a triangle (Möller and Trumbore), in lengths
+/// of `way`.
 std::optional<float> meets(const glm::vec3& from, const glm::vec3& way, const Triangle& triangle)
 {
     const glm::vec3 ab = triangle.b - triangle.a;
@@ -38,12 +39,13 @@ std::optional<float> meets(const glm::vec3& from, const glm::vec3& way, const Tr
     const glm::vec3 q = glm::cross(off, ab);
     const float v = glm::dot(way, q) / det;
     const float t = glm::dot(ac, q) / det;
-    constexpr float edge = 1e-5F; // tolerance, so that no ray passes between two adjacent triangles
+    constexpr float edge = 1e-5F; // Tolerance, so that no ray passes between two adjacent triangles
     const bool is_met = u >= -edge && v >= -edge && u + v <= 1.0F + edge && t >= 0.0F && t <= 1.0F;
     return is_met ? std::optional(t) : std::nullopt;
 }
 
-/// Ericson, "Real-Time Collision Detection", 2005, 5.1.5.
+/// Returns the point of a triangle that is nearest to `p`. Source: Ericson, "Real-Time Collision Detection",
+/// 2005, 5.1.5.
 glm::vec3 nearest_on_triangle(const glm::vec3& p, const Triangle& triangle)
 {
     const auto& [a, b, c] = triangle;
@@ -80,7 +82,7 @@ glm::vec3 nearest_on_triangle(const glm::vec3& p, const Triangle& triangle)
     return a + vb / whole * ab + vc / whole * ac;
 }
 
-/// Ericson, 5.1.9.
+/// Returns the nearest points of two segments. Source: Ericson, "Real-Time Collision Detection", 2005, 5.1.9.
 Nearest nearest_of_segments(const glm::vec3& p, const glm::vec3& p_end, const glm::vec3& q,
                             const glm::vec3& q_end)
 {
@@ -183,7 +185,8 @@ void Solids::build()
         boxes_.reserve(triangles_.size());
         std::vector<uint32_t> order(triangles_.size());
         std::iota(order.begin(), order.end(), 0U);
-        // Splits at the median triangle along the longest side of the box around all centroids.
+        // Sorts the triangles into a tree of boxes: splits at the median triangle along the longest side of
+        // the box around all centroids.
         const std::function<void(size_t, size_t)> sort = [&](size_t first, size_t last) {
             if (last - first <= triangles_a_box) {
                 return;
@@ -256,7 +259,7 @@ void Solids::search(const Touches& touches, const Visit& visit) const
     if (boxes_.empty()) {
         return;
     }
-    std::array<uint32_t, 64> open{}; // each split halves the triangles, so the tree is never deeper than this
+    std::array<uint32_t, 64> open{}; // Each split halves the triangles, so the tree is never deeper than this
     size_t count = 1;
     while (count > 0) {
         const uint32_t index = open.at(--count);

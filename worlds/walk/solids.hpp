@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Static geometry that blocks a walker: triangles in a bounding volume hierarchy.
+// Static geometry that blocks a walker: triangles in a bounding volume hierarchy (a tree of boxes).
 
 #include <cstdint>
 #include <functional>
@@ -19,35 +19,35 @@ struct Triangle {
     glm::vec3 a{0.0F}, b{0.0F}, c{0.0F};
 };
 
-/// A point on an upward-facing surface.
+/// A point on an upward-facing surface, which can support a foot.
 struct Support {
     float height_m = 0.0F;
-    glm::vec3 normal{0.0F, 1.0F, 0.0F}; ///< unit, upwards
+    glm::vec3 normal{0.0F, 1.0F, 0.0F}; ///< Normal of the surface, a unit vector that points upwards
 };
 
-/// Triangles with queries for nearby ones. Both sides of each triangle are solid. Coordinates are floats,
-/// which are precise enough within a few kilometres of the origin.
+/// Solid triangles, with a search for those near a place. Both sides of each triangle are solid. Coordinates
+/// are floats, which are precise enough within a few kilometres of the origin.
 class Solids {
 public:
     Solids() = default;
-    /// Cost: n log n.
+    /// Builds the bounding volume hierarchy. Cost: n log n in triangles.
     explicit Solids(std::vector<Triangle> triangles);
-    /// Takes all triangles of the scene at rest, of nodes for which `is_solid` returns true. Cloth and meshes
-    /// that skins or morph targets deform are never included.
+    /// Takes the solid triangles from a scene at rest: those of all nodes for which `is_solid` returns true.
+    /// Cloth and meshes that skins or morph targets deform are never included.
     explicit Solids(const estampe::Scene& scene,
                     const std::function<bool(const estampe::Node& node)>& is_solid = {});
 
-    /// Appends the triangles whose boxes touch the given box. Cost: logarithmic, and linear in triangles
-    /// found.
+    /// Appends the triangles whose boxes touch the given box. Cost: logarithmic, and linear in the triangles
+    /// that are found.
     void find(const glm::vec3& low_m, const glm::vec3& high_m, std::vector<Triangle>& found) const;
 
-    /// The highest upward-facing surface straight below a place, at most `reach_m` away.
+    /// Finds the highest upward-facing surface straight below a place, at most `reach_m` away.
     [[nodiscard]] std::optional<Support> below(const glm::vec3& place_m, float reach_m) const;
 
-    /// Whether the straight segment between two places hits anything.
+    /// Returns whether the straight segment between two places hits any triangle.
     [[nodiscard]] bool blocks(const glm::vec3& from_m, const glm::vec3& to_m) const;
 
-    /// Removes the triangles of a node, or restores them.
+    /// Removes the triangles of a node from the solids, or restores them.
     void set_gone(estampe::Index node, bool is_gone);
 
     [[nodiscard]] size_t count() const { return triangles_.size(); }
@@ -56,8 +56,9 @@ private:
     struct Box {
         glm::vec3 low_m{0.0F};
         glm::vec3 high_m{0.0F};
-        uint32_t first = 0; ///< first triangle; of an inner box, the second child (the first follows it)
-        uint32_t count = 0; ///< number of triangles; 0 for an inner box with two children
+        /// First triangle of the box; for an inner box, its second child (the first child follows the box).
+        uint32_t first = 0;
+        uint32_t count = 0; ///< Number of triangles in the box; 0 for an inner box with two children
     };
 
     void build();
@@ -68,7 +69,7 @@ private:
 
     std::vector<Triangle> triangles_;
     std::vector<estampe::Index> owners_; ///< node of each triangle
-    std::vector<bool> gone_;             ///< by node
+    std::vector<bool> gone_;             ///< True for each node whose triangles are removed
     std::vector<Box> boxes_;
 };
 

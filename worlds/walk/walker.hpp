@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A walking person: gravity, steps, slopes, sand that gives way, and walls.
+// Simulates a person who walks: gravity, steps, slopes, sand that gives way, and walls.
 
 #include <functional>
 #include <optional>
@@ -18,56 +18,57 @@ namespace walk {
 /// Height and slope of loose ground below a place.
 struct Sand {
     double height_m = 0.0;
-    glm::dvec2 slope{0.0}; ///< d height / dx, d height / dz
+    glm::dvec2 slope{0.0}; ///< Slope of the sand: d height / dx and d height / dz
 };
 
-/// The sand at x and z.
+/// Function that returns the sand at x and z.
 using SandAt = std::function<Sand(const glm::dvec2& place_m)>;
 
-/// A person, as a capsule above legs that take steps.
+/// The body of a person, as a capsule above legs that take steps.
 struct Body {
     float radius_m = 0.3F;
     float height_m = 1.8F;
     float eye_m = 1.68F;
-    float step_m = 0.42F; ///< highest step; obstacles below it do not block
+    float step_m = 0.42F; ///< Height of the highest step; lower obstacles do not block the body
     float walk_m_per_s = 1.7F;
     float run_m_per_s = 4.6F;
     float jump_m_per_s = 3.2F;
-    float steepest_deg = 50.0F; ///< steepest stone that can be stood on
-    float repose_deg = 31.0F;   ///< steepest sand that can be stood on; beyond it the walker slides
+    float steepest_deg = 50.0F; ///< Steepest slope of stone on which the body can stand
+    /// Steepest slope of sand on which the body can stand; on steeper sand the walker slides.
+    float repose_deg = 31.0F;
 };
 
-/// Input of the walker.
+/// The movement that a walker should make, as input of the simulation.
 struct Intent {
-    glm::dvec2 way{0.0}; ///< direction along x and z of the world, of length 1 at most
+    glm::dvec2 way{0.0}; ///< Direction along x and z of the world; its length is 1 at most
     bool runs = false;
     bool jumps = false;
 };
 
-/// The ground that a person stands on.
+/// The ground on which a person stands.
 struct Footing {
     double height_m = 0.0;
     glm::dvec3 normal{0.0, 1.0, 0.0};
     bool is_sand = false;
 };
 
-/// The ground and the obstacles around a body.
+/// The ground and the obstacles around a walker's body.
 class Place {
 public:
-    /// `solids` must outlive this object.
+    /// Describes the surroundings of a walker. `solids` must outlive this object.
     Place(const Solids& solids, SandAt sand) : solids_(&solids), sand_(std::move(sand)) {}
 
     [[nodiscard]] const Solids& solids() const { return *solids_; }
 
     [[nodiscard]] Sand sand(const glm::dvec2& place_m) const { return sand_(place_m); }
 
-    /// The highest ground under a foot that is put down at `place_m`, from a step above it to `drop_m` below.
-    /// Nobody falls through sand.
+    /// Finds the highest ground under a foot that is put down at `place_m`, from a step above it to `drop_m`
+    /// below. Nobody falls through sand.
     [[nodiscard]] std::optional<Footing> footing(const glm::dvec3& place_m, const Body& body,
                                                  double drop_m) const;
 
-    /// The nearest position to which a body must be pushed horizontally to leave solids; nothing if there is
-    /// no room.
+    /// Returns the nearest position to which a body must be pushed horizontally to leave solids; nothing if
+    /// there is no room.
     [[nodiscard]] std::optional<glm::dvec3> pushed_out(const glm::dvec3& feet_m, const Body& body) const;
 
 private:
@@ -76,20 +77,20 @@ private:
     mutable std::vector<Triangle> near_;
 };
 
-/// Walks in fixed steps of a 120th of a second, so that the same intents lead to the same places. Cost: about
-/// 1 ms per simulated second.
+/// A walking person, simulated in fixed steps of a 120th of a second, so that the same input leads to the
+/// same places. Cost: about 1 ms per simulated second.
 class Walker {
 public:
     static constexpr double step_s = 1.0 / 120.0;
 
     Walker(Place place, const Body& body, const glm::dvec3& feet_m);
 
-    /// Advances by `seconds`; the remainder of a step is kept for the next call.
+    /// Advances the walker by `seconds`; the remainder of a step is kept for the next call.
     void advance(const Intent& intent, double seconds);
-    /// Advances by one step.
+    /// Advances the walker by one step of the simulation.
     void step(const Intent& intent);
 
-    /// Moves to another place, at rest.
+    /// Moves the walker to another place, at rest.
     void put(const glm::dvec3& feet_m);
 
     [[nodiscard]] const Body& body() const { return body_; }
@@ -100,7 +101,7 @@ public:
 
     [[nodiscard]] const glm::dvec3& velocity_m_per_s() const { return velocity_m_s_; }
 
-    /// Position of the eye, interpolated between steps and smoothed on stairs.
+    /// Returns the position of the walker's eye, interpolated between steps and smoothed on stairs.
     [[nodiscard]] glm::dvec3 eye_m() const;
 
     [[nodiscard]] bool is_on_ground() const { return is_on_ground_; }
@@ -109,13 +110,14 @@ public:
 
     [[nodiscard]] bool is_sliding() const { return is_sliding_; }
 
-    /// The prints left in the sand since the last call: footprints, and traces of sliding.
+    /// Returns the prints that the walker left in the sand since the last call: footprints, and traces of
+    /// sliding.
     [[nodiscard]] std::vector<estampe::TrailStamp> take_prints();
 
 private:
     void steer(const Intent& intent);
     void slide();
-    /// Moves horizontally as far as there is room. Returns whether the whole way was free.
+    /// Moves the walker horizontally as far as there is room. Returns whether the whole way was free.
     bool go(const glm::dvec2& way_m);
     void rise_or_fall();
     void leave_prints(const glm::dvec3& from_m);
@@ -128,10 +130,10 @@ private:
     Footing footing_;
     bool is_on_ground_ = false;
     bool is_sliding_ = false;
-    double eye_height_m_ = 0.0; ///< height in the world
+    double eye_height_m_ = 0.0; ///< Height of the eye in the world
     glm::dvec3 eye_before_m_{0.0};
     double left_s_ = 0.0;
-    double gone_m_ = 0.0; ///< distance since the last print
+    double gone_m_ = 0.0; ///< Distance that the walker has gone since the last print
     bool is_left_foot_ = false;
     std::vector<estampe::TrailStamp> prints_;
 };

@@ -16,7 +16,7 @@
 namespace worlds {
 namespace {
 
-/// The number that is all of `text`; nothing if there is none or it does not fit the type.
+/// Parses the whole of `text` as a number; returns nothing if it is not a number or does not fit the type.
 template <typename Number>
 std::optional<Number> parsed(const std::string& text)
 {
@@ -26,7 +26,7 @@ std::optional<Number> parsed(const std::string& text)
     return problem == std::errc{} && stop == end ? std::optional(number) : std::nullopt;
 }
 
-/// `text` as a number within `range`. Throws Error otherwise, also for a number that is not finite.
+/// Parses `text` as a number within `range`. Throws Error otherwise, also for a number that is not finite.
 template <typename Number, typename Range>
 Number number_within(const std::string& key, const std::string& text, const Range& range, const char* kind)
 {
@@ -168,7 +168,8 @@ void Registry::add(Description description)
                 description.name, "use lower-case letters, digits and hyphens");
         }
     }
-    static_cast<void>(Values(description.options, {})); // throws for an initial value that is not allowed
+    // Throws Error for an initial value that is not allowed
+    static_cast<void>(Values(description.options, {}));
     all_.push_back(std::move(description));
 }
 

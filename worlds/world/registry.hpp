@@ -33,33 +33,37 @@ using Words = std::vector<std::string>;
 
 struct Option {
     std::string key;
-    std::string meaning;                                  ///< One full clause for help, without a full stop.
-    std::variant<WholeRange, NumberRange, Words> allowed; ///< The values that a user may write.
-    std::string initial;       ///< Value if the user writes none; empty: the option then has no value.
-    std::string without;       ///< For help: what happens if the option has no value.
-    bool changes_scene = true; ///< False if World::scene() is the same for all values.
+    std::string meaning; ///< Meaning of the option in one full clause for help, without a full stop.
+    std::variant<WholeRange, NumberRange, Words> allowed; ///< Values that a user may write.
+    /// Value of the option if the user writes none; empty: the option then has no value.
+    std::string initial;
+    std::string without; ///< Text for help: what happens if the option has no value.
+    /// The option can change the scene. False if World::scene() is the same for all values.
+    bool changes_scene = true;
 
-    /// Syntax of the option for help: "seed=N", "hour=0..24" or "weather=calm|storm".
+    /// Returns the syntax of the option for help: "seed=N", "hour=0..24" or "weather=calm|storm".
     [[nodiscard]] std::string syntax() const;
 };
 
-/// The keys of options as a list: "seed, weather, hour".
+/// Lists the keys of options: "seed, weather, hour".
 [[nodiscard]] std::string keys_of(std::span<const Option> options);
 
 /// The values of a world's options.
 class Values {
 public:
-    /// Reads assignments such as "seed=7"; the last one of a key counts. Throws Error for an assignment
-    /// without a key and a value, for a key that is not among `options`, listing those that are, and for a
-    /// value that is not allowed.
+    /// Reads assignments of options such as "seed=7"; the last one of a key counts. Throws Error for an
+    /// assignment without a key and a value, for a key that is not among `options`, listing those that are,
+    /// and for a value that is not allowed.
     Values(std::span<const Option> options, std::span<const std::string> assignments);
 
-    // The value of an option; nothing if it has none. Only valid for keys and types of this world's options.
+    // Functions that return the value of an option; nothing if it has none. Only valid for keys and types of
+    // this world's options.
     [[nodiscard]] std::optional<uint64_t> whole(std::string_view key) const;
     [[nodiscard]] std::optional<double> number(std::string_view key) const;
     [[nodiscard]] std::optional<std::string> word(std::string_view key) const;
 
-    /// Whether a world makes the same scene from both, which must be values of the same options.
+    /// Returns whether a world makes the same scene from both sets of values, which must belong to the same
+    /// options.
     [[nodiscard]] bool make_same_scene(const Values& other) const;
 
 private:
@@ -74,19 +78,19 @@ private:
     [[nodiscard]] const Value& at(std::string_view key) const;
     [[nodiscard]] static Value parse(const Option& option, const std::string& text);
 
-    std::vector<Entry> entries_; ///< one per option, in their order
+    std::vector<Entry> entries_; ///< Value of each option, in the order of the options
 };
 
-/// What the program knows about a world before it makes it.
+/// What the program knows about a world before it makes the world.
 struct Description {
-    std::string name;                  ///< What a user writes in place of a scene's file.
-    std::string summary;               ///< One line, without a full stop.
-    std::vector<std::string> styles;   ///< Presets that were made for it.
+    std::string name;                  ///< Name of the world, which a user writes in place of a scene's file.
+    std::string summary;               ///< Summary of the world in one line, without a full stop.
+    std::vector<std::string> styles;   ///< Names of the presets that were made for the world.
     std::vector<std::string> examples; ///< Commands for help, such as "estampe render NAME -o NAME.png".
     std::vector<Option> options;
-    std::optional<double> film_s; ///< Length of the world's own film; nothing: it has none.
-    /// Length of a film by any other camera that shows all events once; nothing: only the scene's animations
-    /// move.
+    std::optional<double> film_s; ///< Length of the world's own film; nothing: the world has none.
+    /// Length of a film by any other camera in which all events happen once; nothing: only the scene's
+    /// animations move.
     std::optional<double> show_s;
     /// Makes the world with `values`, which must be values of `options`.
     std::function<std::unique_ptr<World>(const Values& values)> make;
@@ -94,22 +98,22 @@ struct Description {
 
 class Registry {
 public:
-    /// Throws Error if there is a world of that name, if the name is not made of lower-case letters, digits
-    /// and hyphens, if two options have one key, if an option's initial value is not allowed, and if the
-    /// world cannot be made.
+    /// Adds a world to the registry. Throws Error if there is a world of that name, if the name is not made
+    /// of lower-case letters, digits and hyphens, if two options have one key, if an option's initial value
+    /// is not allowed, and if the world cannot be made.
     void add(Description description);
 
-    /// The world of that name; null if there is none. The pointer stays valid.
+    /// Finds the world of that name; null if there is none. The pointer stays valid.
     [[nodiscard]] const Description* find(std::string_view name) const;
 
     [[nodiscard]] const std::deque<Description>& all() const { return all_; }
 
 private:
-    std::deque<Description> all_; ///< never moves its elements
+    std::deque<Description> all_; ///< A deque, because it never moves its elements
 };
 
-/// The program's worlds: those that worlds/CMakeLists.txt lists, and those that have been added. Worlds must
-/// be added before other threads look for them.
+/// Returns the program's worlds: those that worlds/CMakeLists.txt lists, and those that have been added.
+/// Worlds must be added before other threads look for them.
 ///
 /// The list is explicit. A static object that registered its world would be lost: a linker takes only those
 /// files of a static library that something refers to. Here registry() refers to each world.

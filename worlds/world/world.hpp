@@ -21,7 +21,8 @@ enum class Occasion : uint8_t { picture, film, walk };
 /// The purpose for which a world is drawn.
 struct Purpose {
     Occasion occasion = Occasion::picture;
-    bool is_draft = false; ///< The user wants a quick result: what only makes a film finer can be left out.
+    /// The user wants a quick result: work that only makes a film finer can be left out.
+    bool is_draft = false;
 };
 
 /// The camera of a world's own film.
@@ -32,11 +33,12 @@ public:
     CameraPath(const CameraPath&) = delete;
     CameraPath& operator=(const CameraPath&) = delete;
 
-    /// The camera at a time since the film's beginning; outside of the film, the camera at its nearer end.
+    /// Returns the camera at a time since the film's beginning; before and after the film, the camera at its
+    /// nearer end.
     [[nodiscard]] virtual estampe::Camera camera(double time_s) const = 0;
 
-    /// When the camera reaches the place that makes the world end, see World::end_at(); nothing if it does
-    /// not.
+    /// Returns the time at which the camera reaches the place that makes the world end, see World::end_at();
+    /// nothing if it does not.
     [[nodiscard]] virtual std::optional<double> end_s() const { return std::nullopt; }
 };
 
@@ -48,20 +50,20 @@ public:
     Visit(const Visit&) = delete;
     Visit& operator=(const Visit&) = delete;
 
-    /// Walks for `seconds`; `time_s` is the scene's time.
+    /// Lets the visitor walk for `seconds`; `time_s` is the scene's time.
     virtual void go(const walk::Intent& intent, double seconds, double time_s) = 0;
 
     [[nodiscard]] virtual walk::Walker& walker() = 0;
 
-    /// Whether the visitor has reached the place that makes the world end, see World::end_at().
+    /// Returns whether the visitor has reached the place that makes the world end, see World::end_at().
     [[nodiscard]] virtual bool has_arrived() const { return false; }
 };
 
 /// One world, made with one set of option values. A world in which nothing moves implements scene() alone.
 ///
-/// The program calls scene() on one object and gives the result to a renderer. To draw it, it makes another
-/// object with the same values, calls begin() once, and then for each picture go_to(), show(), press() and
-/// style(), in this order.
+/// The program calls scene() on one object and gives the result to a renderer. To draw the scene, the program
+/// makes another object with the same values, calls begin() once, and then for each picture go_to(), show(),
+/// press() and style(), in this order.
 class World {
 public:
     World() = default;
@@ -69,45 +71,49 @@ public:
     World(const World&) = delete;
     World& operator=(const World&) = delete;
 
-    /// The whole scene at the beginning of time. The same option values give the same scene.
+    /// Returns the whole scene of the world at time 0. The same option values give the same scene.
     [[nodiscard]] virtual estampe::Scene scene() const = 0;
 
     /// Prepares to animate `scene`, which scene() of a world with the same values made.
     virtual void begin(const estampe::Scene& /*scene*/, const Purpose& /*purpose*/) {}
 
-    /// Simulates up to a moment, seen by `camera`. Moments of a film or a walk follow each other; the program
-    /// may also jump to any moment.
+    /// Simulates the world up to a time, seen by `camera`. Times of a film or a walk follow each other; the
+    /// program may also jump to any time.
     virtual void go_to(double /*time_s*/, const estampe::Camera& /*camera*/) {}
 
-    /// Places the nodes and sets the lights of the moment that go_to() reached, on the renderer that has the
-    /// scene.
+    /// Places the world's nodes and sets its lights on the renderer that has the scene, for the time that
+    /// go_to() reached.
     virtual void show(estampe::Renderer& /*renderer*/) {}
 
-    /// Deforms the renderer's terrain as that moment needs it. The program leaves this call out once a user
-    /// has edited the terrain.
+    /// Deforms the renderer's terrain for the time that go_to() reached. The program leaves this call out
+    /// once a user has edited the terrain.
     virtual void press(estampe::Renderer& /*renderer*/) {}
 
-    /// The renderer's terrain has been changed since the last press(), which must set it again.
+    /// Called when other code has changed the renderer's terrain since the last press(), which must then set
+    /// the terrain again.
     virtual void forget_pressed() {}
 
-    /// `base` with the weather and the light of that moment. What the user sets overrides the result.
+    /// Returns the style `base` with the weather and the light of the time that go_to() reached. Values that
+    /// the user sets override the result.
     [[nodiscard]] virtual estampe::Style style(const estampe::Style& base,
                                                const estampe::Camera& /*camera*/) const
     {
         return base;
     }
 
-    /// A visitor reaches the end of the world at `time_s`: from then on the world changes, if it has an end.
+    /// Called when a visitor reaches the end of the world at `time_s`: from then on the world changes, if it
+    /// has an ending.
     virtual void end_at(double /*time_s*/) {}
 
-    /// The camera of the world's own film; null if it has none. Only called where Description::film_s is set.
+    /// Returns the camera of the world's own film; null if it has none. Only called where Description::film_s
+    /// is set.
     [[nodiscard]] virtual std::unique_ptr<CameraPath> film_camera(const estampe::Scene& /*scene*/) const
     {
         return nullptr;
     }
 
-    /// A visitor who walks through `scene`; null if the world is not made for walking. The viewer then walks
-    /// over its ground without collisions.
+    /// Returns a visitor who walks through `scene`; null if the world is not made for walking. The viewer
+    /// then walks over its ground without collisions.
     [[nodiscard]] virtual std::unique_ptr<Visit> visit(const estampe::Scene& /*scene*/) const
     {
         return nullptr;
