@@ -12,7 +12,7 @@
 namespace estampe::viewer {
 namespace {
 
-/// Twice the signed area of a triangle seen from above.
+/// Returns twice the signed area of a triangle seen from above.
 float area_above(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
 {
     return (b.x - a.x) * (c.z - a.z) - (b.z - a.z) * (c.x - a.x);
@@ -55,7 +55,7 @@ std::optional<double> Ground::height_under(const glm::dvec3& place) const
 
 namespace {
 
-constexpr double steepest_rad = 0.497 * std::numbers::pi; ///< steepest view up or down
+constexpr double steepest_rad = 0.497 * std::numbers::pi; ///< Steepest view up or down
 
 glm::dvec3 rotated(const glm::dvec3& direction, double angle_rad, const glm::dvec3& axis)
 {
@@ -83,7 +83,8 @@ void CameraRig::set_mode(CameraMode mode)
 {
     mode_ = mode;
     if (mode == CameraMode::walk) {
-        // Uses a person's height, or a share of the scene's height if the scene is not in metres.
+        // The walker's eye height is that of a person, or a share of the scene's height if the scene is not
+        // in metres.
         const double height_m = bounds_.empty() ? 3.0 : bounds_.max.y - bounds_.min.y;
         constexpr double person_m = 1.7;
         eye_height_m_ = height_m > person_m && height_m < 1000.0 * person_m ? person_m : 0.3 * height_m;
@@ -110,7 +111,7 @@ double CameraRig::step_m() const
     return radius_m > 0.0 ? radius_m : 1.0;
 }
 
-/// Rotates a direction by a drag, but not beyond the zenith and the nadir of `up`.
+/// Returns a direction rotated by a drag of the pointer, but not beyond the zenith and the nadir of `up`.
 static glm::dvec3 turned(const glm::dvec3& direction, const glm::dvec3& up, double yaw_rad, double pitch_rad)
 {
     const double height_rad = std::asin(std::clamp(glm::dot(direction, up), -1.0, 1.0));
@@ -128,13 +129,13 @@ static glm::dvec3 turned(const glm::dvec3& direction, const glm::dvec3& up, doub
 void CameraRig::turn(const glm::dvec2& drag)
 {
     if (mode_ == CameraMode::orbit) {
-        // A drag over the view's height is half a turn; the model follows the pointer.
+        // A drag over the view's whole height is half a turn; the model follows the pointer.
         const double distance_m = glm::length(camera_.target - camera_.eye);
         const glm::dvec3 direction =
             turned(ahead(), world_up(), -drag.x * std::numbers::pi, -drag.y * std::numbers::pi);
         camera_.eye = camera_.target - direction * distance_m;
     } else {
-        // The point under the pointer follows it.
+        // The point of the scene under the pointer follows the pointer.
         const double angle_rad = camera_.vertical_fov_rad;
         look_along(turned(ahead(), world_up(), drag.x * angle_rad, drag.y * angle_rad));
     }

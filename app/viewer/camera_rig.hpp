@@ -11,24 +11,24 @@
 namespace estampe::viewer {
 
 enum class CameraMode : uint8_t {
-    orbit, ///< moves around its target
-    fly,   ///< moves in the direction of view
-    walk,  ///< moves over the ground
+    orbit, ///< The camera moves around its target
+    fly,   ///< The camera moves in the direction of view
+    walk,  ///< The camera moves over the ground
 };
 
-/// Sides to look from, as in the viewer f3d.
+/// Sides from which to look at the scene, as in the viewer f3d.
 enum class ViewSide : uint8_t { front, back, left, right, top, bottom, isometric };
 
-/// A camera with the controls orbit, fly and walk. It is independent of windows: drags are measured in shares
-/// of the view's height, so that a window's size does not change their effect.
+/// A camera with the controls orbit, fly and walk. The camera rig is independent of windows: drags are
+/// measured in shares of the view's height, so that a window's size does not change their effect.
 class CameraRig {
 public:
-    /// Height of the ground below a place, if there is any; for CameraMode::walk.
+    /// Function that returns the height of the ground below a place, if there is any; for CameraMode::walk.
     using Ground = std::function<std::optional<double>(const glm::dvec3& place)>;
 
-    /// Replaces the scene; `home` is its first camera.
+    /// Replaces the scene, whose first camera is `home`.
     void set_scene(const Camera& home, const Bounds& bounds, Ground ground = {});
-    /// Sets the camera; in walk mode it keeps its height until it moves.
+    /// Sets the camera's place; in walk mode the camera keeps its height until it moves.
     void place(const Camera& camera);
 
     [[nodiscard]] const Camera& camera() const { return camera_; }
@@ -37,15 +37,17 @@ public:
 
     void set_mode(CameraMode mode);
 
-    /// Drags of the pointer; x points to the right, y down.
+    /// Turns the camera by a drag of the pointer; x points to the right, y down. A drag in pan() moves the
+    /// camera sideways.
     void turn(const glm::dvec2& drag);
     void pan(const glm::dvec2& drag);
-    /// Moves closer by this many steps of the wheel; negative moves away. Enlarges in parallel projection;
-    /// moves ahead in fly and walk mode.
+    /// Moves the camera closer by this many steps of the mouse wheel; negative moves away. In parallel
+    /// projection enlarges the view; in fly and walk mode moves ahead.
     void zoom(double steps);
     void roll(double angle_rad);
 
-    /// Moves for `seconds` at walking speed along `direction`: x to the right, y up, z ahead, each -1 to 1.
+    /// Moves the camera for `seconds` at walking speed along `direction`: x to the right, y up, z ahead, each
+    /// -1 to 1.
     void go(const glm::dvec3& direction, double seconds, bool is_fast);
 
     void go_home() { place(home_); }
@@ -71,11 +73,11 @@ private:
 /// The ground of a scene for walking: the upper sides of all surfaces that never move.
 class Ground {
 public:
-    /// Cost: linear in triangles.
+    /// Collects the ground of a scene. Cost: linear in triangles.
     explicit Ground(const Scene& scene);
 
-    /// Height of the first surface straight below a place; nothing if there is none. Cost: linear in
-    /// triangles that are not vertical, about a millisecond for half a million.
+    /// Returns the height of the first surface straight below a place; nothing if there is none. Cost: linear
+    /// in triangles that are not vertical, about a millisecond for half a million.
     [[nodiscard]] std::optional<double> height_under(const glm::dvec3& place) const;
 
 private:

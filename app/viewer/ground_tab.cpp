@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tab for the terrain: the expressions of its height, and the other settings of its file.
+// The viewer's tab for the terrain: the expressions of its height, and the other settings of its file.
 #include <filesystem>
 
 #include <estampe/error.hpp>
@@ -76,7 +76,7 @@ void show_buttons(Studio& studio, const PanelRequests& requests)
     show_ground_save_field(studio);
 }
 
-/// Shows the text field of a node, and its error below.
+/// Shows the text field for the expression of a node of the terrain, and its error below.
 void show_expression(TerrainEdit& terrain, size_t node)
 {
     std::string expression = terrain.draft().nodes[node].expression;
@@ -168,7 +168,7 @@ void show_nodes(TerrainEdit& terrain)
 
 enum class Counts : uint8_t { at_once, when_finished };
 
-/// Shows the settings of a section other than nodes.
+/// Shows the settings of a section of the terrain's file other than its nodes.
 template <typename Struct>
 void show_settings(TerrainEdit& terrain, const style::Table<Struct>& table,
                    Struct TerrainDescription::*section, Counts counts)

@@ -13,7 +13,7 @@ class History {
 public:
     explicit History(State first) { states_.push_back(std::move(first)); }
 
-    /// Adds a state; drops the states that were undone, and the oldest if there are very many.
+    /// Adds a state to the history; drops the states that were undone, and the oldest if there are very many.
     void push(State state)
     {
         constexpr size_t most = 500;
@@ -29,7 +29,8 @@ public:
 
     [[nodiscard]] bool can_redo() const { return now_ + 1 < states_.size(); }
 
-    /// Only valid if can_undo() or can_redo().
+    /// Goes back to the previous state. Only valid if can_undo() returns true; redo() likewise requires
+    /// can_redo().
     const State& undo() { return states_[--now_]; }
 
     const State& redo() { return states_[++now_]; }

@@ -10,7 +10,8 @@
 namespace estampe::viewer {
 namespace {
 
-constexpr int as_typed = -1; // for `modifiers`: the typed character counts, whatever modifiers it needs
+// Value of `modifiers` for a letter: the typed character counts, whatever modifiers it needs
+constexpr int as_typed = -1;
 
 constexpr std::array pointer_keys{
     KeyHelp{Action::none, 0, 0, "Left drag", "orbit around the model; look around when flying or walking"},

@@ -8,7 +8,7 @@
 
 namespace estampe::viewer {
 
-/// Command of a key.
+/// Command of the viewer that a key runs.
 enum class Action : uint8_t {
     show_keys,
     toggle_panel,
@@ -49,19 +49,19 @@ enum class Action : uint8_t {
     reload,
     screenshot,
     record,
-    none, ///< a line of the list without a command: describes the pointer
+    none, ///< A line in the list of keys without a command, which describes the pointer
 };
 
-/// One line of the list of keys.
+/// One line in the list of the viewer's keys.
 struct KeyHelp {
     Action action;
-    int key;          ///< GLFW_KEY_*, or a typed letter, which depends on the keyboard layout
-    int modifiers;    ///< GLFW_MOD_*
-    const char* name; ///< "Ctrl+Z"
+    int key;          ///< Key as GLFW_KEY_*, or a typed letter, which depends on the keyboard layout
+    int modifiers;    ///< Modifiers that must be held, as GLFW_MOD_*
+    const char* name; ///< Name of the key for the user, such as "Ctrl+Z"
     const char* help;
 };
 
-/// A heading and its lines in the overlay, --help and the manual.
+/// A heading and its lines in the list of keys, for the overlay, --help and the manual.
 struct KeyGroup {
     const char* title;
     std::span<const KeyHelp> keys;
@@ -69,12 +69,12 @@ struct KeyGroup {
 
 [[nodiscard]] std::span<const KeyGroup> key_groups();
 
-/// The action of a key that was pressed.
+/// Returns the command of a key that was pressed.
 [[nodiscard]] std::optional<Action> action_of_key(int key, int modifiers);
-/// The action of a typed letter.
+/// Returns the command of a typed letter.
 [[nodiscard]] std::optional<Action> action_of_letter(char32_t letter);
 
-/// All keys as text, one line per key.
+/// Lists all keys as text, one line per key.
 [[nodiscard]] std::string keys_text();
 
 } // namespace estampe::viewer

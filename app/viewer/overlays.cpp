@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The theme of all panels, and the overlays on the picture: bar, messages, list of keys.
+// The theme of all panels, and the overlays on the viewer's picture: status bar, messages, list of keys.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr float text_points = 14.0F;
 
-/// Sans-serif fonts at their usual paths in distributions; if none exists, ImGui's own is used.
+/// Sans-serif fonts at their usual paths in Linux distributions; if none exists, ImGui's own font is used.
 constexpr std::array font_files{"/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
                                 "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
                                 "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf",
@@ -27,7 +27,7 @@ void load_font(float size_px)
 {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
-    // Ranges for Latin, dashes, arrows and the symbols of the panels.
+    // Ranges of characters for Latin, dashes, arrows and the symbols of the panels.
     static const std::array<ImWchar, 9> ranges{0x20,   0x17f,  0x2010, 0x2027, 0x2190,
                                                0x21bf, 0x25a0, 0x25ff, 0};
     for (const char* file : font_files) {
@@ -125,7 +125,7 @@ const char* mode_name(CameraMode mode)
     return mode == CameraMode::orbit ? "orbit" : mode == CameraMode::fly ? "fly" : "walk";
 }
 
-/// Status line: "helmet.gltf - pencil - 960 x 540, 75 % - 64 ms".
+/// Returns the text of the status line: "helmet.gltf - pencil - 960 x 540, 75 % - 64 ms".
 std::string status_of(const Studio& studio)
 {
     std::string text;
@@ -222,7 +222,7 @@ void show_work(const Studio& studio, const PanelRequests& requests, const Area& 
     ImGui::Begin("work", nullptr, fixed | ImGuiWindowFlags_AlwaysAutoResize);
     ImGui::TextUnformatted(studio.work->text.c_str());
     const float button = 5.0F * ImGui::GetFontSize();
-    // Without a known share the progress bar moves back and forth.
+    // If the share of the work done is not known, the progress bar moves back and forth.
     const auto moving = static_cast<float>(0.5 + 0.5 * std::sin(3.0 * ImGui::GetTime()));
     const float share = studio.work->share >= 0.0 ? static_cast<float>(studio.work->share) : moving;
     ImGui::ProgressBar(share, {width - button - 3.0F * ImGui::GetStyle().WindowPadding.x, 0.0F},

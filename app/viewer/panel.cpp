@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The panel on the right and its tabs.
+// The viewer's panel on the right and its tabs.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace estampe::viewer {
 namespace {
 
 constexpr float panel_points = 350.0F;
-constexpr float ground_points = 480.0F; ///< wider than usual, because expressions of heights are long
+constexpr float ground_points = 480.0F; ///< Wider than usual, because expressions of heights are long
 constexpr float bar_points = 34.0F;
 
 const char* title_of(PanelTab tab)
@@ -113,7 +113,7 @@ void show_save_field(Studio& studio)
     ImGui::EndPopup();
 }
 
-/// Selects the up axis of the file; a change loads the scene again.
+/// Selects the axis of the file that points up; a change loads the scene again.
 void show_up_axes(Studio& studio, const PanelRequests& requests)
 {
     struct Choice {
@@ -140,7 +140,7 @@ void show_up_axes(Studio& studio, const PanelRequests& requests)
     }
 }
 
-/// Begins tabs with little spacing, so that all names fit.
+/// Begins a bar of tabs with little spacing, so that all names fit.
 template <typename Begin>
 bool narrowly(const Begin& begin)
 {
@@ -153,8 +153,8 @@ bool narrowly(const Begin& begin)
     return is_open;
 }
 
-/// A checkbox for a layer that a value other than a boolean turns off; turning it on restores the value in
-/// `base`.
+/// Shows a checkbox for a layer that is turned off by a value other than a boolean. Turning the layer on
+/// restores the value in `base`.
 template <typename T>
 void show_layer(Studio& studio, const char* name, T& value, const T& base, const T& off, const T& usual)
 {
@@ -290,7 +290,7 @@ void show_timings_tab(Studio& studio)
     ImGui::TextWrapped("%s", title.c_str());
     const std::vector<float> times(studio.frame_ms.begin(), studio.frame_ms.end());
     if (!times.empty()) {
-        // The first frame compiles shaders, so its time is left out of the scale.
+        // The scale of the diagram leaves out the first frame, which takes long because it compiles shaders.
         std::vector<float> sorted = times;
         std::ranges::sort(sorted);
         const float most = 1.5F * std::max(sorted[sorted.size() * 9 / 10], 45.0F);

@@ -13,17 +13,18 @@
 
 namespace estampe::viewer {
 
-/// Sets colours, distances and font of all panels. `content_scale` is pixels per point of the display.
+/// Sets colours, distances and font of all panels. `content_scale` is the number of pixels per point of the
+/// display.
 void apply_theme(float content_scale);
 
-/// Callbacks for requests of panels that go beyond changing the studio.
+/// Callbacks with which panels request more than a change of the studio.
 struct PanelRequests {
-    std::function<void(Action)> act; ///< performs an action as if its key had been pressed
+    std::function<void(Action)> act; ///< Runs a command as if its key had been pressed
     std::function<void(const std::string&)> open_style;
     std::function<void()> cancel_work;
 };
 
-/// The part of the window that is left for the picture, in pixels.
+/// The area of the window that is left for the picture, in pixels.
 struct Area {
     float x = 0.0F;
     float y = 0.0F;
@@ -33,7 +34,7 @@ struct Area {
 
 // These functions are called every time the window is painted, within ImGui's frame.
 
-/// The area that the open panels leave for the picture.
+/// Returns the area of the window that the open panels leave for the picture.
 [[nodiscard]] Area picture_area(const Studio& studio, float content_scale);
 
 void show_bar(Studio& studio, const PanelRequests& requests, float content_scale);
@@ -41,7 +42,7 @@ void show_panel(Studio& studio, const PanelRequests& requests, float content_sca
 void show_messages(Studio& studio, const PanelRequests& requests, const Area& area, float content_scale);
 void show_keys(Studio& studio, const Area& area, float content_scale);
 
-// The tabs of the panel.
+// Each of these functions shows one tab of the panel.
 void show_style_tab(Studio& studio, const PanelRequests& requests);
 void show_light_tab(Studio& studio);
 void show_ground_tab(Studio& studio, const PanelRequests& requests);
@@ -49,25 +50,25 @@ void show_layers_tab(Studio& studio);
 void show_views_tab(Studio& studio, const PanelRequests& requests);
 void show_timings_tab(Studio& studio);
 
-/// Shows a row for each parameter of the named sections, or of all: name, control and a reset button. Only
-/// rows that contain every word of `search` are shown.
+/// Shows a row for each parameter of the named sections, or of all sections: name, control and a reset
+/// button. Only rows that contain every word of `search` are shown.
 void show_parameters(Studio& studio, const std::string& search, std::span<const char* const> sections);
 
-/// Whether each word of `search` occurs in the name, the section or the help of the parameter.
+/// Returns whether each word of `search` occurs in the name, the section or the help of the parameter.
 [[nodiscard]] bool matches(const style::Section& section, const style::Parameter& parameter,
                            const std::string& search);
 
-/// Whether `search` matches any parameter of the section, as in matches() above.
+/// Returns whether `search` matches any parameter of the section.
 [[nodiscard]] bool matches(const style::Section& section, const std::string& search);
 
-/// Result of a row: what the user changed.
+/// The change that the user made in a row of a panel.
 struct RowEdit {
-    std::optional<style::Value> value; ///< the new value, if it changed
-    bool is_finished = false;          ///< a drag has ended, or a value was picked or typed
+    std::optional<style::Value> value; ///< New value of the parameter, if it changed
+    bool is_finished = false; ///< The change is complete: a drag has ended, or a value was picked or typed
 };
 
-/// Shows a row of a panel: the name of a parameter, a control of its kind, and a button that resets it to
-/// `base` where it differs.
+/// Shows a row of a panel: the name of a parameter, a control of its kind, and a button that resets the
+/// parameter to `base` where it differs.
 [[nodiscard]] RowEdit show_parameter_row(const std::string& section, const style::Parameter& parameter,
                                          const style::Value& held, const style::Value& base);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Controls for style parameters, generated from their descriptions, and the search for parameters.
+// The viewer's controls for style parameters, generated from the parameters' descriptions, and the search for
+// parameters.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -44,7 +45,7 @@ using style::Value;
 
 constexpr int slider_flags = ImGuiSliderFlags_AlwaysClamp;
 
-/// Whether a range is so wide that its slider should be logarithmic.
+/// Returns whether a range is so wide that its slider should be logarithmic.
 bool is_wide(const style::Range& range)
 {
     constexpr float wide = 200.0F;
@@ -52,7 +53,8 @@ bool is_wide(const style::Range& range)
            range.maximum > 5.0F;
 }
 
-/// Number format with as many digits as a slider step needs; in a wide range, a step at the current value.
+/// Returns a number format with as many digits as a slider step needs; in a wide range, a step at the current
+/// value.
 std::string digits_of(const Parameter& parameter, float number)
 {
     const float width =
@@ -84,7 +86,8 @@ bool edit_integer(const Parameter& parameter, Value& value)
     return changed;
 }
 
-/// Edits a colour. One that may be "auto" has a checkbox before it, which turns it black at first.
+/// Shows a control for a colour. A colour that may be "auto" has a checkbox before it; turning "auto" off
+/// sets the colour to black at first.
 bool edit_color(const Parameter& parameter, Value& value)
 {
     if (!parameter.choices.empty()) {
@@ -107,7 +110,7 @@ bool edit_color(const Parameter& parameter, Value& value)
     const bool changed = ImGui::ColorEdit3("##value", parts.data(),
                                            ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_NoLabel);
     if (changed) {
-        // Rounds as --set does, to eight bits per channel.
+        // The colour is rounded as --set does, to eight bits per channel.
         const auto byte = [](float part) {
             return static_cast<uint32_t>(std::lround(std::clamp(part, 0.0F, 1.0F) * 255.0F));
         };
@@ -132,7 +135,7 @@ bool edit_choice(const Parameter& parameter, Value& value)
     return changed;
 }
 
-/// Edits words and file names; they apply when the input is complete.
+/// Shows a text field for words and file names, which apply when the input is complete.
 bool edit_text(const Parameter& parameter, Value& value)
 {
     const std::string held = std::get<std::string>(value);
@@ -182,7 +185,7 @@ void show_help(const std::string& name, const Parameter& parameter)
     ImGui::EndTooltip();
 }
 
-/// Label of a parameter: "width" for "width_mm".
+/// Returns the label of a parameter: "width" for "width_mm".
 std::string label_of(const Parameter& parameter)
 {
     std::string label = parameter.key;
@@ -195,7 +198,8 @@ std::string label_of(const Parameter& parameter)
     return label;
 }
 
-/// Whether the parameter is picked rather than dragged, so that a change applies at once.
+/// Returns whether the user picks the parameter's value instead of dragging a slider, so that a change
+/// applies at once.
 bool is_picked(const Parameter& parameter)
 {
     return parameter.kind != Kind::number && parameter.kind != Kind::integer && parameter.kind != Kind::color;
@@ -257,7 +261,7 @@ void set_value(Studio& studio, const std::string& section, const Parameter& para
     studio.settle("style");
 }
 
-/// `base` holds the values for the reset button.
+/// Shows the row of a parameter. `base` holds the values for the reset button.
 void show_row(Studio& studio, const std::string& section, const Parameter& parameter, void* values,
               const void* base)
 {
@@ -266,7 +270,7 @@ void show_row(Studio& studio, const std::string& section, const Parameter& param
         set_value(studio, section, parameter, values, *edit.value);
     }
     if (edit.is_finished) {
-        studio.edited.finish_change_if_any(); // a drag adds one undo step at its end
+        studio.edited.finish_change_if_any(); // A drag adds one undo step when it ends
     }
 }
 
@@ -290,7 +294,8 @@ void show_parameters(Studio& studio, const std::string& search, std::span<const 
         const auto changed = std::ranges::count_if(section.parameters, [&](const Parameter& parameter) {
             return parameter.get(values) != parameter.get(base);
         });
-        // Sections found by a search have separate open states, so that they close after it.
+        // Sections found by a search remember separately whether they are open, so that they close after the
+        // search.
         const std::string id = section.name + (search.empty() ? "" : " found");
         const std::string title = changed > 0
                                       ? fmt::format("{}  ({} changed)###{}", section.name, changed, id)

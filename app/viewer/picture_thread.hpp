@@ -26,16 +26,16 @@
 
 namespace estampe::viewer {
 
-/// A picture to draw.
+/// The settings of a picture that the thread should draw.
 struct PictureRequest {
     Camera camera;
     app::ChosenStyle style;
     RenderSettings settings;
-    double scale = 1.0; ///< the settings' size as a share of the view's sides
-    uint64_t view = 0;  ///< identifies the view for the caller
+    double scale = 1.0; ///< Size of the picture as a share of the view's sides
+    uint64_t view = 0;  ///< Number of the view, by which the caller identifies it
 };
 
-/// A finished picture.
+/// A picture that the thread has drawn.
 struct Picture {
     size_t slot = 0;
     Image image;
@@ -48,18 +48,19 @@ struct Picture {
     std::vector<std::string> notes;
 };
 
-/// Changes of the scene since the last picture.
+/// Changes of the scene since the last picture was requested.
 struct SceneChange {
-    std::vector<TrailStamp> prints; ///< footprints in the terrain
-    std::optional<double> end_s;    ///< the world starts to end at this moment
+    std::vector<TrailStamp> prints; ///< Footprints to press into the terrain
+    std::optional<double> end_s;    ///< Time at which the world starts to end
 };
 
-/// News: the renderer has another scene.
+/// Message of the thread: the renderer has another scene.
 struct SceneTaken {
     std::shared_ptr<const LoadedFile> file;
 };
 
-/// News: the renderer has another terrain, or the compiled shader of one that it interpreted until then.
+/// Message of the thread: the renderer has another terrain, or the compiled shader of a terrain that it
+/// interpreted until then.
 struct TerrainTaken {
     bool is_compiled = false;
 };
@@ -69,14 +70,14 @@ struct DeviceOpened {
     bool is_processor = false;
 };
 
-/// News: an action failed; the previous state is kept.
+/// Message of the thread: an action failed; the previous state is kept.
 struct Failure {
     enum class Of : uint8_t { device, scene, terrain, picture, job };
     Of what = Of::picture;
     std::string message;
 };
 
-/// News: progress of a job, such as a film.
+/// Message of the thread: the progress of a job, such as a film.
 struct JobNews {
     std::string text;
     double share = 1.0;
@@ -85,15 +86,15 @@ struct JobNews {
 
 using PictureNews = std::variant<Picture, SceneTaken, TerrainTaken, DeviceOpened, Failure, JobNews>;
 
-/// A task longer than a picture, done in steps; no pictures are drawn until step() returns false. An
-/// exception in a step ends the job and becomes news.
+/// A task that takes longer than a picture and is done in steps. No pictures are drawn until step() returns
+/// false. An exception in a step ends the job and becomes a message.
 class PictureJob {
 public:
     PictureJob() = default;
     virtual ~PictureJob() = default;
     PictureJob(const PictureJob&) = delete;
     PictureJob& operator=(const PictureJob&) = delete;
-    /// Does one part of the job; `animator` is that of the renderer's scene. Returns whether there is more to
+    /// Does one part of the job. `animator` animates the renderer's scene. Returns whether there is more to
     /// do.
     virtual bool step(Renderer& renderer, app::WorldAnimator& animator,
                       const std::function<void(PictureNews)>& tell) = 0;
@@ -103,9 +104,9 @@ public:
 /// newest request is drawn. The thread alternates between the slots.
 class PictureThread {
 public:
-    /// Opens the renderer. The thread calls `wake` when there is news.
+    /// Starts the thread, which opens the renderer. The thread calls `wake` when there is a message.
     PictureThread(RendererOptions options, std::function<void()> wake);
-    /// Waits for the current sample to finish.
+    /// Waits until the current sample is finished, then ends the thread.
     ~PictureThread();
     PictureThread(const PictureThread&) = delete;
     PictureThread& operator=(const PictureThread&) = delete;
@@ -114,10 +115,10 @@ public:
     /// Replaces the terrain from the next picture on; an interpreter draws the terrain until its shader is
     /// compiled. After several calls the newest terrain is used. Applies only to the current scene.
     void set_terrain(const Terrain& terrain);
-    /// Applies a change with the next picture; changes add up if that picture is not drawn.
+    /// Applies a change of the scene with the next picture; changes add up if that picture is not drawn.
     void change(SceneChange change);
-    /// Replaces the request of that slot, even if the old request is being drawn and has samples left. An
-    /// empty request ends the drawing in that slot.
+    /// Replaces the request for a picture in that slot, even if the old request is being drawn and has
+    /// samples left. An empty request ends the drawing in that slot.
     void draw(size_t slot, std::optional<PictureRequest> request);
     void do_job(std::unique_ptr<PictureJob> job);
     /// Ends the current job after its current step.
@@ -130,9 +131,9 @@ private:
     void tell(PictureNews news);
     void take_scene(Renderer& renderer, const std::shared_ptr<const LoadedFile>& file);
     void take_terrain(Renderer& renderer, const Terrain& terrain);
-    /// Waits until there is something to do.
+    /// Waits until the thread has something to do.
     void wait(Renderer& renderer, std::unique_lock<std::mutex>& lock);
-    /// Whether the picture that is being drawn in `slot` is still requested.
+    /// Returns whether the picture that is being drawn in `slot` is still requested.
     [[nodiscard]] bool is_wanted(size_t slot);
     void apply(Renderer& renderer, const SceneChange& change);
     void draw_picture(Renderer& renderer, size_t slot, const PictureRequest& request);
@@ -148,45 +149,48 @@ private:
     std::array<std::optional<PictureRequest>, 2> requests_;
     size_t next_slot_ = 0;
     std::unique_ptr<PictureJob> job_;
-    glm::uvec2 film_size_px_{0}; ///< size of the last picture, if another can follow; only used by the thread
+    /// Size of the last picture, if another picture of a film can follow; only used by the thread.
+    glm::uvec2 film_size_px_{0};
     bool is_job_cancelled_ = false;
     bool is_closing_ = false;
     std::vector<PictureNews> news_;
-    std::shared_ptr<const LoadedFile> scene_;      ///< the renderer's scene; only used by the thread
-    std::unique_ptr<app::WorldAnimator> animator_; ///< animator of `scene_`; only used by the thread
-    std::optional<Terrain> terrain_;               ///< replaces the scene's terrain; only used by the thread
-    bool is_compiling_ = false; ///< the terrain's shader is being compiled; only used by the thread
+    std::shared_ptr<const LoadedFile> scene_;      ///< Scene that the renderer has; only used by the thread
+    std::unique_ptr<app::WorldAnimator> animator_; ///< Animator of `scene_`; only used by the thread
+    std::optional<Terrain> terrain_; ///< Terrain that replaces the scene's terrain; only used by the thread
+    bool is_compiling_ = false;      ///< The terrain's shader is being compiled; only used by the thread
     std::thread thread_;
 };
 
-/// A recording of the view: not pictures, but camera, time and style, so that a film of it has full quality
-/// however slow the view was.
+/// A recording of the view: not pictures, but camera, time and style, so that a film of the recording has
+/// full quality however slow the view was.
 class Take {
 public:
     struct Sample {
-        double at_s = 0.0; ///< since the start of the recording
+        double at_s = 0.0; ///< Time of the sample since the start of the recording
         Camera camera;
-        double time_s = 0.0; ///< time of the animation
+        double time_s = 0.0; ///< Time of the scene's animation
         Index animation = 0;
         std::shared_ptr<const app::ChosenStyle> style;
     };
 
-    /// Samples must be added in the order of time.
+    /// Adds a sample to the recording. Samples must be added in the order of time.
     void add(Sample sample) { samples_.push_back(std::move(sample)); }
 
     [[nodiscard]] bool empty() const { return samples_.empty(); }
 
     [[nodiscard]] double length_s() const { return samples_.empty() ? 0.0 : samples_.back().at_s; }
 
-    /// Interpolates the camera linearly between two samples. Interpolates the animation's time too, if the
-    /// time increased. All other values are those of the earlier sample. Requires at least one sample.
+    /// Returns the recorded view at a time. The camera is interpolated linearly between two samples, and the
+    /// animation's time too, if it increased. All other values are those of the earlier sample. Requires at
+    /// least one sample.
     [[nodiscard]] Sample at(double seconds) const;
 
 private:
     std::vector<Sample> samples_;
 };
 
-/// The first of "fox-001.png", "fox-002.png", ... that does not exist in the working directory.
+/// Returns the first file name of "fox-001.png", "fox-002.png", ... that does not exist in the working
+/// directory.
 [[nodiscard]] std::string free_name(const std::string& scene, const std::string& extension);
 
 /// Draws the view once more, as `estampe render` would, and writes it as PNG.
@@ -208,7 +212,8 @@ private:
 /// Draws a recording as a film, one frame per step.
 class FilmJob : public PictureJob {
 public:
-    /// Animates a world from its beginning. `end_s` is when the walker reached the end of the world.
+    /// Prepares a film of a recording; a world is animated from its beginning. `end_s` is the time at which
+    /// the walker reached the end of the world.
     FilmJob(Take take, std::shared_ptr<const LoadedFile> file, std::optional<double> end_s,
             RenderSettings settings, std::string path);
 
@@ -221,7 +226,7 @@ private:
     Take take_;
     std::shared_ptr<const LoadedFile> file_;
     std::optional<double> end_s_;
-    std::unique_ptr<app::WorldAnimator> animator_; ///< set after the first step
+    std::unique_ptr<app::WorldAnimator> animator_; ///< Animator of the film's scene; set after the first step
     RenderSettings settings_;
     std::string path_;
     uint32_t next_ = 0;

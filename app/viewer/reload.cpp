@@ -91,7 +91,7 @@ std::string source_of(const fs::path& file)
     return text;
 }
 
-/// Finds an include file as glslc does: beside the including file, then from the root.
+/// Finds an include file in the same way as glslc does: beside the including file, then from the root.
 std::optional<fs::path> found_include(const std::string& name, const fs::path& from, const fs::path& root)
 {
     for (const fs::path& folder : {from.parent_path(), root}) {
@@ -122,7 +122,7 @@ bool is_shader_text(const fs::path& file)
     return has_entry_point(file) || file.extension() == ".glsl" || file.string().ends_with(".glsl.h");
 }
 
-/// The first error line of the compiler: "hatch/lines.comp:12: error: ...".
+/// Returns the first error line of the compiler: "hatch/lines.comp:12: error: ...".
 std::string first_problem(const std::string& messages, const fs::path& root)
 {
     std::string line = messages.substr(0, messages.find('\n'));
@@ -261,7 +261,7 @@ void ShaderReload::work()
             try {
                 parts = includes_of(shader.file, root_);
             } catch (const Error&) {
-                continue; // the file is being replaced; saving it triggers another event
+                continue; // The file is being replaced; saving it triggers another event
             }
             parts.insert(shader.file);
             const bool is_touched =

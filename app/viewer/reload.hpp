@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reloads what was saved: watches files, and compiles shaders again.
+// Reloads files that were saved: watches files, and compiles shaders again.
 
 #include <atomic>
 #include <filesystem>
@@ -22,8 +22,8 @@ public:
     /// Replaces the list of watched files.
     void watch(const std::vector<std::filesystem::path>& files);
 
-    /// Files that changed since the last call; deleted files count when they exist again. Cost: about 2 us
-    /// per file.
+    /// Returns the watched files that changed since the last call; deleted files count when they exist again.
+    /// Cost: about 2 us per file.
     [[nodiscard]] std::vector<std::filesystem::path> changed();
 
 private:
@@ -34,8 +34,8 @@ private:
     };
 
     struct Watched {
-        State known; ///< the last reported state
-        State seen;  ///< the state at the last call
+        State known; ///< State of the file when it was last reported
+        State seen;  ///< State of the file at the last call of changed()
     };
 
     [[nodiscard]] static State state_of(const std::filesystem::path& file);
@@ -43,41 +43,42 @@ private:
     std::map<std::filesystem::path, Watched> files_;
 };
 
-/// A scene's file and the files beside it that scenes consist of: buffers, textures, material files. Searches
-/// one folder level deep, and at most some hundreds of files.
+/// Returns a scene's file and the files beside it that scenes consist of: buffers, textures, material files.
+/// Searches one folder level deep, and at most some hundreds of files.
 [[nodiscard]] std::vector<std::filesystem::path> files_of_scene(const std::filesystem::path& scene);
 
-/// A shader of the program, and its source.
+/// One compilation of a shader in the build: its name, its source and its macros.
 struct ShaderBuild {
     std::filesystem::path file;
-    std::string name;                ///< name in the program: hatch/lines.comp is lines_comp
-    std::vector<std::string> macros; ///< macros defined for the compiler: NAME or NAME=VALUE
+    std::string name;                ///< Name of the shader in the program: hatch/lines.comp is lines_comp
+    std::vector<std::string> macros; ///< Macros defined for the compiler, as NAME or NAME=VALUE
 
     bool operator==(const ShaderBuild&) const = default;
 };
 
-/// The shaders that the build compiles from a file with an entry point: one named after the file, or the
-/// variants that CMake declares. `root` is the folder for include paths.
+/// Returns the shaders that the build compiles from a file with an entry point: one shader named after the
+/// file, or the variants that CMake declares. `root` is the folder for include paths.
 [[nodiscard]] std::vector<ShaderBuild> builds_of(const std::filesystem::path& file,
                                                  const std::filesystem::path& root);
 
 /// A shader that was compiled again, or the reason why it could not be.
 struct ShaderNews {
-    std::string name; ///< as in ShaderBuild
+    std::string name; ///< Name of the shader, as in ShaderBuild
     std::vector<uint32_t> spirv;
-    std::string problem; ///< empty on success
+    std::string problem; ///< Reason why the shader could not be compiled; empty on success
 };
 
 /// Compiles a shader with the program glslc, as the build does but without optimisation. Optimisation takes
-/// up to ten times as long as the rest, and drivers optimise again anyway. The picture is the same. `root` is
-/// the folder for include paths.
+/// up to ten times as long as the rest, and drivers optimise the shader again anyway. The picture is the
+/// same. `root` is the folder for include paths.
 [[nodiscard]] ShaderNews compile_shader(const ShaderBuild& build, const std::filesystem::path& root);
 
-/// Watches the shaders of a source tree in a separate thread, and compiles again those that are saved or
+/// Watches the shaders of a source tree in a separate thread, and compiles shaders again that are saved or
 /// include a saved file.
 class ShaderReload {
 public:
-    /// `folder` is the source tree or its src/. Throws Error when it contains no shaders.
+    /// Starts to watch the shaders. `folder` is the source tree or its src/. Throws Error when it contains no
+    /// shaders.
     ShaderReload(const std::filesystem::path& folder, std::function<void()> wake);
     ~ShaderReload();
     ShaderReload(const ShaderReload&) = delete;
@@ -93,7 +94,7 @@ private:
     std::filesystem::path root_;
     std::function<void()> wake_;
     std::vector<ShaderBuild> shaders_;
-    std::vector<std::filesystem::path> all_; ///< the shaders' files and everything that these include
+    std::vector<std::filesystem::path> all_; ///< Files of the shaders and everything that these include
     FileWatch watch_;
     std::mutex guard_;
     std::vector<ShaderNews> news_;
@@ -101,7 +102,7 @@ private:
     std::thread thread_;
 };
 
-/// All files that a file includes, directly or indirectly.
+/// Returns all files that a shader's file includes, directly or indirectly.
 [[nodiscard]] std::set<std::filesystem::path> includes_of(const std::filesystem::path& file,
                                                           const std::filesystem::path& root);
 

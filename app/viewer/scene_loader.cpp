@@ -103,7 +103,7 @@ void SceneLoader::read(const app::DrawOptions& draw, uint64_t number)
     wake_();
 }
 
-/// Stores the progress of a load. Returns whether the load should continue.
+/// Stores the progress of loading a scene. Returns whether loading should continue.
 bool SceneLoader::heed(uint64_t number, double share)
 {
     {

@@ -16,21 +16,21 @@
 
 namespace estampe::viewer {
 
-/// A loaded scene with the data that the viewer needs.
+/// A loaded scene with the data that the viewer needs to show it.
 struct LoadedFile {
-    app::DrawOptions draw; ///< the options with which the scene was loaded
+    app::DrawOptions draw; ///< Options with which the scene was loaded
     Scene scene;
     Index animation = 0;
     Camera home;
     Bounds bounds;
-    double ground_m = 0.0;                ///< height by which the scene was lifted onto its terrain
-    std::shared_ptr<worlds::Visit> visit; ///< the walk through a world; null for other scenes
+    double ground_m = 0.0;                ///< Height by which the scene was lifted onto its terrain
+    std::shared_ptr<worlds::Visit> visit; ///< Walk through a world; null for other scenes
 };
 
 /// Loads scenes in the background.
 class SceneLoader {
 public:
-    /// A thread calls `wake` when a scene is loaded or has failed.
+    /// Creates a loader without starting to load. A thread calls `wake` when a scene is loaded or has failed.
     explicit SceneLoader(std::function<void()> wake) : wake_(std::move(wake)) {}
 
     /// Waits for threads that still load; see is_busy().
@@ -44,15 +44,16 @@ public:
     void cancel();
 
     [[nodiscard]] bool is_loading() const;
-    /// The scene that is being loaded.
+    /// Returns the path of the scene that is being loaded.
     [[nodiscard]] std::string path() const;
-    /// Loaded share of the scene; nothing if the file does not say.
+    /// Returns the share of the scene that is loaded, 0 to 1; nothing if the file does not say how large the
+    /// scene is.
     [[nodiscard]] std::optional<double> share() const;
-    /// True while a thread reads a file, even if its scene was discarded.
+    /// Returns whether a thread reads a file, even if the file's scene was discarded.
     [[nodiscard]] bool is_busy() const;
 
     using Result = std::variant<std::shared_ptr<const LoadedFile>, std::string>;
-    /// The scene or an error message; nothing while the scene is being loaded.
+    /// Returns the loaded scene or an error message, once; nothing while the scene is being loaded.
     [[nodiscard]] std::optional<Result> take();
 
 private:

@@ -40,10 +40,11 @@ constexpr uint64_t forever = std::numeric_limits<uint64_t>::max();
 struct Candidate {
     VkPhysicalDevice physical = VK_NULL_HANDLE;
     uint32_t queue_family = 0;
-    int preference = 0; ///< the device with the lowest number is used
+    int preference = 0; ///< Rank of the device; the device with the lowest number is used
 };
 
-/// Discrete GPUs come before other GPUs, and all GPUs before CPUs. The requested device comes first.
+/// Returns the rank of a device. Discrete GPUs come before other GPUs, and all GPUs before CPUs. The
+/// requested device comes first.
 int preference_of(const VkPhysicalDeviceProperties& properties, uint32_t index, const std::string& choice)
 {
     const bool is_cpu = properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
@@ -298,7 +299,7 @@ std::optional<Screen::Frame> Screen::begin()
     int height = 0;
     glfwGetFramebufferSize(window_, &width, &height);
     if (width == 0 || height == 0) {
-        return std::nullopt; // the window is minimised
+        return std::nullopt; // No frame, because the window is minimised
     }
     if (is_outdated_ || size_px_.width != static_cast<uint32_t>(width) ||
         size_px_.height != static_cast<uint32_t>(height)) {

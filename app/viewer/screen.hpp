@@ -63,38 +63,39 @@ struct DeviceFunctions {
 
 // NOLINTEND(bugprone-macro-parentheses)
 
-/// Loads the functions of an instance that was made through GLFW's loader.
+/// Loads the Vulkan functions of an instance that was made through GLFW's loader.
 [[nodiscard]] InstanceFunctions load_functions(VkInstance instance);
 [[nodiscard]] DeviceFunctions load_functions(const InstanceFunctions& vk, VkDevice device);
 
-/// Dedicated memory of one buffer or image; the window has only a few.
+/// Device memory that belongs to a single buffer or image; the window has only a few of them.
 struct Allocation {
     VkDeviceMemory memory = VK_NULL_HANDLE;
-    void* mapped = nullptr; ///< host-visible memory only
+    void* mapped = nullptr; ///< Address of the memory for the CPU; only set for host-visible memory
 };
 
-/// The window's device and swapchain. Painted values are sRGB bytes, shown without conversion.
+/// The window's Vulkan device and swapchain. Painted values are sRGB bytes, shown without conversion.
 class Screen {
 public:
-    /// Uses the device that `choice` names as --device does, if that device can present to this window;
+    /// Opens the device that `choice` names as --device does, if that device can present to this window;
     /// otherwise the best device that can. Throws Error when there is none.
     Screen(GLFWwindow* window, const std::string& choice);
     ~Screen();
     Screen(const Screen&) = delete;
     Screen& operator=(const Screen&) = delete;
 
-    /// A frame of the window while it is recorded.
+    /// A frame of the window while its commands are recorded.
     struct Frame {
         VkCommandBuffer commands = VK_NULL_HANDLE;
         VkExtent2D size_px{};
         uint32_t image = 0;
     };
 
-    /// Begins a frame; returns nothing while the window has no size. Record copies to textures next.
+    /// Begins a frame; returns nothing while the window has no size. Record copies to textures after this
+    /// call.
     [[nodiscard]] std::optional<Frame> begin();
-    /// Begins rendering to the window; record draw calls next.
+    /// Begins rendering to the window; record draw calls after this call.
     void begin_drawing(const Frame& frame) const;
-    /// Presents the frame.
+    /// Submits the frame and presents it in the window.
     void end(const Frame& frame);
 
     /// Waits until no resource of the last frame is in use.
@@ -106,7 +107,7 @@ public:
 
     [[nodiscard]] VkFormat format() const { return format_.format; }
 
-    /// Allocates and binds the memory of a buffer or image. Throws Error when there is none left.
+    /// Allocates and binds the memory of a buffer or image. Throws Error when there is no memory left.
     [[nodiscard]] Allocation allocate(VkBuffer buffer) const;
     [[nodiscard]] Allocation allocate(VkImage image) const;
 
@@ -134,7 +135,7 @@ private:
     bool is_outdated_ = true;
     std::vector<VkImage> images_;
     std::vector<VkImageView> views_;
-    std::vector<VkSemaphore> drawn_; ///< one per image
+    std::vector<VkSemaphore> drawn_; ///< One semaphore per image of the swapchain
     VkSemaphore acquired_ = VK_NULL_HANDLE;
     VkFence done_ = VK_NULL_HANDLE;
     VkCommandPool pool_ = VK_NULL_HANDLE;

@@ -21,22 +21,23 @@ namespace estampe::viewer {
 void Resolution::drawn(double scale, double seconds)
 {
     constexpr double step = 1.0 / 16.0;
-    constexpr double room = 0.9; ///< share of the time for drawing; the rest is for other work
+    constexpr double room = 0.9; ///< Share of the time that drawing may take; the rest is for other work
     if (seconds > wanted_s && slow_s_ == 0.0) {
         slow_s_ = seconds;
         return;
     }
     const double counts_s = slow_s_ > 0.0 ? std::min(slow_s_, seconds) : seconds;
     slow_s_ = seconds > wanted_s ? seconds : 0.0;
-    // Assumes that time is proportional to pixels; a constant part is compensated over several steps.
+    // Assumes that the drawing time is proportional to the number of pixels; a constant part is compensated
+    // over several steps.
     const double fitting = scale * std::sqrt(room * wanted_s / std::max(counts_s, 1e-4));
     const double next = std::clamp(std::floor(fitting / step) * step, least, 1.0);
     if (next < scale_ && counts_s > wanted_s) {
         scale_ = next;
         slow_s_ = 0.0;
     } else if (next > scale_) {
-        // The new size would fit even if all time were proportional to pixels, so the size does not
-        // oscillate. It grows to at most twice as many pixels at once.
+        // The new size would fit even if the whole drawing time were proportional to pixels, so the size does
+        // not oscillate. It grows to at most twice as many pixels in one step.
         scale_ = std::min(next, std::max(scale_ + step, 1.4 * scale_));
     }
 }
@@ -288,7 +289,7 @@ void Studio::attempt(const std::string& topic, const std::function<void()>& step
 void Studio::store_bookmarks()
 {
     if (app::is_piped(file->draw.scene)) {
-        return; // there is no file beside which to store them
+        return; // A scene without a file has no place to store bookmarks
     }
     attempt("bookmarks", [this] { save_bookmarks(bookmarks, bookmarks_path(file->draw.scene)); });
 }
@@ -349,7 +350,7 @@ void Studio::step_up_axis()
 void Studio::step_preset(int step)
 {
     std::vector<std::string> names = app::style_presets();
-    names.insert(names.begin(), ""); // the built-in style
+    names.insert(names.begin(), ""); // The built-in style has an empty name
     const auto found = std::ranges::find(names, edited.name());
     const auto count = static_cast<std::ptrdiff_t>(names.size());
     const std::ptrdiff_t now = found == names.end() ? 0 : found - names.begin();
@@ -390,7 +391,7 @@ void Studio::turn_sun(const glm::dvec2& drag)
     constexpr float degrees_a_view = 180.0F;
     edited.style().tables().sun.by = light::SunBy::direction;
     if (file && !file->scene.lights.empty()) {
-        light.source = light::LightSource::sun; // replaces the scene's own lights
+        light.source = light::LightSource::sun; // The style's sun replaces the scene's own lights
     }
     const float azimuth = light.sun_azimuth_deg + degrees_a_view * static_cast<float>(drag.x);
     light.sun_azimuth_deg = std::remainder(azimuth, 360.0F);

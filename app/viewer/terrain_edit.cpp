@@ -26,11 +26,11 @@ namespace estampe::viewer {
 namespace {
 
 struct Place {
-    size_t line = 0;   ///< from 0
-    size_t column = 0; ///< from 0
+    size_t line = 0;   ///< Number of the line, from 0
+    size_t column = 0; ///< Number of the column, from 0
 };
 
-/// The position at the end of "file:line:column".
+/// Returns the position at the end of "file:line:column".
 Place place_of(const std::string& where)
 {
     const size_t last = where.rfind(':');
@@ -51,7 +51,7 @@ std::vector<std::string> lines_of(const std::string& text)
     return lines;
 }
 
-/// Column at which the value that begins at `from` ends.
+/// Returns the column at which the value that begins at `from` ends.
 size_t end_of_value(const std::string& line, size_t from)
 {
     const char first = line.at(from);
@@ -66,10 +66,10 @@ size_t end_of_value(const std::string& line, size_t from)
     return line.find_last_not_of(" \t\r", comment - 1) + 1;
 }
 
-/// Pairs of "section.key" and the text of the value, in the order of the file.
+/// The values of a terrain file: pairs of "section.key" and the text of the value, in the order of the file.
 using Values = std::vector<std::pair<std::string, std::string>>;
 
-/// Every value of a terrain, including default values.
+/// Returns every value of a terrain, including default values.
 Values values_of(const TerrainDescription& terrain)
 {
     const std::string text = terrain_toml(terrain);
@@ -82,7 +82,7 @@ Values values_of(const TerrainDescription& terrain)
     return values;
 }
 
-/// The lines of a file, which can be changed one by one.
+/// The lines of a terrain file, which can be changed one by one.
 class Lines {
 public:
     explicit Lines(const std::string& text) : lines_(lines_of(text))
@@ -116,7 +116,7 @@ public:
         }
     }
 
-    /// Changes the key of a value within its section.
+    /// Changes the key of a value within its section of the file.
     void rename(const std::string& name, const std::string& key)
     {
         std::string& line = lines_.at(places_.at(name).line);
@@ -150,8 +150,8 @@ public:
 
 private:
     std::vector<std::string> lines_;
-    std::map<std::string, Place> places_; ///< positions of values
-    std::map<std::string, size_t> ends_;  ///< the last line of each section
+    std::map<std::string, Place> places_; ///< Positions of the values in the file
+    std::map<std::string, size_t> ends_;  ///< Number of the last line of each section
     std::map<size_t, std::vector<std::string>> added_;
     std::map<std::string, std::vector<std::string>> sections_;
     std::vector<size_t> removed_;
@@ -169,8 +169,8 @@ Values sorted(Values values)
     return values;
 }
 
-/// The changed text; nothing if `before` is not a terrain's text, or if the result differs from `wanted`, as
-/// it does when values span several lines.
+/// Returns the text of a terrain file with changed values; nothing if `before` is not a terrain's text, or if
+/// the result differs from `wanted`, as it does when values span several lines.
 std::optional<std::string> changed_text(const std::string& before, const Values& wanted)
 {
     try {
@@ -241,7 +241,7 @@ std::vector<std::string> names_of(const TerrainDescription& terrain)
     return names;
 }
 
-/// Replaces a name in an expression where it is a whole word outside of quotes.
+/// Replaces a node's name in an expression where it is a whole word outside of quotes.
 std::string with_name(const std::string& expression, const std::string& before, const std::string& after)
 {
     std::string result;
@@ -263,7 +263,7 @@ std::string with_name(const std::string& expression, const std::string& before, 
     return result;
 }
 
-/// Whether a node can take this name.
+/// Returns whether a node of the terrain can take this name.
 bool is_free_name(const TerrainDescription& terrain, const std::string& name)
 {
     static constexpr std::array words{"x", "z", "time", "wind", "pi"};
@@ -281,7 +281,7 @@ TerrainEdit::TerrainEdit(const Terrain& terrain)
     try {
         file_text_ = file_text(draft_.name);
     } catch (const Error&) {
-        file_text_.clear(); // the text is generated when it is saved
+        file_text_.clear(); // The file's text is unknown, so it is generated when the terrain is saved
     }
 }
 
@@ -295,7 +295,7 @@ void TerrainEdit::take_draft()
     holds_settings_ = false;
     TerrainDescription tried = draft_;
     for (size_t i = 0; i < tried.nodes.size(); ++i) {
-        tried.nodes[i].where = std::to_string(i); // identifies the node in an error
+        tried.nodes[i].where = std::to_string(i); // Number that identifies the node in an error message
     }
     try {
         terrain_ = Terrain(std::move(tried));

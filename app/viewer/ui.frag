@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fragments of the panels and the picture. All colours are sRGB bytes, passed through unchanged.
+// Fragment shader of the viewer's panels and picture. All colours are sRGB bytes, passed through unchanged.
 #version 460
 
 layout(set = 0, binding = 0) uniform sampler2D picture;

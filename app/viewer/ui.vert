@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vertices of the panels' triangles.
+// Vertex shader of the triangles that make up the viewer's panels.
 #version 460
 
 layout(location = 0) in vec2 place_px;

@@ -13,19 +13,20 @@
 
 namespace estampe::viewer {
 
-/// An image for painting on the screen, four bytes per pixel; it grows as needed.
+/// A texture that ImGui paints on the screen, four bytes per pixel; it grows as needed.
 class Texture {
 public:
-    /// Allocates a descriptor set from UiPainter's pool.
+    /// Creates an empty texture, whose descriptor set is allocated from UiPainter's pool.
     Texture(Screen& screen, VkDescriptorPool pool, VkDescriptorSetLayout layout, VkSampler sampler);
     ~Texture();
     Texture(const Texture&) = delete;
     Texture& operator=(const Texture&) = delete;
 
-    /// Replaces the content from the next frame on. Cost: a copy.
+    /// Replaces the texture's content from the next frame on. Cost: a copy.
     void set(uint32_t width, uint32_t height, std::span<const uint8_t> rgba);
 
-    /// Copies new content to the device. Call this between Screen::begin() and begin_drawing().
+    /// Copies new content of the texture to the device. Call this between Screen::begin() and
+    /// begin_drawing().
     void record_upload(VkCommandBuffer commands);
 
     [[nodiscard]] bool empty() const { return width_ == 0; }
@@ -54,7 +55,7 @@ private:
     bool is_new_ = false;
 };
 
-/// ImGui's identifier of a texture: a pointer in versions up to 1.91, a number later.
+/// Returns ImGui's identifier of a texture: a pointer in ImGui's versions up to 1.91, a number later.
 [[nodiscard]] inline ImTextureID id_of(const Texture& texture)
 {
     static_assert(sizeof(ImTextureID) == sizeof(VkDescriptorSet));
@@ -74,18 +75,19 @@ public:
     UiPainter(const UiPainter&) = delete;
     UiPainter& operator=(const UiPainter&) = delete;
 
-    /// A texture for use in ImGui, see id_of(); at most 16 at a time. This object must outlive it.
+    /// Makes a texture for use in ImGui, see id_of(); at most 16 at a time. The UiPainter must outlive the
+    /// texture.
     [[nodiscard]] std::unique_ptr<Texture> make_texture();
 
     /// Rebuilds ImGui's font texture after the fonts changed.
     void update_fonts();
 
-    /// Call this before Screen::begin_drawing().
+    /// Copies changed textures to the device. Call this before Screen::begin_drawing().
     void record_upload(VkCommandBuffer commands);
     void paint(const ImDrawData& data, VkCommandBuffer commands);
 
 private:
-    /// A buffer that grows as needed.
+    /// A buffer in host-visible memory that grows as needed.
     struct Mapped {
         VkBuffer buffer = VK_NULL_HANDLE;
         Allocation memory;

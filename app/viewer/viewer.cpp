@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The window's loop: requests pictures, and paints the window.
+// The loop of the viewer's window: requests pictures, and paints the window.
 #include "viewer/viewer.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@
 namespace estampe::viewer {
 namespace {
 
-/// Delay after a change before the picture is drawn in full, because more changes may follow.
+/// Delay after a change of the view before the picture is drawn in full, because more changes may follow.
 constexpr double settling_s = 0.15;
 
 bool same(const Camera& a, const Camera& b)
@@ -189,8 +189,8 @@ void Viewer::request(size_t slot, const Sight& sight, bool is_moving)
                                         .time_passes = sight.times_passes},
                            .scale = scale,
                            .view = view_};
-    // Consecutive pictures in one style are drawn as a film, so that lines do not jump and flowing ink
-    // continues.
+    // Consecutive pictures in one style are drawn as frames of a film, so that lines do not jump and flowing
+    // ink continues.
     const bool flows = request.style.style.tables().ink.enabled || (is_moving && studio_.file->visit);
     if ((flows || (is_moving && scale < 1.0)) && !sight.has_other && style_drawn_ == sight.style) {
         request.settings.continuity = Continuity::follows;
@@ -216,7 +216,7 @@ void Viewer::ask_for_pictures()
     is_moving_ = app::seconds_since(changed_) < settling_s || studio_.time.is_playing || drag_ != Drag::none;
     for (size_t slot = 0; slot < (now.has_other ? 2U : 1U); ++slot) {
         const bool is_asked = requested_view_.at(slot) == view_;
-        // A full picture may take minutes, so it waits until the quick one is shown.
+        // A picture in full size may take minutes, so it waits until the quick picture is shown.
         if (!is_asked) {
             request(slot, now, true);
         } else if (!is_moving_ && answered_view_.at(slot) == view_ && !requested_whole_.at(slot)) {
@@ -257,7 +257,7 @@ void Viewer::toggle_recording()
     record();
     const RenderSettings settings{
         .width = studio_.view_px.x, .height = studio_.view_px.y, .samples = studio_.samples};
-    // Transparent pictures need a format with alpha, which H.264 lacks.
+    // A film with transparency needs a format with alpha, which H.264 lacks.
     const bool has_alpha = app::is_transparent(studio_.edited.style());
     pictures_->do_job(
         std::make_unique<FilmJob>(std::move(take_), studio_.file, end_s_, settings,
@@ -284,7 +284,8 @@ void Viewer::run()
 {
     constexpr double idle_s = 0.25;
     constexpr double busy_s = 0.03;
-    constexpr double frame_s = 1.0 / 60.0; // shortest time between two frames, whatever the pointer does
+    // Shortest time between two frames of the window, whatever the pointer does
+    constexpr double frame_s = 1.0 / 60.0;
     app::Clock::time_point last = app::Clock::now();
     app::Clock::time_point painted = last;
     while (!window_.is_closing()) {
@@ -330,7 +331,7 @@ void Viewer::run()
         if (frames_to_paint_ > 0 && app::seconds_since(painted) >= frame_s) {
             paint();
             send_terrain();
-            ask_for_pictures(); // panels and pointer may have changed the view
+            ask_for_pictures(); // Again, because panels and pointer may have changed the view
             painted = app::Clock::now();
             --frames_to_paint_;
         }
@@ -340,8 +341,8 @@ void Viewer::run()
 
 namespace {
 
-/// Whether ImGui holds unprocessed input: from version 1.87 on it processes quick typing one key per frame,
-/// so more frames are needed.
+/// Returns whether ImGui holds unprocessed input: from version 1.87 on it processes quick typing one key per
+/// frame, so more frames are needed.
 bool has_input_left()
 {
 #if IMGUI_VERSION_NUM >= 18700
@@ -440,7 +441,7 @@ void Viewer::paint()
     int height = 0;
     glfwGetFramebufferSize(window_.handle(), &width, &height);
     if (width == 0 || height == 0) {
-        return; // the window is minimised
+        return; // Nothing to paint, because the window is minimised
     }
     lay_out();
     const std::optional<Screen::Frame> frame = screen_.begin();

@@ -17,34 +17,34 @@
 
 namespace estampe::viewer {
 
-/// Everything that a picture depends on; a new picture is requested when it changes.
+/// Everything in the view that a picture depends on; a new picture is requested when any of it changes.
 struct Sight {
     Camera camera;
-    uint64_t style = 0; ///< EditedStyle::revision()
+    uint64_t style = 0; ///< Revision of the style, EditedStyle::revision()
     double time_s = 0.0;
     Index animation = 0;
     glm::uvec2 size_px{0};
     uint64_t scene = 0;
-    uint64_t terrain = 0;      ///< TerrainEdit::revision()
-    bool has_other = false;    ///< compared with another style
-    bool times_passes = false; ///< the timings panel is open
+    uint64_t terrain = 0;      ///< Revision of the terrain, TerrainEdit::revision()
+    bool has_other = false;    ///< Another style is shown beside the edited style
+    bool times_passes = false; ///< The panel of timings is open
 };
 
-/// The window of a studio: passes keys and pointer events to the studio, and shows its pictures.
+/// The viewer's window: passes keys and pointer events to the studio, and shows its pictures.
 class Viewer {
 public:
-    /// Opens a window and starts to load the scene, if one is named. Throws Error when there is no display or
-    /// no device.
+    /// Opens the viewer's window and starts to load the scene, if one is named. Throws Error when there is no
+    /// display or no device.
     explicit Viewer(const app::ViewCommand& command);
     ~Viewer();
     Viewer(const Viewer&) = delete;
     Viewer& operator=(const Viewer&) = delete;
 
-    /// Runs until the window is closed. Throws Error when the first scene cannot be read, or the device is
-    /// lost.
+    /// Runs the viewer until the window is closed. Throws Error when the first scene cannot be read, or the
+    /// device is lost.
     void run();
 
-    /// Whether a discarded scene is still being loaded; loading cannot be interrupted.
+    /// Returns whether a discarded scene is still being loaded; loading cannot be interrupted.
     [[nodiscard]] bool is_reading() const { return loader_->is_busy(); }
 
 private:
@@ -53,7 +53,8 @@ private:
     bool act_on_style(Action action);
     void go_back();
     void open(const std::string& path);
-    /// `terrain` is the file that the scene is put on, unless the scene itself is a terrain.
+    /// Opens a scene. `terrain` is the file of the terrain on which the scene is put, unless the scene itself
+    /// is a terrain.
     void open_scene(const std::string& path, const std::string& terrain);
     void open_terrain(const std::string& path);
     void open_style(const std::string& name);
@@ -76,12 +77,12 @@ private:
     void request(size_t slot, const Sight& sight, bool is_moving);
     [[nodiscard]] Sight sight() const;
     void move_by_keys(double seconds);
-    /// Whether the user walks with collision detection.
+    /// Returns whether the user walks with collision detection.
     [[nodiscard]] bool is_on_foot() const;
-    /// Starts to walk at the start of the world's visit.
+    /// Starts a walk at the place where the world's visit begins.
     void set_out();
     void go_on_foot(double seconds);
-    /// Hides the pointer and lets it turn the view, or releases it.
+    /// Hides the pointer and lets it turn the view, or shows it again.
     void take_pointer(bool is_taken);
     void follow_pointer(const std::vector<PointerEvent>& events);
     void press(const PointerEvent& event, const Area& area);
@@ -102,7 +103,7 @@ private:
     WarmUp warm_up_;
     app::Clock::time_point start_ = app::Clock::now();
     Studio studio_;
-    std::optional<PictureThread> pictures_; ///< this and the next two are destroyed before the window
+    std::optional<PictureThread> pictures_; ///< This member and the next two are destroyed before the window
     std::optional<SceneLoader> loader_;
     std::optional<ShaderReload> shaders_;
     Window window_;
@@ -113,11 +114,12 @@ private:
     float ui_scale_ = 0.0F;
 
     Sight asked_;
-    uint64_t view_ = 0;                        ///< number of the view that `asked_` describes
-    std::array<uint64_t, 2> requested_view_{}; ///< by slot
+    uint64_t view_ = 0;                        ///< Number of the view that `asked_` describes
+    std::array<uint64_t, 2> requested_view_{}; ///< Number of the view that was last requested, by slot
     std::array<bool, 2> requested_whole_{};
-    std::array<uint64_t, 2> answered_view_{}; ///< by slot: answered with a picture or an error
-    app::Clock::time_point changed_ = start_; ///< when the view last changed
+    /// Number of the view that was last answered with a picture or an error, by slot.
+    std::array<uint64_t, 2> answered_view_{};
+    app::Clock::time_point changed_ = start_; ///< Time when the view last changed
     uint64_t scene_number_ = 0;
     uint64_t style_drawn_ = 0;
     bool is_moving_ = false;
@@ -127,21 +129,23 @@ private:
     Drag drag_ = Drag::none;
     glm::dvec2 pointer_{0.0};
     bool has_pointer_ = false;
-    glm::dvec3 walked_to_{0.0};   ///< position of the eye after the last step of the walker
-    std::optional<double> end_s_; ///< when the walker reached the end of a world
+    glm::dvec3 walked_to_{0.0};   ///< Position of the eye after the last step of the walker
+    std::optional<double> end_s_; ///< Time when the walker reached the end of a world
     FileWatch scene_watch_;
     FileWatch style_watch_;
     FileWatch terrain_watch_;
     std::string watched_style_;
     std::vector<std::filesystem::path> watched_terrain_;
-    uint64_t terrain_sent_ = 0; ///< TerrainEdit::revision()
-    double standing_m_ = 0.0;   ///< height to which the scene was last moved
+    /// Revision of the terrain that was last sent to the renderer, TerrainEdit::revision().
+    uint64_t terrain_sent_ = 0;
+    double standing_m_ = 0.0; ///< Height of the scene after it was last put on the terrain
     app::Clock::time_point looked_at_files_ = start_;
     Take take_;
     app::Clock::time_point take_start_ = start_;
     std::shared_ptr<const app::ChosenStyle> take_style_;
     uint64_t take_revision_ = 0;
-    int frames_to_paint_ = 3; ///< panels need a few frames to settle
+    /// Number of frames to paint; panels need a few frames until their layout is stable.
+    int frames_to_paint_ = 3;
 };
 
 } // namespace estampe::viewer

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Handles keys, the pointer and the gamepad.
+// The viewer's handling of keys, the pointer and the gamepad.
 #include "viewer/viewer.hpp"
 
 #include <algorithm>
@@ -146,12 +146,12 @@ void Viewer::act(Action action)
     constexpr double frame_s = 1.0 / 24.0;
     const bool steers = studio_.rig.mode() != CameraMode::orbit;
     if (action == Action::next_animation && steers) {
-        return; // in this mode W moves ahead
+        return; // In fly and walk mode the key W moves ahead
     }
     const bool is_of_feet = action == Action::frame_back || action == Action::frame_on ||
                             action == Action::reload || action == Action::play;
     if (is_of_feet && is_on_foot()) {
-        return; // in this mode arrows move and Space jumps
+        return; // In walk mode arrow keys move and Space jumps
     }
     if (act_on_view(action) || act_on_style(action)) {
         return;
@@ -217,7 +217,8 @@ void Viewer::act(Action action)
 void Viewer::move_by_keys(double seconds)
 {
     studio_.time.advance(seconds);
-    constexpr double longest_s = 0.2; // after a stall the camera must not leap
+    // Longest time that a movement takes into account; after a stall the camera must not leap
+    constexpr double longest_s = 0.2;
     if (is_on_foot()) {
         go_on_foot(std::min(seconds, longest_s));
         return;
@@ -240,7 +241,7 @@ void Viewer::move_by_keys(double seconds)
 void Viewer::drag(const glm::dvec2& way, const PointerEvent& event, const Area& area)
 {
     if (is_on_foot() && (drag_ == Drag::pan || drag_ == Drag::zoom)) {
-        return; // in walk mode only walking moves the camera
+        return; // In walk mode only walking moves the camera
     }
     switch (drag_) {
     case Drag::turn:
@@ -314,7 +315,7 @@ void Viewer::follow_pointer(const std::vector<PointerEvent>& events)
             break;
         case PointerEvent::Kind::move:
             if (has_pointer_) {
-                studio_.rig.turn(-way); // the view turns with the pointer
+                studio_.rig.turn(-way); // The view turns with the hidden pointer
             } else {
                 drag(way, event, area);
             }
@@ -360,7 +361,7 @@ void Viewer::go_on_foot(double seconds)
     worlds::Visit& visit = *studio_.file->visit;
     walk::Walker& walker = visit.walker();
     Camera camera = studio_.rig.camera();
-    if (camera.eye != walked_to_) { // the camera was moved by other means
+    if (camera.eye != walked_to_) { // The camera was moved by something else than walking
         walker.put(camera.eye - glm::dvec3(0.0, static_cast<double>(walker.body().eye_m), 0.0));
     }
     const Gamepad pad = window_.gamepad();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Handles news from threads and files: pictures, scenes, shaders, terrains.
+// The viewer's handling of news from threads and files: pictures, scenes, shaders, terrains.
 #include "viewer/viewer.hpp"
 
 #include <algorithm>
@@ -53,7 +53,7 @@ void Viewer::take(const Failure& failure)
     if (failure.what == Failure::Of::picture) {
         answered_view_ = requested_view_;
     } else {
-        asked_ = {}; // requests made meanwhile are lost
+        asked_ = {}; // The requests made meanwhile are lost, so the view is requested again
     }
     studio_.say(Message::Kind::problem, topic, failure.message);
 }
@@ -76,7 +76,7 @@ void Viewer::take(const SceneTaken& taken)
                                    : files_of_scene(taken.file->draw.scene));
     take_terrain_of(*taken.file, is_same);
     if (!is_same) {
-        // Built when the user starts to walk; the static parts of the scene suffice.
+        // The ground is collected when the user starts to walk; the static parts of the scene suffice.
         auto ground = std::make_shared<std::optional<Ground>>();
         studio_.rig.set_scene(taken.file->home, taken.file->bounds,
                               [this, file = taken.file, ground](const glm::dvec3& place) {
@@ -158,7 +158,7 @@ void Viewer::take_news()
         } else if (const auto* job = std::get_if<JobNews>(&news)) {
             if (job->is_done) {
                 studio_.work.reset();
-                asked_ = {}; // requests the current view again
+                asked_ = {}; // The current view is requested again
                 studio_.say(Message::Kind::note, "job", job->text);
                 report(job->text);
             } else {
@@ -188,7 +188,7 @@ void Viewer::look_at_files()
     if (!style_watch_.changed().empty()) {
         report("style changed: " + watched_style_);
         studio_.attempt("style", [this] {
-            // A file saved by the viewer itself is already loaded.
+            // If the viewer itself saved the style file, the file's style is already loaded.
             if (Style::load(watched_style_).to_toml() != studio_.edited.base().to_toml()) {
                 studio_.edited.load(watched_style_);
             }
@@ -214,7 +214,7 @@ void Viewer::take_shaders()
             gpu::replace_shader(news.name, std::move(news.spirv));
             studio_.settle(topic);
             studio_.settle("picture");
-            studio_.edited.changed(); // makes everything redraw
+            studio_.edited.changed(); // Marks the style as changed, so that everything is drawn again
             report(topic + " compiled");
         } else {
             studio_.say(Message::Kind::problem, topic, news.problem);
@@ -235,7 +235,7 @@ void Viewer::take_terrain_of(const LoadedFile& file, bool is_same)
     if (!is_same || !studio_.terrain) {
         studio_.terrain.emplace(terrain);
     }
-    // The edited terrain differs from the file's, so the renderer must get it too.
+    // The edited terrain differs from the file's terrain, so the renderer must get it too.
     const bool is_shown =
         terrain_toml(terrain.description()) == terrain_toml(studio_.terrain->terrain().description());
     terrain_sent_ = is_shown ? studio_.terrain->revision() : 0;
@@ -245,7 +245,7 @@ void Viewer::take(const TerrainTaken& taken)
 {
     studio_.settle("terrain");
     if (taken.is_compiled) {
-        requested_whole_ = {}; // a still picture is drawn in full, as estampe render does
+        requested_whole_ = {}; // A still picture is drawn in full, in the same way as estampe render does
         studio_.is_refined = false;
         report("terrain compiled");
     }
@@ -322,11 +322,12 @@ void Viewer::look_at_terrain()
         return;
     }
     report("terrain changed: " + changed.front().string());
-    frames_to_paint_ = std::max(frames_to_paint_, 1); // its error message may disappear
+    // A frame is painted, because an error message may disappear
+    frames_to_paint_ = std::max(frames_to_paint_, 1);
     studio_.attempt("terrain file", [&] {
         const bool is_text =
             std::ranges::find(changed, std::filesystem::path(terrain.name())) != changed.end();
-        // A file saved by the viewer itself is already loaded.
+        // If the viewer itself saved the terrain file, the file's terrain is already loaded.
         if (is_text && terrain.differs_from_file()) {
             terrain.load(terrain.name());
         } else if (changed.size() > (is_text ? 1U : 0U)) {

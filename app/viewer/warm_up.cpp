@@ -33,7 +33,7 @@ std::string variable(const char* name)
     return value != nullptr ? value : "";
 }
 
-/// Identifies this build of the program, and the folder of Mesa's shader cache.
+/// Returns a text that identifies this build of the program, and the folder of Mesa's shader cache.
 std::string warmth()
 {
     Hash hash;
@@ -57,7 +57,7 @@ std::string text_of(const fs::path& file)
     }
 }
 
-/// The arguments of this process.
+/// Returns the command-line arguments of this process.
 std::vector<std::string> own_words()
 {
     constexpr size_t most_bytes = 1 << 20U;
@@ -108,7 +108,7 @@ void WarmUp::begin(const std::string& scene)
     try {
         process_ = std::make_unique<output::Child>(words, "");
     } catch (const Error&) {
-        return; // the next start also compiles without optimisation
+        return; // Nothing is recorded, so that the next start also compiles without optimisation
     }
 }
 

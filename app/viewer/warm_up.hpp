@@ -10,19 +10,19 @@
 
 namespace estampe::viewer {
 
-/// Shortens the first start after an installation: this run compiles shaders without optimisation, and a
-/// process of low priority compiles optimised shaders for the next run. A file in the user's cache records
-/// which of the two a run does, see warmth_file().
+/// Shortens the first start of the viewer after an installation: this run compiles shaders without
+/// optimisation, and a process of low priority compiles optimised shaders for the next run. A file in the
+/// user's cache records which of the two a run does, see warmth_file().
 class WarmUp {
 public:
-    /// Call this before a device is opened and before threads start.
+    /// Decides how this run compiles shaders. Call this before a device is opened and before threads start.
     explicit WarmUp(const app::ViewCommand& command);
 
-    /// Whether this run compiles shaders without optimisation.
+    /// Returns whether this run compiles shaders without optimisation.
     [[nodiscard]] bool is_quick() const { return is_quick_; }
 
-    /// Call this when the window shows this scene, drawn on the CPU. Starts, once, the process that compiles
-    /// shaders for the next run. The destructor ends the process if it has not finished.
+    /// Starts, once, the process that compiles shaders for the next run. Call this when the window shows this
+    /// scene, drawn on the CPU. The destructor ends the process if it has not finished.
     void begin(const std::string& scene);
 
 private:
@@ -32,11 +32,11 @@ private:
 };
 
 /// Work of the low-priority process: draws the scene without a window in all ways of the window, then records
-/// in a file that it is done. Throws Error as `estampe render` does.
+/// in a file that the shaders are compiled. Throws Error as `estampe render` does.
 void warm_up(const app::ViewCommand& command);
 
-/// File that records for which program and which cache of Mesa the shaders were compiled with optimisation;
-/// empty when the user has no home folder.
+/// Returns the file that records for which program and which cache of Mesa the shaders were compiled with
+/// optimisation; empty when the user has no home folder.
 [[nodiscard]] std::filesystem::path warmth_file();
 
 } // namespace estampe::viewer

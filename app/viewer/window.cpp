@@ -13,12 +13,12 @@
 namespace estampe::viewer {
 namespace {
 
-std::atomic<bool> is_open = false; ///< whether GLFW accepts events from other threads
+std::atomic<bool> is_open = false; ///< The window exists, so GLFW accepts events from other threads
 
 constexpr int least_width_px = 320;
 constexpr int least_height_px = 200;
 
-/// Number of the window's pixels that lie on a monitor.
+/// Returns the number of the window's pixels that lie on a monitor.
 int64_t shared_px(const glm::ivec4& window, GLFWmonitor* monitor)
 {
     int x = 0;
@@ -54,8 +54,8 @@ Window::Window(uint32_t width, uint32_t height)
     watch_keys();
     watch_rest();
     ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr;       // no settings are stored on disk
-    ImGui_ImplGlfw_InitForOther(handle_, true); // also calls the callbacks set above
+    ImGui::GetIO().IniFilename = nullptr;       // ImGui stores no settings on disk
+    ImGui_ImplGlfw_InitForOther(handle_, true); // ImGui's callbacks also call the callbacks set above
 }
 
 Window::~Window()
@@ -187,7 +187,8 @@ Gamepad Window::gamepad() const
         return pad;
     }
     const auto stick = [&](int x, int y) {
-        constexpr double dead = 0.16; // dead zone, because sticks do not return exactly to their middle
+        // Dead zone of the sticks, because they do not return exactly to their middle
+        constexpr double dead = 0.16;
         const glm::dvec2 at(state.axes[x], state.axes[y]);
         const double length = glm::length(at);
         return length > dead ? at / length * std::min((length - dead) / (1.0 - dead), 1.0) : glm::dvec2(0.0);

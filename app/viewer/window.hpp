@@ -11,36 +11,37 @@
 
 namespace estampe::viewer {
 
-/// A pointer event; several may arrive between two calls of Window::wait().
+/// An event of the pointer: a button, a move or the wheel. Several may arrive between two calls of Window::wait().
 struct PointerEvent {
     enum class Kind : uint8_t { press, release, move, wheel };
     Kind kind = Kind::move;
-    int button = 0;    ///< GLFW_MOUSE_BUTTON_*
-    int modifiers = 0; ///< GLFW_MOD_*
+    int button = 0;    ///< Button of the pointer, as GLFW_MOUSE_BUTTON_*
+    int modifiers = 0; ///< Modifier keys that were held, as GLFW_MOD_*
     glm::dvec2 place{0.0};
     double wheel = 0.0;
 };
 
-/// Events since the last call of Window::wait().
+/// Events of the window since the last call of Window::wait().
 struct WindowEvents {
-    std::vector<Action> actions; ///< actions of the keys that no text field used
+    std::vector<Action> actions; ///< Commands of the keys that no text field used
     std::vector<std::string> dropped;
     std::vector<PointerEvent> pointer;
-    bool any = false; ///< something that may change the painted window
+    bool any = false; ///< Some event may change the painted window
 };
 
 /// State of the first gamepad; sticks are -1 to 1 on each axis, positive to the right and down.
 struct Gamepad {
-    glm::dvec2 walk{0.0}; ///< left stick
-    glm::dvec2 look{0.0}; ///< right stick
-    bool runs = false;    ///< a bumper, or the left stick pressed
-    bool jumps = false;   ///< the lowest button
+    glm::dvec2 walk{0.0}; ///< Direction of the left stick
+    glm::dvec2 look{0.0}; ///< Direction of the right stick
+    bool runs = false;    ///< A bumper, or the left stick, is pressed
+    bool jumps = false;   ///< The lowest button is pressed
 };
 
-/// A window with its keys and pointer, and its ImGui context. Only one window can exist at a time.
+/// A window of the system with its keys and pointer, and its ImGui context. Only one window can exist at a
+/// time.
 class Window {
 public:
-    /// Throws Error when there is no display.
+    /// Opens the window. Throws Error when there is no display.
     Window(uint32_t width, uint32_t height);
     ~Window();
     Window(const Window&) = delete;
@@ -53,18 +54,18 @@ public:
     void close();
     void set_title(const std::string& title);
 
-    /// Waits at most this long for events; 0 does not wait.
+    /// Waits at most this long for events of the window; 0 does not wait.
     [[nodiscard]] WindowEvents wait(double seconds);
-    /// Ends a wait(), from any thread.
+    /// Ends a wait() of the window's thread, from any thread.
     static void wake();
 
     /// Pixels of the display per point of text size.
     [[nodiscard]] float content_scale() const { return content_scale_; }
 
     [[nodiscard]] bool is_down(int key) const;
-    /// Returns a gamepad at rest if there is no gamepad.
+    /// Returns the state of the gamepad, or of a gamepad at rest if there is none.
     [[nodiscard]] Gamepad gamepad() const;
-    /// Hides the pointer and lets it move without limit, or releases it.
+    /// Hides the pointer and lets it move without limit, or shows it again.
     void take_pointer(bool is_taken);
     [[nodiscard]] bool has_focus() const;
     /// Toggles full screen on the monitor that shows most of the window.
@@ -77,9 +78,10 @@ private:
 
     GLFWwindow* handle_ = nullptr;
     WindowEvents events_;
-    glm::dvec2 pointer_{0.0}; ///< position according to the events so far, which may lag behind
+    /// Position of the pointer according to the events so far, which may lag behind.
+    glm::dvec2 pointer_{0.0};
     float content_scale_ = 1.0F;
-    glm::ivec4 place_px_{0}; ///< x, y, width, height before full screen
+    glm::ivec4 place_px_{0}; ///< x, y, width and height of the window before full screen
 };
 
 } // namespace estampe::viewer
