@@ -73,7 +73,7 @@ void BakeOptions::add_to(CLI::App& app)
         ->required()
         ->type_name("FILE");
     input_.add_to(command);
-    // --seed is left out of the world's options, because it is the seed of the bake's noise
+    // --seed is left out of the world's options, because it is the seed of the bake's noise.
     world_.add_to(command, WorldOptions::Seed::is_left_out);
     command.add_option("-o,--output", output_, "Output file, NAME.exr, an OpenEXR lightmap")
         ->required()

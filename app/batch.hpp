@@ -28,7 +28,7 @@ private:
     std::string raster_ = "auto";
 };
 
-/// One picture or film of a batch, in the form of a command line.
+/// A job of a batch: one picture or film, in the form of a command line.
 struct BatchJob {
     uint32_t number = 1; ///< Number of the job among all jobs of the file
     std::string where;   ///< Place of the job in its file, as file:line:column

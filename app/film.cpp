@@ -192,7 +192,7 @@ double moving_s(const DrawOptions& draw, bool is_own_film, const Scene& scene, I
 /// Returns the film's settings, with the last frame and the file's frame rate filled in.
 FilmChoice with_end(FilmChoice film, const DrawOptions& draw, const Scene& scene, Index animation)
 {
-    // Lowest frame rate of a file that is used; a file's rate outside the range is ignored
+    // Lowest frame rate of a file that is used; a file's rate outside the range is ignored.
     constexpr double least_rate = 1.0;
     constexpr double most_rate = 240.0;
     constexpr double turn_s = 5.0;

@@ -140,7 +140,8 @@ std::string HelpPage::make_usage(const CLI::App* app, std::string name) const
 std::string HelpPage::make_option_opts(const CLI::Option* option) const
 {
     std::string text = CLI::Formatter::make_option_opts(option);
-    if (!option->get_allow_extra_args()) { // Such an option must be repeated to give it several values
+    // An option that takes one value at a time must be repeated to give it several values.
+    if (!option->get_allow_extra_args()) {
         replace_all(text, " ...", "");
     }
     return text;

@@ -341,7 +341,7 @@ std::span<const std::string_view> input_formats()
 
 bool is_piped(const std::string& scene)
 {
-    // Names such as /dev/stdin count as pipes, whatever they refer to
+    // Names such as /dev/stdin count as pipes, whatever they refer to.
     if (scene == standard_input || scene.starts_with("/dev/")) {
         return true;
     }
@@ -373,7 +373,7 @@ std::string with_typed_name(std::string text, const std::string& scene, const fs
         return text;
     }
     replace_all(text, file.string(), name_of(scene));
-    // Messages show file names as the scene writes them
+    // Messages show file names as the scene writes them.
     replace_all(text, file.parent_path().string() + '/', "");
     replace_all(text, "beside the scene's file", "into the current folder");
     return text;

@@ -68,12 +68,12 @@ void watch_signals()
 {
     std::signal(SIGXFSZ, SIG_IGN);
     const sigset_t set = watched_set();
-    // The signals are blocked in all later threads; one thread waits for them
+    // The signals are blocked in all later threads; one thread waits for them.
     pthread_sigmask(SIG_BLOCK, &set, nullptr);
     try {
         std::thread(wait_for_signals).detach();
     } catch (const std::system_error&) {
-        // Unblocked signals have their default effect: they end the program
+        // Unblocked signals have their default effect: they end the program.
         pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
     }
 }

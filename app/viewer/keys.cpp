@@ -10,7 +10,7 @@
 namespace estampe::viewer {
 namespace {
 
-// Value of `modifiers` for a letter: the typed character counts, whatever modifiers it needs
+// Value of `modifiers` for a letter: the typed character counts, whatever modifiers it needs.
 constexpr int as_typed = -1;
 
 constexpr std::array pointer_keys{

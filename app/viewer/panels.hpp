@@ -32,7 +32,7 @@ struct Area {
     float height = 0.0F;
 };
 
-// These functions are called every time the window is painted, within ImGui's frame.
+// Functions that are called every time the window is painted, within ImGui's frame.
 
 /// Returns the area of the window that the open panels leave for the picture.
 [[nodiscard]] Area picture_area(const Studio& studio, float content_scale);
@@ -42,7 +42,7 @@ void show_panel(Studio& studio, const PanelRequests& requests, float content_sca
 void show_messages(Studio& studio, const PanelRequests& requests, const Area& area, float content_scale);
 void show_keys(Studio& studio, const Area& area, float content_scale);
 
-// Each of these functions shows one tab of the panel.
+// Functions that each show one tab of the panel.
 void show_style_tab(Studio& studio, const PanelRequests& requests);
 void show_light_tab(Studio& studio);
 void show_ground_tab(Studio& studio, const PanelRequests& requests);

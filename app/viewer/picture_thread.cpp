@@ -369,7 +369,7 @@ void PictureThread::do_step(Renderer& renderer)
     film_size_px_ = glm::uvec2(0);
     try {
         if (std::exchange(is_compiling_, false)) {
-            renderer.set_terrain(*terrain_); // This call waits until the terrain's shader is compiled
+            renderer.set_terrain(*terrain_); // Setting the terrain again waits until its shader is compiled
             tell(TerrainTaken{.is_compiled = true});
         }
         goes_on = job_->step(renderer, *animator_, [this](PictureNews news) { tell(std::move(news)); });

@@ -284,7 +284,7 @@ void Viewer::run()
 {
     constexpr double idle_s = 0.25;
     constexpr double busy_s = 0.03;
-    // Shortest time between two frames of the window, whatever the pointer does
+    // Shortest time between two frames of the window, whatever the pointer does.
     constexpr double frame_s = 1.0 / 60.0;
     app::Clock::time_point last = app::Clock::now();
     app::Clock::time_point painted = last;

@@ -103,7 +103,8 @@ private:
     WarmUp warm_up_;
     app::Clock::time_point start_ = app::Clock::now();
     Studio studio_;
-    std::optional<PictureThread> pictures_; ///< This member and the next two are destroyed before the window
+    /// The picture thread and the next two members are destroyed before the window.
+    std::optional<PictureThread> pictures_;
     std::optional<SceneLoader> loader_;
     std::optional<ShaderReload> shaders_;
     Window window_;

@@ -217,7 +217,7 @@ void Viewer::act(Action action)
 void Viewer::move_by_keys(double seconds)
 {
     studio_.time.advance(seconds);
-    // Longest time that a movement takes into account; after a stall the camera must not leap
+    // Longest time that a movement takes into account; after a stall the camera must not leap.
     constexpr double longest_s = 0.2;
     if (is_on_foot()) {
         go_on_foot(std::min(seconds, longest_s));

@@ -322,7 +322,7 @@ void Viewer::look_at_terrain()
         return;
     }
     report("terrain changed: " + changed.front().string());
-    // A frame is painted, because an error message may disappear
+    // A frame is painted, because an error message may disappear.
     frames_to_paint_ = std::max(frames_to_paint_, 1);
     studio_.attempt("terrain file", [&] {
         const bool is_text =

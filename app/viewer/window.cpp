@@ -187,7 +187,7 @@ Gamepad Window::gamepad() const
         return pad;
     }
     const auto stick = [&](int x, int y) {
-        // Dead zone of the sticks, because they do not return exactly to their middle
+        // Dead zone of the sticks, because they do not return exactly to their middle.
         constexpr double dead = 0.16;
         const glm::dvec2 at(state.axes[x], state.axes[y]);
         const double length = glm::length(at);

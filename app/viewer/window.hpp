@@ -11,7 +11,8 @@
 
 namespace estampe::viewer {
 
-/// An event of the pointer: a button, a move or the wheel. Several may arrive between two calls of Window::wait().
+/// An event of the pointer: a button, a move or the wheel. Several may arrive between two calls of
+/// Window::wait().
 struct PointerEvent {
     enum class Kind : uint8_t { press, release, move, wheel };
     Kind kind = Kind::move;

@@ -13,8 +13,8 @@ namespace estampe {
 enum class ClothSolver : uint8_t {
     automatic,   ///< Chooses the solver for the program: `small_steps`
     small_steps, ///< Extended position-based dynamics: many short steps with one iteration each
-    /// One step with many relaxation iterations (Zanuttini, "Recherches en rendu non réaliste temps réel",
-    /// Université Paris 8, 2008, chapter 7). Finer meshes stretch more.
+    /// Verlet integration: one step with many relaxation iterations (Zanuttini, "Recherches en rendu non
+    /// réaliste temps réel", Université Paris 8, 2008, chapter 7). Finer meshes stretch more.
     verlet,
     /// Chen, Liu, Yang and Yuksel, "Vertex Block Descent", SIGGRAPH 2024: moves one vertex after another to
     /// the minimum of its part of the energy. Vertices of one colour of the graph run in parallel.

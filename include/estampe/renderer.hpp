@@ -88,7 +88,7 @@ struct RenderSettings {
     /// Longest side of a tile in pixels, for pages that are drawn in overlapping tiles. 0: no tiles if the
     /// device allows it, otherwise tiles of an automatic size. Only used by render() and render_bands().
     uint32_t tile_px = 0;
-    bool measure_solvers = false; ///< Makes Renderer::solver_reports() available
+    bool measure_solvers = false; ///< Measures the pressure solvers of fluids for Renderer::solver_reports()
     /// Measures the GPU time of each pass; see Renderer::timings(). Passes that usually overlap then run one
     /// after another, so the frame takes about a tenth longer. The picture is the same.
     bool time_passes = false;
@@ -114,7 +114,7 @@ struct BandSink {
     std::function<void(double share)> progress = {};
 };
 
-/// Whether a vector drawing contains lines that are hidden by surfaces.
+/// Whether a vector drawing contains the lines that surfaces hide.
 enum class HiddenLines : uint8_t { left_out, kept };
 
 /// Name and GPU time of one pass of the last frame.

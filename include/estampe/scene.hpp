@@ -390,7 +390,7 @@ struct SunBearing {
     /// looks from 35 degrees.
     double azimuth_deg = -34.0;
     double elevation_deg = 45.0;
-    /// If the framed view shows another side of the scene, the sun rotates with the camera.
+    /// The sun rotates with the camera if the framed view shows another side of the scene.
     bool turns = true;
     bool rules = false; ///< The style's sun replaces the scene's own lights
     bool throws = true; ///< The shadow of the sun is drawn, so the picture needs room for it

@@ -47,7 +47,7 @@ enum class TerrainMesh : uint8_t {
     object ///< A mesh of the scene, displaced by the terrain's heights
 };
 
-/// When the heights of the ground's vertices are computed again.
+/// Chooses when the heights of the ground's vertices are computed again.
 enum class TerrainUpdate : uint8_t {
     moved,  ///< Again for a picture in which the camera has moved or time has advanced
     always, ///< Again for every picture, for measurements

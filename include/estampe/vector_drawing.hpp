@@ -11,7 +11,8 @@
 
 namespace estampe {
 
-/// What a stroke represents. Kinds are listed in drawing order, from bottom to top.
+/// Kind of a stroke: the tone or line that the stroke represents. Kinds are listed in drawing order, from
+/// bottom to top.
 enum class StrokeKind : uint8_t {
     hatch,        ///< Hatching stroke, which carries tone
     shadow,       ///< Line at the edge of a cast shadow

@@ -169,7 +169,7 @@ std::vector<std::byte> encode_float_exr(uint32_t width, uint32_t height, std::sp
     Imf::Header header(static_cast<int>(width), static_cast<int>(height));
     header.compression() = Imf::ZIP_COMPRESSION;
     Imf::FrameBuffer channels;
-    // A writable copy, because OpenEXR's frame buffer requires writable data
+    // A writable copy, because OpenEXR's frame buffer requires writable data.
     std::vector<glm::vec4> rows(texels.begin(), texels.end());
     static constexpr const char* names[] = {"R", "G", "B", "A"};
     for (int i = 0; i < 4; ++i) {

@@ -245,7 +245,7 @@ void check_output(const std::filesystem::path& output, const std::vector<std::fi
                     "create it first, or write elsewhere with -o");
     }
     const std::filesystem::file_status status = std::filesystem::status(output, problem);
-    // A name that is too long is reported now, before other files are renamed
+    // A name that is too long is reported now, before other files are renamed.
     if (problem == std::errc::filename_too_long) {
         throw Error(fmt::format("cannot write: {}", problem.message()), output.string(),
                     "choose a shorter name");

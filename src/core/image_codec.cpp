@@ -98,7 +98,7 @@ bool read_png_header(PngReader& reader)
     if (setjmp(reader.failure.jump) != 0) {
         return false;
     }
-    // Removes libpng's limits; check_image_size() checks this program's limits
+    // Removes libpng's limits; check_image_size() checks this program's limits.
     png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_set_chunk_malloc_max(reader.png, png_alloc_size_t{1} << 24);
     png_set_crc_action(reader.png, PNG_CRC_ERROR_QUIT, PNG_CRC_QUIET_USE);
@@ -228,7 +228,7 @@ bool read_jpeg_header(JpegReader& reader, std::span<const std::byte> data)
     reader.jpeg.mem->max_memory_to_use = 1L << 29;
     jpeg_mem_src(&reader.jpeg, reinterpret_cast<const unsigned char*>(data.data()), data.size());
     constexpr unsigned longest_marker = 0xffff;
-    // Keeps the markers that hold colour profiles
+    // Keeps the markers that hold colour profiles.
     jpeg_save_markers(&reader.jpeg, JPEG_APP0 + 2, longest_marker);
     jpeg_read_header(&reader.jpeg, TRUE);
     return true;
@@ -321,7 +321,7 @@ bool is_png(std::span<const std::byte> data)
 
 std::optional<DeepImage> decode_deep_image(std::span<const std::byte> data, const std::string& name)
 {
-    // Offset of the bit depth in a PNG file, whose first chunk must be the header
+    // Offset of the bit depth in a PNG file, whose first chunk must be the header.
     constexpr size_t depth_at = 24;
     if (!is_png(data) || data.size() <= depth_at || data[depth_at] != std::byte{16}) {
         return std::nullopt;

@@ -341,7 +341,7 @@ Image decode_with_stb(std::span<const std::byte> data, const char* format, const
         throw Error(fmt::format("{} cannot be read: {}", format, stbi_failure_reason()), name);
     height = std::abs(height); // A BMP with rows from top to bottom has a negative height
     Image image = new_image(static_cast<uint64_t>(width), static_cast<uint64_t>(height), name);
-    // Memory of the GIF decoder per pixel: the picture, the background, and flags
+    // Memory of the GIF decoder per pixel: the picture, the background, and flags.
     constexpr uint64_t bytes_of_decoder = 9;
     require_memory(bytes_of_decoder * image.width * image.height, fmt::format("decoding a {}", format), name);
     const std::unique_ptr<stbi_uc, StbFree> pixels(
@@ -359,7 +359,7 @@ Image decode_with_stb(std::span<const std::byte> data, const char* format, const
 
 std::optional<Image> decode_older_picture(std::span<const std::byte> data, const std::string& name)
 {
-    // Largest file for stb_image, which counts bytes with an int
+    // Largest file for stb_image, which counts bytes with an int.
     constexpr size_t most_bytes = size_t{1} << 30;
     const bool is_gif = starts_with(data, "GIF87a") || starts_with(data, "GIF89a");
     const bool is_bmp = starts_with(data, "BM");

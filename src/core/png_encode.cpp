@@ -69,10 +69,10 @@ struct PngPixels {
     [[nodiscard]] uint64_t row_bytes() const { return uint64_t{width} * pixel_bytes(); }
 };
 
-// Size of the strips of rows that threads deflate; a strip has at least one row
+// Size of the strips of rows that threads deflate; a strip has at least one row.
 constexpr uint64_t strip_bytes = 1U << 20U;
 constexpr size_t window_bytes = 32768; // Window of deflate in bytes: how far back repeated data is found
-// First two bytes of zlib data: 32 KiB window, fast level
+// First two bytes of zlib data: 32 KiB window, fast level.
 constexpr std::array zlib_head{std::byte{0x78}, std::byte{0x5e}};
 
 /// Applies PNG's Sub filter to rows, for deflate: the filter byte, then each byte minus the byte of the pixel

@@ -145,7 +145,7 @@ void divide_by_alpha(Image& image)
     }
 }
 
-// Largest number of samples per pixel; more samples are bands of satellite images
+// Largest number of samples per pixel; more samples are bands of satellite images.
 constexpr uint16_t most_samples = 16;
 
 struct FloatLayout {

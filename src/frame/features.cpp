@@ -29,7 +29,7 @@ template <typename T>
 void append(std::vector<std::byte>& bytes, const T& value)
 {
     const size_t begin = bytes.size();
-    // copied this way because insert() draws a false warning from GCC 12 with -O3
+    // Copied this way because insert() draws a false warning from GCC 12 with -O3.
     bytes.resize(begin + sizeof(value));
     std::memcpy(bytes.data() + begin, &value, sizeof(value));
 }

@@ -28,9 +28,9 @@ struct FrameBuffers {
 /// requests.
 struct FrameJob {
     paper::Accumulation accumulation;
-    bool is_first = true;                    ///< this is the first frame of the picture
+    bool is_first = true;                    ///< the frame is the first of its picture
     std::optional<features::PixelRect> tile; ///< part of the page to draw; none draws the whole page
-    std::optional<features::Survey> survey;  ///< set when the whole page is drawn at reduced resolution
+    std::optional<features::Survey> survey;  ///< the whole page at reduced resolution, if that is drawn
     /// If not null, the frame outputs strokes as paths into this list instead of pixels.
     StrokeLists* lists = nullptr;
     /// If not null, the frame outputs floats into this page in addition to bytes.
@@ -38,7 +38,7 @@ struct FrameJob {
     std::optional<features::LinkedPart> linked = {}; ///< lines that were already linked for the whole page
     /// If not null, the frame outputs linked lines here, and no picture.
     contour::LinkedLines* linked_out = nullptr;
-    /// If not null, the host application's image, which receives the picture instead of bytes.
+    /// If not null, this image of the host application receives the picture instead of bytes.
     const VulkanPicture* target = nullptr;
 };
 

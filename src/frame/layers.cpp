@@ -188,7 +188,7 @@ std::vector<PictureLayer> layers_between(const StageColors& stages, uint32_t wid
 namespace estampe {
 namespace {
 
-// bits of a pixel's value that hold its draw number; DRAW_NUMBER_MASK of shaders/surface_images.glsl
+// Bits of a pixel's value that hold its draw number; DRAW_NUMBER_MASK of shaders/surface_images.glsl.
 constexpr uint32_t draw_number_mask = (1U << 26U) - 1U;
 
 /// Assigns an object number to each draw call: 1 is the ground, other objects have their node's index + 2.

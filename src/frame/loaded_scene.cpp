@@ -57,8 +57,8 @@ Index add_one_sided(Scene& scene, Index material)
     return static_cast<Index>(scene.materials.size() - 1);
 }
 
-/// If the back of a node's cloth has a material of its own, adds back-facing triangles for it to each
-/// primitive.
+/// Adds back-facing triangles to each primitive of a cloth node, if the cloth's back has a material of its
+/// own.
 void part_sides(Scene& scene, Node& node)
 {
     Mesh parted = scene.meshes[node.mesh];

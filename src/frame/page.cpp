@@ -60,8 +60,8 @@ void check_size(const gpu::Device& device, const RenderSettings& settings)
 SeenWindow seen_window(const paper::PaperStyle& style, glm::uvec2 page_px, float pixels_per_mm,
                        glm::vec2 from_px)
 {
-    // margin for the uneven edge of the picture, which strays less than this; see edge_stray_mm in
-    // compose.comp
+    // Margin for the uneven edge of the picture, which strays less than this; see edge_stray_mm in
+    // compose.comp.
     constexpr float strays_mm = 0.3F;
     const paper::Window window = paper::window_of(style, static_cast<float>(page_px.x) / pixels_per_mm);
     const glm::vec2 min_px = (window.min_mm - strays_mm) * pixels_per_mm - from_px;

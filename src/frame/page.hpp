@@ -102,7 +102,7 @@ struct LinearPage {
         occlusion;
     /// Cloud cover of each pixel in the last sample, as half floats; empty without layers.
     gpu::Buffer cloud_cover;
-    bool has_clouds = false; ///< `cloud_cover` has content
+    bool has_clouds = false; ///< `cloud_cover` holds the coverage of clouds
 
     [[nodiscard]] bool has_layers() const { return !draws.empty(); }
 };

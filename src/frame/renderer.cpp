@@ -199,7 +199,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const features::StyleTable
                                 .wash_variants = wash_variants};
     declared.clear();
     frame::declare_frame(context);
-    // the passes compiled ahead must be destroyed before the graph
+    // The passes compiled ahead must be destroyed before the graph.
     std::unique_ptr<gpu::CompileAhead> compiling = std::move(ahead);
     if (compiling) {
         compiling->start(declared);

@@ -72,8 +72,8 @@ struct Renderer::Impl {
     /// Updates the terrain's mesh for the position of the eye.
     void update_terrain(const Camera& camera, const RenderSettings& settings,
                         const features::StyleTables& style);
-    /// Call this function after the meshes may have been rebuilt: informs the features, and rebuilds the
-    /// cloth.
+    /// Informs the features of new meshes, and rebuilds the cloth. Call this function after the meshes may
+    /// have been rebuilt.
     void note_layout();
     /// Passes the velocity of smoke to cloth as wind, if the style asks for it. Simulates the smoke first,
     /// and returns its boxes.

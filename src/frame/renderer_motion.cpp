@@ -128,7 +128,7 @@ namespace {
 /// camera looks straight down.
 glm::dvec2 middle_of_trails(const Camera& camera, double extent_m)
 {
-    // distance of the square's centre from the eye, as a share of the square's side
+    // Distance of the square's centre from the eye, as a share of the square's side.
     constexpr double ahead = 0.35;
     const glm::dvec3 view = glm::normalize(camera.target - camera.eye);
     const glm::dvec2 level(view.x, view.z);

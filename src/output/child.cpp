@@ -51,7 +51,7 @@ public:
         std::vector<char*> words;
         words.reserve(command.size() + 1);
         for (const std::string& word : command) {
-            // The cast is safe, because posix_spawn does not modify the arguments
+            // The cast is safe, because posix_spawn does not modify the arguments.
             words.push_back(const_cast<char*>(word.c_str()));
         }
         words.push_back(nullptr);

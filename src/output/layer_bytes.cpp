@@ -209,7 +209,8 @@ std::vector<EncodedLayer> encoded_layers(const LayeredImage& image, int bits)
     check_opaque(image.layers.front());
     const Arithmetic in(bits);
     LinearImage stage = image.layers.front().image;
-    // Only the flat colour: the paper on which the user puts the picture does not have this relief
+    // The paper layer is replaced by its flat colour: the paper on which the user puts the picture does not
+    // have this relief.
     if (image.paper) {
         std::ranges::fill(stage.pixels, glm::vec4(*image.paper, 1.0F));
     }

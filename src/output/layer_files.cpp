@@ -277,7 +277,7 @@ public:
     }
 
 private:
-    // Longest name of a layer; OpenEXR allows 255 characters including the channel's name
+    // Longest name of a layer; OpenEXR allows 255 characters including the channel's name.
     static constexpr size_t longest = 200;
     std::set<std::string> taken_;
 };

@@ -129,7 +129,7 @@ bool write(JpegWriter& writer, const Image& image, int quality, uint32_t dots_pe
 
 std::vector<std::byte> encode_jpeg(const Image& image, int quality, uint32_t dots_per_m)
 {
-    // libjpeg's limit of a side; the limit of the format is 65535
+    // libjpeg's limit of a side; the limit of the format is 65535.
     constexpr uint32_t longest_side = JPEG_MAX_DIMENSION;
     if (image.empty() || image.rgba.size() != uint64_t{image.width} * image.height * 4) {
         throw Error("an empty image cannot be written");

@@ -13,9 +13,9 @@
 namespace estampe::output {
 namespace {
 
-// Cosine of the largest angle between two parallel strokes, 6 degrees
+// Cosine of the largest angle between two parallel strokes, 6 degrees.
 constexpr float parallel_cosine = 0.995F;
-// Least length of an overlap; shorter overlaps are crossings at a low angle, which stay
+// Least length of an overlap; shorter overlaps are crossings at a low angle, which stay.
 constexpr float least_overlap_mm = 1.0F;
 constexpr float cell_mm = 1.0F;
 constexpr float sample_mm = 0.25F;
@@ -466,7 +466,7 @@ void prepare_for_plotter(VectorDrawing& drawing)
     output::cut_dashes(drawing);
     output::remove_overlaps(drawing);
     std::erase_if(drawing.strokes, [&](const VectorStroke& stroke) {
-        // Such a stroke is so short that a pen would draw a blot
+        // A stroke shorter than the hatching width would be drawn as a blot.
         return length_mm(stroke) < drawing.hatch_width_mm;
     });
     std::vector<std::vector<VectorStroke>> pens = by_pen(drawing);

@@ -44,8 +44,8 @@ enum class Kind : uint8_t { number, integer, toggle, color, choice, text, file }
 /// material.
 enum class Overridable : uint8_t {
     nowhere,
-    by_object,  ///< for single objects and lights
-    by_surface, ///< for single objects and single materials
+    by_object,  ///< may differ for single objects and lights
+    by_surface, ///< may differ for single objects and single materials
 };
 
 /// A parameter's value without its C++ type. A colour is linear; a choice is stored as its name, a file as

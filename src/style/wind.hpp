@@ -9,7 +9,7 @@
 
 namespace estampe::wind {
 
-/// What sets the wind. automatic: the terrain, or the style if there is no terrain.
+/// Source of the wind. automatic: the terrain, or the style if there is no terrain.
 enum class WindSource : uint8_t { automatic, style, smoke };
 
 /// Parameters of the section [wind] of a style: the wind of the scene.

@@ -299,7 +299,7 @@ Flight::Flight(const estampe::Scene& scene, uint64_t seed)
                             {.low_m = {-34.0, -66.0}, .high_m = {32.0, 68.0}, .square_m = 0.25});
     const Room& last = plan.rooms[static_cast<size_t>(plan.last_room)];
     const glm::dvec2 end_m(last.middle_m());
-    // x of the camera's path below the western arcade
+    // x of the camera's path below the western arcade.
     const double walk_x = static_cast<double>(court_west_m) - 3.1;
     const std::array<glm::dvec2, 6> stations{{avenue_m,
                                               {0.0, static_cast<double>(court_south_m)},

@@ -91,7 +91,7 @@ private:
 
     [[nodiscard]] float radius_at(float angle, float height_m) const
     {
-        // Normals are also computed below the foot of the shaft
+        // Normals are also computed below the foot of the shaft.
         const float up = std::max(height_m / height_m_, 0.0F);
         const float taper = 1.0F - 0.17F * std::pow(up, 1.4F);
         const auto after = std::ranges::upper_bound(joints_m_, height_m);
@@ -99,7 +99,7 @@ private:
         float radius = radius_m_ * (taper + swells_[drum]);
         if (flutes_ > 0) {
             const float phase = static_cast<float>(flutes_) * (angle + turns_[drum]) / turn_rad;
-            // Position across a flute: -1 and 1 at the ridges on both sides
+            // Position across a flute: -1 and 1 at the ridges on both sides.
             const float across = 2.0F * (phase - std::floor(phase)) - 1.0F;
             radius *= 1.0F - 0.09F * (1.0F - across * across);
         }

@@ -54,7 +54,7 @@ struct Laid {
     /// Stones of the wall: courses from bottom to top, each from left to right.
     std::vector<std::vector<Stone>> courses;
     std::vector<Voussoir> voussoirs;
-    std::vector<bool> is_whole; ///< For each arch: it is not broken
+    std::vector<bool> is_whole; ///< For each arch, whether it is not broken
 };
 
 /// Decides where each stone of a wall lies. Removes stones that have no support.

@@ -120,7 +120,7 @@ double WeatherTimeline::wind_at(double time_s) const
 
 Tornado WeatherTimeline::tornado_at(double time_s) const
 {
-    // Place where the tornado begins, on the path of the wind, behind the temple
+    // Place where the tornado begins, on the path of the wind, behind the temple.
     constexpr glm::dvec2 from_m(78.0, -88.0);
     constexpr double lives_s = 32.0;
     const auto walked = [&](double share, double stray) {
@@ -249,7 +249,7 @@ Primitive trunk(Index material)
 {
     Primitive part;
     part.material = material;
-    // Rise of a strand of sand per turn; pen strokes meet where the funnel's surface closes
+    // Rise of a strand of sand per turn; pen strokes meet where the funnel's surface closes.
     constexpr double rises_m = 8.0;
     constexpr double tiny = 1e-3;
     for (uint32_t row = 0; row <= skin_rows; ++row) {

@@ -209,7 +209,7 @@ float shelter_at(const Plan& plan, const glm::vec2& place)
 float hours_a_minute(worlds::Occasion occasion)
 {
     constexpr float of_films = 1.2F;
-    // Speed of the sun in walks: it sets after half an hour from its initial position
+    // Speed of the sun in walks: it sets after half an hour from its initial position.
     constexpr float of_walks = 0.04F;
     return occasion == worlds::Occasion::film   ? of_films
            : occasion == worlds::Occasion::walk ? of_walks
@@ -472,7 +472,7 @@ worlds::Description description()
                          .without = "16.67",
                          .changes_scene = false}},
             .film_s = Flight::length_s,
-            .show_s = 60.0, // In this time gusts, a tornado and a storm come once each
+            .show_s = 60.0, // Time in which gusts, a tornado and a storm come once each
             .make = make};
 }
 

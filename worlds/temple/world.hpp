@@ -74,7 +74,8 @@ public:
     /// of the heights of its mask.
     void press(estampe::Renderer& renderer) override;
 
-    /// Call this function after other code has changed the renderer's sand.
+    /// Forgets which hollows the renderer's sand has. Call this function after other code has changed the
+    /// renderer's sand.
     void forget_pressed() override { pressed_.reset(); }
 
     /// Returns the style `base` with the weather and the light of the time that was shown: wind for cloth,

@@ -29,7 +29,7 @@ struct Open {
     double cost = 0.0;
     glm::ivec2 square{0};
 
-    // In the search queue, the lowest cost comes first
+    // In the search queue, the lowest cost comes first.
     bool operator<(const Open& other) const { return cost > other.cost; }
 };
 

@@ -51,7 +51,7 @@ std::optional<Footing> Place::footing(const glm::dvec3& place_m, const Body& bod
     for (const glm::dvec2& off : touches) {
         const std::optional<Support> stone = solids_->below({place_m.x + off.x, from_m, place_m.z + off.y},
                                                             static_cast<float>(from_m - place_m.y + drop_m));
-        // Height difference within which the middle of the sole gives the ground's normal
+        // Height difference within which the middle of the sole gives the ground's normal.
         constexpr double flush_m = 1e-3;
         if (stone && (!highest || static_cast<double>(stone->height_m) > highest->height_m + flush_m)) {
             highest = {static_cast<double>(stone->height_m), glm::dvec3(stone->normal), false};
@@ -200,7 +200,7 @@ void Walker::steer(const Intent& intent)
         const double steep = glm::length(slope);
         const double limit = std::tan(
             glm::radians(static_cast<double>(footing_.is_sand ? body_.repose_deg : body_.steepest_deg)));
-        // Uphill, the walker's feet sink back into the sand
+        // Uphill, the walker's feet sink back into the sand.
         if (footing_.is_sand && glm::length(wanted) > 0.0) {
             wanted /= 1.0 + 1.3 * std::max(0.0, glm::dot(slope, glm::normalize(wanted)));
         }
@@ -208,7 +208,7 @@ void Walker::steer(const Intent& intent)
         if (steep > limit) {
             is_sliding_ = true;
             const glm::dvec2 up = slope / steep;
-            // The walker may still move across the slope and down, never up
+            // The walker may still move across the slope and down, never up.
             wanted -= up * std::max(0.0, glm::dot(wanted, up));
             // On a steep slope, the ground slides with the walker, and sand slows the slide down.
             constexpr double drag_a_s = 1.6;

@@ -168,7 +168,7 @@ void Registry::add(Description description)
                 description.name, "use lower-case letters, digits and hyphens");
         }
     }
-    // Throws Error for an initial value that is not allowed
+    // Throws Error for an initial value that is not allowed.
     static_cast<void>(Values(description.options, {}));
     all_.push_back(std::move(description));
 }

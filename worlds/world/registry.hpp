@@ -81,7 +81,7 @@ private:
     std::vector<Entry> entries_; ///< Value of each option, in the order of the options
 };
 
-/// What the program knows about a world before it makes the world.
+/// Description of a world: the facts that the program knows before it makes the world.
 struct Description {
     std::string name;                  ///< Name of the world, which a user writes in place of a scene's file.
     std::string summary;               ///< Summary of the world in one line, without a full stop.

@@ -336,7 +336,7 @@ bool comes_down_to(const Bounds& box, const HeightAt& height_at)
 {
     constexpr int places = 5;        // Number of samples in each direction
     constexpr double steepest = 0.7; // Steepest slope of sand
-    // Largest move of a sheet before the ground is sampled again, horizontally and down
+    // Largest move of a sheet before the ground is sampled again, horizontally and down.
     constexpr double unasked_m = 1.0;
     const glm::dvec3 step = (box.max - box.min) / static_cast<double>(places - 1);
     double highest_m = -std::numeric_limits<double>::infinity();

@@ -13,7 +13,7 @@ namespace estampe::features {
 namespace {
 
 constexpr double usual_step_s = 1.0 / 120.0;
-// Most simulation steps between two poses; held particles move linearly in between
+// Most simulation steps between two poses; held particles move linearly in between.
 constexpr uint32_t steps_between_poses = 5;
 
 /// Merges vertices at the same position to one particle, so that cloth sheets stay connected along UV seams.
@@ -118,7 +118,7 @@ MovingCloth::Cut MovingCloth::cut(const Scene& scene, const pose::MeshData& layo
         if (cloth == nullptr || primitive.indices.empty()) {
             continue;
         }
-        // This primitive is the back of the preceding primitive
+        // A primitive with the cloth's back material is the back of the preceding primitive.
         if (primitive.material == cloth->back_material) {
             const auto front = std::ranges::find_if(cut.draws, [&](uint32_t draw) {
                 const pose::DrawSource& other = layout.sources[draw];
@@ -344,7 +344,7 @@ std::vector<ClothSteps> MovingCloth::steps_between(double from_s, double to_s, c
         result.push_back(
             {.from_s = begin_s, .to_s = from_s + done * step_s, .count = count, .surroundings = around});
     }
-    // The last step ends at exactly this time, because the next picture compares the time with its own
+    // The last step ends at exactly this time, because the next picture compares the time with its own.
     result.back().to_s = to_s;
     return result;
 }

@@ -71,7 +71,7 @@ public:
                                                         const RenderSettings& settings,
                                                         const glm::dvec3& anchor) const;
 
-    /// Must be called when the planned simulation steps up to `time_s` have run.
+    /// Records that simulation steps have run. Must be called when the planned steps up to `time_s` have run.
     void done(const RenderSettings& settings, const StyleTables& style, double time_s);
 
     /// Places the solids with which cloth sheets collide in this pose.

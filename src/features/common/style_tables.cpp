@@ -66,7 +66,7 @@ wind::WindStyle wind_over(const Terrain* terrain, const wind::WindStyle& style)
     if (terrain != nullptr && style.from == wind::WindSource::automatic) {
         over.speed_m_per_s = terrain->description().wind.speed_m_per_s;
         over.towards_deg = terrain->description().wind.towards_deg;
-        // The distance that the wind has blown follows from its speed and the time
+        // The distance that the wind has blown follows from its speed and the time.
         over.blown_m = wind::WindStyle().blown_m;
     }
     return over;
@@ -229,7 +229,7 @@ StyleVariants style_variants(const pose::MeshData& meshes, const Scene& scene, c
         of_materials.push_back(matches_of(style.overrides, By::material, material.name));
     }
     std::map<Matches, uint32_t> variants{{Matches(style.overrides.size(), false), 0U}};
-    // Number of the variant for a transparent material; the key is the variant and the material
+    // Number of the variant for a transparent material; the key is the variant and the material.
     std::map<std::pair<uint32_t, Index>, uint32_t> clear_variants;
     for (size_t draw = 0; draw < meshes.draws.size(); ++draw) {
         Matches matches(style.overrides.size(), false);

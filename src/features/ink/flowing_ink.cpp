@@ -390,7 +390,7 @@ void save_camera(FilmWriter& writer, const Camera& camera)
     writer.value(camera.up);
     writer.value(camera.vertical_fov_rad);
     writer.value(camera.near_m);
-    // A negative height stands for a perspective camera
+    // A negative height stands for a perspective camera.
     writer.value(camera.orthographic_half_height_m.value_or(-1.0));
 }
 

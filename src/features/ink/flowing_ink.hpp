@@ -123,7 +123,8 @@ public:
     [[nodiscard]] gpu::ImageId record(gpu::Graph& graph, const InkPlan& plan, const ink::Inputs& in,
                                       bool is_first, glm::uvec2 size_px);
 
-    /// Must be called when the first sample of the planned picture has been drawn.
+    /// Records that the ink was drawn. Must be called when the first sample of the planned picture has been
+    /// drawn.
     void drawn(const InkPlan& plan, const Camera& camera);
 
     /// Forgets the ink when the scene or the origin of its positions is replaced.

@@ -31,7 +31,7 @@ ViewAnalysis DefaultLight::analysis(const Scene& scene, const light::LightStyle&
     if (!analysis_) {
         cloud_ = surface_cloud(scene, pose_scene(scene, 0.0, no_index));
         analysis_ = analyze_view(*cloud_);
-        // No point was found, because the terrain has no triangles yet
+        // No point was found, because the terrain has no triangles yet.
         if (scene.terrain && cloud_->points.empty()) {
             analysis_->wind_towards_deg = scene.terrain->description().wind.towards_deg;
         }

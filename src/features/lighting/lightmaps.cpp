@@ -15,7 +15,7 @@
 namespace estampe::features {
 namespace {
 
-// Place of a mesh in the scene: node, primitive, instance
+// Place of a mesh in the scene: node, primitive, instance.
 using Place = std::tuple<Index, uint32_t, uint32_t>;
 
 /// Calls `visit` with each triangle's number, its draw call, and its number within that draw call.

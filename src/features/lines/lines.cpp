@@ -258,7 +258,7 @@ namespace {
 constexpr uint32_t brush_columns = shared::brush_columns;
 constexpr uint32_t rows = shared::brush_rows;
 constexpr uint32_t seed = 7;
-// Hairs of a brush stroke are finer than in tonal art maps, whose strokes are a few pixels wide
+// Hairs of a brush stroke are finer than in tonal art maps, whose strokes are a few pixels wide.
 constexpr float hairs = 4.0F;
 
 /// Position along a brush's stroke: either a whole stroke from start to end, or a periodic stroke whose end

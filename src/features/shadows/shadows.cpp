@@ -16,7 +16,7 @@ namespace estampe::features {
 
 GroundShadowPlan plan_ground_shadow(const GroundShadowScene& scene, const shadow::ShadowStyle& style)
 {
-    // Size of a texel, a power of two: periodic ground is then sampled at equal points far away
+    // Size of a texel, a power of two: periodic ground is then sampled at equal points far away.
     constexpr double texel_m = 0.125;
     constexpr uint32_t small_page_px = 540;
     const uint32_t size = scene.page_height_px <= small_page_px ? 256 : 512;

@@ -84,7 +84,7 @@ void add_casters_within(const shadow::Piece& piece, const shadow::Clipmap& clipm
                         std::vector<raster::Batch>& batches)
 {
     const size_t first = batches.size();
-    // One value per batch: the gap before it contains triangles that must not be drawn
+    // One value per batch: the gap before it contains triangles that must not be drawn.
     std::vector<bool> bars;
     uint32_t passed_triangles = 0; // Number of triangles of casters outside the piece, since the last batch
     for (const StillCaster& caster : still) {

@@ -20,7 +20,7 @@ namespace estampe::features {
 namespace {
 
 constexpr double longest_gap_s = 1.0;
-// Simulated time per picture by which smoke that starts during a film catches up
+// Simulated time per picture by which smoke that starts during a film catches up.
 constexpr double caught_up_s = 0.25;
 
 /// Returns the grid size in cells: the powers of two nearest to the proportions of the smoke's box.

@@ -262,7 +262,7 @@ public:
         const glm::dvec3 last = glm::dvec3(size_) - 1.0;
         if (!glm::all(glm::lessThanEqual(low, glm::dvec3(size_))) ||
             !glm::all(glm::greaterThanEqual(high, glm::dvec3(0.0)))) {
-            return; // This form of the test also catches NaN
+            return; // The triangle is outside of the box; this form of the test also catches NaN
         }
         const glm::uvec3 from(glm::clamp(glm::floor(low), glm::dvec3(0.0), last));
         const glm::uvec3 to(glm::clamp(glm::floor(high), glm::dvec3(0.0), last));
