@@ -193,7 +193,7 @@ struct Studio {
     bool is_recording = false;
     double recorded_s = 0.0;
 
-    // Panels that are open.
+    // State of the panels: which panels are open, and where the text cursor must go.
     bool shows_panel = false;
     bool shows_keys = false;
     bool shows_bars = true;

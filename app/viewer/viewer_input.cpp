@@ -146,12 +146,13 @@ void Viewer::act(Action action)
     constexpr double frame_s = 1.0 / 24.0;
     const bool steers = studio_.rig.mode() != CameraMode::orbit;
     if (action == Action::next_animation && steers) {
-        return; // In fly and walk mode the key W moves ahead
+        return; // In fly and walk mode the key W moves ahead, and does not choose an animation
     }
     const bool is_of_feet = action == Action::frame_back || action == Action::frame_on ||
                             action == Action::reload || action == Action::play;
     if (is_of_feet && is_on_foot()) {
-        return; // In walk mode arrow keys move and Space jumps
+        // In walk mode arrow keys move the walker and Space jumps, so their other commands are not run.
+        return;
     }
     if (act_on_view(action) || act_on_style(action)) {
         return;
@@ -241,7 +242,7 @@ void Viewer::move_by_keys(double seconds)
 void Viewer::drag(const glm::dvec2& way, const PointerEvent& event, const Area& area)
 {
     if (is_on_foot() && (drag_ == Drag::pan || drag_ == Drag::zoom)) {
-        return; // In walk mode only walking moves the camera
+        return; // In walk mode a drag does not move the camera, only walking does
     }
     switch (drag_) {
     case Drag::turn:

@@ -16,8 +16,8 @@
 namespace estampe::frame {
 namespace {
 
-/// Copies the parts of the scene that posing needs. Geometry and images are left out, because they are
-/// already on the device.
+/// Copies the parts of the scene from which poses are computed. Geometry and images are left out, because
+/// they are already on the device.
 Scene without_images(const Scene& scene)
 {
     // The structured binding lists all members of Scene, so that a new member cannot be forgotten. Images may

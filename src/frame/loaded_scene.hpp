@@ -32,7 +32,8 @@ struct LoadedScene {
     std::optional<features::LightingSettings>
         styled_by; ///< the style's lighting settings that produced `styled_lighting`
     pose::MeshData layout;
-    /// Number of the current layout: incremented each time the meshes are laid out.
+    /// Number of the current layout (vertices, triangles and draw calls): incremented each time the meshes
+    /// are rebuilt.
     uint32_t layout_number = 0;
     std::vector<features::StillCaster>
         still_casters;                  ///< draw calls of `layout` that never move and cast shadows

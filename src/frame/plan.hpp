@@ -82,10 +82,10 @@ struct SubsurfacePlan {
     std::vector<raster::Batch> clear;  ///< runs of triangles that show what lies behind them, as glass does
     /// Runs of solid triangles that are not in `clear`; empty if `clear` is empty.
     std::vector<raster::Batch> others;
-    /// Runs of all solid triangles that hide lines; filled if only some clear bodies, such as glass, show the
+    /// Runs of all solid triangles that hide lines; filled if only some clear bodies (such as glass) show the
     /// lines behind them.
     std::vector<raster::Batch> line_hiders;
-    bool lines_show = false; ///< all clear bodies show the lines behind them
+    bool lines_show = false; ///< all clear bodies (such as glass) show the lines behind them
     bool scatters = false;
 };
 

@@ -19,7 +19,7 @@ namespace estampe {
 
 using frame::FrameJob;
 
-/// The pose of the scene for which a picture asked last.
+/// The pose of the scene that the last picture requested.
 struct PosedScene {
     ScenePose pose;
     double time_s = 0.0;

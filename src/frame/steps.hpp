@@ -37,7 +37,7 @@ struct SeenThrough {
     transparency::Transparency images;
     std::vector<gpu::BufferId> layers; ///< visibility buffers of the transparent surfaces, the nearest first
     bool is_there = false;
-    /// Visibility buffer of solid surfaces without clear bodies.
+    /// Visibility buffer of solid surfaces without clear bodies (such as glass).
     std::optional<gpu::BufferId> background = {};
     /// Visibility buffer of the solid surfaces that hide lines.
     std::optional<gpu::BufferId> line_hiders = {};
@@ -198,8 +198,8 @@ add_motion_blur(const FrameContext& context, const PosedScene& scene, gpu::Buffe
                                      const std::optional<gpu::ImageId>& background,
                                      const SeenThrough* screen = nullptr);
 
-/// Adds to `colors` what is visible through clear bodies, and paints transparent surfaces one by one over
-/// what lies behind them, if the style asks for either.
+/// Adds to `colors` what is visible through clear bodies (such as glass), and paints transparent surfaces one
+/// by one over what lies behind them, if the style asks for either.
 [[nodiscard]] Colors add_seen_through(const FrameContext& context, const PosedScene& scene,
                                       gpu::BufferId visibility, const surface::Surface& surface,
                                       const light::ShadowMaps& maps, const SeenThrough& screen,

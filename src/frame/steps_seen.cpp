@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Steps of a frame that turn triangles into the visible surface at each pixel. They also draw clear bodies
-// that blur what lies behind them, transparent surfaces, and pixel coverage for a transparent background.
+// (such as glass) that blur what lies behind them, transparent surfaces, and pixel coverage for a transparent
+// background.
 #include <algorithm>
 #include <vector>
 

@@ -232,7 +232,7 @@ void remove_thin_hatching(VectorDrawing& drawing)
 
 namespace {
 
-/// Ends of the strokes that are not drawn yet, in a grid for fast search.
+/// Grid with the ends of the strokes that are not drawn yet, for a fast search of the nearest end.
 class Ends {
 public:
     explicit Ends(std::span<const PenStroke> strokes) : strokes_(strokes)

@@ -36,7 +36,7 @@ struct Sheet {
     bool is_held_above = false;
 };
 
-/// The objects outside the prison.
+/// The objects of the temple outside the prison.
 struct Site {
     std::vector<StandingColumn> columns; ///< Columns of portico, court and avenue
     std::vector<glm::vec3> drums;        ///< Drums of fallen columns: x, z and the bearing in degrees

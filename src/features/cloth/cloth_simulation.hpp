@@ -66,8 +66,8 @@ public:
     [[nodiscard]] ClothAdvance advance(gpu::Device& device, gpu::Executor& executor, const ClothInputs& in);
 
     /// Places the solids with which cloth sheets collide, if steps remain for the picture's graph. Returns
-    /// the boxes that the sheets occupied since the last call (anchor space). Call this function only after
-    /// the scene is posed for the picture.
+    /// the boxes that the sheets occupied since the last call (relative to the scene's anchor). Call this
+    /// function only after the scene is posed for the picture.
     [[nodiscard]] std::vector<Bounds> place(gpu::Device& device, const ClothInputs& in,
                                             const ScenePose& pose);
 

@@ -189,7 +189,7 @@ void append_parts(const Primitive& primitive, uint32_t draw, std::vector<SeenBod
     }
 }
 
-/// Returns a rotation that maps the z axis to the shortest of three sides.
+/// Returns a rotation that maps the z axis to the shortest of a box's three sides.
 glm::quat turn_to_shortest(const glm::vec3& sides)
 {
     constexpr float half = 0.70710678F; // Cosine and sine of half a right angle

@@ -55,12 +55,12 @@ struct SeenBody {
 /// Finds the bodies of a scene, in the order of the scene's draw calls. Cost: linear in skinned triangles.
 [[nodiscard]] std::vector<SeenBody> seen_bodies(const Scene& scene, const pose::MeshData& layout);
 
-/// Places a body in a pose (anchor space), in a box that contains every part that the body's joints move.
-/// Vertices that morph targets move outside this box are cut off.
+/// Places a body in a pose (relative to the scene's anchor), in a box that contains every part that the
+/// body's joints move. Vertices that morph targets move outside this box are cut off.
 [[nodiscard]] cloth::Solid placed_body(const SeenBody& body, const pose::MeshData& layout,
                                        const pose::PoseData& pose, uint32_t number);
 
-/// The position of a cloth sheet, in anchor space.
+/// The position of a cloth sheet, in anchor space (relative to the scene's anchor).
 struct SheetPlace {
     Bounds box;
     std::optional<Bounds> stays_in; ///< Box that the cloth sheet never leaves; none: no limits
@@ -83,8 +83,8 @@ public:
 
     [[nodiscard]] const std::vector<cloth::SolidGrid>& grids() const { return grids_; }
 
-    /// Returns the ground's heights in anchor space, for collisions of cloth; none if no sheet may reach the
-    /// ground.
+    /// Returns the ground's heights in anchor space (relative to the scene's anchor), for collisions of
+    /// cloth; none if no sheet may reach the ground.
     [[nodiscard]] std::optional<cloth::Solid> ground() const;
 
     /// Returns a mesh collider placed by a matrix; none if the mesh has no triangles.

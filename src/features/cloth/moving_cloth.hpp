@@ -65,7 +65,7 @@ public:
                                                std::optional<double> before_s) const;
 
     /// Splits the time between two moments into simulation steps; empty unless `to_s` is later than `from_s`.
-    /// `anchor` is the origin of anchor space.
+    /// `anchor` is the origin of the device's positions.
     [[nodiscard]] std::vector<ClothSteps> steps_between(double from_s, double to_s, const Scene& scene,
                                                         const StyleTables& style,
                                                         const RenderSettings& settings,
@@ -95,8 +95,8 @@ public:
     void add_steps(gpu::Graph& graph, cloth::Cloths::Handles& handles, const ClothSteps& steps,
                    const pose::PoseData& pose, const glm::dvec3& anchor, gpu::BufferId posed_vertices);
 
-    /// Returns the boxes that the cloth sheets occupied since the last call (anchor space); an infinite box
-    /// if a sheet may get anywhere.
+    /// Returns the boxes that the cloth sheets occupied since the last call (relative to the scene's anchor);
+    /// an infinite box if a sheet may get anywhere.
     [[nodiscard]] std::vector<Bounds> sweep(const pose::PoseData& pose);
 
     /// Returns the transforms that move the cloth sheets along with the nodes that hold them, since the last

@@ -54,8 +54,8 @@ struct MotionPlan {
 [[nodiscard]] shared::FrameGlobals frame_globals(const Camera& camera, const Bounds& bounds,
                                                  const glm::dvec3& anchor, const ViewSettings& settings);
 
-/// Returns a matrix that maps anchor space to the clip space of the drawn tile, or of the whole page if there
-/// are no tiles.
+/// Returns a matrix that maps anchor space (positions relative to the scene's anchor) to the clip space of
+/// the drawn tile, or of the whole page if there are no tiles.
 [[nodiscard]] glm::mat4 drawn_clip(const shared::FrameGlobals& globals);
 
 /// Returns the globals of a picture of half the resolution, which samples the pixels at even page

@@ -235,8 +235,8 @@ public:
     /// Makes shadow maps obsolete when the scene, its lights or the origin change.
     void invalidate(Event event) override;
 
-    /// Records that an object moved between these boxes (anchor space), so that shadow maps there are drawn
-    /// again.
+    /// Records that an object moved between these boxes (relative to the scene's anchor), so that shadow maps
+    /// there are drawn again.
     void move(std::span<const Bounds> places);
 
     /// Plans the shadow maps of local lights, sets `shadow` in the lights' records, and allocates buffers.

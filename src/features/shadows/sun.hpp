@@ -42,7 +42,7 @@ void add_casters_within(const shadow::Piece& piece, const shadow::Clipmap& clipm
                         std::span<const StillCaster> still, Groups groups, size_t most,
                         std::vector<raster::Batch>& batches);
 
-/// The properties of a scene that decide how its sun's shadow map is laid out.
+/// The properties of a scene that decide the size and place of its sun's shadow map.
 struct SunScene {
     Bounds casters;       ///< Bounds of all shadow casters in world space
     Bounds still;         ///< Bounds of the static shadow casters in world space
@@ -132,8 +132,8 @@ public:
     /// Makes the shadow map obsolete after a change of casters or light.
     void forget() { view_.reset(); }
 
-    /// Records that an object moved between these boxes (anchor space), so that the shadow map there is drawn
-    /// again.
+    /// Records that an object moved between these boxes (relative to the scene's anchor), so that the shadow
+    /// map there is drawn again.
     void move(std::span<const Bounds> places) { moved_.insert(moved_.end(), places.begin(), places.end()); }
 
     /// Allocates the shadow map for `plan`, and returns the parts of the map to draw. If an object moves

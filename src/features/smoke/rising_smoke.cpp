@@ -78,7 +78,7 @@ struct Rise {
     const smoke::Box& box;
     const smoke::SmokeStyle& style;
     double gap_s = 0.0;
-    uint32_t boxes = 1; ///< Number of boxes simulated together
+    uint32_t boxes = 1; ///< Number of smoke boxes that are simulated together
     bool is_measured = false;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Rising smoke from picture to picture: the boxes in which it rises, and the simulation state of each.
+// Rising smoke from picture to picture: the boxes in which smoke rises, and the simulation state of each box.
 
 #include <memory>
 #include <optional>
