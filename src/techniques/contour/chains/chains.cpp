@@ -22,7 +22,8 @@
 namespace estampe::contour {
 namespace {
 
-/// Every edge between two triangles that has no feature line.
+/// Returns every edge between two triangles that has no feature line (a line fixed to the surface, such as a
+/// crease).
 std::vector<glm::uvec2> all_loose_edges(const EdgeMesh& mesh, const FeatureChains& features)
 {
     std::vector<uint32_t> lined;
@@ -146,8 +147,9 @@ uint32_t grid_cell_count(glm::uvec2 size_px)
 
 uint32_t sample_capacity(glm::uvec2 size_px)
 {
-    // Hidden lines take room too: in front of a temple there are 0.8 samples per pixel on a page of 400 x
-    // 300, and half as many per pixel on a page twice as wide.
+    // Capacity in samples for scenes with many lines. Hidden lines need samples too: a view of the built-in
+    // scene `temple` has 0.8 samples per pixel on a page of 400 x 300 pixels, and half as many per pixel on a
+    // page twice as wide.
     constexpr uint32_t crowded_scene = 262144;
     const uint32_t pixels = size_px.x * size_px.y;
     return std::max(pixels / 4, std::min(2 * pixels, crowded_scene));
@@ -155,7 +157,8 @@ uint32_t sample_capacity(glm::uvec2 size_px)
 
 namespace {
 
-/// An outline of n triangles crosses about 0.7 n^0.8 of them (McGuire 2004); this reserves six times as many.
+/// The outline of a mesh of n triangles crosses about 0.7 n^0.8 of the triangles (McGuire 2004). This
+/// function reserves space for six times as many segments.
 uint32_t segment_capacity(const LineMesh& mesh, uint32_t suggestive, bool along_edges, uint32_t cells)
 {
     const auto items = static_cast<double>((along_edges ? 0 : mesh.triangle_count) + mesh.loose_edge_count +
@@ -166,21 +169,23 @@ uint32_t segment_capacity(const LineMesh& mesh, uint32_t suggestive, bool along_
 
 struct Marks {
     gpu::BufferId facing;
-    gpu::BufferId edge_parts; ///< unused without loose edges
+    /// What part of each loose edge is outline; unused if the mesh has no loose edges.
+    gpu::BufferId edge_parts;
     gpu::BufferId words;
     gpu::BufferId before;
     gpu::BufferId sizes;
     InlineVector<PageLines, 2> page_lines;
 };
 
-/// Number of words of marks before those of the page.
+/// Number of words of mark bits for triangles and loose edges. The mark bits of the page's cells follow after
+/// these words.
 uint32_t mesh_words(const shared::ChainConstants& constants)
 {
     return (constants.triangle_count + 31) / 32 + (constants.loose_edge_count + 31) / 32 +
            (constants.suggestive_count + 31) / 32;
 }
 
-/// Computes where suggestive contours and crests run; nothing if neither is drawn.
+/// Computes where suggestive contours and crests run. Returns nothing if neither kind of line is drawn.
 std::optional<gpu::BufferId> add_bends(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh)
 {
     std::optional<gpu::BufferId> bends;
@@ -206,8 +211,9 @@ std::optional<gpu::BufferId> add_bends(gpu::Graph& graph, const ChainInputs& in,
     return bends;
 }
 
-/// Number of workgroups of 64 threads for `count` items, one word of 32 items per subgroup. A CPU has eight
-/// subgroups per group, and an empty group takes as long as others there.
+/// Number of workgroups of 64 threads that write mark bits for `count` items. Each subgroup writes one word,
+/// for 32 items. A CPU has eight subgroups per workgroup; an empty workgroup costs a CPU as much time as a
+/// full one.
 uint32_t mark_groups(uint32_t count, const gpu::ExecutionProfile& execution)
 {
     const uint32_t items = execution.items_per_group();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Lines linked into chains along surfaces: from the line mesh of a scene to strokes, and the state of strokes
-// that is kept from frame to frame.
+// Contours as chains (lines linked along surfaces): from the line mesh of a scene to strokes. Also keeps the
+// state of the strokes from frame to frame.
 
 #include <array>
 #include <cstdint>
@@ -23,52 +23,56 @@
 
 namespace estampe::contour {
 
-/// GPU buffers of the mesh along which lines run.
+/// GPU buffers of the line mesh: the triangles from which contours are extracted, with their neighbours.
 struct LineMesh {
-    gpu::Buffer triangles; ///< EdgeMesh::triangles
+    gpu::Buffer triangles; ///< the list EdgeMesh::triangles
     gpu::Buffer neighbors;
-    gpu::Buffer loose_edges;        ///< both sides of each loose edge
-    gpu::Buffer loose_edge_of_side; ///< three per triangle; unused without loose edges
+    /// The two sides of each loose edge (an edge that may be outline but has no feature line).
+    gpu::Buffer loose_edges;
+    /// Number of the loose edge at each side, three per triangle; unused if there are no loose edges.
+    gpu::Buffer loose_edge_of_side;
     gpu::Buffer feature_points;
     gpu::Buffer feature_chains;
-    gpu::Buffer bendings; ///< VertexBending, for suggestive contours; empty without them
+    /// One VertexBending per vertex, for suggestive contours; empty if the style has none.
+    gpu::Buffer bendings;
     uint32_t triangle_count = 0;
     uint32_t loose_edge_count = 0;
     uint32_t feature_point_count = 0;
     uint32_t feature_chain_count = 0;
-    uint32_t bending_count = 0;        ///< number of vertices, or 0
-    uint32_t shell_count = 0;          ///< EdgeMesh::shell_count
-    bool features_leave_edges = false; ///< FeatureChains::leave_edges
+    uint32_t bending_count = 0;        ///< number of entries in `bendings`: the number of vertices, or 0
+    uint32_t shell_count = 0;          ///< number of connected surfaces, from EdgeMesh::shell_count
+    bool features_leave_edges = false; ///< some feature lines cross triangles, see FeatureChains::leave_edges
 };
 
-/// Uploads `mesh` with the lines of its features, and `bendings` if suggestive contours are drawn. With
-/// `along_edges` every edge that has no feature line is a loose edge, so that outlines run along the edges of
-/// the mesh. Throws Error when memory runs out.
+/// Uploads `mesh` with its feature lines (lines fixed to the surface). Also uploads `bendings` if suggestive
+/// contours are drawn. With `along_edges`, every edge without a feature line becomes a loose edge, so that
+/// outlines run along the edges of the mesh. Throws Error when memory runs out.
 [[nodiscard]] LineMesh upload_line_mesh(gpu::Device& device, const EdgeMesh& mesh, FeatureChains features,
                                         const std::vector<shared::VertexBending>& bendings, bool along_edges);
 
-/// Seen and hidden lines are drawn separately.
+/// Visible and hidden lines are drawn separately.
 enum class LineClass : uint8_t { seen, hidden };
 
-/// What the previous frame drew. Strokes use it to keep their width, their wobble and their position along
-/// the line when chains split or join.
+/// The strokes that the previous frame drew. New strokes use this history to keep their width, their wobble
+/// and their position along the line when chains split or join.
 class LineHistory {
 public:
-    /// Buffers that one frame leaves for the next.
+    /// Buffers with the strokes of one frame, kept for the next frame.
     struct Drawn {
-        gpu::Buffer grid;    ///< grid that finds samples by their position on the page
-        gpu::Buffer samples; ///< DrawnSample
+        gpu::Buffer grid;    ///< sample grid, which finds samples by their position on the page
+        gpu::Buffer samples; ///< one DrawnSample per sample
     };
 
-    /// Allocates buffers for frames of `size_px`. The previous frame is used only if it had the same size and
-    /// `continues` is set. With `has_hidden`, hidden lines are kept too. Throws Error when memory runs out.
+    /// Allocates buffers for frames of `size_px`. The previous frame is used only if `continues` is set and
+    /// that frame had the same size. With `has_hidden`, the history stores hidden lines too. Throws Error
+    /// when memory runs out.
     void begin_frame(gpu::Device& device, glm::uvec2 size_px, bool continues, bool has_hidden = false);
 
-    /// Call this when the frame as seen by `clip_from_anchor` has been drawn.
+    /// Call this function when a frame is drawn. `clip_from_anchor` is the camera of that frame.
     void end_frame(const glm::mat4& clip_from_anchor);
 
-    /// Sets the previous frame to `drawn`, of seen and of hidden lines, on pages of `size_px`. Throws Error
-    /// when memory runs out.
+    /// Replaces the previous frame by `drawn`, which holds the visible lines and the hidden lines of a page
+    /// of `size_px`. Throws Error when memory runs out.
     void recall(gpu::Device& device, glm::uvec2 size_px, std::array<std::optional<Drawn>, 2> drawn,
                 const glm::mat4& clip_from_anchor);
 
@@ -96,11 +100,11 @@ public:
     [[nodiscard]] const glm::mat4& clip_from_anchor_before() const { return clip_from_anchor_; }
 
 private:
-    /// State of the seen lines or of the hidden lines.
+    /// Stored strokes of either the visible or the hidden lines.
     struct Memory {
         std::array<Drawn, 2> drawn;
         glm::uvec2 size_px{0};
-        bool is_kept = false; ///< this frame is stored for the next
+        bool is_kept = false; ///< the strokes of the current frame will be stored for the next frame
         bool holds_frame = false;
     };
 
@@ -114,68 +118,79 @@ private:
     glm::mat4 clip_from_anchor_{1.0F};
 };
 
-/// Number of cells in the grid that finds samples by position.
+/// Number of cells in the sample grid, which finds samples by their position on the page.
 [[nodiscard]] uint32_t grid_cell_count(glm::uvec2 size_px);
 
-/// Largest number of samples on a page.
+/// Largest number of line samples on a page of `size_px`.
 [[nodiscard]] uint32_t sample_capacity(glm::uvec2 size_px);
 
-/// Outlines and features linked into chains.
+/// Buffers of outlines and feature lines after they were linked into chains.
 struct Chains {
     shared::ChainConstants constants;
     gpu::BufferId facing; ///< one bit per triangle, set if the triangle faces the eye
-    gpu::BufferId marks;  ///< one bit per item, set if the outline crosses the item
-    std::optional<gpu::BufferId>
-        view_bends;      ///< two floats per vertex, written by view_bends.comp and crests.comp
-    gpu::BufferId sizes; ///< ListSize of each list
+    /// One bit per item (triangle, loose edge or cell of the page), set if a line runs through the item.
+    gpu::BufferId marks;
+    /// Two floats per vertex, from which suggestive contours and crests are found; empty if neither is drawn.
+    std::optional<gpu::BufferId> view_bends;
+    gpu::BufferId sizes; ///< the length of each list, as one ListSize per list
     gpu::BufferId points_of_slot;
     gpu::BufferId flags_of_slot;
-    gpu::BufferId points_before; ///< one per slot
-    gpu::BufferId points;        ///< ChainPoint
-    gpu::BufferId lengths;       ///< length of the piece to the next point
+    /// For each slot (entry of the list of chains): number of points in all slots before it.
+    gpu::BufferId points_before;
+    gpu::BufferId points;  ///< one ChainPoint per point of a chain
+    gpu::BufferId lengths; ///< length on the page from each point to the next, in 1/1024 pixel
 };
 
 /// Chains divided into evenly spaced samples, with the visibility of each.
 struct ChainSamples {
     gpu::BufferId sizes;
-    gpu::BufferId lengths_before; ///< one per point of the chains
-    gpu::BufferId samples_before; ///< one per slot
+    /// For each point of the chains: sum of the lengths of all pieces before it.
+    gpu::BufferId lengths_before;
+    /// For each slot (entry of the list of chains): number of samples in all slots before it.
+    gpu::BufferId samples_before;
     gpu::BufferId flags_of_slot;
-    gpu::BufferId samples;  ///< LineSample
-    gpu::BufferId states;   ///< one per sample
-    gpu::BufferId rotation; ///< one per slot: position at which a closed chain is cut open
+    gpu::BufferId samples; ///< one LineSample per sample
+    gpu::BufferId states;  ///< state bits of each sample: sample_is_visible and so on
+    /// For each slot (entry of the list of chains): the position at which a closed chain is cut open.
+    gpu::BufferId rotation;
     gpu::ExecutionProfile execution;
 };
 
-/// Strokes: the samples at which each stroke starts and ends.
+/// Buffers of strokes: the samples at which each stroke starts and ends.
 struct ChainStrokes {
     gpu::BufferId sizes;
-    gpu::BufferId samples;        ///< LineSample; closed chains are cut open
-    gpu::BufferId samples_before; ///< one per slot
-    gpu::BufferId strokes_before; ///< one per sample
-    gpu::BufferId strokes;        ///< Stroke
-    gpu::BufferId grid;           ///< grid that finds samples by position
+    gpu::BufferId samples; ///< one LineSample per sample; closed chains are already cut open
+    /// For each slot (entry of the list of chains): number of samples in all slots before it.
+    gpu::BufferId samples_before;
+    gpu::BufferId strokes_before; ///< for each sample: number of strokes that start before it
+    gpu::BufferId strokes;        ///< one Stroke per stroke
+    gpu::BufferId grid;           ///< sample grid, which finds samples by their position on the page
 };
 
-/// Path and width of the pen, once along all strokes.
-constexpr size_t most_hands = 3; ///< how often lines can be retraced, see `contour.strokes`
+constexpr size_t most_hands = 3; ///< how many times lines can be drawn, see the style's `contour.strokes`
 
+/// The pen's path and width along all strokes, drawn once.
 struct HandDrawn {
-    gpu::BufferId line_points; ///< LinePoint, two per sample: start of its piece, end of the previous one
-    gpu::BufferId touches;     ///< LineTouch, two per sample; unused without brushes
+    /// Two LinePoints per sample: for the start of the piece after it and the end of the piece before it.
+    gpu::BufferId line_points;
+    gpu::BufferId touches; ///< two LineTouches per sample; unused if all lines are drawn with the pen
 };
 
 struct ShapedStrokes {
     ChainStrokes strokes;
-    gpu::BufferId facing;                                     ///< as in Chains
-    InlineVector<HandDrawn, most_hands> hands;                ///< one for each time that the lines are drawn
-    std::optional<std::pair<ChainStrokes, HandDrawn>> hidden; ///< set if hidden lines are drawn
+    gpu::BufferId facing; ///< one bit per triangle, set if the triangle faces the eye
+    /// The pen's path, once for each time that the lines are drawn.
+    InlineVector<HandDrawn, most_hands> hands;
+    /// Strokes of hidden lines; empty if the style draws none.
+    std::optional<std::pair<ChainStrokes, HandDrawn>> hidden;
 };
 
 /// Inputs for finding the edges of the sun's shadow.
 struct SunPixels {
-    gpu::ImageId share; ///< visible share of the sun; negative where no sun can shine
-    /// Visibility buffer of all solid surfaces, including clear glass, because shadows fall on it.
+    /// Image: visible share of the sun per pixel; negative where the surface cannot face the sun.
+    gpu::ImageId share;
+    /// Visibility buffer of all solid surfaces and of clear glass. Clear glass is included because shadows
+    /// fall on it.
     gpu::BufferId visibility;
     gpu::ImageId draw;
     gpu::ImageId depth;
@@ -186,15 +201,18 @@ struct SunPixels {
 struct ChainInputs {
     gpu::BufferId frame;
     gpu::BufferId posed_vertices;
-    gpu::BufferId visibility; ///< visibility buffer of the surfaces that hide lines
-    gpu::BufferId neighbors;  ///< neighbours of the line mesh's triangles
+    gpu::BufferId visibility; ///< visibility buffer of the surfaces that can hide lines
+    gpu::BufferId neighbors;  ///< the three adjacent sides and the flags of each triangle of the line mesh
     gpu::BufferId line_triangles;
-    SuggestiveCut suggestive_cut;    ///< unused if the line mesh has no bendings
-    std::optional<CrestMesh> crests; ///< the mesh whose crests have lines
-    float crest_deg = 3.0F;          ///< see ContourStyle
-    bool meetings = false;           ///< draws lines where shells intersect
-    std::optional<SunPixels> sun;    ///< set if edges of the sun's shadow are drawn
-    float step_px = 3.0F;            ///< approximate spacing of samples
+    /// Conditions for suggestive contours; unused if the line mesh has no curvature.
+    SuggestiveCut suggestive_cut;
+    std::optional<CrestMesh> crests; ///< the terrain mesh on which crests are drawn; empty if there is none
+    /// Smallest bend of a crest in degrees, the style's `contour.crest.angle_deg`.
+    float crest_deg = 3.0F;
+    bool meetings = false; ///< draws lines where two connected surfaces intersect
+    /// Inputs for the edges of the sun's shadow; empty if the style does not draw them.
+    std::optional<SunPixels> sun;
+    float step_px = 3.0F; ///< approximate distance between samples, in pixels
     glm::uvec2 size_px{0};
     gpu::ExecutionProfile execution;
 };
@@ -203,10 +221,10 @@ struct ChainInputs {
 [[nodiscard]] ChainInputs chain_inputs(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
                                        const ContourStyle& style);
 
-/// Finds outlines (one segment per triangle or edge), suggestive contours if the line mesh has bendings, and
-/// lines on the page, and links these and the features into chains.
+/// Finds outlines (one segment per triangle or edge), suggestive contours if the line mesh has curvature, and
+/// lines on the page. Links all these and the feature lines into chains.
 ///
-/// Cost    one or two threads per triangle; the rest grows with the lines
+/// Cost    one or two threads per triangle; the rest grows with the number of lines
 /// Source  segments: Hertzmann and Zorin, "Illustrating Smooth Surfaces", 2000; ranking: Wyllie, "The
 /// Complexity of Parallel Computations", 1979
 [[nodiscard]] Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool along_edges);
@@ -216,21 +234,23 @@ struct ChainInputs {
 /// Source  Cole and Finkelstein, "Fast High-Quality Line Visibility", 2009
 [[nodiscard]] ChainSamples add_samples(gpu::Graph& graph, const ChainInputs& in, const Chains& chains);
 
-/// Makes strokes of the seen lines, or of the hidden lines on the page. Inserts samples into `grid` by
-/// position. Overwrites the list sizes of strokes from an earlier call.
+/// Makes strokes of the visible lines, or of the hidden lines on the page. Enters the samples into the sample
+/// grid `grid` by their position. Overwrites the lengths of the stroke lists of an earlier call.
 [[nodiscard]] ChainStrokes add_strokes(gpu::Graph& graph, const ChainSamples& in, gpu::BufferId grid,
                                        glm::uvec2 size_px, LineClass wanted = LineClass::seen);
 
-/// Widths and inks of a style variant, for ContourInputs::variant_lines.
+/// Returns the line widths and inks of a style variant as an entry of ContourInputs::variant_lines.
 [[nodiscard]] shared::VariantLines variant_lines_of(const ContourStyle& style, float pixels_per_mm);
 
-/// Links lines and shapes their strokes: all steps before the ink. With a `history`, strokes continue from
-/// the frame it holds and are stored for the next; it must outlive the graph's run.
+/// Links lines into chains and shapes their strokes, but does not ink them. With a `history`, the strokes
+/// continue those of the previous frame and are stored for the next frame. `history` must live until the
+/// graph has run.
 [[nodiscard]] ShapedStrokes add_shaped_strokes(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
                                                LineHistory* history, const ContourStyle& style);
 
-/// Draws chains as strokes into an ink layer; the alternative to add_contours(). For `history` see
-/// add_shaped_strokes(); `under` is an ink layer to draw over.
+/// Draws chains as strokes into an ink layer; the alternative to add_contours(), which finds lines on the
+/// page. add_shaped_strokes() describes `history`. If `under` is given, the strokes are drawn over that ink
+/// layer.
 [[nodiscard]] gpu::ImageId add_chain_contours(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
                                               LineHistory* history, const ContourStyle& style,
                                               std::optional<gpu::ImageId> under = std::nullopt);

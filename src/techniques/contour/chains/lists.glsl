@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_CHAIN_LISTS
 #define ESTAMPE_CHAIN_LISTS
 
-// Lists as texel buffers, because CPU drivers can gather several texels at once. A list is available if its
-// binding was defined before inclusion.
+// Access to the chain lists through texel buffers, because CPU drivers can gather several texels at once. A
+// list is available if its binding was defined before inclusion.
 
 #include "techniques/contour/chains/chains.glsl.h"
 
@@ -67,7 +67,8 @@ uint samples_before(uint slot)
     return texelFetch(samples_before_texels, int(slot)).x;
 }
 
-// The chain that contains a sample; there are `slot_count` slots.
+// The slot (entry of the list of chains) of the chain that contains a sample. `slot_count` is the number of
+// slots.
 uint slot_of_sample(uint index, uint slot_count)
 {
     uint low = 0u;

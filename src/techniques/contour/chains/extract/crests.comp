@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread per vertex of the terrain computes how much steeper than half a slip face the ground falls along
-// the wind, and the vertex's position along the wind. A brink lies where the first value passes zero along
-// the wind.
+// One thread handles one vertex of the terrain. The thread computes how steeply the ground falls along the
+// wind, minus half the slope of a slip face, and the vertex's position along the wind. A dune's brink lies
+// where the first value rises through zero.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -25,8 +25,9 @@ layout(push_constant, scalar) uniform Constants
     CrestConstants constants;
 };
 
-const float half_slip_face =
-    0.3; // slope; sand slides from 0.62 on, and the windward side of dunes is less steep than this
+// Half the slope of a slip face; sand slides from a slope of 0.62 on, and windward sides are flatter than
+// 0.3.
+const float half_slip_face = 0.3;
 
 void main()
 {

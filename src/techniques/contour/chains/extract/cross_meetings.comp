@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread per side of the page's lattice finds whether the surfaces seen at its ends intersect in between.
-// Nearness is linear in page coordinates on a plane; the surfaces intersect if each, as a plane, is the
-// nearer one at its own end. A surface that merely ends in front of the other mostly stays nearer; false
-// results there run beside its outline and are dropped for that reason.
+// One thread tests one side of the page lattice: do the two surfaces seen at its ends intersect in between?
+// The shader extends each surface to a plane. The surfaces intersect if each plane is the nearer one at its
+// own end of the side. False lines beside an outline are dropped later, in drop.comp.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -32,7 +31,8 @@ layout(binding = 4) uniform usamplerBuffer neighbor_texels;
 
 layout(scalar, binding = 6) buffer Crossings
 {
-    uint crossings[]; // two per point: crossings on the sides to the right and down
+    // Two per lattice point: where a line crosses the side to the right and the side downwards.
+    uint crossings[];
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -42,15 +42,16 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/contour/chains/extract/page_cells.glsl"
 
-const float slack = 0.5;        // in pixels, because surfaces may curve between two pixels
-const float least_angle = 0.09; // angle between intersecting planes, rad
+const float slack = 0.5;        // tolerance in pixels, because surfaces may curve between two pixels
+const float least_angle = 0.09; // smallest angle between two intersecting planes that have a line, in radians
 
 uint shell_of(uint triangle)
 {
     return texelFetch(neighbor_texels, int(triangle)).w >> neighbor_shell_shift;
 }
 
-// If a pixel lies between the ends of a side, it replaces the end that shows the same shell.
+// Finds the crossing on the side from `pixel` in the direction `way`. If a pixel lies between the two ends of
+// the side, it replaces the end that shows the same shell (connected surface).
 uint crossing_on(ivec2 pixel, ivec2 way)
 {
     uint from = seen_triangle(visibility_at(pixel));

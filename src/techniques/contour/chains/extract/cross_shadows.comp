@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread per lattice point finds whether the edge of the sun's shadow crosses the sides to the right and
-// down: where one end sees more than half of the sun and the other less. The visible share is the mean of 16
-// pixels around a point, which is the upper left corner of its pixel, so that the edge is smooth although
-// each pixel is only lit or not.
+// One thread handles one point of the page lattice and its sides to the right and downwards. The edge of the
+// sun's shadow crosses a side if one end sees more than half of the sun and the other end less. The visible
+// share at a lattice point is the mean of 4 x 4 pixels around it, so that the edge is smooth.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -20,7 +19,8 @@ layout(scalar, binding = 0) uniform Frame
     FrameGlobals frame;
 };
 
-layout(binding = 1) uniform sampler2D share_image; // visible share of the sun; negative on unlit sides
+// Visible share of the sun; negative on surfaces that face away from the sun.
+layout(binding = 1) uniform sampler2D share_image;
 layout(binding = 2) uniform usampler2D draw_image;
 layout(binding = 3) uniform sampler2D depth_image;
 layout(binding = 4) uniform usampler2D normal_image;
@@ -37,9 +37,10 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/contour/chains/extract/page_cells.glsl"
 
-const float least_cosine = 0.8; // between normals at both ends, and for a bend in between
+// Smallest cosine of the angle between the normals at both ends of a side; larger bends have no shadow line.
+const float least_cosine = 0.8;
 
-// Index of a point of the page's lattice.
+// The surface seen at one point of the page lattice.
 struct Place {
     float share;
     uint draw;
@@ -69,7 +70,7 @@ Place place_at(uvec2 point)
                  unpack_normal(texelFetch(normal_image, pixel, 0).y), counts);
 }
 
-// Whether both ends are on one surface that is smooth between them.
+// Whether two lattice points lie on one surface that is smooth between them.
 bool is_one_surface(Place a, Place b)
 {
     vec3 way = b.point - a.point;

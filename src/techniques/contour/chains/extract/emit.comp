@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One thread makes one segment of the outline, and finds the next segment. Across a smooth edge that is the
-// segment of the neighbouring triangle; at a hard edge, the segment along the edge; where this ends at a
-// corner, the next one around the fronts that meet there. Fronts lie on the left.
+// One thread makes one segment of the outline and finds the segment that follows it. Across a smooth edge,
+// the neighbouring triangle has the next segment. At a hard edge, the next segment runs along the edge. Where
+// the edge's segment ends at a corner, the next segment is found around the front-facing triangles that meet
+// there. Front-facing triangles lie on the left of the line.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -24,9 +25,12 @@ layout(scalar, binding = 0) uniform Frame
 
 layout(binding = 3) uniform usamplerBuffer neighbor_texels;
 
-layout(binding = 4) uniform usamplerBuffer loose_edge_texels;         // both sides of each edge
-layout(binding = 5) uniform usamplerBuffer loose_edge_of_side_texels; // three per triangle
-layout(binding = 6) uniform usamplerBuffer part_texels;               // part_ bits, one word per edge
+// The two sides of each loose edge (an edge where the shading breaks, without feature line).
+layout(binding = 4) uniform usamplerBuffer loose_edge_texels;
+// Number of the loose edge at each side of a triangle.
+layout(binding = 5) uniform usamplerBuffer loose_edge_of_side_texels;
+// The part of each loose edge that is outline, as part_ bits.
+layout(binding = 6) uniform usamplerBuffer part_texels;
 
 #define FACING_BINDING 7
 #include "techniques/contour/chains/extract/facing.glsl"
@@ -68,7 +72,7 @@ uint segment_or_none(uint item, uint segment_count)
     return segment < segment_count ? segment : no_segment;
 }
 
-// The loose edge that a side belongs to, if any.
+// The number of the loose edge to which a triangle's side belongs, or a value for none.
 uint loose_edge_at(uint triangle, uint corner)
 {
     return texelFetch(loose_edge_of_side_texels, int(3u * triangle + corner)).x;
@@ -84,8 +88,8 @@ uint segment_along(uint edge, uint segment_count)
     return segment_or_none(32u * ((constants.triangle_count + 31u) / 32u) + edge, segment_count);
 }
 
-// The next segment of an outline that leaves a triangle through a side: that of the neighbouring triangle if
-// the surface is smooth there, else the segment along the edge.
+// The outline segment that follows when the outline leaves a triangle through a side. If the surface is
+// smooth there, the neighbouring triangle has that segment; else it runs along the edge.
 uint segment_beyond(uint triangle, uint corner, uint segment_count)
 {
     uvec4 neighbors = texelFetch(neighbor_texels, int(triangle));
@@ -99,11 +103,11 @@ uint segment_beyond(uint triangle, uint corner, uint segment_count)
     return beyond;
 }
 
-// A vertex with the values that outlines need.
+// A triangle's vertex with the values that outlines need.
 struct Corner {
     uint vertex;
     vec3 position;
-    vec3 normal; // unit
+    vec3 normal; // unit vector
     float facing;
 };
 
@@ -119,7 +123,8 @@ struct Crossing {
     uint normal;
 };
 
-// The point where the outline crosses the side between two corners; equal for both triangles.
+// The point where the outline crosses the side between two corners. Both triangles at the side compute
+// exactly the same point.
 Crossing crossing_of(Corner i, Corner j)
 {
     bool in_order = i.vertex < j.vertex;
@@ -132,7 +137,7 @@ Crossing crossing_of(Corner i, Corner j)
                     pack_normal(unit(mix(low.normal, high.normal, along))));
 }
 
-// How far the smooth surface with these normals may bulge out of the flat triangle.
+// How far the smooth surface with these vertex normals may bulge out of the flat triangle, in metres.
 float bulge_of(Corner a, Corner b, Corner c)
 {
     float ab = size_of(a.position - b.position) * size_of(a.normal - b.normal);
@@ -148,12 +153,14 @@ Segment through_triangle(uint triangle, uint segment_count)
     Corner b = corner_at(corners.y);
     Corner c = corner_at(corners.z);
     bvec3 fronts = bvec3(a.facing >= 0.0, b.facing >= 0.0, c.facing >= 0.0);
-    // One corner faces the other way than the two others: the outline crosses the two sides at that corner.
+    // One corner faces the other way than the two other corners. The outline crosses the two sides at this
+    // lone corner.
     uint lone = fronts.y == fronts.z ? 0u : fronts.x == fronts.z ? 1u : 2u;
     Corner apart = lone == 0u ? a : lone == 1u ? b : c;
     Corner after = lone == 0u ? b : lone == 1u ? c : a;
     Corner before = lone == 0u ? c : lone == 1u ? a : b;
-    // The segment starts on the side where the corners, in front orientation, change from front to back.
+    // The segment starts on the side where the corners change from front-facing to back-facing, in the order
+    // seen from the front.
     bool starts_after = (apart.facing >= 0.0) != is_reversed(triangle);
     Crossing from = Crossing(vec3(0.0), 0u);
     Crossing to = from;
@@ -176,12 +183,13 @@ Segment through_triangle(uint triangle, uint segment_count)
                    previous != no_segment ? 1u : 0u, bulge_of(a, b, c));
 }
 
-// Finds the edge of the outline that continues at the end of a front's side (or at its start, when going
-// back), around all fronts at that point.
+// Finds the outline segment on an edge that continues at the end of a side of a front-facing triangle (or at
+// the start of the side, when `forwards` is false). Searches around all front-facing triangles at that point.
 uint outline_around(uint triangle, uint corner, bool forwards, uint segment_count)
 {
     for (uint i = 0u; i < most_triangles_at_a_point; ++i) {
-        // Follows the corners forwards if they are in front orientation, else backwards.
+        // The corner numbers run forwards around the triangle if they are counter-clockwise seen from the
+        // front, else backwards.
         bool step_on = is_reversed(triangle) != forwards;
         corner = step_on ? next_corner(corner) : next_corner(next_corner(corner));
         uvec4 neighbors = texelFetch(neighbor_texels, int(triangle));
@@ -201,7 +209,7 @@ uint outline_around(uint triangle, uint corner, bool forwards, uint segment_coun
     return no_segment;
 }
 
-// Whether the edge is concave, so that the front hides its own outline.
+// Whether an edge is concave, so that the front-facing surface hides the outline along this edge.
 bool is_hollow(uint front_side, uint back_side)
 {
     uvec4 corners = triangle_at(front_side >> 2);
@@ -234,7 +242,8 @@ Segment along_edge(uint edge, uint segment_count)
         Corner start = corner_at(corners[ends.x]);
         Corner finish = corner_at(corners[ends.y]);
         Crossing crossing = crossing_of(start, finish);
-        vec3 corner = end == 0 ? start.position : finish.position; // a corner of the front-facing triangle
+        // Corner of the triangle that faces the eye.
+        vec3 corner = end == 0 ? start.position : finish.position;
         uint packed = pack_normal(unit(start.normal + finish.normal + 1e-6 * way_to_eye(corner)));
         place[end] = Crossing(is_corner ? corner : crossing.position, is_corner ? packed : crossing.normal);
         uint within = is_inside_out(side >> 2) ? no_segment : segment_or_none(side >> 2, segment_count);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread makes one segment of a line found on the page, from one side of its cell to another. The next
-// segment is that of the adjacent cell. Each end lies on the surface seen where its side starts.
+// One thread makes one segment of a line that was found on the page. The segment runs from one side of its
+// cell to another side; the next segment lies in the adjacent cell. Each end of the segment is placed on the
+// surface that is seen at the start of the side.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -71,7 +72,7 @@ End end_at(CellSide side)
     return End(seen_point(plane, ray), pack_normal(dot(normal, ray.way) > 0.0 ? -normal : normal), triangle);
 }
 
-// The segment of the cell on the other side of a side.
+// The segment in the adjacent cell, beyond side `side` of `cell`.
 uint segment_beyond(uvec2 cell, uint side, uint segment_count)
 {
     ivec2 beyond = ivec2(cell) + ivec2(side == 1u   ? 1

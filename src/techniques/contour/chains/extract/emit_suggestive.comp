@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread makes one segment of a suggestive contour or a crest, and finds the next: that of the adjacent
-// triangle. A line ends within a triangle where its strength becomes zero. The side that looks concave from
-// the eye lies on the right.
+// One thread makes one segment of a suggestive contour or a crest, and finds the next segment in the adjacent
+// triangle. A line ends within a triangle where its strength becomes zero. The side of the line that looks
+// concave from the eye lies on the right.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -56,7 +56,8 @@ End end_at(BendCrossing crossing)
                mix(unpack_normal(low.normal), unpack_normal(high.normal), crossing.share));
 }
 
-// The segment on the other side of a side, if the line has strength there and the surface is smooth.
+// The segment in the adjacent triangle, if the line has a positive strength at their common side and the
+// surface is smooth there.
 uint segment_beyond(uint triangle, uint corner, float strength, uint first_item, uint segment_count)
 {
     uvec4 neighbors = texelFetch(neighbor_texels, int(triangle));

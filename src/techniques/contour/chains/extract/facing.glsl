@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_FACING
 #define ESTAMPE_FACING
 
-// Which triangles face the eye, in the orientation of their piece of the surface. Requires before inclusion:
-// FACING_BINDING (one bit per triangle) and `neighbor_texels`.
+// Tells which triangles face the eye, after all windings of a shell are made consistent. Requires before
+// inclusion: FACING_BINDING (a buffer with one bit per triangle) and `neighbor_texels`.
 
 #include "techniques/contour/chains/chains.glsl.h"
 

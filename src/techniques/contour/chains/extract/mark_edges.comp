@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A subgroup tests 32 edges at which the shading breaks and writes one word: the edges with an outline.
+// A subgroup tests 32 edges at which the shading breaks and writes one word: a bit is set if the edge has an
+// outline.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -21,7 +22,8 @@ layout(scalar, binding = 0) uniform Frame
 #include "shaders/mesh_texels.glsl"
 #include "techniques/contour/chains/extract/silhouette.glsl"
 
-layout(binding = 3) uniform usamplerBuffer loose_edge_texels; // both sides of each edge
+// The two sides of each loose edge (an edge where the shading breaks, without feature line).
+layout(binding = 3) uniform usamplerBuffer loose_edge_texels;
 
 layout(binding = 4) uniform usamplerBuffer neighbor_texels;
 
@@ -35,7 +37,7 @@ layout(scalar, binding = 6) buffer Marks
 
 layout(scalar, binding = 7) writeonly buffer Parts
 {
-    uint parts[]; // part_ bits, one word per edge
+    uint parts[]; // the part of each loose edge that is outline, as part_ bits
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -48,9 +50,9 @@ const bool along_edges = (variant & mark_along_edges) != 0u;
 
 #include "techniques/contour/chains/extract/triangle_sides.glsl"
 
-// An edge at which the shading breaks is outline where the surface on one side faces the eye and that on the
-// other does not, each by its own normals. Together with the outline through triangles, these parts enclose
-// everything that faces the eye.
+// An edge at which the shading breaks is part of the outline if the surface on one of its sides faces the eye
+// and the other surface does not. Each surface is tested with its own normals. Together, these edges and the
+// outlines through triangles enclose everything that faces the eye.
 
 // Position between two vertices of a side at which the surface turns away from the eye.
 float share_of_turn(PosedVertex from, PosedVertex to)
@@ -60,12 +62,12 @@ float share_of_turn(PosedVertex from, PosedVertex to)
     return s_from / (s_from - s_to);
 }
 
-// The part of an edge that is outline, as part_ bits. If there are two parts, at both ends and not between,
-// neither counts.
+// The part of an edge that is outline, as part_ bits. An edge counts as having no outline if only its two
+// ends would be outline but not its middle.
 uint outline_part(uvec2 sides)
 {
     uvec2 ends = ends_of(sides.x);
-    uvec2 back_ends = ends_of(sides.y).yx; // at the same two positions
+    uvec2 back_ends = ends_of(sides.y).yx; // the back triangle's values at the same two positions
     uvec4 corners = triangle_at(sides.x >> 2);
     uvec4 back_corners = triangle_at(sides.y >> 2);
     bvec2 first = bvec2(is_front_at(sides.x >> 2, ends.x), is_front_at(sides.x >> 2, ends.y));
@@ -79,8 +81,8 @@ uint outline_part(uvec2 sides)
     bool is_front = differs.x ? first.x : first.y;
     uint low = differs.x ? bound_is_corner : crossing;
     uint high = differs.y ? bound_is_corner : crossing;
-    // If both sides turn, the part lies between the two crossings; their order decides which side is the
-    // front.
+    // If the surfaces on both sides of the edge turn away from the eye, the outline lies between the two
+    // crossings. The order of the crossings decides which side is the front.
     bool comes_first =
         share_of_turn(posed_vertex_at(corners[ends.x]), posed_vertex_at(corners[ends.y])) <
         share_of_turn(posed_vertex_at(back_corners[back_ends.x]), posed_vertex_at(back_corners[back_ends.y]));

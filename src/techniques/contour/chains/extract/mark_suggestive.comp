@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A subgroup tests 32 triangles and writes one word: those with a suggestive contour or a crest.
+// A subgroup tests 32 triangles and writes one word: a bit is set if the triangle has a suggestive contour or
+// a crest.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A subgroup tests 32 triangles and writes two words: those that face the eye, and those that the outline of
-// the smooth surface runs through.
+// A subgroup tests 32 triangles and writes two words. The bits of the first word mark triangles that face the
+// eye. The bits of the second mark triangles through which the outline of the smooth surface runs.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -39,7 +39,7 @@ layout(push_constant, scalar) uniform Constants
 layout(constant_id = 0) const uint variant = 0u;
 const bool along_edges = (variant & mark_along_edges) != 0u;
 
-// Whether a triangle faces the eye, and whether the smooth outline runs through it.
+// Returns two flags: the triangle faces the eye; the outline of the smooth surface runs through the triangle.
 bvec2 look_at(uint triangle)
 {
     uvec4 corners = triangle_at(triangle);

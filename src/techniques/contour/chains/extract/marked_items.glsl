@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_MARKED_ITEMS
 #define ESTAMPE_MARKED_ITEMS
 
-// Bits of the items that contain a segment, and prefix sums of these bits by word, so that segments need no
-// table of items. Requires before inclusion: MARKS_BINDING, for the words; the next binding is that of the
-// prefix sums.
+// Mark bits of the items (triangles, loose edges, cells) that contain a line segment, and prefix sums of
+// these bits by word. With both, a segment's item is found without a table. Requires before inclusion:
+// MARKS_BINDING, the binding of the mark words; the next binding holds the prefix sums.
 
 layout(binding = MARKS_BINDING) uniform usamplerBuffer mark_texels;
 layout(binding = MARKS_BINDING + 1) uniform usamplerBuffer marks_before_texels;
@@ -30,7 +30,7 @@ uint segment_of(uint item)
     return marks_before(word) + uint(bitCount(marks(word) & ((1u << (item & 31u)) - 1u)));
 }
 
-// The item that contains a segment; there are `word_count` words of marks.
+// The item that contains a segment. `word_count` is the number of words of mark bits.
 uint item_of(uint segment, uint word_count)
 {
     uint low = 0u;

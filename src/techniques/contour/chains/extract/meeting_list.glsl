@@ -2,9 +2,10 @@
 #ifndef ESTAMPE_MEETING_LIST
 #define ESTAMPE_MEETING_LIST
 
-// An unordered list of the sides of the page's lattice between whose ends two shells may intersect, after the
-// arguments of a dispatch with one thread per side. Must be all zeros at first, except for one row and one
-// layer of workgroups. Requires before inclusion: MEETINGS_BINDING, MEETINGS_ACCESS.
+// An unordered list of the sides of the page lattice across which two shells (connected surfaces) may
+// intersect. The list follows the arguments of an indirect dispatch with one thread per side. The buffer must
+// be zero at first, except for one row and one layer of workgroups. Requires before inclusion:
+// MEETINGS_BINDING, MEETINGS_ACCESS.
 
 #define MEETINGS_A_GROUP 64u
 
@@ -14,7 +15,9 @@ layout(scalar, binding = MEETINGS_BINDING) MEETINGS_ACCESS buffer Meetings
     uint meeting_rows;
     uint meeting_layers;
     uint meeting_count;
-    uint meeting_sides[]; // twice the index of the point, plus 1 for the side down
+    // Each entry: twice the index of a lattice point, plus 1 for its side downwards, plus 0 for its side to
+    // the right.
+    uint meeting_sides[];
 };
 
 #endif

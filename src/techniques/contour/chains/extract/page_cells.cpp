@@ -13,7 +13,7 @@
 namespace estampe::contour {
 namespace {
 
-/// Size of the page's lattice in points.
+/// Size of the page lattice (the grid in which lines are found on the page), in points.
 glm::uvec2 lattice(glm::uvec2 size_px)
 {
     return (size_px + (shared::cell_px - 1)) / shared::cell_px;

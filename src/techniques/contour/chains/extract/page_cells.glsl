@@ -2,17 +2,18 @@
 #ifndef ESTAMPE_PAGE_CELLS
 #define ESTAMPE_PAGE_CELLS
 
-// The page as a lattice with a point every cell_px pixels. A line may cross the side between two neighbouring
-// points: two words per point, for the sides to the right and down. The cell of a point lies to its right and
-// below; points at the right and lower rim have none. Requires before inclusion: `constants`, a
-// CellConstants.
+// The page lattice: a grid on the page with a point every cell_px pixels. A line may cross the side between
+// two neighbouring points; each point stores two words, for its sides to the right and downwards. The cell of
+// a point lies to its right and below. Points at the right and lower border of the page have no cell.
+// Requires before inclusion: `constants`, a CellConstants.
 
-// Position of a crossing on its side, or slightly beyond, and whether the quantity that the line divides
-// rises there, to the right or down.
+// Where a line crosses a side of the lattice: the position along the side, which may be slightly beyond its
+// ends, and whether the tested quantity rises there, to the right or downwards.
 struct Crossing {
     bool is_there;
     bool rises;
-    bool is_seen_between; // on the surface seen half way, not at the start of the side
+    // The crossing lies on the surface seen at the middle of the side, not at the start of the side.
+    bool is_seen_between;
     float share;
 };
 
@@ -35,7 +36,8 @@ ivec2 pixel_of_point(uvec2 point)
     return ivec2(cell_px * point);
 }
 
-// Integer division is slow on CPUs: the row comes from a quotient of floats, which is off by one at most.
+// Integer division is slow on CPUs. The row is computed as a quotient of floats, which is wrong by at most
+// one, and then corrected.
 uvec2 point_of_cell(uint cell)
 {
     uint row = uint(float(cell) / float(constants.columns));

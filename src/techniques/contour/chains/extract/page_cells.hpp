@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Lines that follow no edge of a mesh, found between the pixels of the page: where surfaces intersect, and
-// where shadows end.
+// Lines that follow no edge of a mesh. They are found between the pixels of the page: where surfaces
+// intersect, and where shadows end.
 
 #include <vector>
 
@@ -14,40 +14,40 @@ namespace estampe::contour {
 
 struct ChainInputs;
 
-/// Crossings of lines of one kind with the sides of the page's lattice, see page_cells.glsl.
+/// Where the lines of one kind cross the sides of the page lattice, see page_cells.glsl.
 struct PageLines {
     gpu::BufferId crossings;
     uint32_t kind;
-    uint32_t first_word; ///< first word of the marks of its cells
+    uint32_t first_word; ///< index of the first word of mark bits for the cells of these lines
 };
 
-/// Number of words of marks for one kind of line.
+/// Number of words of mark bits that one kind of line needs on a page of `size_px`.
 [[nodiscard]] uint32_t page_words(glm::uvec2 size_px);
 
-/// Finds lines of the kinds that `in` asks for. Their marks follow each other, kind by kind, from
+/// Finds lines of the kinds that `in` requests. Their mark bits are stored kind after kind, from word
 /// `first_word` on.
 ///
-/// Cost    one thread for each four pixels and kind; for intersections, one more where shells adjoin on the
-/// page
+/// Cost    one thread for four pixels, per kind of line; for intersections, one more thread where two shells
+/// (connected surfaces) adjoin on the page
 /// Source  cells: Lorensen and Cline, "Marching Cubes", 1987, in the plane
 [[nodiscard]] InlineVector<PageLines, 2> add_page_lines(gpu::Graph& graph, const ChainInputs& in,
                                                         uint32_t first_word);
 
-/// Marks the cells that `lines` run through.
+/// Writes the mark bits of the cells through which `lines` run.
 [[nodiscard]] gpu::BufferId add_cell_marks(gpu::Graph& graph, const PageLines& lines, glm::uvec2 size_px,
                                            gpu::BufferId marks);
 
-/// Buffers for turning marked cells into segments.
+/// Buffers that are needed to convert marked cells of the page lattice to line segments.
 struct CellSegments {
     gpu::BufferId marks;
     gpu::BufferId marks_before;
     gpu::BufferId sizes;
     gpu::BufferId segments;
     gpu::BufferId ranks;
-    uint32_t word_count; ///< number of words in `marks`
+    uint32_t word_count; ///< number of words of mark bits in `marks`
 };
 
-/// Appends the segments of `lines` and their ranks to the lists.
+/// Appends the segments of `lines` to the list of segments, and their ranks to the list of ranks.
 void add_cell_segments(gpu::Graph& graph, const ChainInputs& in, const PageLines& lines, CellSegments& list);
 
 } // namespace estampe::contour

@@ -2,12 +2,12 @@
 #ifndef ESTAMPE_PAGE_LINES
 #define ESTAMPE_PAGE_LINES
 
-// Finds cells that exactly one line runs through. Requires before inclusion: CROSSINGS_BINDING and
-// page_cells.glsl.
+// Finds the cells of the page lattice through which exactly one line runs. Requires before inclusion:
+// CROSSINGS_BINDING and page_cells.glsl.
 
 layout(binding = CROSSINGS_BINDING) uniform usamplerBuffer crossing_texels;
 
-// A side of a cell, in clockwise order on the page.
+// One of the four sides of a cell, in clockwise order on the page.
 struct CellSide {
     uvec2 point;
     bool is_down;
@@ -30,21 +30,23 @@ Crossing crossing_at(CellSide side)
     return unpack_crossing(side.is_down ? words.y : words.x);
 }
 
-// The side where the line enters, because the quantity rises there, and the side where it leaves.
+// The sides of a cell at which a line enters and leaves. The line enters where the tested quantity rises, in
+// clockwise order.
 struct CellLine {
     bool is_there;
     uint from;
     uint to;
 };
 
-// The line through a cell that has one entering and one leaving side; other cells are skipped.
+// The line through a cell that has exactly one entering and one leaving side. Other cells have no line.
 CellLine line_through(uvec2 cell)
 {
     uvec2 here = crossing_words(cell);
     uvec4 sides =
         uvec4(here.x, crossing_words(cell + uvec2(1u, 0u)).y, crossing_words(cell + uvec2(0u, 1u)).x, here.y);
     uvec4 is_there = min(sides & crossing_is_there, uvec4(1u));
-    uvec4 is_rise = min(sides & crossing_rises, uvec4(1u)) ^ uvec4(0u, 0u, 1u, 1u); // two sides run back
+    // The lower and the left side are stored in the opposite direction, so their bits are inverted.
+    uvec4 is_rise = min(sides & crossing_rises, uvec4(1u)) ^ uvec4(0u, 0u, 1u, 1u);
     uvec4 rise = is_there & is_rise;
     uvec4 fall = is_there & ~is_rise;
     bool is_one = rise.x + rise.y + rise.z + rise.w == 1u && fall.x + fall.y + fall.z + fall.w == 1u;

@@ -2,16 +2,18 @@
 #ifndef ESTAMPE_SEEN_PLANE
 #define ESTAMPE_SEEN_PLANE
 
-// Planes of visible triangles. Requires before inclusion: `frame`, a FrameGlobals, and mesh_texels.glsl.
+// The planes of the triangles that are seen at pixels. Requires before inclusion: `frame`, a FrameGlobals,
+// and mesh_texels.glsl.
 
 #include "shaders/camera.glsl"
 
 struct Ray {
     vec3 from;
-    vec3 way; // not normalised; linear in page coordinates
+    vec3 way; // direction of the ray, not normalised; linear in page coordinates
 };
 
-// A ray to infinity, or from the near plane on, so that no large numbers cancel.
+// The ray through a position on the page. Its direction is scaled so that nearby and distant surfaces need no
+// large numbers.
 Ray ray_at(vec2 place_px)
 {
     vec3 way = (frame.anchor_from_clip * vec4(ndc_at(place_px, frame.size_px), 0.0, 1.0)).xyz;
@@ -21,7 +23,7 @@ Ray ray_at(vec2 place_px)
 
 struct SeenPlane {
     vec3 place;
-    vec3 normal; // not normalised
+    vec3 normal; // surface normal, not normalised
 };
 
 SeenPlane seen_plane(uint triangle)
@@ -33,7 +35,7 @@ SeenPlane seen_plane(uint triangle)
     return SeenPlane(a, cross(b - a, c - a));
 }
 
-// Larger means nearer; linear in page coordinates.
+// Nearness of a plane along a ray: larger values are nearer to the eye. Linear in page coordinates.
 float nearness(SeenPlane plane, Ray ray)
 {
     float away = dot(plane.normal, plane.place - ray.from);

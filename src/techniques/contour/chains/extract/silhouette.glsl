@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_SILHOUETTE
 #define ESTAMPE_SILHOUETTE
 
-// Orientation of surfaces. Results on which two shaders must agree are computed without contraction. Requires
-// before inclusion: `frame`, a FrameGlobals.
+// Tells which surfaces face the eye. The results are `precise` (no fused multiply-add), because two shaders
+// must compute exactly the same values. Requires before inclusion: `frame`, a FrameGlobals.
 
 #include "shaders/scene.glsl.h"
 
@@ -19,7 +19,7 @@ float exact_dot(vec3 a, vec3 b)
     return sum;
 }
 
-// Positive if the triangle's winding is counter-clockwise as seen from the eye.
+// Positive if the corners of the triangle are counter-clockwise as seen from the eye.
 float facing_of(vec3 a, vec3 b, vec3 c)
 {
     precise vec3 u = b - a;
@@ -29,7 +29,7 @@ float facing_of(vec3 a, vec3 b, vec3 c)
     return exact_dot(n, way);
 }
 
-// Direction of a packed normal, not normalised.
+// Direction of a packed normal; not normalised.
 vec3 normal_direction(uint packed)
 {
     ivec2 words = ivec2(int(packed) << 16, int(packed)) >> 16;
@@ -40,7 +40,7 @@ vec3 normal_direction(uint packed)
     return vec3(z < 0.0 ? folded * signs : e, z);
 }
 
-// Positive if the surface around a vertex faces the eye.
+// Positive if the smooth surface around a vertex faces the eye.
 float facing_at(PosedVertex vertex)
 {
     precise vec3 way = way_to_eye(vertex.position);

@@ -2,15 +2,16 @@
 #ifndef ESTAMPE_SUGGESTIVE
 #define ESTAMPE_SUGGESTIVE
 
-// Where the radial curvature of a surface changes its sign, or the terrain starts to fall steeply along the
-// wind. Results on which two shaders must agree are computed without contraction. Requires before inclusion:
-// VIEW_BENDS_BINDING (two words per vertex, written by view_bends.comp and crests.comp) and `constants`, of
-// ChainConstants.
+// Finds where the radial curvature of a surface changes its sign, and where the terrain starts to fall
+// steeply along the wind. The results are `precise` (no fused multiply-add), because two shaders must compute
+// exactly the same values. Requires before inclusion: VIEW_BENDS_BINDING (two words per vertex, written by
+// view_bends.comp and crests.comp) and `constants`, a ChainConstants.
 
 layout(binding = VIEW_BENDS_BINDING) uniform usamplerBuffer view_bend_texels;
 
-// Radial curvature, and a strength that must be positive for a line. For terrain: how much steeper than half
-// a slip face it falls along the wind, and its position along the wind.
+// Returns the radial curvature at a vertex, and the strength of a line, which must be positive. For terrain,
+// returns how steeply the ground falls along the wind, minus half the slope of a slip face, and the position
+// along the wind.
 vec2 view_bend_at(uint vertex)
 {
     return uintBitsToFloat(texelFetch(view_bend_texels, int(vertex)).xy);
@@ -22,13 +23,14 @@ bool is_of_ground(uint vertex)
 }
 
 struct BendCrossing {
-    uint low; // vertices
+    uint low; // index of the vertex with the lower number
     uint high;
-    float share; // position from low to high
+    float share; // position of the crossing between the vertices `low` (0) and `high` (1)
     float strength;
 };
 
-// The zero between two vertices of opposite sign; equal for both triangles.
+// The point between two vertices where the curvature is zero. Both triangles at the edge compute exactly the
+// same point.
 BendCrossing bend_crossing(uint i, uint j)
 {
     uint low = min(i, j);
@@ -38,15 +40,16 @@ BendCrossing bend_crossing(uint i, uint j)
     precise float share = clamp(a.x / (a.x - b.x), 0.0, 1.0);
     precise float strength = a.y + share * (b.y - a.y);
     if (is_of_ground(low)) {
-        precise float turn = b.x - a.x; // positive across a crest, negative at the end of a slip face
+        // Positive across a dune's crest, negative at the foot of its slip face.
+        precise float turn = b.x - a.x;
         strength = (b.y < a.y ? -turn : turn) - constants.least_turn;
     }
     return BendCrossing(low, high, share, strength);
 }
 
-// Corners at the start of the sides on which the sign changes.
+// The two corners of a triangle at whose following sides the curvature changes its sign.
 struct BendSides {
-    uint down; // from positive curvature to negative
+    uint down; // corner before the side on which curvature changes from positive to negative
     uint up;
     bool are_there;
 };

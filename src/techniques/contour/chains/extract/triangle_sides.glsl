@@ -2,23 +2,23 @@
 #ifndef ESTAMPE_TRIANGLE_SIDES
 #define ESTAMPE_TRIANGLE_SIDES
 
-// Sides and fronts of triangles, in the orientation of their shell. Requires before inclusion: `frame`,
-// mesh_texels.glsl, silhouette.glsl, facing.glsl, and `along_edges`, which says whether outlines run only
-// along edges of the mesh.
+// Sides of triangles, and which triangles face the eye, after all windings of a shell (connected surface) are
+// made consistent. Requires before inclusion: `frame`, mesh_texels.glsl, silhouette.glsl, facing.glsl, and
+// `along_edges`, which is true if outlines run only along edges of the mesh.
 
 uint next_corner(uint corner)
 {
     return corner == 2u ? 0u : corner + 1u;
 }
 
-// Whether a triangle's winding is clockwise as seen from its front.
+// Whether the corners of a triangle are clockwise as seen from the front of its surface.
 bool is_reversed(uint triangle)
 {
     bool is_turned = (texelFetch(neighbor_texels, int(triangle)).w & neighbor_is_turned) != 0u;
     return is_turned != ((triangle_at(triangle).w & triangle_mirrored) != 0u);
 }
 
-// The corners at the start and end of a side, with fronts on its left.
+// The corners at the start and the end of a side, ordered so that front-facing surface lies on the left.
 uvec2 ends_of(uint side)
 {
     uint first = side & 3u;
@@ -26,13 +26,13 @@ uvec2 ends_of(uint side)
     return reversed ? uvec2(next_corner(first), first) : uvec2(first, next_corner(first));
 }
 
-// Whether the normals of a triangle's smooth piece point to its back.
+// Whether the vertex normals of a triangle's smooth piece point to the back of its shell.
 bool is_inside_out(uint triangle)
 {
     return (texelFetch(neighbor_texels, int(triangle)).w & neighbor_is_inside_out) != 0u;
 }
 
-// Whether the surface of a triangle faces the eye at one of its corners.
+// Whether the surface of a triangle faces the eye at one corner of the triangle.
 bool is_front_at(uint triangle, uint corner)
 {
     if (along_edges) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread per vertex computes the radial curvature, that is, of the curve in which the plane through eye
-// and normal cuts the surface, and whether it grows towards the eye enough for a line.
+// One thread handles one vertex. It computes the radial curvature: the curvature of the curve in which the
+// plane through eye and normal cuts the surface. It also tests whether that curvature grows enough towards
+// the eye for a suggestive contour.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -19,7 +20,7 @@ layout(scalar, binding = 0) uniform Frame
 };
 
 layout(binding = 1) uniform usamplerBuffer posed_vertex_texels;
-layout(binding = 2) uniform usamplerBuffer bending_texels; // two per vertex
+layout(binding = 2) uniform usamplerBuffer bending_texels; // the VertexBending of each vertex, as two texels
 
 layout(scalar, binding = 3) writeonly buffer ViewBends
 {
@@ -48,7 +49,7 @@ void main()
     vec4 change = uintBitsToFloat(texelFetch(bending_texels, int(2u * index + 1u)));
     PosedVertex vertex = posed_vertex_at(index);
     vec3 normal = unpack_normal(vertex.normal);
-    // The tangent frame depends on a neighbour vertex, so that it follows every motion of the surface.
+    // The tangent frame follows a neighbouring vertex, so that the frame moves with the surface.
     vec3 x = posed_vertex_at(first.x).position - vertex.position;
     x -= normal * dot(normal, x);
     x /= max(length(x), 1e-30);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread per sample adds its offset along the previous frame's stroke to its own stroke, if it belongs to
-// the stroke that its own continues.
+// One thread handles one sample. If the sample belonged to the stroke of the previous frame that its new
+// stroke continues, the thread adds the sample's offset along that earlier stroke to the sum of the new
+// stroke.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -34,7 +35,7 @@ layout(push_constant, scalar) uniform Constants
     RecallConstants constants;
 };
 
-const float offset_unit = 16.0; // units per pixel
+const float offset_unit = 16.0; // offsets are summed as integers, in 1/16 pixel
 const float most_offset_px = 4096.0;
 
 void main()
@@ -46,7 +47,7 @@ void main()
     uint stroke = strokes_before(index + 1u) - 1u;
     Recall recall = recalls[index];
     if (constants.stretches != 0u && (sample_at(index).state & sample_in_ring) != 0u) {
-        // A ring has no end: the whole ring shifts by the offset of the sample where it is cut.
+        // A closed line has no end: the whole ring shifts by the offset of the sample where the ring is cut.
         float whole = whole_length(index, strokes[stroke]);
         float turn = recalls[strokes[stroke].first].offset_px;
         recall.offset_px -= whole * round((recall.offset_px - turn) / max(whole, 1.0));

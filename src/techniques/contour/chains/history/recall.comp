@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread finds the position of one sample in the previous frame, and what was drawn there in the same
-// direction.
+// One thread finds where one sample was in the previous frame, and which line in the same direction was drawn
+// there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -27,7 +27,7 @@ layout(scalar, binding = 3) buffer Strokes
 
 #define GRID_BINDING 4
 #define GRID_ACCESS readonly
-#include "techniques/contour/chains/stroke/sample_grid.glsl" // grid of the previous frame
+#include "techniques/contour/chains/stroke/sample_grid.glsl" // the sample grid of the previous frame
 
 layout(scalar, binding = 5) readonly buffer DrawnSamples
 {
@@ -64,8 +64,8 @@ void main()
                            : sample_at(index).page_px - sample_at(index - 1u).page_px;
         way *= inversesqrt(max(dot(way, way), 1e-20));
         uint stroke = strokes_before(goes_on ? index + 1u : index) - 1u;
-        // A dropped stroke fades from its own state in the previous frame; a drawn stroke continues the drawn
-        // one.
+        // A dropped stroke fades out from its own state in the previous frame; a drawn stroke continues the
+        // drawn state.
         bool is_dropped = (strokes[stroke].ends & stroke_is_dropped) != 0u;
         float arc = arc_from_start(index, strokes[stroke]);
         float whole = whole_length(index, strokes[stroke]);

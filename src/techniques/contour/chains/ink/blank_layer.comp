@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread clears one pixel of the layer.
+// One thread clears one pixel of the ink layer.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -8,7 +8,8 @@
 
 layout(local_size_x = 8, local_size_y = 32) in;
 
-layout(binding = 0, rgba8) writeonly uniform image2D out_ink; // square root of linear colour; coverage
+// Square root of the ink's linear colour; alpha is coverage.
+layout(binding = 0, rgba8) writeonly uniform image2D out_ink;
 
 layout(push_constant, scalar) uniform Constants
 {

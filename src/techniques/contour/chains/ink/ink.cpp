@@ -21,7 +21,7 @@
 namespace estampe::contour {
 namespace {
 
-/// The next mip level: half as many columns and rows, but at least one.
+/// Computes the next mip level: half as many columns and rows, but at least one of each.
 std::vector<float> halved(const std::vector<float>& fine, size_t columns, size_t rows)
 {
     const size_t step_x = columns > 1 ? 2 : 1;
@@ -87,13 +87,14 @@ BrushImages upload_brushes(gpu::Device& device, const BrushSet& brushes)
 
 namespace {
 
-/// Buffers of inked pixels.
+/// The inked pixels of a page, before they are converted to an ink layer.
 struct Inked {
-    gpu::BufferId pixels; ///< one word per pixel
-    gpu::BufferId tiles;  ///< see ink_tiles.glsl
+    gpu::BufferId pixels; ///< one word per pixel: coverage and ink
+    gpu::BufferId tiles;  ///< list of the tiles that have ink, see ink_tiles.glsl
 };
 
-/// Length after which each brush repeats along the line; 0 if it stretches over the whole stroke.
+/// Length in millimetres after which a brush repeats along the line; 0 if the brush stretches over the whole
+/// stroke.
 float period_mm(const BrushImages& brushes, uint32_t use, const ContourStyle& style)
 {
     if (use == shared::brush_hidden) {
@@ -106,7 +107,8 @@ float period_mm(const BrushImages& brushes, uint32_t use, const ContourStyle& st
     return style.brush_mm > 0.0F ? style.brush_mm : std::max(own_mm, 0.1F);
 }
 
-/// `grid_page_px` is the size of the page whose grid holds the samples.
+/// Returns the constants of ink_brush.comp. `grid_page_px` is the size of the page that the sample grid
+/// covers.
 shared::BrushConstants brush_constants(const ContourInputs& in, const ContourStyle& style,
                                        glm::uvec2 grid_page_px)
 {
@@ -121,7 +123,7 @@ shared::BrushConstants brush_constants(const ContourInputs& in, const ContourSty
     return constants;
 }
 
-/// Adds a pass that inks pieces of lines.
+/// Adds a pass that inks pieces of lines, each between two samples.
 void add_pieces(gpu::Graph& graph, const ContourInputs& in, const ChainStrokes& strokes,
                 const HandDrawn& hand, const ContourStyle& style, Inked& inked)
 {
@@ -144,7 +146,7 @@ void add_pieces(gpu::Graph& graph, const ContourInputs& in, const ChainStrokes& 
     ink.dispatch_indirect(strokes.sizes, indirect_offset(shared::list_samples));
 }
 
-/// Adds a pass that fills the outer sides of corners.
+/// Adds a pass that fills the outer sides of corners where two pieces of line meet.
 void add_joints(gpu::Graph& graph, const ContourInputs& in, const ChainStrokes& strokes,
                 const HandDrawn& hand, const ContourStyle& style, glm::uvec2 grid_page_px, Inked& inked)
 {
@@ -179,7 +181,8 @@ Inked add_ink(gpu::Graph& graph, const ContourInputs& in, const ShapedStrokes& s
     return inked;
 }
 
-/// Clears the layer: on a CPU with a fill command, on a GPU with threads, whichever is faster.
+/// Clears the ink layer, on a CPU with a fill command and on a GPU with a dispatch: each is the faster way
+/// there.
 gpu::ImageId add_blank_layer(gpu::Graph& graph, const shared::InkConstants& constants,
                              const gpu::ExecutionProfile& execution)
 {
@@ -195,7 +198,7 @@ gpu::ImageId add_blank_layer(gpu::Graph& graph, const shared::InkConstants& cons
                                  glm::vec4(glm::sqrt(constants.ink_color), 0.0F));
 }
 
-/// Inks strokes; `grid_page_px` is the size of the page whose grid holds their samples.
+/// Inks strokes. `grid_page_px` is the size of the page that their sample grid covers.
 gpu::ImageId add_ink_layer(gpu::Graph& graph, const ContourInputs& in, const ShapedStrokes& shaped,
                            const ContourStyle& style, glm::uvec2 grid_page_px,
                            const std::optional<gpu::ImageId>& under)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Brushes of lines on the GPU: pictures of strokes, one per layer.
+// Brushes of lines on the GPU. A brush is a picture of one stroke and takes one layer of an image array.
 
 #include <algorithm>
 #include <array>
@@ -14,25 +14,26 @@
 
 namespace estampe::contour {
 
-/// A stroke from left to right; its left side is at the top.
+/// The picture of a stroke that runs from left to right. The left side of the stroke is at the top.
 struct BrushStrip {
-    std::vector<float> ink; ///< brush_rows rows of brush_columns values, 0 for paper, 1 for ink
-    float widths = 1.0F;    ///< length of the stroke divided by its width
+    std::vector<float> ink; ///< brush_rows rows of brush_columns values: 0 is paper, 1 is full ink
+    float widths = 1.0F;    ///< length of the stroke, in multiples of its width
 };
 
-/// The brush of each kind of line.
+/// The brush that each kind of line uses.
 struct BrushSet {
     std::vector<BrushStrip> strips;
-    /// Index into `strips` by kind of line, or shared::brush_hidden; none draws with the pen.
+    /// Index into `strips` for each kind of line, and for hidden lines (shared::brush_hidden). Without an
+    /// index, the pen draws the kind.
     std::array<std::optional<uint32_t>, shared::brush_use_count> strip_of_use;
 };
 
 struct BrushImages {
-    gpu::Image strips; ///< r8, one layer per strip
+    gpu::Image strips; ///< image array in format r8, one layer per picture of a stroke
     std::array<std::optional<uint32_t>, shared::brush_use_count> layer_of_use;
     std::array<float, shared::brush_use_count> widths_of_use{};
 
-    /// Whether any kind of seen line has a brush other than the pen.
+    /// Whether any kind of visible line has a brush other than the pen.
     [[nodiscard]] bool draw_seen_lines() const
     {
         return std::any_of(layer_of_use.begin(), layer_of_use.begin() + shared::brush_hidden,
@@ -40,14 +41,14 @@ struct BrushImages {
     }
 };
 
-/// `brushes`, or null if the pen draws all seen lines.
+/// Returns `brushes`, or null if the pen draws all visible lines.
 [[nodiscard]] inline BrushImages* brushes_of_seen_lines(BrushImages* brushes)
 {
     return brushes != nullptr && brushes->draw_seen_lines() ? brushes : nullptr;
 }
 
-/// Uploads all strips with mip levels; each texel is the mean of four of the level before. Requires at least
-/// one strip. Throws Error when memory runs out.
+/// Uploads all pictures of strokes with mip levels. A texel of a mip level is the mean of four texels of the
+/// finer level. `set` must have at least one picture. Throws Error when memory runs out.
 [[nodiscard]] BrushImages upload_brushes(gpu::Device& device, const BrushSet& brushes);
 
 } // namespace estampe::contour

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One workgroup converts one tile of inked words to pixels of the layer, which is blank elsewhere.
+// One workgroup converts one tile of inked words to pixels of the ink layer. The layer is blank outside of
+// these tiles.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -21,7 +22,8 @@ layout(scalar, binding = 0) readonly buffer Inked
 #define INK_TILES_ACCESS readonly
 #include "techniques/contour/chains/ink/ink_tiles.glsl"
 
-layout(binding = 3, rgba8) uniform image2D ink_image; // square root of linear colour; coverage
+// Square root of the ink's linear colour; alpha is coverage.
+layout(binding = 3, rgba8) uniform image2D ink_image;
 
 #define VARIANT_LINES_BINDING 4
 #include "techniques/contour/chains/stroke/variant_lines.glsl"
@@ -51,7 +53,7 @@ void main()
     } else if (has_own_outlines && ink != 0u) {
         color = outline_color_of(ink - 1u);
     }
-    // Where other lines have been inked, the darker ink wins.
+    // Where other lines were inked before, the darker ink remains.
     vec4 ink_before = imageLoad(ink_image, ivec2(pixel));
     float coverage = float(word >> 16) / 65535.0;
     imageStore(ink_image, ivec2(pixel), coverage >= ink_before.a ? vec4(sqrt(color), coverage) : ink_before);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One thread inks one piece of a line between two samples, with round ends and interpolated width. Where
-// lines cross, the darker ink wins.
+// lines cross, the darker ink remains.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -25,7 +25,7 @@ layout(scalar, binding = 2) readonly buffer LinePoints
 
 layout(scalar, binding = 3) buffer Inked
 {
-    uint inked[]; // coverage in the upper bits, ink in the lower
+    uint inked[]; // one word per pixel: coverage in the upper 16 bits, number of the ink in the lower 16 bits
 };
 
 #define INK_TILES_BINDING 4

@@ -2,13 +2,13 @@
 #ifndef ESTAMPE_INK_TILES
 #define ESTAMPE_INK_TILES
 
-// An unordered list of the tiles of 8 x 8 pixels that lines cover, after the arguments of a dispatch with one
-// workgroup per tile. Must be all zeros at first. Requires before inclusion: INK_TILES_BINDING,
-// INK_TILES_ACCESS.
+// An unordered list of the tiles of 8 x 8 pixels that lines cover. The list follows the arguments of an
+// indirect dispatch with one workgroup per tile. The buffer must be zero at first. Requires before inclusion:
+// INK_TILES_BINDING, INK_TILES_ACCESS.
 
 struct InkTile {
-    uint tile;      // tile number of the n-th entry of the list
-    uint is_listed; // whether the n-th tile of the page, row by row, is listed
+    uint tile;      // in entry n: the number of the n-th listed tile
+    uint is_listed; // in entry n: 1 if the n-th tile of the page, row by row, is already listed
 };
 
 layout(scalar, binding = INK_TILES_BINDING) INK_TILES_ACCESS buffer InkTiles

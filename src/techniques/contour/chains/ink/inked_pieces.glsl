@@ -2,18 +2,18 @@
 #ifndef ESTAMPE_INKED_PIECES
 #define ESTAMPE_INKED_PIECES
 
-// Code of all shaders that ink pieces of lines. Requires before inclusion: ink_tiles.glsl, and `constants`
-// with the page's width.
+// Functions shared by all shaders that ink pieces of lines. Requires before inclusion: ink_tiles.glsl, and
+// `constants` with the page's width.
 
-const float widest_px = 96.0; // half width
+const float widest_px = 96.0; // largest half width of a line, in pixels
 
-// A line thinner than a pixel keeps a pixel's width and becomes lighter.
+// A line thinner than a pixel is drawn one pixel wide and lighter.
 float coverage(float half_width, float distance)
 {
     return clamp(max(half_width, 0.5) + 0.5 - distance, 0.0, 1.0) * min(half_width / 0.5, 1.0);
 }
 
-// Lists the tiles that a rectangle of pixels covers.
+// Adds the tiles that a rectangle of pixels covers to the list of tiles.
 void list_tiles(ivec2 low, ivec2 high)
 {
     uint columns = (constants.width + 7u) / 8u;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread fills the outer side of the corner at its sample, up to where the edges of the two pieces of
-// line cross: within one stroke, between two strokes that meet in a corner, or between strokes whose ends
-// meet there.
+// One thread fills the outer side of the corner at one sample, up to the point where the edges of both pieces
+// of line cross. The two pieces belong to one stroke, or to two strokes that end at the same place.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -40,7 +39,7 @@ layout(scalar, binding = 5) readonly buffer LineTouches
 
 layout(scalar, binding = 7) buffer Inked
 {
-    uint inked[]; // coverage in the upper bits, ink in the lower
+    uint inked[]; // one word per pixel: coverage in the upper 16 bits, number of the ink in the lower 16 bits
 };
 
 #define INK_TILES_BINDING 8
@@ -58,10 +57,12 @@ const bool has_brushes = (variant & joints_has_brushes) != 0u;
 #include "techniques/contour/chains/ink/inked_pieces.glsl"
 
 const float one_place_px = 1.5;
-const float least_half_angle_sine = 0.25; // sharper corners are round
-const float straight_cosine = -0.985;     // corners of less than ten degrees are straight
+// Sine of half the angle below which a corner stays round and is not mitred.
+const float least_half_angle_sine = 0.25;
+// Corners that bend by less than ten degrees count as straight and are not filled.
+const float straight_cosine = -0.985;
 
-// The end of a line: its position, and the direction out of the line.
+// The end of a line: its position, and its direction, which points out of the line.
 struct End {
     LinePoint point;
     vec2 out_way;
@@ -89,7 +90,8 @@ End end_of_stroke(Stroke stroke)
     return end_of_piece(2u * stroke.last + 1u, 2u * stroke.last - 2u);
 }
 
-// The outermost neighbours of a line's end on its left and right; angles are counter-clockwise from the line.
+// The nearest other lines to the left and to the right of a line's end, as angles counter-clockwise from the
+// line.
 struct Around {
     End left;
     End right;
@@ -113,8 +115,8 @@ void look_at(End other, End own, inout Around around)
     }
 }
 
-// Among the ends of other strokes at this place, the one that together with `end` encloses all others; none
-// if lines lie all around.
+// Among the ends of other strokes at the place of `end`, finds the one that together with `end` encloses all
+// others. Finds none if lines leave in all directions.
 End partner_of(End end, vec2 sample_px, uint own)
 {
     uvec2 size_px = constants.grid_page_px;

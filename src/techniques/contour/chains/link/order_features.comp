@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread stores one point of a feature at its place in the chain.
+// One thread stores one point of a feature line at its place in the list of chain points.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -43,7 +43,7 @@ layout(scalar, binding = 7) buffer Points
 
 layout(scalar, binding = 8) buffer Lengths
 {
-    uint lengths[]; // length of the piece from each point to the next
+    uint lengths[]; // length on the page from each point to the next, in 1/1024 pixel
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -54,7 +54,7 @@ layout(push_constant, scalar) uniform Constants
 layout(constant_id = 0) const uint variant = 0u;
 const bool leave_edges = (variant & order_features_leave_edges) != 0u;
 
-// Normal of a triangle in its own winding, not normalised.
+// Normal of a triangle by the order of its corners, not normalised.
 vec3 triangle_normal(uint triangle)
 {
     uvec4 corners = triangle_at(triangle);
@@ -68,8 +68,8 @@ bool is_turned(uint triangle)
     return (texelFetch(neighbor_texels, int(triangle)).w & neighbor_is_turned) != 0u;
 }
 
-// Outward normal at an edge: of the sides that face the eye, or of both if neither does. So visibility of the
-// edges of a box on the ground is not tested below the ground.
+// Outward normal at an edge: the mean over the sides that face the eye, or over both sides if neither does.
+// So the visibility test of a box's edges is not made below the ground on which the box stands.
 vec3 edge_normal(uint side, vec3 place)
 {
     uint beyond = texelFetch(neighbor_texels, int(side >> 2))[side & 3u];
@@ -94,7 +94,8 @@ vec3 place_of(FeaturePoint point)
     return leave_edges ? mix(place, posed_vertex_at(point.other_vertex).position, point.share) : place;
 }
 
-// Outward normal at a point: that of an edge, or of the smooth surface within a triangle.
+// Outward normal at a point of a feature line: the normal of its edge, or of the smooth surface if the line
+// crosses a triangle.
 vec3 normal_at(FeaturePoint point, vec3 place)
 {
     if (leave_edges && (point.side & 3u) == 3u) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread stores one segment at its place in the chain.
+// One thread stores one line segment at its place in the list of chain points.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -38,7 +38,7 @@ layout(scalar, binding = 6) buffer Points
 
 layout(scalar, binding = 7) buffer Lengths
 {
-    uint lengths[]; // length of the piece from each point to the next
+    uint lengths[]; // length on the page from each point to the next, in 1/1024 pixel
 };
 
 layout(push_constant, scalar) uniform Constants

@@ -4,7 +4,7 @@
 
 #include "shaders/unit.glsl"
 
-// A straight piece of a line projected to the page, clipped to the page and the near plane. Requires before
+// Projects a straight piece of line to the page and clips it to the page and the near plane. Requires before
 // inclusion: `frame`, a FrameGlobals.
 
 const float page_margin_px = 32.0;
@@ -12,7 +12,7 @@ const float page_margin_px = 32.0;
 struct PagePiece {
     float from_w;
     float to_w;
-    vec2 kept; // start and end of the kept part, as shares of the piece; equal if nothing is left
+    vec2 kept; // start and end of the visible part, as shares of the piece; equal if nothing is left
     float length_px;
 };
 
@@ -21,8 +21,8 @@ vec2 page_position(vec4 clip)
     return (0.5 * clip.xy / clip.w + 0.5) * vec2(frame.size_px);
 }
 
-// Clips `kept` to where a value that changes linearly from `a` to `b` is not negative. Without branches,
-// because CPU drivers take longer to compile them.
+// Clips `kept` to the part in which a value that changes linearly from `a` to `b` is not negative. The code
+// has no branches, because CPU drivers take longer to compile them.
 void keep_positive(float a, float b, inout vec2 kept)
 {
     float share = a / (a - b);
@@ -49,8 +49,8 @@ PagePiece piece_on_page(vec3 from, vec3 to)
                      is_kept ? length_px : 0.0);
 }
 
-// Converts a position `along` the kept part on the page to a share of the whole piece in space, both in [0,
-// 1].
+// Converts a position along the clipped part on the page, in [0, 1], to a share of the whole piece in space,
+// in [0, 1].
 float share_at(PagePiece piece, float along)
 {
     float weight = along * piece.from_w;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread per slot stores the number of points of its chain, if the slot represents the chain: the first
-// segment of an open chain, the highest of a closed one.
+// One thread handles one slot (entry of the list of chains). It stores the number of points of the chain if
+// its segment represents the chain: in an open chain the first segment, in a closed chain the one with the
+// highest number.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -35,7 +36,7 @@ layout(scalar, binding = 5) writeonly buffer FlagsOfSlot
 
 layout(scalar, binding = 6) writeonly buffer FirstOfEnd
 {
-    uint first_of_end[]; // indexed by the last segment of an open chain
+    uint first_of_end[]; // for the last segment of each open chain: the index of the chain's first segment
 };
 
 layout(push_constant, scalar) uniform Constants
