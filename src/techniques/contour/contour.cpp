@@ -210,9 +210,11 @@ const style::Table<ContourStyle>& contour_table()
 
 namespace {
 
-constexpr float most_swelling = 2.2F; // largest factor of pressure, shade and nearness on a line's width
+// Largest factor by which pressure, shade and nearness together widen a line.
+constexpr float most_swelling = 2.2F;
 
-constexpr uint32_t listing_groups = 128; // workgroups that share a list whose length is unknown
+// Number of workgroups that process a list whose length the CPU does not know.
+constexpr uint32_t listing_groups = 128;
 
 struct Seeds {
     gpu::ImageId seed;
@@ -272,7 +274,7 @@ gpu::ImageId add_flood(gpu::Graph& graph, gpu::ImageId nearest, glm::uvec2 size_
     return flooded;
 }
 
-/// Half of the widest line's width, plus a pixel.
+/// Half of the widest line's width plus one pixel, in pixels.
 float half_widest_px(const ContourStyle& style, float pixels_per_mm)
 {
     const float widest_mm = std::max({width_on_page_mm(style, shared::line_silhouette),
@@ -281,7 +283,7 @@ float half_widest_px(const ContourStyle& style, float pixels_per_mm)
     return 0.5F * widest_mm * pixels_per_mm * most_swelling + 1.0F;
 }
 
-/// First step of the jump flooding. Steps s, s/2, ..., 1 carry a seed 2s - 1 pixels far.
+/// First step of the jump flooding, in pixels. The steps s, s/2, ..., 1 spread a seed over 2 s - 1 pixels.
 uint32_t first_step_px(float reach)
 {
     return std::bit_ceil((static_cast<uint32_t>(std::ceil(reach)) + 2) / 2);

@@ -10,32 +10,38 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint no_seed = 0xffffffffU;
 
-// Variant bits of edges.comp, seeds.comp and stroke.comp.
-SHARED_CONSTANT uint edges_has_screen = 1U << 0U; // see-through surfaces exist
-SHARED_CONSTANT uint edges_only_cut = 1U << 1U;   // lines only where the alpha of a texture cuts the surface
-SHARED_CONSTANT uint seeds_has_own_outlines = 1U << 0U; // some material has its own outline
+// Variant bits of edges.comp, seeds.comp and stroke.comp. The first word of a name is the shader.
+SHARED_CONSTANT uint edges_has_screen = 1U << 0U; // the scene has see-through surfaces
+SHARED_CONSTANT uint edges_only_cut = 1U << 1U;   // draws lines only where a texture's alpha cuts the surface
+// At least one material sets the ink and width of its outline.
+SHARED_CONSTANT uint seeds_has_own_outlines = 1U << 0U;
 SHARED_CONSTANT uint stroke_has_own_outlines = 1U << 0U;
 
-// Breaks of the surface between a pixel and its neighbours to the right and below.
+// Lines between a pixel and its neighbours to the right and below, where the surface breaks.
 struct EdgePixel {
-    uint pixel;     // y << 16 | x
-    uint widths_px; // two halves: full width of the line to the right and of the one below, 0 for no line
+    uint pixel; // position of the pixel: y << 16 | x
+    // Full widths in pixels, as two half floats: of the line to the right neighbour and to the one below; 0:
+    // no line.
+    uint widths_px;
 };
 
 struct EdgeConstants {
-    float outline_px;  // full width of outlines
-    float boundary_px; // full width of boundaries
-    float crease_px;   // full width of creases
+    float outline_px;  // full width of outlines in pixels
+    float boundary_px; // full width in pixels of boundaries, which separate materials
+    float crease_px;   // full width of creases in pixels
     float crease_cosine;
-    float depth_step; // smallest change of depth within one pixel that makes a line: a share of the distance,
-                      // or metres in parallel projection
+    // Smallest change of depth within one pixel that makes a line: a share of the distance from the eye, or
+    // metres in parallel projection.
+    float depth_step;
     uint capacity;
 };
 
 struct SeedConstants {
-    float pressure; // 0: constant width; 1: from hair-thin in the light to double width in the shade
+    // Effect of pressure on width: 0 keeps it constant, 1 makes lines hair-thin in light and double in shade.
+    float pressure;
     float distance_thinning;
-    float pixel_m_at_one; // size of a pixel at a distance of one, in perspective
+    // Size of a pixel in metres, one metre from the eye; in parallel projection, at any distance.
+    float pixel_m_at_one;
     uint capacity;
 };
 
@@ -48,7 +54,7 @@ struct FloodConstants {
 struct StrokeConstants {
     uint width;
     uint height;
-    float reach_px; // half the width of the widest stroke
+    float reach_px; // half the width of the widest line, in pixels
     vec3 ink_color;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Lines drawn in screen space, and the style of all lines.
+// Lines that are found in screen space (between pixels), and the style settings of all lines.
 
 #include <array>
 #include <optional>
@@ -26,16 +26,16 @@ enum class PressureFrom : uint8_t { light, turn, both };
 
 enum class Joints : uint8_t { round, mitre };
 
-/// Settings of each kind of line.
+/// Style settings of one kind of line.
 struct LineStyle {
     bool enabled = true;
-    float width_mm = 0.24F;       ///< in millimetres on the page
-    float width_m = 0.0F;         ///< in metres of the scene; unless 0, replaces `width_mm`
-    std::string brush;            ///< empty uses ContourStyle::brush
-    std::optional<glm::vec3> ink; ///< none uses ContourStyle::ink
+    float width_mm = 0.24F;       ///< width of the line in millimetres on the page
+    float width_m = 0.0F;         ///< width of the line in metres of the scene; unless 0, replaces `width_mm`
+    std::string brush;            ///< name of a brush or path of a picture; empty uses ContourStyle::brush
+    std::optional<glm::vec3> ink; ///< linear colour of the line; if not set, ContourStyle::ink
 };
 
-/// Settings of hidden lines, which are drawn with dashes.
+/// Style settings of hidden lines, which are drawn with dashes.
 struct HiddenStyle {
     bool enabled = false;
     float width_mm = 0.2F;
@@ -83,15 +83,15 @@ struct ContourStyle {
     int seed = 1;
 };
 
-/// A kind of line in the style: its table and its help.
+/// Name and help text of one kind of line in the style.
 struct LineKind {
-    const char* name;  ///< of the table: [contour.outline]
-    const char* place; ///< where such lines run: "lines around objects"
+    const char* name;  ///< name of the kind's table in the style: "outline" for [contour.outline]
+    const char* place; ///< where lines of this kind run, for the help: "around objects"
     LineStyle ContourStyle::*style;
 };
 
-/// Indexed by kind of line: shared::line_silhouette and so on. The style's outlines are both silhouettes and
-/// the open edges of a mesh (shared::line_border). The style's borders separate materials
+/// Kinds of lines in the style, indexed by shared::line_silhouette and so on. The style's outlines are
+/// silhouettes and the open edges of a mesh (shared::line_border). The style's borders separate materials
 /// (shared::line_boundary).
 inline constexpr std::array<LineKind, shared::line_kind_count> line_kinds{
     {{"outline", "around objects", &ContourStyle::outline},
@@ -116,8 +116,8 @@ inline constexpr std::array<LineKind, shared::line_kind_count> line_kinds{
     return line_style(style, kind).enabled;
 }
 
-/// Width of a kind of line on the page; 0 if the style does not draw the kind. Hidden lines and the length of
-/// a brush use this width, because they ignore widths in the scene.
+/// Width of a kind of line in millimetres on the page; 0 if the style does not draw the kind. Widths in
+/// metres are ignored: hidden lines and the length of a brush depend only on the width on the page.
 [[nodiscard]] inline float width_on_page_mm(const ContourStyle& style, uint32_t kind)
 {
     const LineStyle& line = line_style(style, kind);
@@ -130,10 +130,10 @@ inline constexpr std::array<LineKind, shared::line_kind_count> line_kinds{
     return ink ? *ink : style.ink;
 }
 
-/// Whether some kind of line has an ink of its own.
+/// Whether the style sets the ink of at least one kind of line.
 [[nodiscard]] bool has_inks_by_kind(const ContourStyle& style);
 
-/// Names of the built-in brushes; any other name is the path of a picture.
+/// Names of the built-in brushes. Any other name in the style is the path of a picture.
 inline const std::vector<std::string>& brush_names()
 {
     static const std::vector<std::string> names{"pen", "pencil", "charcoal", "brush"};
@@ -144,55 +144,59 @@ inline const std::vector<std::string>& brush_names()
 
 struct BrushImages;
 
-/// The mesh whose crests have lines: a wind-shaped terrain.
+/// The mesh on which crests are drawn: a terrain shaped by wind.
 struct CrestMesh {
     uint32_t first_vertex = 0;
-    uint32_t vertex_count = 0;   ///< number of vertices of all meshes; this mesh is the last
-    glm::vec2 along{1.0F, 0.0F}; ///< direction that the wind blows to, along x and z; unit
+    uint32_t vertex_count = 0;   ///< number of vertices of all meshes; the mesh with crests comes last
+    glm::vec2 along{1.0F, 0.0F}; ///< unit vector of the direction towards which the wind blows, as (x, z)
 };
 
 struct ContourInputs {
-    gpu::BufferId frame; ///< FrameGlobals
+    gpu::BufferId frame; ///< buffer with the FrameGlobals of the current frame
     gpu::BufferId visibility;
     gpu::BufferId triangles;
     gpu::BufferId posed_vertices;
     gpu::BufferId draws;
     gpu::BufferId materials;
-    std::optional<CrestMesh> crests; ///< set if chains run along crests
-    bool own_outlines = false;       ///< some material has its own outline
+    std::optional<CrestMesh> crests; ///< the mesh on which chains run along crests; empty if there is none
+    bool own_outlines = false;       ///< at least one material sets the ink and width of its outline
     gpu::ImageId draw;
     gpu::ImageId depth;
     gpu::ImageId normal;
     gpu::ImageId coordinate;
     gpu::ImageId light;
-    std::optional<gpu::ImageId> sun; ///< as light::LitPixels; only if edges of shadows are drawn
-    gpu::ImageId screen_draw;        ///< draw image of see-through surfaces; one texel if there are none
+    /// Visible share of the sun, see light::LitPixels; only set if edges of shadows are drawn.
+    std::optional<gpu::ImageId> sun;
+    /// Number of the see-through draw at each pixel; a single texel if the scene has none.
+    gpu::ImageId screen_draw;
     bool has_screen = false;
-    bool only_cut = false; ///< lines only where the alpha of a texture cuts the surface
+    bool only_cut = false; ///< draws lines only where a texture's alpha cuts the surface
     gpu::ExecutionProfile execution;
     bool is_moving = false;         ///< the scene or the camera has moved since the previous frame
-    BrushImages* brushes = nullptr; ///< brushes for chains; null if only the pen is used
+    BrushImages* brushes = nullptr; ///< brushes of contour chains; null if the pen draws all lines
     float pixels_per_mm = 1.0F;
-    float line_step_px = 3.0F;     ///< approximate spacing of samples on chains
-    float pixel_m_at_one = 0.001F; ///< size of a pixel at a distance of one; parallel: at any distance
+    float line_step_px = 3.0F; ///< approximate distance between samples on chains, in pixels
+    /// Size of a pixel in metres, one metre from the eye; in parallel projection, at any distance.
+    float pixel_m_at_one = 0.001F;
     glm::uvec2 size_px{0};
-    std::optional<gpu::BufferId> variant_of_draw; ///< set if surfaces have style variants: r32ui texels
-    /// One VariantLines per variant, for chains; set if surfaces have style variants, or if
-    /// has_inks_by_kind() of some variant.
+    /// Number of the style variant of each draw, as r32ui texels; set if surfaces have style variants.
+    std::optional<gpu::BufferId> variant_of_draw;
+    /// One VariantLines (widths and inks) per style variant, for chains. Set if surfaces have style variants,
+    /// or if has_inks_by_kind() is true for some variant.
     std::optional<gpu::BufferId> variant_lines;
     bool has_inks_by_kind = false;
-    /// Visibility of the surfaces that hide chains, if it differs from all solid surfaces: clear glass hides
-    /// none.
+    /// Visibility buffer of the surfaces that hide chains. Set if these are not all solid surfaces, because
+    /// clear glass hides no lines.
     std::optional<gpu::BufferId> line_hiders;
 };
 
-/// Largest distance in pixels from a pixel to the seeds of the lines that cover it, for lines in screen
-/// space.
+/// Largest distance in pixels between a pixel and the seeds (short pieces) of the lines that cover it, for
+/// lines in screen space.
 [[nodiscard]] uint32_t reach_px(const ContourStyle& style, float pixels_per_mm);
 
-/// Draws lines in screen space: discontinuities of identity, depth and normal become seeds, placed where the
-/// front triangle ends. Jump flooding gives every pixel its nearest seed, and from it an antialiased line of
-/// any width.
+/// Draws lines in screen space. Where identity, depth or normal changes between pixels, the shader places a
+/// seed (a short piece of line) where the front triangle ends. Jump flooding gives every pixel its nearest
+/// seed. From the seed follows an antialiased line of any width.
 ///
 /// Writes  rgba8: square root of the ink's linear colour; coverage in alpha, 0 paper to 1 ink
 /// Cost    two full-screen dispatches, and one for each doubling of the width

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread compares its pixel with those to the right and below, and lists the pixel if the surface breaks
-// there.
+// One thread compares one pixel with its neighbours to the right and below, and lists the pixel if the
+// surface breaks between them.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -73,16 +73,18 @@ Seen seen_at(ivec2 pixel)
     return Seen(texelFetch(draw_image, on_page(pixel), 0).x, depth_at(pixel), normal_at(pixel));
 }
 
-// The smallest step in reversed depth that counts as a break. In perspective, depth falls by the same share
-// by which the distance grows; in parallel projection, it falls equally over every metre.
+// The smallest step in reversed depth (1 at the near plane, 0 at infinity) that counts as a break of the
+// surface. In perspective, the step is a share of the depth; in parallel projection, it is the same at every
+// distance.
 float least_step(float depth)
 {
     vec3 fall = vec3(frame.clip_from_anchor[0].z, frame.clip_from_anchor[1].z, frame.clip_from_anchor[2].z);
     return constants.depth_step * (frame.is_orthographic != 0u ? size_of(fall) : depth);
 }
 
-// Full width in pixels of the line between two neighbours that both show something; 0 for none. On a plane,
-// reversed depth is linear in page coordinates, so a break is a step that neither side's slope predicts.
+// Full width in pixels of the line between two neighbouring pixels that both show a surface; 0 for no line.
+// On a plane, reversed depth is linear in page coordinates. So the surface breaks where the step in depth
+// differs from what the slopes on both sides predict.
 float line_within_scene(Seen a, Seen b, ivec2 before, ivec2 after)
 {
     bool same_draw = ((a.word ^ b.word) & DRAW_NUMBER_MASK) == 0u;
@@ -91,7 +93,7 @@ float line_within_scene(Seen a, Seen b, ivec2 before, ivec2 after)
     float step = b.depth - a.depth;
     float surprise = min(abs(step - (a.depth - depth_at(before))), abs(step - (depth_at(after) - b.depth)));
     float bend = dot(a.normal, b.normal);
-    // A fold is sharp if the surface bends more here than to both sides of the fold together.
+    // A fold is sharp if the surface bends more at the fold than on both sides of it together.
     float around = 2.0 - dot(normal_at(before), a.normal) - dot(b.normal, normal_at(after));
     bool is_crease = bend < constants.crease_cosine && around < 0.5 * (1.0 - bend);
     if (!same_draw && draw_a.object != draw_b.object) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread converts one listed pixel to a seed: a short piece of line with direction and width, placed with
-// subpixel precision where the front triangle ends. The order of the list does not matter.
+// One thread converts one listed pixel to a seed: a short piece of line with direction and width. The seed is
+// placed to a fraction of a pixel, where the front triangle ends. The order of the list does not matter.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -50,7 +50,8 @@ layout(binding = 9) uniform usampler2D draw_image;
 #include "shaders/material_texels.glsl"
 
 layout(binding = 12,
-       rgba16f) writeonly uniform image2D out_seed; // offset from the pixel's centre; direction * half width
+       // Xy: offset of the seed from the pixel's centre; zw: direction of the line times its half width.
+       rgba16f) writeonly uniform image2D out_seed;
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -65,8 +66,8 @@ vec2 page_position(vec4 clip)
     return (0.5 * clip.xy / clip.w + 0.5) * vec2(frame.page_px) - vec2(frame.tile_from_px);
 }
 
-// Finds where the way from pixel `from` to its neighbour `to` leaves the triangle seen at `from`: the share
-// of the way, and the direction of the crossed edge.
+// Finds where the way from pixel `from` to its neighbour `to` leaves the triangle that is seen at `from`.
+// Returns the share of the way, and the direction of the crossed edge.
 void exit_of_triangle(ivec2 from, ivec2 to, inout float share, inout vec2 direction)
 {
     uvec2 seen = visibility[uint(from.y) * frame.size_px.x + uint(from.x)];
@@ -105,8 +106,8 @@ void exit_of_triangle(ivec2 from, ivec2 to, inout float share, inout vec2 direct
         behind = along < 0.0 ? min(behind, -along) : behind;
     }
     if (nearest <= 1.0) {
-        // A triangle narrower than a pixel is rarely the last one of its surface; the surface then ends
-        // somewhere between this pixel and the neighbour.
+        // A triangle narrower than a pixel is rarely the last triangle of its surface. The surface then ends
+        // somewhere between this pixel and its neighbour.
         share = mix(0.5 + 0.5 * nearest, nearest, clamp(nearest + behind, 0.0, 1.0));
     }
 }
@@ -121,15 +122,16 @@ float pressure_at(ivec2 pixel, float depth)
     return thinning * mix(1.0, 0.62 + 0.75 * shade + 0.7 * slow, constants.pressure);
 }
 
-// Size of a pixel at a point, by its distance from the eye in perspective. So an outline at constant distance
-// has the same width all over the page.
+// Size of a pixel in metres at a point. In perspective it depends on the point's distance from the eye, not
+// on its depth. So an outline at constant distance has the same width all over the page.
 float pixel_there_m(vec3 point)
 {
     return frame.is_orthographic != 0u ? pixel_size_m(frame, point)
                                        : distance(point, frame.eye_anchor) * constants.pixel_m_at_one;
 }
 
-// Finds the line between a pixel and its neighbour: offset from the pixel's centre, and direction.
+// Places the line between a pixel and its neighbour: finds the offset from the pixel's centre and the line's
+// direction.
 void place_line(ivec2 pixel, ivec2 way, inout float width, out vec2 offset, out vec2 direction)
 {
     float depth_here = texelFetch(depth_image, pixel, 0).x;

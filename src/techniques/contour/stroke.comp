@@ -20,7 +20,8 @@ layout(binding = 2) uniform usampler2D draw_image;
 #define MATERIAL_TEXELS_BINDING 4
 #include "shaders/material_texels.glsl"
 
-layout(binding = 5, rgba8) writeonly uniform image2D out_ink; // square root of linear colour; coverage
+// Square root of the ink's linear colour; alpha is coverage.
+layout(binding = 5, rgba8) writeonly uniform image2D out_ink;
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -40,7 +41,7 @@ float piece_coverage(vec2 position, ivec2 seed_pixel)
     vec2 direction = seed.zw / half_width;
     float along = clamp(dot(away, direction), -half_piece_px, half_piece_px);
     float distance = length(away - along * direction);
-    // A line thinner than a pixel keeps a pixel's width and becomes lighter.
+    // A line thinner than a pixel is drawn one pixel wide and lighter.
     return clamp(max(half_width, 0.5) + 0.5 - distance, 0.0, 1.0) * min(half_width / 0.5, 1.0);
 }
 
@@ -57,8 +58,8 @@ void main()
     uint own = texelFetch(nearest_image, pixel, 0).x;
     float own_distance = distance(vec2(pixel), vec2(own & 0xffffu, own >> 16));
     if (own != no_seed && own_distance <= constants.reach_px + 2.5) {
-        // The seed that is nearest in pixels may not be nearest by its exact position, so neighbours are
-        // tested too.
+        // The seed (short piece of line) that is nearest by whole pixels may not be nearest by its exact
+        // position. So the seeds of neighbouring pixels are tested too.
         for (int i = 0; i < 5; ++i) {
             ivec2 neighbour = ivec2(i == 1 ? 1 : i == 2 ? -1 : 0, i == 3 ? 1 : i == 4 ? -1 : 0);
             uint seed = texelFetch(nearest_image, clamp(pixel + neighbour, ivec2(0), size - 1), 0).x;
@@ -70,7 +71,8 @@ void main()
         }
     }
     vec3 color = constants.ink_color;
-    // The seed's pixel or its neighbour to the right or below shows the surface that has the outline.
+    // The surface that has the outline is seen at the seed's pixel, or at its neighbour to the right or
+    // below.
     for (int i = 0; has_own_outlines && inked_by != no_seed && i < 3; ++i) {
         ivec2 at = ivec2(inked_by & 0xffffu, inked_by >> 16) + ivec2(i & 1, i >> 1);
         uint word = texelFetch(draw_image, min(at, size - 1), 0).x;

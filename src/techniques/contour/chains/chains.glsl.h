@@ -47,14 +47,14 @@ SHARED_CONSTANT uint neighbor_shell_shift = 5U;
 
 // Variant bits of the chain shaders. The first word of a name is the shader.
 
-// variant of the shaders mark_*.comp: outlines follow the edges of the mesh and do not cross triangles
+// For the shaders mark_*.comp: outlines follow the edges of the mesh and do not cross triangles
 SHARED_CONSTANT uint mark_along_edges = 1U << 0U;
 
 SHARED_CONSTANT uint emit_has_loose_edges = 1U << 0U;
 // Outlines follow only edges of the mesh and do not cross triangles.
 SHARED_CONSTANT uint emit_along_edges = 1U << 1U;
 
-// some points of feature lines lie between vertices, and some of their pieces cross triangles
+// Some points of feature lines lie between vertices, and some of their pieces cross triangles
 SHARED_CONSTANT uint order_features_leave_edges = 1U << 0U;
 
 // The shader makes strokes for hidden lines, not for visible lines.
@@ -125,9 +125,10 @@ SHARED_CONSTANT uint crossing_is_there = 0x80000000U;
 SHARED_CONSTANT uint crossing_rises = 0x40000000U;
 SHARED_CONSTANT uint crossing_seen_between = 0x20000000U;
 
-// Value for a closed chain that has no position yet at which its first stroke starts.
+// Value for a closed chain without a place to cut it open: it has neither a hidden part nor a corner.
 SHARED_CONSTANT uint no_rotation = 0xffffffffU;
-// The first stroke of the closed chain starts at a corner; lower values are preferred.
+// Bit set if a closed chain is cut open at a corner. Values without this bit, at a hidden part, are
+// preferred.
 SHARED_CONSTANT uint rotation_to_corner = 0x40000000U;
 
 // A point of a feature line (a line fixed to the surface). `kind` and `side` describe the edge to the next

@@ -16,9 +16,11 @@
 namespace estampe::contour {
 namespace {
 
-constexpr float reach_share = 0.0075F; // radius of the smoothing, as a share of the object's size
+// Radius within which curvature is smoothed, as a share of the object's size.
+constexpr float reach_share = 0.0075F;
 constexpr uint32_t most_rounds = 16;
-constexpr float mean_step = 0.85F; // share by which a vertex moves towards the mean of its neighbours
+// Share by which each smoothing round moves a vertex's value towards the mean of its neighbours.
+constexpr float mean_step = 0.85F;
 constexpr uint32_t change_rounds = 2;
 
 struct Frame {
@@ -27,14 +29,14 @@ struct Frame {
     glm::vec3 y{0.0F};
 };
 
-/// Values computed from a triangle's own plane.
+/// Tangent frame and area of a triangle.
 struct Face {
     Frame frame;
     float area = 0.0F;
 };
 
-/// The rotation between two tangent planes: the x axis of the first in the second, after the shortest
-/// rotation of the normals. Nothing if the planes are back to back.
+/// The rotation between two tangent planes after the shortest rotation of one normal to the other: the x axis
+/// of the first frame, in the second frame. Returns nothing if the two planes are back to back.
 std::optional<glm::vec2> turn_between(const Frame& from, const Frame& to)
 {
     const float cosine = glm::dot(from.normal, to.normal);
@@ -54,7 +56,8 @@ glm::vec3 turned(const glm::vec3& form, const glm::vec2& turn)
             s * s * form.x + 2.0F * c * s * form.y + c * c * form.z};
 }
 
-/// Contracts a derivative with `way`; the result is a form.
+/// Contracts a third-order derivative of curvature with the direction `way`. The result is a second
+/// fundamental form.
 glm::vec3 along(const glm::vec4& change, const glm::vec2& way)
 {
     return glm::vec3(change.x, change.y, change.z) * way.x + glm::vec3(change.y, change.z, change.w) * way.y;
@@ -115,7 +118,7 @@ private:
         return surface_.positions[vertex(triangle, corner)];
     }
 
-    /// Lists the corners of triangles that meet at each vertex.
+    /// Lists the triangle corners that meet at each vertex.
     void list_corners()
     {
         first_corner_.assign(surface_.positions.size() + 1, 0);
@@ -155,7 +158,8 @@ private:
     {
         glm::dvec3 sum(0.0);
         for (const uint32_t corner : corners_at(v)) {
-            // Weights by the angle between the sides and their lengths: exact on a sphere (Max 1999).
+            // The normal of each triangle is weighted by the angle between its sides and by their lengths:
+            // exact on a sphere (Max 1999).
             const glm::dvec3 a(place(corner >> 2U, (corner & 3U) + 1) - place(corner >> 2U, corner & 3U));
             const glm::dvec3 b(place(corner >> 2U, (corner & 3U) + 2) - place(corner >> 2U, corner & 3U));
             const double lengths = glm::dot(a, a) * glm::dot(b, b);
@@ -189,7 +193,8 @@ private:
                has_frame(vertex(t, 2));
     }
 
-    /// The form of a triangle, from the differences between the ends of its sides.
+    /// The second fundamental form of a triangle, from the differences of the normals at the ends of its
+    /// sides.
     [[nodiscard]] glm::vec3 form_of_face(size_t t) const
     {
         if (!is_usable(t)) {
@@ -206,7 +211,8 @@ private:
         return glm::vec3(second_form(sides, 1e-9));
     }
 
-    /// Mean of the values of the triangles around a vertex, weighted by area, in the vertex's frame.
+    /// Mean of a value over the triangles around a vertex, weighted by area, in the tangent frame of the
+    /// vertex.
     template <class Value>
     [[nodiscard]] Value mean_of_faces(size_t v, const std::vector<Value>& of_face) const
     {
@@ -234,7 +240,8 @@ private:
         });
     }
 
-    /// Number of smoothing rounds for a vertex; each round reaches half a side further.
+    /// Number of smoothing rounds that a vertex needs. Each round extends the smoothing by half the length of
+    /// an edge.
     [[nodiscard]] float rounds_wanted(size_t v) const
     {
         float squares = 0.0F;
@@ -248,7 +255,7 @@ private:
         return squares > 0.0F ? std::min(2.0F * reach * reach * count / squares, float{most_rounds}) : 0.0F;
     }
 
-    /// Mean of the values of neighbouring vertices, in the vertex's frame.
+    /// Mean of a value over the neighbouring vertices, in the tangent frame of the vertex.
     template <class Value>
     [[nodiscard]] Value mean_around(size_t v, Value Bending::*value) const
     {
@@ -293,8 +300,8 @@ private:
         }
     }
 
-    /// The derivative on a triangle by least squares, from the differences of forms between the ends of its
-    /// sides.
+    /// The derivative of curvature on a triangle, a least squares fit to the differences of the second
+    /// fundamental forms at the ends of its sides.
     [[nodiscard]] glm::vec4 change_of_face(size_t t) const
     {
         if (!is_usable(t)) {
@@ -316,7 +323,8 @@ private:
                                                  glm::dvec4(0.0, e.x, e.y, 0.0),
                                                  glm::dvec4(0.0, 0.0, e.x, e.y)};
             for (int i = 0; i < 3; ++i) {
-                const double weight = i == 1 ? 2.0 : 1.0; // xy also stands for yx
+                // The form is symmetric: the entry xy counts twice, for xy and for yx.
+                const double weight = i == 1 ? 2.0 : 1.0;
                 squares += weight * glm::outerProduct(rows.at(static_cast<size_t>(i)),
                                                       rows.at(static_cast<size_t>(i)));
                 right += weight * change[i] * rows.at(static_cast<size_t>(i));
@@ -346,11 +354,12 @@ private:
     std::span<const glm::uvec4> triangles_;
     std::vector<Bending> bendings_;
     std::vector<Face> faces_;
-    std::vector<uint32_t> first_corner_; ///< one per vertex, into corners_
-    std::vector<uint32_t> corners_;      ///< triangle << 2 | corner
+    /// For each vertex: index in `corners_` of its first triangle corner.
+    std::vector<uint32_t> first_corner_;
+    std::vector<uint32_t> corners_; ///< triangle corners, sorted by vertex: triangle << 2 | corner
 };
 
-/// Expresses a curvature in a frame with the tangent `tangent`.
+/// Converts a curvature to the frame of its vertex whose x axis is `tangent`.
 Bending with_tangent(const Bending& bending, const glm::vec3& tangent)
 {
     const glm::vec3 third = glm::cross(bending.normal, tangent);

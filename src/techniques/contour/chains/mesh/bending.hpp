@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Curvature and its derivative at each vertex of an edge mesh, and suggestive contours, which are found from
-// them: where a surface would turn away if the eye moved a little.
+// Curvature and its derivative at each vertex of an edge mesh. Suggestive contours are computed from both:
+// lines where a surface would turn away if the eye moved a little.
 
 #include <cstdint>
 #include <span>
@@ -16,32 +16,38 @@
 
 namespace estampe::contour {
 
-/// Curvature measured at a vertex. The third axis of its frame is cross(normal, tangent).
+/// Curvature of the surface at a vertex. The axes of its frame are the tangent, cross(normal, tangent) and
+/// the normal.
 struct Bending {
-    glm::vec3 normal{0.0F};  ///< unit, outwards; zero if no triangle at the vertex has an area
-    glm::vec3 tangent{0.0F}; ///< unit
-    glm::vec3 form{0.0F};    ///< second fundamental form xx, xy, yy in inverse units; positive on a sphere
-    glm::vec4 change{0.0F};  ///< derivative of `form`, xxx, xxy, xyy, yyy, in inverse square units
+    /// Unit vector, points outwards; zero if all triangles at the vertex have no area.
+    glm::vec3 normal{0.0F};
+    glm::vec3 tangent{0.0F}; ///< unit vector in the tangent plane: the x axis of the frame
+    glm::vec3 form{0.0F};    ///< second fundamental form (xx, xy, yy) in 1/length; positive on a sphere
+    glm::vec4 change{0.0F};  ///< derivative of `form`: (xxx, xxy, xyy, yyy), in 1/length^2
 };
 
-/// An edge mesh in the rest pose.
+/// An edge mesh in the rest pose (the pose without animation).
 struct RestSurface {
     const EdgeMesh& mesh;
-    std::span<const glm::vec3> positions; ///< one per vertex
-    std::span<const float> sizes;         ///< one per vertex: size of the whole object; 0 if it has no lines
-    std::span<const uint8_t> runs_clockwise; ///< one per triangle: 1 if clockwise, seen from outside
+    std::span<const glm::vec3> positions; ///< position of each vertex
+    /// For each vertex: size of the object to which it belongs; 0 if the object has no lines.
+    std::span<const float> sizes;
+    /// For each triangle: 1 if its corners are clockwise as seen from outside.
+    std::span<const uint8_t> runs_clockwise;
 };
 
-/// Computes curvature. Normals come from the triangles around each vertex. Forms are fitted by least squares
-/// to the differences of normals along the sides of triangles, and smoothed over about 1/130 of the object.
-/// Derivatives are fitted likewise to the differences of forms. Nothing is taken across edges where shading
-/// breaks, so that flat-shaded surfaces have no curvature.
+/// Computes the curvature at each vertex. Normals come from the triangles around the vertex. The second
+/// fundamental forms are fitted by least squares to the differences of normals along the sides of triangles,
+/// and smoothed over about 1/130 of the object's size. Derivatives are fitted in the same way to the
+/// differences of forms. Values never pass edges where the shading breaks, so flat-shaded surfaces have no
+/// curvature.
 ///
 /// Cost    linear; about 6 us of CPU time per triangle, shared by all threads
 /// Source  Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle Meshes", 2004
 [[nodiscard]] std::vector<Bending> find_bending(const RestSurface& surface);
 
-/// Greatest and least curvature of a form, and the direction of the greatest in the tangent plane.
+/// The principal curvatures of a second fundamental form, and the direction of the greatest curvature in the
+/// tangent plane.
 struct PrincipalCurvatures {
     float greatest = 0.0F;
     float least = 0.0F;
@@ -50,21 +56,23 @@ struct PrincipalCurvatures {
 
 [[nodiscard]] PrincipalCurvatures principal_curvatures(const glm::vec3& form);
 
-/// Third directional derivative: how the curvature along `way` changes in the direction `way`.
+/// Third directional derivative of a surface: how the curvature along `way` changes in the direction `way`.
 [[nodiscard]] float change_along(const glm::vec4& change, const glm::vec2& way);
 
-/// Conditions for drawing a line where the radial curvature is zero.
+/// Conditions for drawing a suggestive contour where the radial curvature is zero.
 struct SuggestiveCut {
-    float least_growth = 15.0F; ///< growth of curvature towards the eye, both in inverse sizes of the object
-    float least_angle_deg = 20.0F; ///< between the normal and the direction to the eye
+    /// Smallest growth of the radial curvature towards the eye, in 1/size^2 of the object.
+    float least_growth = 15.0F;
+    float least_angle_deg = 20.0F; ///< smallest angle between the surface normal and the direction to the eye
 };
 
-/// Bendings in the format of the shaders, in units of the object's size, each in a frame that depends on a
-/// neighbour vertex.
+/// Converts curvatures to the format of the shaders: in units of the object's size, each in a frame whose x
+/// axis points to a neighbouring vertex.
 [[nodiscard]] std::vector<shared::VertexBending> vertex_bendings(const RestSurface& surface,
                                                                  std::span<const Bending> bendings);
 
-/// Computes for each vertex and view the radial curvature, and the strength of a line where that is zero.
+/// Computes, for each vertex in the current view, the radial curvature and the strength that a suggestive
+/// contour would have where this curvature is zero.
 ///
 /// Cost    one thread per vertex
 /// Source  DeCarlo, Finkelstein, Rusinkiewicz and Santella, "Suggestive Contours for Conveying Shape", 2003

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Builds edge meshes: first welds vertices, then finds adjacent triangles and classifies their edges.
+// Builds edge meshes (triangles with their neighbours): welds vertices, then finds adjacent triangles and
+// classifies the edges between them.
 #include "techniques/contour/chains/mesh/edge_mesh.hpp"
 
 #include <algorithm>
@@ -16,19 +17,22 @@
 namespace estampe::contour {
 namespace {
 
-/// Input of the welding, see TriangleSoup.
+/// Input of the welding (merging vertices at the same position). The members are those of TriangleSoup.
 struct WeldInput {
     std::span<const glm::uvec4> triangles;
     std::span<const glm::vec3> positions;
     std::span<const glm::vec3> mesh_positions;
-    std::span<const uint32_t> bodies;         ///< one per triangle
-    std::span<const uint32_t> body_of_vertex; ///< no_side if the vertex has no lines
+    /// Number of the body (connected part of one node) to which each triangle belongs.
+    std::span<const uint32_t> bodies;
+    /// Number of the body to which each vertex belongs; no_side if the vertex has no lines.
+    std::span<const uint32_t> body_of_vertex;
 };
 
-// Cells are so much larger than the tolerance that few vertices must be searched in a second cell, and so
-// much smaller than most triangles that few vertices share one.
+// Size of a search cell, in multiples of the welding tolerance. With this size, few vertices need a search in
+// a second cell, and few vertices share a cell.
 constexpr float cell_tolerances = 64.0F;
-// Vertices at one position that joints move further apart than this share of the body's size are not welded.
+// Two vertices at one position are not welded if joints move them further apart than this share of the body's
+// size.
 constexpr float most_apart = 1e-3F;
 constexpr float share_of_edge = 0.1F;
 
@@ -47,8 +51,8 @@ struct Box {
 
 struct Body {
     Box mesh, placed;
-    float tolerance = 0.0F; ///< in the mesh's space
-    float apart = 0.0F;     ///< in the rest pose
+    float tolerance = 0.0F; ///< largest distance between welded vertices, in the mesh's own space
+    float apart = 0.0F;     ///< largest distance between welded vertices in the scene's rest pose
 };
 
 class Welder {
@@ -90,7 +94,7 @@ private:
         }
     }
 
-    /// Finds the shortest edge of non-zero length at each vertex, squared.
+    /// Finds the squared length of the shortest edge at each vertex. Edges of zero length do not count.
     void measure_edges()
     {
         shortest_squared_.assign(in_.mesh_positions.size(), std::numeric_limits<float>::infinity());
@@ -134,7 +138,8 @@ private:
         return h & (slots_.size() - 1);
     }
 
-    /// A vertex of the cell at the position of `v`, or no_side; `slot` then becomes the first free slot.
+    /// Returns a vertex of the cell at the same position as `v`, or no_side. If there is none, `slot` becomes
+    /// the first free slot of the hash table.
     [[nodiscard]] uint32_t look_in(const glm::ivec3& cell, uint32_t v, const Body& body, size_t& slot) const
     {
         for (slot = slot_of(in_.body_of_vertex[v], cell); slots_[slot] != no_side;
@@ -154,7 +159,8 @@ private:
         const glm::ivec3 cell(place);
         size_t free_slot = 0;
         uint32_t found = look_in(cell, v, body, free_slot);
-        // The neighbouring cell that may contain a match too: -1, 0 or 1 along each axis.
+        // On each axis: the neighbouring cell (-1 or 1) that may also contain a vertex at this position, or
+        // 0.
         glm::ivec3 beside(0);
         const glm::vec3 within = place - glm::vec3(cell);
         constexpr float margin = 1.0F / cell_tolerances;
@@ -177,19 +183,21 @@ private:
 
     const WeldInput& in_;
     std::vector<Body> bodies_;
-    std::vector<float> shortest_squared_; ///< one per vertex
+    std::vector<float> shortest_squared_; ///< for each vertex: squared length of its shortest edge
     std::vector<uint32_t> slots_;
 };
 
-/// The first vertex at the position of each vertex, or no_side for vertices without lines. Welds only within
-/// one body, by `weld_tolerance`. Cost: linear; about 0.2 us per vertex.
+/// Returns for each vertex the first vertex at the same position, or no_side if the vertex has no lines.
+/// Welds only vertices of one body, within `weld_tolerance`. Cost: linear; about 0.2 us per vertex.
 std::vector<uint32_t> weld_vertices(const WeldInput& input)
 {
     return Welder(input).run();
 }
 
-constexpr float same_normal_cosine = 0.99996F; // half a degree
-constexpr float flat_cosine = 0.9852F;         // cosine of 9.87 degrees, which is less than least_fold_deg
+// Cosine of half a degree: normals that differ by less count as equal.
+constexpr float same_normal_cosine = 0.99996F;
+// Cosine of 9.87 degrees, which is less than least_fold_deg: such an edge is no fold.
+constexpr float flat_cosine = 0.9852F;
 
 uint32_t next(uint32_t corner)
 {
@@ -213,15 +221,18 @@ public:
     }
 
 private:
-    /// A side of a triangle, stored at the lower of its two points.
+    /// A side of a triangle. Each side is stored in the list of the one of its two points that has the lower
+    /// number.
     struct Side {
-        uint32_t to = 0; ///< the higher point
+        uint32_t to = 0; ///< the point with the higher number
         uint32_t side = 0;
-        uint32_t opposite = 0; ///< the triangle's third point
-        bool goes_up = true;   ///< runs from the lower to the higher point
+        uint32_t opposite = 0; ///< the third point of the triangle
+        /// In the triangle's winding, the side runs from the lower to the higher point.
+        bool goes_up = true;
     };
 
-    /// Gives each vertex its point, and the vertex that represents all with its point and normal.
+    /// Finds for each vertex its point (the first vertex at the same position), and the first vertex with the
+    /// same position and normal.
     void weld()
     {
         const auto count = static_cast<uint32_t>(soup_.positions.size());
@@ -279,7 +290,7 @@ private:
                point(t, 2) != point(t, 0);
     }
 
-    /// Sorts the sides of all triangles by their lower points.
+    /// Lists the sides of all triangles, sorted by the lower of their two points.
     void list_sides()
     {
         first_side_.assign(soup_.positions.size() + 1, 0);
@@ -319,7 +330,7 @@ private:
         }
     }
 
-    /// Adds an edge; `around` are all sides that form it.
+    /// Adds an edge to the mesh. `around` contains all triangle sides that lie on this edge.
     void add_edge(std::span<const Side> around)
     {
         const EdgeMark mark = mark_of(around);
@@ -346,7 +357,8 @@ private:
         }
     }
 
-    /// Marked if any triangle marks it; plain if all triangles say that it is not marked.
+    /// The mark of an edge: marked if any triangle marks the edge, plain if all triangles say that the edge
+    /// is not marked.
     [[nodiscard]] EdgeMark mark_of(std::span<const Side> around) const
     {
         if (soup_.edge_marks.empty()) {
@@ -371,7 +383,7 @@ private:
         const glm::vec3 normal_b = normal(b.side >> 2U) * (a.goes_up == b.goes_up ? -1.0F : 1.0F);
         const float cosine = glm::dot(normal(a.side >> 2U), normal_b);
         const bool is_boundary = soup_.materials[a.side >> 2U] != soup_.materials[b.side >> 2U];
-        // Most edges of a fine mesh are flat, so this avoids the arc cosine for them.
+        // Most edges of a fine mesh are flat. Comparing cosines avoids computing the angle of these edges.
         const bool is_flat = cosine > flat_cosine && !is_boundary && mark != EdgeMark::marked;
         const float fold_deg = is_flat ? 0.0F : glm::degrees(std::acos(std::clamp(cosine, -1.0F, 1.0F)));
         if (is_boundary || fold_deg > least_fold_deg || mark == EdgeMark::marked) {
@@ -387,7 +399,7 @@ private:
         }
     }
 
-    /// Whether both triangles have equal normals at both ends of their edge.
+    /// Whether two adjacent triangles have equal normals at both ends of their common edge.
     [[nodiscard]] bool shades_on(const Side& a, const Side& b) const
     {
         const auto vertex = [this](uint32_t side, uint32_t step) {
@@ -399,7 +411,8 @@ private:
                vertex(a.side, 1) == vertex(b.side, is_alike ? 1 : 0);
     }
 
-    /// Normal of a triangle, whose length is twice the area in the space of `positions`.
+    /// Normal of a triangle with the given `positions`. The length of the normal is twice the triangle's
+    /// area.
     [[nodiscard]] glm::vec3 area_normal(uint32_t t, std::span<const glm::vec3> positions) const
     {
         const glm::uvec4& corners = mesh_.triangles[t];
@@ -414,7 +427,8 @@ private:
         return length > 0.0F ? n / length : glm::vec3(0.0F);
     }
 
-    /// How well a triangle's normals agree with its winding, weighted by area.
+    /// How well the vertex normals of a triangle agree with its winding, weighted by area. Negative if they
+    /// disagree.
     [[nodiscard]] float agreement(uint32_t t) const
     {
         const glm::uvec4& corners = mesh_.triangles[t];
@@ -424,9 +438,9 @@ private:
         return sense * glm::dot(area_normal(t, soup_.mesh_positions), mean);
     }
 
-    /// Visits triangles that have lines, piece by piece. From triangle t a piece continues across side k to
-    /// an unvisited triangle if `crosses(t, k)`. After each piece calls `ends(piece, agrees)`, where `agrees`
-    /// says how well its normals agree with its winding.
+    /// Visits all triangles that have lines, piece by piece. A piece continues from triangle t across side k
+    /// to an unvisited triangle if `crosses(t, k)` is true. After each piece, calls `ends(piece, agrees)`.
+    /// `agrees` says how well the vertex normals of the piece agree with its winding.
     template <class Crosses, class Ends>
     void flood(const Crosses& crosses, const Ends& ends)
     {
@@ -454,8 +468,8 @@ private:
         }
     }
 
-    /// Numbers shells, and flags triangles whose winding must be reversed so that a shell has one consistent
-    /// winding, which agrees with its normals.
+    /// Numbers the shells (connected surfaces). Flags triangles whose winding must be reversed, so that each
+    /// shell has one consistent winding that agrees with its normals.
     void find_shells()
     {
         const auto turn_alike = [this](uint32_t t, uint32_t k) {
@@ -503,10 +517,11 @@ private:
     const TriangleSoup& soup_;
     EdgeMesh mesh_;
     std::vector<uint32_t> body_of_vertex_;
-    std::vector<uint32_t> stands_for_; ///< one per vertex
-    std::vector<uint32_t> first_side_; ///< one per vertex, into sides_
+    /// For each vertex: the first vertex with the same position and normal.
+    std::vector<uint32_t> stands_for_;
+    std::vector<uint32_t> first_side_; ///< for each vertex: index in `sides_` of the first side stored there
     std::vector<Side> sides_;
-    std::vector<Side> distinct_; ///< the distinct sides of one edge
+    std::vector<Side> distinct_; ///< sides at the edge that is being added, without duplicate triangles
 };
 
 } // namespace

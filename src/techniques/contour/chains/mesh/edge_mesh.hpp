@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Adjacency of triangles across edges, computed once per scene, so that contours are linked without a search.
+// Edge mesh: triangles with the neighbours across their edges. It is computed once per scene, so that
+// contours are linked without a search.
 
 #include <cstdint>
 #include <span>
@@ -19,67 +20,72 @@ using shared::neighbor_shell_shift;
 using shared::neighbor_smooth_shift;
 using shared::no_side;
 
-/// The edge from corner `corner` of `triangle` to the next.
+/// Number of the side that runs from corner `corner` of `triangle` to the next corner.
 constexpr uint32_t side_of(uint32_t triangle, uint32_t corner)
 {
     return triangle << 2U | corner;
 }
 
-/// Input of an edge mesh, with one position and normal per vertex.
+/// Input of an edge mesh: triangles, with one position and one normal per vertex.
 struct TriangleSoup {
-    std::span<const glm::uvec4> triangles; ///< three vertices, and a value that is passed through
-    std::span<const glm::vec3> positions;  ///< in the rest pose of the scene; folds are measured here
-    /// Positions and normals in the mesh's own space, before its node or joints transform it. Vertices are
-    /// welded and the two sides of a surface are told apart in this space, so that a mesh has the same lines
-    /// however it is rotated, scaled or mirrored.
+    /// The indices of three vertices, and a fourth value that is copied unchanged.
+    std::span<const glm::uvec4> triangles;
+    /// Position of each vertex in the scene's rest pose, in which the angles of folds are measured.
+    std::span<const glm::vec3> positions;
+    /// Positions and normals in the mesh's own space, before its node or joints transform it. This space
+    /// decides which vertices are welded and which side of a surface is its front. So a mesh has the same
+    /// lines however it is rotated, scaled or mirrored.
     std::span<const glm::vec3> mesh_positions;
     std::span<const glm::vec3> mesh_normals;
-    /// One per triangle: its body, because only triangles of one body share edges; no_side if it has no
-    /// lines.
+    /// For each triangle: the number of its body, or no_side if the triangle has no lines. Only triangles of
+    /// one body can be neighbours.
     std::span<const uint32_t> bodies;
-    std::span<const uint32_t> materials; ///< one per triangle
-    std::span<const uint8_t> edge_marks; ///< one per triangle, see pose::MeshData; or empty
+    std::span<const uint32_t> materials; ///< material of each triangle
+    std::span<const uint8_t> edge_marks; ///< marks of each triangle's edges, see pose::MeshData; or empty
 };
 
 enum class FeatureKind : uint8_t { border, boundary, crease };
 
-/// Mark of an edge in the file; `plain` if the file gives marks at this edge but none is set.
+/// Mark of an edge in the model file. `plain` means that the file marks edges of this mesh, but not this one.
 enum class EdgeMark : uint8_t { unsaid, plain, marked };
 
-/// An edge that may have a line in any view.
+/// An edge that may have a line from every point of view, such as a border or a fold.
 struct FeatureEdge {
     uint32_t side = no_side;
-    uint32_t other_side = no_side; ///< no_side for a border
-    float fold_deg = 0.0F;         ///< angle by which the surface folds; 180 if more than two triangles meet
+    uint32_t other_side = no_side; ///< the adjacent side; no_side at a border
+    /// Angle by which the surface folds at the edge; 180 if more than two triangles meet there.
+    float fold_deg = 0.0F;
     FeatureKind kind = FeatureKind::crease;
     EdgeMark mark = EdgeMark::unsaid;
-    bool is_split = false; ///< the shading breaks here, because the two sides have different normals
+    bool is_split = false; ///< the shading breaks at the edge, because both sides have different normals
 };
 
-/// Triangles with their neighbours. Vertices of one body at the same position are one point, whatever their
-/// other attributes; duplicate triangles count once. Two vertices are at the same position if their distance
-/// is less than `weld_tolerance` times the body's size and a tenth of the shortest edge at either. Tools that
-/// compute a seam twice, for example with the sine of 0 and of 2 pi, leave such gaps.
+/// Triangles with their neighbours. Vertices of one body at the same position count as one point, whatever
+/// their other attributes. Duplicate triangles count once. Two vertices are at the same position if their
+/// distance is less than `weld_tolerance` times the body's size, and less than a tenth of the shortest edge
+/// at either vertex. Such gaps occur where a modelling tool computes a seam twice, for example with the sine
+/// of 0 and of 2 pi.
 struct EdgeMesh {
-    /// Corners, and the value passed through. A corner is the vertex that represents all with its position
-    /// and normal.
+    /// For each triangle: three vertices, and the value copied from TriangleSoup. Of all vertices with equal
+    /// position and normal, only the first is used.
     std::vector<glm::uvec4> triangles;
-    /// Adjacent sides and flags of each triangle, see chains.glsl.h.
+    /// For each triangle: its three adjacent sides and its flags, see chains.glsl.h.
     std::vector<glm::uvec4> neighbors;
-    std::vector<uint32_t> points; ///< one per vertex: the first vertex at its position
-    std::vector<FeatureEdge>
-        features; ///< borders, boundaries, marked edges, and all folds of more than `least_fold_deg`
-    std::vector<glm::uvec2> hard_edges; ///< both sides of each edge at which the shading breaks
-    uint32_t shell_count = 0;           ///< pieces of surface that share no edge with each other
+    std::vector<uint32_t> points; ///< for each vertex: the first vertex at the same position
+    /// All borders, boundaries and marked edges, and folds of more than `least_fold_deg`.
+    std::vector<FeatureEdge> features;
+    std::vector<glm::uvec2> hard_edges; ///< each edge at which the shading breaks, as its two sides
+    /// Number of shells (surfaces whose triangles are connected by edges).
+    uint32_t shell_count = 0;
 };
 
 constexpr float least_fold_deg = 10.0F;
 
-/// Distance within which vertices are welded, as a share of the body's size (the diagonal of its bounding
-/// box).
+/// Largest distance between vertices that are welded, as a share of the diagonal of the body's bounding box.
 constexpr float weld_tolerance = 1e-5F;
 
-/// Cost: linear; about 0.5 us per triangle.
+/// Finds the neighbours of all triangles and classifies the edges between them. Cost: linear; about 0.5 us
+/// per triangle.
 [[nodiscard]] EdgeMesh build_edge_mesh(const TriangleSoup& soup);
 
 } // namespace estampe::contour

@@ -11,7 +11,8 @@ namespace estampe::contour {
 namespace {
 
 constexpr float smooth_crease_deg = 60.0F;
-constexpr float straight_cosine = 0.5F; // 60 degrees
+// Cosine of 60 degrees, the largest bend at which two edges are linked.
+constexpr float straight_cosine = 0.5F;
 constexpr uint32_t no_end = ~0U;
 constexpr size_t most_edges_at_a_point = 64;
 
@@ -81,7 +82,7 @@ private:
     struct Edge {
         uint32_t side = no_side;
         uint32_t kind = shared::line_crease;
-        uint32_t from = 0; ///< vertex; so is `to`
+        uint32_t from = 0; ///< vertex at the start of the edge; `to` is the vertex at its end
         uint32_t to = 0;
     };
 
@@ -90,13 +91,13 @@ private:
         return mesh_.triangles[side >> 2U][static_cast<int>(((side & 3U) + step) % 3)];
     }
 
-    /// Vertex at end 2 e or 2 e + 1 of edge e.
+    /// The vertex at an end of an edge. Ends 2 e and 2 e + 1 belong to edge e.
     [[nodiscard]] uint32_t vertex_at(uint32_t end) const
     {
         return (end & 1U) == 0 ? edges_[end / 2].from : edges_[end / 2].to;
     }
 
-    /// Direction from an end into its edge.
+    /// Direction from one end of an edge towards its other end.
     [[nodiscard]] glm::vec3 inwards(uint32_t end) const
     {
         const glm::vec3 along = positions_[vertex_at(end ^ 1U)] - positions_[vertex_at(end)];
@@ -104,11 +105,12 @@ private:
         return length > 0.0F ? along / length : glm::vec3(0.0F);
     }
 
-    /// Pairs each end with the one where its line continues.
+    /// Pairs each end of an edge with the end of another edge where its line continues.
     void join_ends()
     {
         partner_.assign(2 * edges_.size(), no_end);
-        std::map<std::pair<uint32_t, uint32_t>, std::vector<uint32_t>> ends_at; // by point and kind
+        // Ends of edges at each point, per kind of line.
+        std::map<std::pair<uint32_t, uint32_t>, std::vector<uint32_t>> ends_at;
         for (uint32_t end = 0; end < partner_.size(); ++end) {
             ends_at[{mesh_.points[vertex_at(end)], edges_[end / 2].kind}].push_back(end);
         }
@@ -139,7 +141,8 @@ private:
         }
     }
 
-    /// Follows edges from `end` until the line ends or returns to its start.
+    /// Follows linked edges from `end` until the line ends or returns to its start, and stores them as a
+    /// chain.
     void string_from(uint32_t end, bool is_closed)
     {
         const auto chain = static_cast<uint32_t>(result_.chains.size());
@@ -183,8 +186,8 @@ private:
     const EdgeMesh& mesh_;
     std::span<const glm::vec3> positions_;
     std::vector<Edge> edges_;
-    std::vector<uint32_t> partner_; ///< one per end
-    std::vector<bool> is_linked_;   ///< one per edge
+    std::vector<uint32_t> partner_; ///< for each end of an edge: the end with which it is paired
+    std::vector<bool> is_linked_;   ///< for each edge: it already belongs to a chain
     FeatureChains result_;
 };
 
@@ -199,26 +202,29 @@ FeatureChains string_features(const EdgeMesh& mesh, std::span<const glm::vec3> p
 namespace {
 
 constexpr uint32_t nowhere = ~0U;
-constexpr float least_share = 2.0F / 3.0F; // share of the sharpness needed at a line's sharpest point
+// All points of a line need this share of the sharpness that its sharpest point needs.
+constexpr float least_share = 2.0F / 3.0F;
 constexpr float shortest_share = 1.0F / 30.0F;
-constexpr float least_lead =
-    1.1F; // least ratio of the greatest curvature to the other; nearly spherical surfaces have no lines
-constexpr float sharpness_reach = 0.01F; // share of an object's size
+// Smallest ratio of the two principal curvatures at a ridge, so that near-spheres have no lines.
+constexpr float least_lead = 1.1F;
+constexpr float sharpness_reach = 0.01F; // a ridge's turn is measured over this share of the object's size
 
-/// Curvature at a vertex, for lines of one kind.
+/// Curvature at a vertex as seen by one kind of line: a ridge or a valley.
 struct Bend {
-    float sharpness_deg = 0.0F; ///< 0 means that no line of this kind can be here
-    float growth = 0.0F;        ///< growth of curvature along `way`
-    glm::vec3 way{0.0F};        ///< direction across a line
+    /// Degrees of turn over a hundredth of the object's size; 0 means that no such line can be here.
+    float sharpness_deg = 0.0F;
+    float growth = 0.0F; ///< change of the greatest curvature along `way`
+    glm::vec3 way{0.0F}; ///< direction of the greatest curvature, across the line
 };
 
-/// A crossing of a line with an edge.
+/// A point where a ridge or valley crosses an edge of the mesh.
 struct Crossing {
-    uint32_t low = 0; ///< vertex; so is `high`
+    uint32_t low = 0; ///< the vertex with the lower number; `high` is the other vertex of the edge
     uint32_t high = 0;
-    float share = 0.0F; ///< position of the crossing from low to high
+    float share = 0.0F; ///< position of the crossing between the vertices `low` (0) and `high` (1)
     float sharpness_deg = 0.0F;
-    std::array<uint32_t, 2> next{nowhere, nowhere}; ///< crossings on either side of the edge
+    /// The next crossings of the line, on either side of the edge.
+    std::array<uint32_t, 2> next{nowhere, nowhere};
     std::array<uint32_t, 2> triangle{nowhere, nowhere};
     bool is_linked = false;
 };
@@ -264,7 +270,8 @@ private:
                 const glm::vec3 across = glm::cross(bending.normal, bending.tangent);
                 const float growth = change_along(sign * bending.change, curvatures.direction);
                 bends_[v] = {glm::degrees(curvatures.greatest * sharpness_reach * surface_.sizes[v]),
-                             growth != 0.0F ? growth : std::numeric_limits<float>::min(), // not zero
+                             // The sign of zero is undefined, so growth must not be zero.
+                             growth != 0.0F ? growth : std::numeric_limits<float>::min(),
                              curvatures.direction.x * bending.tangent + curvatures.direction.y * across};
             }
         }
@@ -292,8 +299,8 @@ private:
         }
     }
 
-    /// Whether curvature has an extremum between two vertices along its own direction; if so, records the
-    /// crossing.
+    /// Whether the greatest curvature has an extremum along its own direction between two vertices. If so,
+    /// stores the crossing.
     bool is_crossed(uint32_t low, uint32_t high)
     {
         const Bend& a = bends_[low];
@@ -312,7 +319,7 @@ private:
         return true;
     }
 
-    /// Whether curvature falls on both sides of a line through a triangle.
+    /// Whether curvature decreases on both sides of a line through a triangle, so that the line is a maximum.
     [[nodiscard]] bool has_maximum(uint32_t t) const
     {
         const glm::uvec4& corners = surface_.mesh.triangles[t];
@@ -320,7 +327,7 @@ private:
         for (int k = 0; k < 3; ++k) {
             places.at(static_cast<size_t>(k)) = surface_.positions[corners[k]];
         }
-        glm::vec3 turned(0.0F); // the gradient of growth, rotated by a right angle and scaled
+        glm::vec3 turned(0.0F); // gradient of `growth`, rotated by a right angle and scaled
         glm::vec3 way(0.0F);
         for (size_t k = 0; k < 3; ++k) {
             const Bend& bend = bends_[corners[static_cast<int>(k)]];
@@ -332,8 +339,8 @@ private:
         return glm::dot(glm::cross(normal, turned), way) < 0.0F;
     }
 
-    /// Joins the two crossings of a triangle. Of three, which occur where directions have no consistent
-    /// order, joins the sharpest two.
+    /// Joins the two crossings of a line with the sides of a triangle. If directions are inconsistent, three
+    /// sides have crossings; then the sharpest two are joined.
     void link_through(uint32_t t)
     {
         std::array<uint32_t, 3> found{};
@@ -367,11 +374,13 @@ private:
         return glm::mix(surface_.positions[crossing.low], surface_.positions[crossing.high], crossing.share);
     }
 
-    /// Follows a line from an end, or all around a closed line, and keeps it if it is sharp and long enough.
+    /// Follows a line from one end, or all around a closed line. Keeps the line if it is sharp and long
+    /// enough.
     void string_from(uint32_t start, FeatureChains& features)
     {
         std::vector<uint32_t> line;
-        std::vector<uint32_t> triangles; // triangles that lead to the next crossing
+        // For each crossing of `line`: the triangle that the line crosses next.
+        std::vector<uint32_t> triangles;
         uint32_t before = nowhere;
         uint32_t at = start;
         while (at != nowhere && !crossings_[at].is_linked) {
@@ -426,12 +435,14 @@ private:
     std::span<const Bending> bendings_;
     float ridge_deg_;
     uint32_t kind_;
-    std::vector<Bend> bends_; ///< one per vertex
+    std::vector<Bend> bends_; ///< curvature at each vertex
     std::vector<Crossing> crossings_;
-    std::vector<uint32_t> of_side_; ///< three per triangle
+    /// Number of the crossing on each side of a triangle, three per triangle; `nowhere` if none.
+    std::vector<uint32_t> of_side_;
 };
 
-/// Triangles that touch lines of another kind, a border or a break of shading.
+/// Marks the triangles that touch a line of another kind, a border or an edge where the shading breaks. No
+/// ridge or valley may cross these triangles.
 std::vector<bool> taken_triangles(const EdgeMesh& mesh, size_t vertex_count, const FeatureChains& features)
 {
     std::vector<bool> is_taken_point(vertex_count, false);

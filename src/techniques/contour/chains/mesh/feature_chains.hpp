@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Borders, boundaries, creases, ridges and valleys as whole lines. They do not move on the surface, so they
-// are linked only once.
+// Feature lines: borders, boundaries, creases, ridges and valleys as whole lines. These lines do not move on
+// the surface, so they are linked only once.
 
 #include <span>
 #include <vector>
@@ -13,43 +13,48 @@
 
 namespace estampe::contour {
 
-/// The edges that have feature lines.
+/// Which edges of a mesh get feature lines.
 struct FeatureChoice {
-    float crease_deg = 34.0F; ///< where the shading breaks; where it is smooth, at least 60 degrees
+    /// Smallest fold of a crease where the shading breaks; a fold with smooth shading needs at least 60
+    /// degrees.
+    float crease_deg = 34.0F;
     bool borders = true;
     bool boundaries = true;
     bool creases = true;
-    bool marked =
-        true; ///< edges that the file marks; if it marks any, its unmarked folds and borders have no lines
+    /// Draws edges that the file marks; a mesh with marks has no lines at its unmarked folds and borders.
+    bool marked = true;
     bool operator==(const FeatureChoice&) const = default;
 };
 
-/// Lines along the vertices of an edge mesh, and the edges that remain for outlines to find in each view.
+/// Feature lines along the vertices of an edge mesh, and the remaining edges, which may be outlines in a
+/// view.
 struct FeatureChains {
     std::vector<shared::FeaturePoint>
-        points; ///< chain by chain; a closed chain repeats its first point at the end
+        points; ///< points of all chains, chain by chain; a closed chain repeats its first point at the end
     std::vector<shared::FeatureChain> chains;
-    std::vector<glm::uvec2> loose_edges; ///< hard edges that have no feature line
-    bool leave_edges = false; ///< some points lie between vertices, and some pieces within triangles
+    /// Edges where the shading breaks and that have no feature line; each as its two sides.
+    std::vector<glm::uvec2> loose_edges;
+    bool leave_edges = false; ///< some points lie between vertices, and some pieces of lines cross triangles
 };
 
-/// Links edges of one kind where they meet and bend by no more than 60 degrees, the straightest pairs first.
-/// Cost: linear in features and hard edges.
+/// Links edges of one kind to chains where they meet and bend by no more than 60 degrees; the straightest
+/// pairs are linked first. Cost: linear in the number of feature edges and hard edges.
 [[nodiscard]] FeatureChains string_features(const EdgeMesh& mesh, std::span<const glm::vec3> positions,
                                             const FeatureChoice& choice);
 
 struct RidgeChoice {
     bool ridges = false;
     bool valleys = false;
-    float ridge_deg = 15.0F; ///< turn of the surface over a hundredth of the object's size; the sharpest
-                             ///< point of a line must reach this, all others two thirds of it
+    /// Smallest turn of the surface over a hundredth of the object's size, at the sharpest point of a line;
+    /// all other points of the line need two thirds of this turn.
+    float ridge_deg = 15.0F;
     bool operator==(const RidgeChoice&) const = default;
 };
 
-/// Appends to `features` the ridges and valleys of a surface: lines along which the greatest curvature has a
-/// maximum in its own direction. Points lie on edges between two vertices, so they follow the deformation of
-/// the mesh. Leaves out lines shorter than 1/30 of the object, and lines that touch a border, a hard edge or
-/// a line already in `features`.
+/// Appends the ridges and valleys of a surface to `features`: lines along which the greatest curvature has a
+/// maximum in its own direction. Their points lie on edges, between two vertices, so the lines follow the
+/// deformation of the mesh. Leaves out lines shorter than 1/30 of the object, and lines that touch a border,
+/// an edge where the shading breaks, or a line that is already in `features`.
 ///
 /// Cost    linear
 /// Source  Ohtake, Belyaev and Seidel, "Ridge-Valley Lines on Meshes via Implicit Surface Fitting", 2004

@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_LIST_TOTAL
 #define ESTAMPE_LIST_TOTAL
 
-// Writes the total of a scan as the size of its list.
+// Stores the total of a prefix sum as the length of a list.
 void write_total(uint total)
 {
     uint kept = min(total, constants.capacity);

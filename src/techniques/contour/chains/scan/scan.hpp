@@ -9,21 +9,22 @@
 namespace estampe::contour {
 
 struct ScanInputs {
-    gpu::BufferId sizes; ///< ListSize of each list
+    gpu::BufferId sizes; ///< the length of each list, as one ListSize per list
     gpu::BufferId values;
-    bool sizes_are_new = false; ///< the buffer `sizes` has not been written yet
+    bool sizes_are_new = false; ///< `sizes` has not been written yet in this frame
     uint32_t value_capacity = 0;
-    bool is_spread = false; ///< uses many workgroups, which run in parallel on a GPU
+    /// Uses many workgroups instead of one; faster on a GPU, where they run in parallel.
+    bool is_spread = false;
     shared::ScanConstants constants;
 };
 
 struct Scanned {
     gpu::BufferId sizes;
-    gpu::BufferId before; ///< sum of all values before each; the last entry is the total
+    gpu::BufferId before; ///< for each value: the sum of all values before it; the last entry is the total
 };
 
-/// Constants for summing the values of the list `values_of`. If `total_to` is a list, its size becomes the
-/// total, limited to `capacity`.
+/// Returns the constants for summing the values of the list `values_of`. If `total_to` is a list, its length
+/// becomes the total, limited to `capacity`.
 [[nodiscard]] inline shared::ScanConstants scan_of_list(uint32_t values_of, uint32_t total_to,
                                                         uint32_t capacity)
 {
@@ -35,17 +36,17 @@ struct Scanned {
             .counts_bits = 0};
 }
 
-/// Computes prefix sums of a list whose length only the GPU knows. Cost: one workgroup, or twice as many as
-/// scan_parts.
+/// Computes the prefix sums of a list whose length only the GPU knows. Cost: one workgroup, or 2 * scan_parts
+/// workgroups with `is_spread`.
 [[nodiscard]] Scanned add_scan(gpu::Graph& graph, const gpu::Name& name, const ScanInputs& in);
 
-/// Byte offset in `sizes` of the dispatch arguments for a list.
+/// Byte offset in the buffer `sizes` of the arguments for an indirect dispatch over a list.
 [[nodiscard]] inline uint64_t indirect_offset(uint32_t list)
 {
     return list * sizeof(shared::ListSize) + sizeof(uint32_t);
 }
 
-/// Buffer for `count` items, but at least for one.
+/// Describes a buffer for `count` items. The buffer has room for at least one item.
 [[nodiscard]] inline gpu::BufferDesc list_of(uint64_t count, uint64_t item_bytes)
 {
     return {.size_bytes = (count > 0 ? count : 1) * item_bytes};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Each workgroup computes the exclusive prefix sums of one part of a list, in rounds of as many values as it
-// has threads; the last one writes the total. Same result as scan.comp, for GPUs whose workgroups run in
-// parallel.
+// Each workgroup computes the exclusive prefix sums of one part of a list, in rounds of as many values as the
+// workgroup has threads. The last workgroup writes the total. The results equal those of scan.comp; this
+// shader is for GPUs, whose workgroups run in parallel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -43,12 +43,12 @@ layout(push_constant, scalar) uniform Constants
 
 shared uint sum_of_subgroup[THREADS];
 
-// Exclusive prefix sum over the threads of the workgroup, and the total.
+// Returns the exclusive prefix sum of `value` over the threads of the workgroup, and the total.
 uvec2 sums_of_threads(uint value)
 {
     uint running = subgroupExclusiveAdd(value);
     uint sum = subgroupAdd(value);
-    barrier(); // all threads have read the previous round
+    barrier(); // no thread may write before all threads have read the values of the previous round
     if (subgroupElect()) {
         sum_of_subgroup[gl_SubgroupID] = sum;
     }

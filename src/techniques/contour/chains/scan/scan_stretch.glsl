@@ -2,7 +2,8 @@
 #ifndef ESTAMPE_SCAN_STRETCH
 #define ESTAMPE_SCAN_STRETCH
 
-// The part of a list that a workgroup processes: index of its first value, and of the one after its last.
+// The part of a list that one workgroup processes: the index of its first value, and the index after its last
+// value.
 uvec2 stretch_of(uint part, uint count)
 {
     uint share = (count + scan_parts - 1u) / scan_parts;

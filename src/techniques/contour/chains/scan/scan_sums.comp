@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each workgroup sums one of scan_parts parts of a list; scan_spread.comp continues from these sums.
+// Each workgroup sums one of the scan_parts parts of a list. The shader scan_spread.comp reads these sums.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -23,7 +23,7 @@ layout(scalar, binding = 1) readonly buffer Values
 
 layout(scalar, binding = 2) writeonly buffer Sums
 {
-    uint sums[]; // sum of each part; the last entry is the length of the list
+    uint sums[]; // sum of the values of each part; the last entry is the length of the list
 };
 
 layout(push_constant, scalar) uniform Constants

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Four threads test whether one short stroke runs beside a longer one, like the far side of a cusp; such a
-// stroke is dropped. A stroke of any length that was found on the page is dropped if it runs beside one of
-// the mesh: where a box stands on the ground, its edge already has a line. Resets the past of all strokes.
+// Four threads test one stroke. A short stroke that runs beside a longer one, such as the far side of a cusp,
+// is dropped. A stroke that was found on the page is also dropped, whatever its length, if it runs beside a
+// stroke of the mesh: where a box stands on the ground, the box's edge already has a line. The shader also
+// resets the data that strokes inherit from the previous frame.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -9,8 +10,8 @@
 #include "shaders/unit.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
-const uint threads = 4u;       // per stroke
-layout(local_size_x = 256) in; // 64 strokes
+const uint threads = 4u;       // threads per stroke
+layout(local_size_x = 256) in; // 64 strokes with 4 threads each
 
 layout(scalar, binding = 0) readonly buffer Sizes
 {
@@ -36,13 +37,18 @@ layout(push_constant, scalar) uniform Constants
 };
 
 const float beside_px = 4.0;
-const float foot_px = 2.0; // largest distance along a line between a place beside it and the nearest sample
-const float least_inside_px = 0.5; // least distance along the other stroke from its ends
+// Largest distance along a stroke between the tested place and the stroke's nearest sample.
+const float foot_px = 2.0;
+// A place closer than this to the other stroke's end does not lie beside that stroke.
+const float least_inside_px = 0.5;
 const uint most_steps = 10u;
-const uint least_page_steps = 3u; // for strokes found on the page; shorter ones are specks
-const float most_share = 0.5;     // share of a stroke's samples that may lie beside another stroke
+// Smallest number of steps of a stroke found on the page; shorter strokes are specks.
+const uint least_page_steps = 3u;
+// A stroke is dropped if a larger share of its samples lies beside another stroke.
+const float most_share = 0.5;
 
-// Whether a place lies beside a sample's stroke, not before its start or after its end.
+// Whether a place lies beside the stroke of the sample `other`, and not before the start or after the end of
+// that stroke.
 bool is_beside(vec2 here, uint other, Stroke stroke)
 {
     uint previous = max(other, stroke.first + 1u) - 1u;
@@ -77,7 +83,7 @@ bool is_beside_longer(uint index, uint own, uint own_steps, bool is_own_of_page)
     return is_there;
 }
 
-shared uint beside[64]; // for each stroke, how many of its samples lie beside another
+shared uint beside[64]; // for each stroke: how many of its samples lie beside another stroke
 
 void main()
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two threads test whether the ends of one stroke meet other lines. Such ends are drawn up to the other line;
-// only free ends taper.
+// Two threads test whether the ends of one stroke meet other lines. An end that meets a line is drawn up to
+// that line; only free ends taper.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -8,7 +8,7 @@
 #include "shaders/unit.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
-layout(local_size_x = 128) in; // 64 strokes
+layout(local_size_x = 128) in; // 64 strokes with 2 threads each
 
 layout(scalar, binding = 0) readonly buffer Sizes
 {
@@ -34,7 +34,8 @@ layout(push_constant, scalar) uniform Constants
 };
 
 const float meeting_px = 5.0;
-const uint far_along = 8u; // in samples; nearer ones belong to the stroke itself
+// Samples of the same stroke count as another line only if they are more than this many samples away.
+const uint far_along = 8u;
 
 bool is_dropped(uint other)
 {

@@ -12,14 +12,15 @@
 namespace estampe::contour {
 namespace {
 
-constexpr float most_stretch = 3.0F; // as in split.comp
+// The same constant as in split.comp: a longer piece leaves the page and returns.
+constexpr float most_stretch = 3.0F;
 
 bool has(const shared::LineSample& sample, uint32_t bit)
 {
     return (sample.state & bit) != 0;
 }
 
-/// Counts the kinds of a path's pieces, to find the most frequent one.
+/// Counts the kinds of line along a path, to find the most frequent kind.
 class KindCount {
 public:
     void add(uint32_t kind) { ++counts_.at(kind); }
@@ -37,7 +38,7 @@ class Reader {
 public:
     Reader(const LineLists& lists, const EdgeMesh& mesh) : lists_(lists), mesh_(mesh) {}
 
-    /// Adds the strokes among samples [first, last].
+    /// Appends the strokes that lie among the samples from `first` to `last`.
     void add_strokes(uint32_t first, uint32_t last, std::vector<LinePath>& paths) const
     {
         for (uint32_t start = first; start < last;) {
@@ -89,7 +90,8 @@ private:
         return ((lists_.facing[triangle / 32] >> (triangle & 31U) & 1U) != 0) != is_turned;
     }
 
-    /// As in shape.comp: a fold or boundary behind which the surface turns away counts as an outline.
+    /// The kind of line at a sample. As in shape.comp, a fold or boundary counts as an outline if the surface
+    /// behind it faces away from the eye.
     [[nodiscard]] uint32_t kind_at(uint32_t sample) const
     {
         const uint32_t kind = lists_.samples[sample].source >> 28U;
@@ -159,10 +161,11 @@ std::vector<LinePath> line_paths(const LineLists& lists, const EdgeMesh& mesh,
 
 namespace {
 
-constexpr float one_place_px = 1.5F; // as in joints.comp
+// Largest distance between ends at one place; the same constant as in joints.comp.
+constexpr float one_place_px = 1.5F;
 constexpr float cell_px = 4.0F;
 
-/// The end 2 i is the start of path i, 2 i + 1 its end.
+/// Number of an end of a path: path i starts at end 2 i and finishes at end 2 i + 1.
 using EndNumber = size_t;
 
 class Joiner {
@@ -194,12 +197,12 @@ public:
     {
         std::vector<LinePath> joined;
         is_taken_.assign(paths_.size(), false);
-        for (size_t i = 0; i < paths_.size(); ++i) { // starts at free ends
+        for (size_t i = 0; i < paths_.size(); ++i) { // first the paths that have a free end
             if (!is_taken_[i] && (!partners_[2 * i] || !partners_[2 * i + 1])) {
                 joined.push_back(walk(partners_[2 * i] ? 2 * i + 1 : 2 * i));
             }
         }
-        for (size_t i = 0; i < paths_.size(); ++i) { // the remaining paths are rings
+        for (size_t i = 0; i < paths_.size(); ++i) { // all remaining paths belong to closed rings
             if (!is_taken_[i]) {
                 joined.push_back(around(i));
             }
@@ -229,8 +232,8 @@ private:
                             : points[points.size() - 2].page_px - points.back().page_px;
     }
 
-    /// Among the ends at the same place, the one that together with `own` encloses all others; none if lines
-    /// lie all around.
+    /// Among the ends at the place of `own`, finds the end that together with `own` encloses all others.
+    /// Finds none if lines leave in all directions.
     [[nodiscard]] std::optional<EndNumber> partner_of(EndNumber own) const
     {
         std::optional<EndNumber> left;
@@ -270,7 +273,7 @@ private:
                std::abs(point(a).width_px - point(b).width_px) <= 0.1F * wider_px;
     }
 
-    /// The path from a free end on.
+    /// Joins all paths that follow each other, from the free end `start` on.
     [[nodiscard]] LinePath walk(EndNumber start)
     {
         LinePath path = paths_[start / 2];
@@ -289,12 +292,12 @@ private:
         return path;
     }
 
-    /// The ring that contains path `i`, from the middle of that path on.
+    /// Joins the closed ring of paths that contains path `i`. The result starts in the middle of path `i`.
     [[nodiscard]] LinePath around(size_t i)
     {
         const auto half = static_cast<std::ptrdiff_t>(paths_[i].points.size() / 2);
         LinePath path = walk(2 * i);
-        path.points.pop_back(); // repeats the first point, apart from rounding
+        path.points.pop_back(); // the last point repeats the first point, apart from rounding
         std::rotate(path.points.begin(), path.points.begin() + half, path.points.end());
         path.points.push_back(path.points.front());
         path.is_closed = true;

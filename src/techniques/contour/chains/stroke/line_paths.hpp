@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Converts the strokes that the GPU made to paths on the CPU.
+// Converts strokes from the GPU to paths on the CPU, for vector output.
 
 #include <array>
 #include <cstdint>
@@ -22,36 +22,38 @@ struct PathPoint {
 };
 
 struct LinePath {
-    uint32_t kind = shared::line_silhouette; ///< the kind of most of its pieces
-    uint32_t triangle = 0;                   ///< a triangle that it runs along
-    uint32_t ink = 0;                        ///< that of its first LinePoint; 0 for hidden lines
+    uint32_t kind = shared::line_silhouette; ///< kind of line of most pieces of the path
+    uint32_t triangle = 0;                   ///< index of a triangle along which the line runs
+    uint32_t ink = 0;                        ///< ink of the first LinePoint of the path; 0 for hidden lines
     bool is_hidden = false;
-    bool is_closed = false; ///< the last point is the first
+    bool is_closed = false; ///< the path returns to its first point
     std::vector<PathPoint> points;
 };
 
-/// The buffers of ShapedStrokes.
+/// The lists of ShapedStrokes, read back to the CPU.
 struct LineLists {
     std::span<const shared::ListSize> sizes;
     std::span<const shared::LineSample> samples;
-    std::span<const uint32_t> samples_before; ///< one per slot
-    std::span<const uint32_t> strokes_before; ///< one per sample
+    /// For each slot (entry of the list of chains): number of samples in all slots before it.
+    std::span<const uint32_t> samples_before;
+    std::span<const uint32_t> strokes_before; ///< for each sample: number of strokes that start before it
     std::span<const shared::LinePoint> points;
     std::span<const uint32_t> facing;
 };
 
-/// A width for each kind of line.
+/// One width per kind of line.
 using LineWidths = std::array<float, shared::line_kind_count>;
 
-/// Returns every stroke, in the order of the samples. With `hidden_widths_px`, also returns the hidden lines
-/// on the page, each chain's after its visible strokes. Cost: linear in samples.
+/// Returns every stroke as a path, in the order of the samples. With `hidden_widths_px`, also returns the
+/// hidden lines on the page; those of a chain follow its visible strokes. Cost: linear in the number of
+/// samples.
 [[nodiscard]] std::vector<LinePath> line_paths(const LineLists& lists, const EdgeMesh& mesh,
                                                const std::optional<LineWidths>& hidden_widths_px);
 
-/// Joins paths whose ends meet in a corner that pictures mitre, so that the corner can be mitred here too.
-/// Among all ends at one place, the two that enclose the others are joined, as in joints.comp, if their
-/// widths differ by less than a tenth and their ink is equal. A path that this closes starts in the middle of
-/// a stroke. Cost: n log n in paths.
+/// Joins paths that end in a common corner, so that the corner can be mitred as in pictures. Among all ends
+/// at one place, joints.comp and this function join the two ends that enclose the others. The two paths must
+/// have equal ink, and widths that differ by less than a tenth. If joining closes a path, the path starts in
+/// the middle of a stroke. Cost: n log n in the number of paths.
 [[nodiscard]] std::vector<LinePath> join_paths(std::vector<LinePath> paths);
 
 } // namespace estampe::contour

@@ -12,14 +12,14 @@
 namespace estampe::contour {
 namespace {
 
-/// An empty buffer of the size of `from`, as target of a copy.
+/// Creates an empty buffer of the size of `from`, as the target of a copy.
 gpu::Buffer room_for(gpu::Graph& graph, gpu::Device& device, gpu::BufferId from,
                      gpu::MemoryUse use = gpu::MemoryUse::device)
 {
     return {device, "strung lines", graph.describe(from).size_bytes, use};
 }
 
-/// Pairs of source and target of copies.
+/// Copies to make: pairs of source and target.
 using Copies = std::vector<std::pair<gpu::BufferId, gpu::Buffer*>>;
 
 void list_copies(const ChainStrokes& from, std::span<const HandDrawn> hands, LinkedLines::Strokes& to,
@@ -36,7 +36,7 @@ void list_copies(const ChainStrokes& from, std::span<const HandDrawn> hands, Lin
     }
 }
 
-/// Shrinks a list to its first `size_bytes`.
+/// Shrinks the buffer of a list to its first `size_bytes` bytes.
 void shrink(gpu::Graph& graph, gpu::Device& device, gpu::Buffer& list, uint64_t size_bytes,
             std::vector<gpu::Buffer>& outgrown)
 {
@@ -53,7 +53,7 @@ ChainStrokes import_strokes(gpu::Graph& graph, gpu::BufferId sizes, LinkedLines:
     const auto before = gpu::import_whole(graph, "strung strokes before", strokes.strokes_before);
     return {.sizes = sizes,
             .samples = gpu::import_whole(graph, "strung samples", strokes.samples),
-            .samples_before = before, // a placeholder that is not read
+            .samples_before = before, // a placeholder buffer; no shader reads it
             .strokes_before = before,
             .strokes = gpu::import_whole(graph, "strung strokes", strokes.strokes),
             .grid = gpu::import_whole(graph, "strung grid", strokes.grid)};

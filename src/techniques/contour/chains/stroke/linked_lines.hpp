@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The lines of a whole page, linked and shaped once, for a page that is inked in parts: start, end, length
-// and wobble of a stroke must not depend on the part.
+// The lines of a whole page, linked and shaped once. They are kept for a page that is inked in parts: the
+// start, end, length and wobble of a stroke must not depend on the part.
 
 #include <optional>
 #include <vector>
@@ -16,7 +16,7 @@ class Executor;
 
 namespace estampe::contour {
 
-/// Copies of ShapedStrokes that outlive a graph.
+/// Copies of the buffers of ShapedStrokes. The copies outlive the frame graph that made them.
 struct LinkedLines {
     struct Hand {
         gpu::Buffer line_points;
@@ -31,31 +31,32 @@ struct LinkedLines {
         std::vector<Hand> hands;
     };
 
-    glm::uvec2 page_px{0}; ///< size of the page on which the lines were linked
+    glm::uvec2 page_px{0}; ///< size in pixels of the page on which the lines were linked
     gpu::Buffer sizes;
     Strokes seen;
     std::optional<Strokes> hidden;
 };
 
-/// Adds passes that copy `shaped`, of a page of `page_px`, into `lines`, which must outlive the graph.
+/// Adds passes that copy `shaped`, the strokes of a page of `page_px` pixels, into `lines`. `lines` must
+/// outlive the graph.
 void add_keeping(gpu::Graph& graph, gpu::Device& device, const ShapedStrokes& shaped, glm::uvec2 page_px,
                  LinkedLines& lines);
 
-/// Shrinks the buffers to the size of the lines, after the graph has run. Throws Error when there were more
-/// lines than the buffers could hold.
+/// Returns `lines` with buffers no larger than their contents. Call this function after the graph has run.
+/// Throws Error if there were more lines than the buffers could hold.
 [[nodiscard]] LinkedLines shrunk(gpu::Device& device, gpu::Executor& executor, LinkedLines lines);
 
-/// The part of the page to ink. A pixel of the page on which lines were linked is `scale` pixels of the part.
-/// The part begins at `from_px` from the page's corner, in pixels of the part.
+/// The part of a page to ink. One pixel of the page on which the lines were linked is `scale` pixels of the
+/// part. `from_px` is the position of the part's corner on the page, in pixels of the part.
 struct PartOfPage {
     glm::vec2 from_px{0.0F};
     float scale = 1.0F;
 };
 
-/// The strokes in pixel coordinates of a part of the page.
+/// Returns the strokes in pixel coordinates of a part of the page.
 [[nodiscard]] ShapedStrokes take_part(gpu::Graph& graph, LinkedLines& lines, const PartOfPage& part);
 
-/// Draws lines that were linked before; otherwise as add_chain_contours().
+/// Draws lines that were linked before. Otherwise does the same as add_chain_contours().
 [[nodiscard]] gpu::ImageId add_linked_contours(gpu::Graph& graph, const ContourInputs& in, LinkedLines& lines,
                                                const PartOfPage& part, const ContourStyle& style,
                                                std::optional<gpu::ImageId> under = std::nullopt);

@@ -4,12 +4,14 @@
 
 #include "shaders/loops.glsl"
 
-// The page as a grid of cells of a few pixels. Each cell stores the first and last of its samples, so at most
-// two lines per cell are found. Requires before inclusion: GRID_BINDING, GRID_ACCESS.
+// The sample grid: it divides the page into cells of a few pixels. Each cell stores only the first and the
+// last of its samples, so at most two lines are found per cell. Requires before inclusion: GRID_BINDING,
+// GRID_ACCESS.
 
 layout(scalar, binding = GRID_BINDING) GRID_ACCESS buffer Grid
 {
-    uvec2 grid[]; // the lowest sample, and one more than the highest
+    // For each cell: the lowest sample index, and the highest sample index plus one; zero if empty.
+    uvec2 grid[];
 };
 
 uvec2 grid_size(uvec2 size_px)
@@ -27,7 +29,7 @@ uint cell_index(ivec2 cell, uvec2 size_px)
     return uint(cell.y) * grid_size(size_px).x + uint(cell.x);
 }
 
-// The cell at a place of the page and its neighbours.
+// The range of grid cells that contains the cell of a place on the page and its neighbours.
 Cells cells_around(vec2 page_px, uvec2 size_px)
 {
     ivec2 cell = cell_of(page_px, size_px);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Two threads compute path and width of the pen at one sample of a stroke: at the start of its piece, and at
-// the end of the piece before. The two differ where one stroke ends and the next starts.
+// Two threads handle one sample of a stroke. They compute the path and width of the pen for the start of the
+// piece after the sample and for the end of the piece before it. The two differ where one stroke ends and the
+// next starts.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -12,7 +13,7 @@
 #include "shaders/unit.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
-layout(local_size_x = 128) in; // 64 samples
+layout(local_size_x = 128) in; // 64 samples with 2 threads each
 
 layout(scalar, binding = 0) uniform Frame
 {
@@ -51,7 +52,8 @@ layout(binding = 8) uniform sampler2D light_image;
 
 layout(scalar, binding = 11) writeonly buffer LinePoints
 {
-    LinePoint line_points[]; // two per sample: at the start of its piece, and at the end of the piece before
+    // Two per sample: the start of the piece after it, and the end of the piece before it.
+    LinePoint line_points[];
 };
 
 layout(scalar, binding = 12) readonly buffer Recalls
@@ -69,7 +71,8 @@ layout(scalar, binding = 14) writeonly buffer LineTouches
     LineTouch touches[];
 };
 
-layout(binding = 15) uniform usamplerBuffer variant_texels; // one per draw
+// The style variant of each draw (one primitive of a mesh in one place).
+layout(binding = 15) uniform usamplerBuffer variant_texels;
 
 #define VARIANT_LINES_BINDING 16
 #include "techniques/contour/chains/stroke/variant_lines.glsl"
@@ -96,9 +99,10 @@ const bool has_inks_by_kind = (variant & shape_has_inks_by_kind) != 0u;
 
 #include "techniques/contour/chains/stroke/stroke_places.glsl"
 
-// Width of lines in the middle of a stroke.
+// Width that lines have in the middle of a stroke.
 
-// A fold or boundary behind which the surface turns away counts as an outline.
+// The kind of a line in the current view: a fold or boundary counts as an outline if the surface behind it
+// faces away from the eye.
 uint kind_now(uint source)
 {
     uint kind = source >> 28;
@@ -116,7 +120,7 @@ float thinning_at(vec3 anchor)
     return mix(1.0, thinned_at(frame, away), constants.distance_thinning);
 }
 
-// The draw of the surface that a line belongs to; `source` is that of a sample.
+// The draw (primitive of a mesh) to whose surface a line belongs. `source` is LineSample::source.
 uint drawn_by(uint source)
 {
     return texelFetch(triangle_texels, int((source & 0x0fffffffu) >> 2)).w & triangle_draw_mask;
@@ -140,14 +144,15 @@ float width_at(uint index)
         in_metres = !is_hidden && is_in_metres(style_variant, kind);
     }
     if (has_widths_m && in_metres) {
-        // Distance has already thinned this width; dividing by the later thinning avoids applying it twice.
+        // The pressure will thin this width by distance, but perspective has already made it smaller.
+        // Dividing by the thinning cancels that factor.
         width /= pixel_size_m(frame, point.anchor) * thinning_at(point.anchor);
     }
     return width;
 }
 
-// The kind may change from edge to edge, but the width should not: takes the mean over a few samples of the
-// stroke.
+// Mean width over a few samples of the stroke: the kind of line may change from edge to edge, but its width
+// should not jump.
 float even_width(uint index, Stroke stroke)
 {
     uint from = max(index, stroke.first + 3u) - 3u;
@@ -159,7 +164,8 @@ float even_width(uint index, Stroke stroke)
     return sum / float(to - from + 1u);
 }
 
-// Curvature of a stroke around a sample; 1 if its radius is `turn_px` or less.
+// How tightly a stroke bends around a sample: 1 if the radius of the bend is `turn_px` or less, 0 if it is
+// straight.
 float turn_at(uint index, Stroke stroke)
 {
     const uint reach = 5u;
@@ -188,7 +194,8 @@ float pressure_at(uint index, Stroke stroke, vec2 inwards_px)
     return thinning_at(point.anchor) * mix(1.0, 0.62 + 0.75 * shade + 0.7 * slow, constants.pressure);
 }
 
-// Full width that a sample would have in the middle of a stroke. `ink` becomes that of a LinePoint.
+// Full width that the line would have at a sample in the middle of a stroke. `ink` becomes the ink number of
+// a LinePoint.
 float full_width(uint index, Stroke stroke, out uint ink)
 {
     LineSample point = sample_at(index);
@@ -216,26 +223,32 @@ float full_width(uint index, Stroke stroke, out uint ink)
 
 const float new_half_width_px = 0.15;
 const float least_change_px = 0.25;
-const float change_share = 0.08; // share of the full width
-const float most_past = 0.12;    // share of its length that a stroke runs past its ends
+const float change_share = 0.08; // largest change of a line's width per frame, as a share of the full width
+// Largest length by which a stroke runs past its ends, as a share of the stroke's length.
+const float most_past = 0.12;
 
-// Position of a stroke on its brush, which follows the surface from frame to frame.
+// Position of a stroke's samples along its brush. The position follows the surface from frame to frame.
 
-const int phase_reach = 6;      // samples on either side that are averaged
-const float one_phase_px = 3.0; // offsets that differ by less belong to the same brush
-const float most_stretch = 0.2; // offset up to which a brush settles, as a share of the stroke
+const int phase_reach = 6; // number of samples on either side over which offsets are averaged
+// Offsets that differ by less than this are averaged, because they belong to the same brush.
+const float one_phase_px = 3.0;
+// A brush returns to its even scale only if its offset is less than this share of the stroke.
+const float most_stretch = 0.2;
 const float most_settling_px = 0.15;
-const float most_start_px = 2048.0; // each stroke begins at a random position of its brush
-const float most_slide = 0.02;      // share of a stretched brush that it may slide per frame
-const float least_pace = 0.2; // least speed of a stretched brush from either end, relative to the even speed
+// Range of the random position at which each stroke starts on a repeating brush.
+const float most_start_px = 2048.0;
+const float most_slide = 0.02; // largest slide of a stretched brush per frame, as a share of the brush
+// Smallest scale of a stretched brush near either end, relative to the even scale.
+const float least_pace = 0.2;
 
 bool has_past(uint index)
 {
     return recalls[index].half_width_px >= 0.0;
 }
 
-// Position on the brush in the previous frame minus the current arc length. Taken from the nearest sample
-// with a past, preferably of the same stroke, and averaged with similar neighbours.
+// The offset of a sample: its position on the brush in the previous frame minus its current arc length. The
+// offset comes from the nearest sample that existed in the previous frame, preferably in the same stroke, and
+// is averaged with similar neighbours.
 float recalled_offset(uint index, Stroke stroke, uint seed, float otherwise)
 {
     int nearest = 4 * phase_reach;
@@ -260,14 +273,15 @@ float recalled_offset(uint index, Stroke stroke, uint seed, float otherwise)
     return count > 0.0 ? sum / count : offset;
 }
 
-// Mean offset of the whole stroke.
+// Mean over all samples of a stroke of position on the brush minus arc length.
 float offset_of(Stroke stroke)
 {
     return float(stroke.offset_sum) / (16.0 * float(max(stroke.offset_count, 1u)));
 }
 
-// Position on a repeating brush. It settles slowly to where the whole stroke has the brush's even scale,
-// unless the two differ so much that they belong to different turns or strokes.
+// Position on a repeating brush, in pixels. It slowly moves to where the whole stroke has the brush's even
+// scale. It does not move if the two positions differ so much that they belong to different repeats or
+// strokes.
 float repeated_phase(uint index, Stroke stroke, uint seed)
 {
     float arc = arc_from_start(index, stroke);
@@ -284,8 +298,9 @@ float repeated_phase(uint index, Stroke stroke, uint seed)
 }
 
 // Position on a brush that stretches over the whole stroke. If the stroke was different in the previous
-// frame, the brush slides to its new position, but its ends never lag far behind those of the stroke, which
-// may grow faster. A ring has no ends: its brush starts where it did before.
+// frame, the brush slides to its new position over several frames. Its ends stay near the ends of the stroke,
+// which may grow faster than the brush slides. On a ring, the brush starts where it started in the previous
+// frame.
 float stretched_phase(uint index, Stroke stroke, uint seed)
 {
     float arc = arc_from_start(index, stroke);
@@ -312,8 +327,8 @@ LineTouch touch_of(uint index, Stroke stroke, float phase_px, vec2 way)
                      uses);
 }
 
-// Wobble of the hand. It depends only on the place in the scene, so it is equal in every frame, lines that
-// meet wobble together, and closed lines close.
+// Wobble of the simulated hand. The wobble depends only on the place in the scene. So it is equal in every
+// frame, lines that meet wobble together, and closed lines stay closed.
 
 float lattice_value(ivec3 cell, uint seed)
 {
@@ -321,7 +336,7 @@ float lattice_value(ivec3 cell, uint seed)
                            uint(cell.z) * 0x27d4eb2fu ^ seed * 0xc2b2ae3du));
 }
 
-// Value noise in [0, 1], with one feature per unit.
+// Value noise in [0, 1] with one random value per unit of length.
 float value_noise(vec3 p, uint seed)
 {
     ivec3 cell = ivec3(floor(p));
@@ -335,8 +350,8 @@ float value_noise(vec3 p, uint seed)
     return mix(mix(near.x, near.y, f.x), mix(near.z, near.w, f.x), f.y);
 }
 
-// Noise in [-1, 1] with a feature about every `wave_px` on the page. Blends the two nearest feature sizes,
-// which are powers of two in the scene.
+// Noise in [-1, 1] whose features are about `wave_px` long on the page. It blends two noises whose feature
+// sizes, powers of two in the scene, are nearest to that length.
 float stray_at(vec3 anchor, float wave_px, uint seed)
 {
     float octave = log2(max(wave_px * pixel_size_m(frame, anchor), 1e-20));
@@ -344,7 +359,7 @@ float stray_at(vec3 anchor, float wave_px, uint seed)
     float fine = value_noise(anchor * exp2(-low), seed);
     float coarse = value_noise(anchor * exp2(-low - 1.0), seed + 1u);
     float part = octave - low;
-    // The mean of two noises has a smaller range; this factor restores the range.
+    // The mean of two noises varies less than one noise. This factor restores the range.
     return 2.0 * (mix(fine, coarse, part) - 0.5) * inversesqrt(1.0 - 2.0 * part + 2.0 * part * part);
 }
 
@@ -354,24 +369,25 @@ float sway_at(vec3 anchor, uint seed)
            0.25 * stray_at(anchor, 0.35 * constants.wave_px, seed + 2u);
 }
 
-// Differences between strokes, and between repeated drawings of one stroke.
+// Random differences between strokes, and between the drawings of one stroke that is drawn several times.
 
 const float again_width = 0.85;
-const float again_wave = 7.0; // length over which a line is retraced or not, in wavelengths of the wobble
+// Wavelength of the choice whether a line is retraced, in wavelengths of the wobble.
+const float again_wave = 7.0;
 
 uint hand_seed(uint what)
 {
     return hash(constants.seed, 16u * constants.hand + what);
 }
 
-// Distance by which a stroke extends past its start and its end; negative values shorten the stroke.
+// Distances by which a stroke extends past its start and past its end; negative values shorten the stroke.
 vec2 ends_px(uint seed)
 {
     uint start = hash(seed, hand_seed(1u));
     return constants.jitter_ends_px * (2.0 * vec2(unit_float(start), unit_float(hash(start))) - 1.0);
 }
 
-// Offset of the pen from the exact line.
+// Distance of the pen from the exact line, in pixels.
 float offset_at(vec3 anchor)
 {
     float aside = constants.jitter_offset_px * stray_at(anchor, 4.0 * constants.wave_px, hand_seed(2u));
@@ -379,7 +395,7 @@ float offset_at(vec3 anchor)
     return aside + (constants.hand > 0u ? again : 0.0);
 }
 
-// Factor of a stroke's width at a sample, from the jitter of the hand.
+// Factor on the width of a stroke at a sample, from the random jitter of the hand.
 float stray_width(uint index, Stroke stroke, uint seed)
 {
     vec3 anchor = sample_at(index).anchor;
@@ -399,7 +415,8 @@ float stray_width(uint index, Stroke stroke, uint seed)
     return constants.hand > 0u ? share * again_width * smoothstep(-0.35, 0.1, again) : share;
 }
 
-// Factor of a stroke's width at a sample: it tapers towards free ends, over at most a third of the stroke.
+// Factor on the width of a stroke at a sample: strokes taper towards free ends, over at most a third of the
+// stroke.
 float taper_at(uint index, Stroke stroke)
 {
     float whole = whole_length(index, stroke);
@@ -412,7 +429,7 @@ float taper_at(uint index, Stroke stroke)
     return is_ring || reach <= 0.0 ? 1.0 : smoothstep(0.0, 1.0, (from_end + 0.25 * reach) / (1.25 * reach));
 }
 
-// Position of the pen at a sample, including overshoot and wobble.
+// Position of the pen on the page at a sample, including overshoot and wobble.
 vec2 pen_at(uint index, Stroke stroke, vec2 way, uint seed)
 {
     vec2 page = sample_at(index).page_px;
@@ -436,7 +453,7 @@ vec2 pen_at(uint index, Stroke stroke, vec2 way, uint seed)
     return page + aside * vec2(-way.y, way.x);
 }
 
-// Direction of the line at a sample; a closed line continues from its end to its start.
+// Direction of the line on the page at a sample. A closed line continues from its end to its start.
 vec2 way_at(uint index, Stroke stroke)
 {
     bool is_ring = (sample_at(index).state & sample_in_ring) != 0u;

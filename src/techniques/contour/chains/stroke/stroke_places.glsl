@@ -2,11 +2,12 @@
 #ifndef ESTAMPE_STROKE_PLACES
 #define ESTAMPE_STROKE_PLACES
 
-// Positions of samples along their strokes. Requires before inclusion: SAMPLES_BINDING.
+// Positions of samples along their strokes, and the sample in the middle of a stroke. Requires before
+// inclusion: SAMPLES_BINDING.
 
 #include "techniques/contour/chains/chains.glsl.h"
 
-// Distance on the page between two samples, in pixels.
+// Distance on the page from a sample to the next sample, in pixels.
 float spacing_px(uint index)
 {
     return unpackHalf2x16(sample_at(index).state).y;
@@ -22,21 +23,21 @@ float whole_length(uint index, Stroke stroke)
     return spacing_px(index) * float(stroke.last - stroke.first);
 }
 
-// The sample that decides which stroke of the previous frame this one continues: the middle, because near the
-// ends other strokes may be closer.
+// The sample that decides which stroke of the previous frame a stroke continues. It is the middle sample,
+// because near the ends other strokes may be closer.
 uint middle_of(Stroke stroke)
 {
     return (stroke.first + stroke.last) / 2u;
 }
 
-// Distance of a sample from the middle, combined with its side.
+// Distance of a sample from the middle of its stroke, in samples, combined with a bit for the side.
 uint from_middle(uint index, Stroke stroke)
 {
     uint middle = middle_of(stroke);
     return index >= middle ? 2u * (index - middle) : 2u * (middle - index) - 1u;
 }
 
-// The inverse of from_middle().
+// Returns the sample for a value of from_middle().
 uint sample_from_middle(uint from, Stroke stroke)
 {
     uint apart = (from + 1u) / 2u;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread stores the starts and ends of strokes at its sample.
+// One thread handles one sample. If a stroke starts or ends at the sample, the thread stores the sample's
+// index in the stroke.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

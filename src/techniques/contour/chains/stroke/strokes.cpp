@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Makes strokes from chains: samples along each chain, their visibility, the strokes between them, and the
-// strokes' shape.
+// Makes strokes from chains: places samples along each chain, tests their visibility, finds the strokes
+// between them, and shapes the strokes.
 #include <algorithm>
 
 #include "gpu/resources.hpp"
@@ -83,8 +83,8 @@ ChainSamples add_samples(gpu::Graph& graph, const ChainInputs& in, const Chains&
 
 namespace {
 
-/// Enters samples into the grid, drops strokes that run beside a longer one, and finds for the ends of each
-/// stroke whether they meet other lines.
+/// Enters samples into the sample grid, drops strokes that run beside a longer stroke, and finds out whether
+/// the ends of each stroke meet other lines.
 ChainStrokes find_ends(gpu::Graph& graph, ChainStrokes strokes, glm::uvec2 size_px)
 {
     const uint32_t cells = grid_cell_count(size_px);
@@ -150,17 +150,17 @@ ChainStrokes add_strokes(gpu::Graph& graph, const ChainSamples& in, gpu::BufferI
 
 namespace {
 
-constexpr float sway_wave_mm = 9.0F; // approximate wavelength
-constexpr float turn_mm = 5.0F;      // radius of a bend at which pressure is greatest
+constexpr float sway_wave_mm = 9.0F; // approximate wavelength of the hand's wobble
+constexpr float turn_mm = 5.0F;      // radius of a bend at which the pen's pressure is greatest
 constexpr float settling = 0.02F;
 
-/// Whether brushes stretch over the whole stroke.
+/// Whether the brushes of visible or hidden lines stretch over the whole stroke.
 bool stretches(const ContourStyle& style, LineClass lines)
 {
     return style.brush_fit == BrushFit::stretch && lines == LineClass::seen;
 }
 
-/// Adds passes that match strokes with those of the previous frame.
+/// Adds passes that match strokes with the strokes of the previous frame.
 gpu::BufferId add_recall(gpu::Graph& graph, ChainStrokes& strokes, LineHistory& history,
                          const ContourInputs& page, const ContourStyle& style, LineClass lines)
 {
@@ -186,19 +186,19 @@ gpu::BufferId add_recall(gpu::Graph& graph, ChainStrokes& strokes, LineHistory& 
     return recalls;
 }
 
-/// Inputs of the shaping.
+/// Inputs of the pass that computes the path and width of the pen (shape.comp).
 struct ShapeInputs {
     const ContourInputs& page;
     const ChainInputs& mesh;
     gpu::BufferId facing;
     const ChainStrokes& strokes;
-    gpu::BufferId recalls; ///< unused without a previous frame
+    gpu::BufferId recalls; ///< data inherited from the previous frame; unused if there is no previous frame
     LineHistory* history;
     LineClass lines;
-    uint32_t hand; ///< number of times that the strokes have already been drawn
+    uint32_t hand; ///< how many times the strokes have already been drawn
 };
 
-/// Variant bits of shape.comp for a style.
+/// Variant bits of shape.comp that a style needs.
 uint32_t shape_variant(const ShapeInputs& in, const ContourStyle& style)
 {
     const bool is_hidden = in.lines == LineClass::hidden;
@@ -226,7 +226,7 @@ uint32_t shape_variant(const ShapeInputs& in, const ContourStyle& style)
            (style.pressure_from == PressureFrom::turn ? shared::shape_is_even_in_shade : 0U);
 }
 
-/// Sets the width of a kind. `To` has the width members of shared::ShapeConstants.
+/// Sets the width of a kind of line. `To` is a struct with the width members of shared::ShapeConstants.
 template <class To>
 void set_width(const ContourStyle& style, uint32_t kind, float pixels_per_mm, To& to)
 {
@@ -272,7 +272,8 @@ shared::ShapeConstants shape_constants(const ShapeInputs& in, const ContourStyle
     return constants;
 }
 
-/// Computes path and width of the pen. Only strokes drawn the first time are stored for the next frame.
+/// Adds the pass that computes path and width of the pen. If strokes are drawn several times, only the first
+/// drawing is stored for the next frame.
 HandDrawn add_shape(gpu::Graph& graph, const ShapeInputs& in, const ContourStyle& style)
 {
     const ContourInputs& page = in.page;
@@ -300,7 +301,7 @@ HandDrawn add_shape(gpu::Graph& graph, const ShapeInputs& in, const ContourStyle
     return {line_points, touches};
 }
 
-/// Makes strokes of the seen or the hidden lines, drawn as many times as the style sets.
+/// Makes strokes of the visible or the hidden lines, drawn as many times as the style asks for.
 std::pair<ChainStrokes, InlineVector<HandDrawn, most_hands>>
 add_class(gpu::Graph& graph, const ContourInputs& page, const ChainInputs& mesh, gpu::BufferId facing,
           const ChainSamples& samples, LineHistory* history, const ContourStyle& style, LineClass lines)
@@ -350,7 +351,7 @@ ShapedStrokes add_shaped_strokes(gpu::Graph& graph, const ContourInputs& in, Lin
     const ChainInputs lines = chain_inputs(graph, in, mesh, style);
     const Chains chains = add_chains(graph, lines, mesh, style.silhouettes == Silhouettes::edges);
     ChainSamples samples = add_samples(graph, lines, chains);
-    // If the pen draws all lines, no brushes are needed.
+    // If the pen draws all visible lines, no brushes are needed.
     ContourInputs page = in;
     page.brushes = brushes_of_seen_lines(in.brushes);
     auto [seen, hands] =

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// One thread transforms one of the two shapes of a sample from the page on which its line was linked to the
-// pixels of a part of the page.
+// One thread transforms one LinePoint from the page on which its line was linked to pixels of a part of the
+// page. Each sample has two LinePoints.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
 #include "techniques/contour/chains/chains.glsl.h"
 
-layout(local_size_x = 128) in; // 64 samples
+layout(local_size_x = 128) in; // 64 samples with 2 threads each
 
 layout(scalar, binding = 0) readonly buffer Sizes
 {

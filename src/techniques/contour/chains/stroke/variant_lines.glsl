@@ -2,7 +2,8 @@
 #ifndef ESTAMPE_VARIANT_LINES
 #define ESTAMPE_VARIANT_LINES
 
-// Lines of each style variant, see VariantLines. Requires before inclusion: VARIANT_LINES_BINDING.
+// Widths and inks of lines for each style variant, see VariantLines. Requires before inclusion:
+// VARIANT_LINES_BINDING.
 layout(binding = VARIANT_LINES_BINDING) uniform usamplerBuffer variant_line_texels;
 
 uint variant_line_word(uint style_variant, uint word)
@@ -10,7 +11,8 @@ uint variant_line_word(uint style_variant, uint word)
     return texelFetch(variant_line_texels, int(variant_lines_words * style_variant + word)).x;
 }
 
-/// In pixels, or in metres if the kind's bit in metre_kinds is set.
+/// Full width of a kind of line in a style variant: in metres if the kind's bit in `metre_kinds` is set, else
+/// in pixels.
 float variant_width_of(uint style_variant, uint kind)
 {
     return uintBitsToFloat(variant_line_word(style_variant, kind));
@@ -21,7 +23,7 @@ bool is_in_metres(uint style_variant, uint kind)
     return (variant_line_word(style_variant, line_kind_count) >> kind & 1u) != 0u;
 }
 
-/// The colour of an ink with the bit ink_of_variant, see LinePoint.
+/// Colour of an ink number that has the bit ink_of_variant, see LinePoint::ink.
 vec3 ink_color_of(uint ink)
 {
     uint kind = line_kind_count - 1u - ((ink & ~ink_of_variant) >> ink_kind_shift);

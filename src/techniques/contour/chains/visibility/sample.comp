@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread computes the position of one sample on a chain and its visibility. The sample is hidden if it
-// and the eye lie on different sides of the plane of a triangle seen there. The test point lies slightly
-// outside of the sample's own surface, so that this surface never hides it.
+// One thread computes the position and visibility of one sample on a chain. The sample is hidden if a
+// triangle that is seen there lies between the eye and the sample. The test point lies slightly outside of
+// the sample's own surface, so that this surface never hides it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -53,7 +53,8 @@ layout(push_constant, scalar) uniform Constants
 const float outside_px = 0.75;
 const float tolerance_px = 0.05;
 
-// The last point of a chain, except for the final one, whose arc length is at most `length`.
+// Finds the piece of a chain at the arc length `length`: the last point, except for the chain's end, whose
+// arc length is at most `length`.
 uint piece_at(uint first, uint end, uint length)
 {
     uint low = first;
@@ -70,15 +71,16 @@ uint piece_at(uint first, uint end, uint length)
 }
 
 struct Cover {
-    bool is_over; // seen from the eye, the point lies within the triangle
-    bool hides;   // the triangle's plane, within the triangle's range of depth, lies in front of the point
+    bool is_over; // seen from the eye, the tested point lies within the outline of the triangle
+    // The triangle's plane, limited to the triangle's range of depth, lies in front of the tested point.
+    bool hides;
 };
 
 Cover cover_of(uint triangle, vec3 point, float tolerance_m)
 {
     uvec4 corners = triangle_at(triangle);
     bool is_parallel = frame.is_orthographic != 0u;
-    // All positions are relative to an origin in front of the point.
+    // All positions are relative to an origin between the eye and the point, which keeps the numbers small.
     vec3 origin = is_parallel ? point - frame.view_forward : frame.eye_anchor;
     vec3 way = point - origin;
     vec3 a = posed_vertex_at(corners.x).position - origin;
@@ -96,8 +98,8 @@ Cover cover_of(uint triangle, vec3 point, float tolerance_m)
     return Cover(is_over, !is_beside && clamp(crossing, nearest, farthest) < scale - tolerance_m);
 }
 
-// Among the triangles seen around the point, one that covers it decides; if none does, because all are
-// smaller than a pixel, the majority decides.
+// Whether a point is visible. Among the triangles seen around the point, one that covers the point decides.
+// If none covers it, because all triangles are smaller than a pixel, the majority decides.
 bool is_visible(vec3 anchor, vec3 normal, float bulge_m, uint own)
 {
     float pixel_m = pixel_size_m(frame, anchor);
@@ -116,7 +118,8 @@ bool is_visible(vec3 anchor, vec3 normal, float bulge_m, uint own)
         Cover cover = cover_of(may_hide ? seen_triangle(word) : own, outside, tolerance_px * pixel_m);
         is_covered = is_covered || (may_hide && cover.is_over && cover.hides);
         is_free = is_free || (may_hide && cover.is_over && !cover.hides);
-        hiding += may_hide && cover.hides ? 1 : -3; // hidden if most of the four pixels hide it
+        // The point is hidden if most of the four pixels around it hide it.
+        hiding += may_hide && cover.hides ? 1 : -3;
         pixel = next_cell(pixel, around);
     } while (pixel.y <= around.high.y);
     return !is_covered && (is_free || hiding < 0);
@@ -142,7 +145,8 @@ void main()
     float along = float(length - lengths_before(at)) / max(length_unit_px * piece.length_px, 1e-6);
     float share = share_at(piece, clamp(along, 0.0, 1.0));
     vec3 anchor = mix(from.anchor, to.anchor, share);
-    // Normals are interpolated along pieces within triangles; an edge has one normal per piece.
+    // A piece of line within a triangle has interpolated normals; a piece along an edge has one constant
+    // normal.
     bool is_smooth = (from.source & 3u) == 3u;
     vec3 normal = unit(mix(unpack_normal(from.normal), unpack_normal(to.normal), is_smooth ? share : 0.0) +
                        1e-6 * towards_eye(frame, anchor));

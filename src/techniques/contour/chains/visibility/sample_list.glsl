@@ -2,15 +2,16 @@
 #ifndef ESTAMPE_SAMPLE_LIST
 #define ESTAMPE_SAMPLE_LIST
 
-// Samples of a chain by their index in the chain.
+// Access to the samples of a chain by their index in the chain.
 
 struct ChainOfSamples {
     uint first;
-    uint steps; // number of samples minus one
+    uint steps; // number of steps between the samples of the chain
     bool is_closed;
 };
 
-// Index of a sample that may lie beyond the end: clamped, or wrapped around in a closed chain.
+// Index in the sample list of sample number `place` of a chain. Numbers beyond the ends are clamped, or
+// wrapped around in a closed chain.
 uint place_in(ChainOfSamples chain, int place)
 {
     int steps = int(chain.steps);

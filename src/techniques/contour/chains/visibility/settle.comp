@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread decides the visibility of one sample by the majority of its neighbours, and looks for a place to
-// cut a closed chain: where it is hidden, or else at a corner.
+// One thread decides the visibility of one sample by the majority of its neighbours. In a closed chain, it
+// also looks for a place to cut the chain open: at a hidden sample, or else at a corner.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -36,7 +36,7 @@ layout(scalar, binding = 5) buffer RotationOfSlot
 #include "techniques/contour/chains/visibility/sample_list.glsl"
 
 const int votes_each_side = 1;
-const float corner_cosine = 0.5; // 60 degrees
+const float corner_cosine = 0.5; // cosine of 60 degrees: a larger bend at a sample is a corner
 
 bool is_visible_at(ChainOfSamples chain, int place)
 {
