@@ -16,11 +16,13 @@
 namespace estampe {
 namespace {
 
-/// Samples the heights, because a division by zero at some places cannot be found in the graph's text.
+/// Samples the terrain's heights and throws an Error if one is not finite. A division by zero at some places
+/// cannot be found in the graph's text.
 void check_heights(const Terrain& terrain)
 {
     for (int i = 0; i < 256; ++i) {
-        // Samples are spread evenly over a square of 2 km, by the plastic number's low-discrepancy sequence.
+        // The samples are spread evenly over a square of 2 km, by the plastic number's low-discrepancy
+        // sequence.
         const double x = 2000.0 * (std::fmod(0.5 + i * 0.7548776662466927, 1.0) - 0.5);
         const double z = 2000.0 * (std::fmod(0.5 + i * 0.5698402909980532, 1.0) - 0.5);
         const double height = terrain.sample(x, z, 0.1 * i).height_m;
@@ -69,7 +71,7 @@ std::optional<glm::dvec3> Terrain::hit(const glm::dvec3& from, const glm::dvec3&
     constexpr int steps = 500;
     double last_m = 0.0;
     for (int step = 1; step <= steps; ++step) {
-        // Steps are finer near the eye, where the ground is seen in more detail.
+        // Steps along the ray are finer near the eye, where the ground is seen in more detail.
         const double share = static_cast<double>(step) / steps;
         const double way_m = reach_m * share * share;
         if (above(way_m) > 0.0) {
@@ -108,11 +110,11 @@ void Terrain::paint_mask(std::string_view mask, const std::vector<float>& height
 
 namespace {
 
-constexpr double fov_rad = 0.8; // vertical
+constexpr double fov_rad = 0.8; // vertical field of view
 constexpr double eye_above_m = 3.0;
 
-/// Heights on a lattice around the origin, with linear interpolation: evaluating the graph once per lattice
-/// point makes many lookups cheap.
+/// Heights on a lattice around the origin, with linear interpolation. The graph is evaluated only once per
+/// lattice point, so lookups are cheap.
 class Relief {
 public:
     Relief(const Terrain& terrain, double time_s)
@@ -145,7 +147,7 @@ public:
         return glm::normalize(glm::dvec3(-rise({spacing_m, 0.0}), 2.0 * spacing_m, -rise({0.0, spacing_m})));
     }
 
-    /// Distance along a unit vector to the ground, at most `reach_m`.
+    /// Distance from a point to the ground along a unit vector, at most `reach_m`.
     [[nodiscard]] double way_to_ground_m(const glm::dvec3& from, const glm::dvec3& towards,
                                          double reach_m) const
     {
@@ -171,12 +173,12 @@ private:
     std::vector<double> heights_m_;
 };
 
-/// Eye positions at a rider's height above the highest places, with a minimum distance between the positions.
+/// Eye positions at a rider's height above the highest places. Any two positions have a minimum distance.
 std::vector<glm::dvec3> lookouts(const Relief& relief)
 {
     constexpr size_t most = 8;
     constexpr double apart_m = 25.0;
-    constexpr int reach = 40; // in spacings; the ground beyond is only looked at
+    constexpr int reach = 40; // largest distance of eye positions from the origin, in lattice spacings
     std::vector<glm::dvec3> places;
     for (int j = -reach; j <= reach; ++j) {
         for (int i = -reach; i <= reach; ++i) {
@@ -196,7 +198,7 @@ std::vector<glm::dvec3> lookouts(const Relief& relief)
     return chosen;
 }
 
-/// Rates a view at low resolution: how much of it is shade, and how often light and shade meet.
+/// Rates a view at low resolution: how much of the view is shade, and how often light and shade meet.
 double merit(const Relief& relief, const Camera& camera, const glm::dvec3& towards_sun)
 {
     constexpr int columns = 16;
@@ -246,7 +248,8 @@ double merit(const Relief& relief, const Camera& camera, const glm::dvec3& towar
 Camera terrain_camera(const Terrain& terrain, double time_s, const glm::dvec3& towards_sun)
 {
     constexpr int headings = 24;
-    constexpr double pitch = -0.16; // tangent; puts the horizon a third below the top
+    // Tangent of the camera's pitch; it puts the horizon a third below the top.
+    constexpr double pitch = -0.16;
     constexpr double farthest_m = 100.0;
     const Relief relief(terrain, time_s);
     const glm::dvec3 sun = glm::normalize(towards_sun);
@@ -266,7 +269,7 @@ Camera terrain_camera(const Terrain& terrain, double time_s, const glm::dvec3& t
             }
         }
     }
-    // The target is a point on the ground, so that the camera can orbit around it.
+    // The camera's target is a point on the ground, so that the camera can orbit around it.
     const glm::dvec3 ahead = glm::normalize(best.target - best.eye);
     best.target = terrain.hit(best.eye, ahead, farthest_m, time_s).value_or(best.target);
     return best;

@@ -11,45 +11,49 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-// The vertices of a terrain: their column and row in the grid of a level, and the levels' positions.
+// The vertices of a terrain. A vertex is a column and row in the grid of a level; the position of the level
+// gives its place.
 
-// A vertex is one word: column in bits 0-12, row in 13-25, part in 26-27, level in 28-31. The trim fills the
-// gap between a level and the finer level inside it; its columns and rows count from its own corner.
+// A vertex is one word: column in bits 0-12, row in 13-25, part in 26-27, level in 28-31. The part "trim"
+// fills the gap between a level and the finer level inside it; its columns and rows count from its own
+// corner.
 SHARED_CONSTANT uint terrain_part_grid = 0U;
 SHARED_CONSTANT uint terrain_part_trim_column = 1U;
 SHARED_CONSTANT uint terrain_part_trim_row = 2U;
 SHARED_CONSTANT uint terrain_index_bits = 13U;
 
-// Variant bits of terrain_vertices.comp: vertices are in no grid; previous positions are wanted.
+// Variant bits of terrain_vertices.comp. has_places: vertices are in no grid and have stored positions.
+// keeps_before: the shader also writes the positions of the previous frame.
 SHARED_CONSTANT uint terrain_has_places = 1U;
 SHARED_CONSTANT uint terrain_keeps_before = 2U;
 
 struct TerrainLevel {
-    vec2 origin_m;    // position of column 0 and row 0, from the anchor
-    vec2 eye_cells;   // position of the eye, in cells from the origin
-    float cell_m;     // distance between vertices
-    float fade_from;  // distance in cells from the eye, where heights begin to blend into the next level
-    float fade_to;    // distance where they reach the next level's heights
-    uint hole_first;  // first column and row where the finer level may begin
-    uint hole_count;  // columns and rows of the hole, in cells of this level
-    uvec2 hole_shift; // 0 or 1: offset of the hole's actual start
+    vec2 origin_m;  // position of column 0 and row 0, relative to the anchor
+    vec2 eye_cells; // position of the eye relative to the origin, in cells
+    float cell_m;   // distance between neighbouring vertices
+    // Distance from the eye, in cells, at which heights begin to blend into those of the next level.
+    float fade_from;
+    float fade_to;    // distance from the eye, in cells, at which heights equal those of the next level
+    uint hole_first;  // first column and row at which the hole for the finer level may begin
+    uint hole_count;  // columns and rows of the hole for the finer level, in cells of this level
+    uvec2 hole_shift; // 0 or 1 in x and y: cells between `hole_first` and the actual start of the hole
 };
 
-// Constants of all vertices.
+// Constants for all vertices of a terrain.
 struct TerrainGlobals {
-    vec2 eye_m;            // from the anchor
+    vec2 eye_m;            // position of the eye (x, z), relative to the anchor
     float anchor_y_m;      // height of the anchor in the world
-    float stroke_unit_m;   // length of a unit of stroke coordinates
-    float planet_radius_m; // 0 for flat ground
-    float before_s;        // time since the previous frame
+    float stroke_unit_m;   // length in metres of one unit of stroke coordinates
+    float planet_radius_m; // radius of the planet; 0 for flat ground
+    float before_s;        // time between the previous frame and this frame
     uint vertex_count;
-    uint first_vertex;    // index of the terrain's first posed vertex
-    uint first_parameter; // index in the words of the program
+    uint first_vertex;    // index of the terrain's first vertex among all posed vertices
+    uint first_parameter; // index of the first parameter in the words of the program
     uint first_instruction;
     uint instruction_count;
 };
 
-// A field of heights. Its origin is the centre of the first texel, from the anchor.
+// A square field of heights. `origin_m` is the centre of the first texel, relative to the anchor.
 struct TerrainField {
     vec2 origin_m;
     float texel_m;
@@ -57,20 +61,21 @@ struct TerrainField {
 
 SHARED_CONSTANT uint terrain_fields_most = 5U;
 
-// Fields of one size, stacked vertically in one image. The z coordinate of a dispatch is the field's index.
+// Fields of heights of one size, stacked vertically in one image. The z coordinate of a dispatch is the index
+// of the field.
 struct TerrainFieldConstants {
     TerrainField fields[5];
-    uvec2 size; // of a field, texels
+    uvec2 size; // size of one field in texels
     FieldSector wanted;
 };
 
-// The place of the sand's heights in the buffer of texels.
+// Where the heights of the simulated sand are stored in the buffer of texels.
 struct SandConstants {
     uint side;
     uint first_texel;
 };
 
-// Operations of height graphs, for all interpreters and compilers of a program.
+// Numbers of the operations of height graphs, for all interpreters and compilers of a program.
 
 SHARED_CONSTANT uint height_constant = 0U;
 SHARED_CONSTANT uint height_add = 1U;
@@ -102,13 +107,13 @@ SHARED_CONSTANT uint height_dunes = 25U;
 SHARED_CONSTANT uint height_no_register = 0xffffffffU;
 SHARED_CONSTANT uint height_register_count = 32U;
 
-// A program in words: places, parameters, and four words per instruction.
-SHARED_CONSTANT uint height_words_most = 16000U; // so that words fit in 64 KiB of uniforms
+// Format of a program in words: places, then parameters, then four words per instruction.
+SHARED_CONSTANT uint height_words_most = 16000U; // limited so that all words fit in 64 KiB of uniforms
 SHARED_CONSTANT uint height_words_a_place = 16U;
 SHARED_CONSTANT uint height_place_words = 16U;
 
-// An instruction: its operation, target register, input registers and first parameter. `warp` holds two
-// registers, or height_no_register if the place is not warped.
+// An instruction: its operation, target register, input registers and first parameter. `warp` holds the
+// numbers of two registers, or height_no_register if the place is not warped.
 struct HeightInstruction {
     uint op;
     uint target;
@@ -116,158 +121,162 @@ struct HeightInstruction {
     uvec2 warp;
     uint parameter;
     uint place;
-    uint count; // number of points of a curve
+    uint count; // number of points, if the operation is a curve
 };
 
-// Slabs of sand.
+// Sand that the wind moves in slabs (small units of constant volume).
 
-// Kinds of ground for the wind, per cell.
+// How the wind sees a cell of the sand.
 SHARED_CONSTANT uint slab_open_sand = 0U;
-SHARED_CONSTANT uint slab_open_rock = 1U; // no sand left
+SHARED_CONSTANT uint slab_open_rock = 1U; // the cell has no sand left
 SHARED_CONSTANT uint slab_in_lee = 2U;
 
-SHARED_CONSTANT uint slab_most_hops = 32U; // a slab stays where its last hop ends
+SHARED_CONSTANT uint slab_most_hops = 32U; // a slab stays where its last possible hop ends
 
-// A line of cells along the wind is divided into this many pieces, one per thread.
+// A line of cells along the wind is divided into this many pieces. One thread processes one piece.
 SHARED_CONSTANT uint slab_pieces = 16U;
 
-// The movement of sand uses whole numbers only, so that results are equal on every device.
+// Constants of one step of the sand. The movement of sand uses only whole numbers, so that the results are
+// equal on every device.
 struct SlabConstants {
-    uint side; // cells per side, a power of two
-    uint step; // steps since the field's beginning
+    uint side; // number of cells per side, a power of two
+    uint step; // number of steps since the start of the simulation
     uint seed;
-    uint along_y; // 1: a line along the wind steps along y; 0: along x
-    int sign;     // sign of that step
-    int slope;    // cells across per step along, times 65536; whole cells over the whole side
-    int phase;    // offset for rounding lines to cells, times 65536
-    int drop;     // fall of the lee's roof per step, 1/256 slab
-    int hop_x;    // length of a hop, 1/256 cell
+    uint along_y; // 1: the lines of cells along the wind step along y; 0: along x
+    int sign;     // sign of that step: 1 or -1
+    // Cells across per step along a line, times 65536; over the whole side, a whole number of cells.
+    int slope;
+    int phase; // offset for rounding lines to cells, in cells times 65536
+    int drop;  // fall of the lee's roof per step along a line, in 1/256 slab
+    int hop_x; // length of a hop along x, in 1/256 cell
     int hop_y;
-    int mean;     // height in slabs at which hops have that length
-    int gain;     // growth of a hop's length per slab of height, times 65536
-    uint lift;    // number of cells, of 65536, at which the wind tries to lift a slab per step
-    uint on_sand; // of 65536 slabs that land on sand, how many stay
+    int mean;     // height of sand, in slabs, at which hops have the length `hop_x`, `hop_y`
+    int gain;     // relative growth of a hop's length per slab of height, times 65536
+    uint lift;    // the wind tries to lift a slab at this many of 65536 cells per step
+    uint on_sand; // of 65536 slabs that land on sand, this many stay
     uint on_rock;
 };
 
-// One phase of sliding works on blocks of 2 x 2 cells; the next phase uses other blocks.
+// Constants of one slide: steep sand slides within blocks of 2 x 2 cells. The next slide uses other blocks.
 struct SlideConstants {
     uint side;
-    uint first_x; // 0 or 1: offset of the blocks
+    uint first_x; // 0 or 1: column at which the first block starts
     uint first_y;
-    int beside; // height difference in slabs that is allowed between side neighbours
-    int aslant; // height difference in slabs that is allowed between diagonal neighbours
+    int beside; // largest allowed difference of height between cells side by side, in slabs
+    int aslant; // largest allowed difference of height between diagonal neighbours, in slabs
 };
 
 struct SlabHeightConstants {
     uint side;
-    uint radius; // cells of smoothing in each direction
+    uint radius; // number of cells in each direction over which heights are smoothed
     float slab_m;
-    float fraction; // interpolation from the state before the last step, 0, to the state after it, 1
+    float fraction; // interpolation between the state before the last step (0) and after it (1)
 };
 
-// Ripples.
+// Ripples on sand.
 
-// Size of a cell of the ripples' lattice in wavelengths, along and across the wind. It is whole along the
-// wind, so that waves continue from cell to cell.
+// Size of a cell of the ripples' lattice in wavelengths, along and across the wind. The size along the wind
+// is a whole number, so that waves continue from cell to cell.
 SHARED_CONSTANT float ripple_cell_along = 4.0F;
 SHARED_CONSTANT float ripple_cell_across = 7.0F;
 
 struct RippleConstants {
-    vec2 wind;  // unit vector in x and z
-    vec2 rest;  // fractional position of the anchor in the lattice: along the wind, across
-    uvec2 cell; // whole cells of that position, as bits of ivec2
+    vec2 wind;  // unit vector of the wind's direction, as (x, z)
+    vec2 rest;  // position of the anchor within its lattice cell, along and across the wind
+    uvec2 cell; // lattice cell that contains the anchor, as the bits of an ivec2
     float wavelength_m;
-    float height_m; // from trough to crest
+    float height_m; // height of a ripple from trough to crest
     float meander;
-    uint draw; // number of the draw that has ripples
+    uint draw; // number of the draw that has ripples: the terrain
 };
 
-// Trails.
+// Trails in sand.
 
-// A square window of texels on the ground. Texel number n of the ground is stored at index n modulo the side,
-// so moving the window copies no texel.
+// A square window of texels that moves over the ground. Texel number n of the ground is stored at index n
+// modulo the side, so moving the window copies no texel.
 struct TrailWindow {
-    uint side;    // texels, a power of two
-    uint first_x; // where the window's first texel is stored
+    uint side;    // number of texels per side, a power of two
+    uint first_x; // column in memory at which the window's first texel is stored
     uint first_y;
 };
 
 struct TrailPress {
     TrailWindow window;
-    int base_x; // texel that places are relative to, counted from the window's first texel
+    // Column of the base (a texel near the stamp), from the window's first texel; places count from the base.
+    int base_x;
     int base_y;
-    int low_x; // bounds of the touched texels, relative to the base
+    int low_x; // first column that the stamp touches, relative to the base
     int low_y;
     int high_x;
     int high_y;
-    vec2 from; // ends of the stamp, metres from the base's centre
+    vec2 from; // start of the stamp, in metres from the centre of the base; `to` is its end
     vec2 to;
     float from_radius_m;
     float to_radius_m;
     float depth_m;
-    float rim_m; // width of the rim
+    float rim_m; // width of the rim of sand around the stamp
     float texel_m;
-    float steepness; // slope of the sole's edge
-    int moved_x;     // movement of the window; a known stamp leaves the texels unchanged that the window kept
+    float steepness; // slope of the edge of the pressed area
+    // Columns by which the window moved; a known stamp changes only texels that are new in the window.
+    int moved_x;
     int moved_y;
-    uint is_known; // 1: pressed earlier, repeated now on new texels, on level ground
+    uint is_known; // 1: the stamp was pressed earlier and is repeated on new texels, which are level ground
 };
 
 struct TrailSlump {
     TrailWindow window;
-    uint skip_x; // 0 or 1: offset of the 2 x 2 blocks in the window
+    uint skip_x; // 0 or 1: column of the window at which the first block of 2 x 2 texels starts
     uint skip_y;
-    float beside_m; // height difference in metres that is allowed between side neighbours
-    float aslant_m; // height difference in metres that is allowed between diagonal neighbours
+    float beside_m; // largest allowed difference of height between texels side by side, in metres
+    float aslant_m; // largest allowed difference of height between diagonal neighbours, in metres
 };
 
 struct TrailFill {
     TrailWindow window;
-    int moved_x; // movement of the window since the texels were written
+    int moved_x; // columns by which the window has moved since the texels were written
     int moved_y;
-    uint steps; // steps that pass
-    float kept; // factor of a height per step
+    uint steps; // number of time steps that pass
+    float kept; // factor on a trail's height per time step
 };
 
 struct TrailImageConstants {
     TrailWindow window;
-    uint edge; // width in texels of the fade at the window's edge
+    uint edge; // width in texels of the border where heights fade to 0
 };
 
 struct TrailRelief {
-    vec2 corner_m; // corner of the image, from the anchor
+    vec2 corner_m; // position of the image's corner, relative to the anchor
     float texel_m;
     uint draw;        // number of the terrain's draw
-    vec3 towards_sun; // unit vector; 0 without a sun
+    vec3 towards_sun; // unit vector; zero if there is no sun
 };
 
-// Drifting sand.
+// Sand that drifts in the wind.
 
 SHARED_CONSTANT uint drift_streaks_a_cell = 6U;
-SHARED_CONSTANT float drift_life_s = 2.4F; // lifetime of a streak
+SHARED_CONSTANT float drift_life_s = 2.4F; // lifetime of a streak of sand
 
-// Cells are the texels of a field of heights. Cells are numbered on the ground, so that a streak does not
-// depend on the field's position.
+// Constants of the streaks of drifting sand. The cells are the texels of a field of heights. They are
+// numbered on the ground, so that a streak does not depend on the position of the field.
 struct DriftConstants {
-    vec2 corner_m; // centre of the field's first texel, from the anchor
+    vec2 corner_m; // centre of the field's first texel, relative to the anchor
     float cell_m;
-    uint side;    // cells per side
-    uint first_x; // number of the first cell on the ground; wraps around
+    uint side;    // number of cells per side of the field
+    uint first_x; // column number on the ground of the field's first cell; wraps around
     uint first_y;
-    vec2 wind;           // unit vector in x and z
-    float speed_m_per_s; // of sand in the air
-    uint life;           // number of the current lifetime of streaks
-    float life_share;    // elapsed share of the lifetime, for a streak born at its beginning
+    vec2 wind;           // unit vector of the wind's direction, as (x, z)
+    float speed_m_per_s; // speed of the sand in the air
+    uint life;           // how many lifetimes of a streak have passed
+    float life_share;    // elapsed share of the current lifetime, for a streak born at its beginning
     float length_m;
     float lift_m;
     float reach_m;
     float half_width_px;
-    float amount; // share of the streaks that are drawn
+    float amount; // share of all possible streaks that are drawn
 };
 
 struct DriftInk {
-    vec3 ink; // linear
+    vec3 ink; // linear colour of the streaks
     uvec2 size_px;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A terrain on the device: compiles its height graph from GLSL, and poses its vertices.
+// A terrain on the device. Compiles the terrain's height graph to a shader, and poses the terrain's vertices.
 #include "techniques/terrain/terrain_buffers.hpp"
 
 #include <algorithm>
@@ -115,7 +115,7 @@ std::string value_of(const Instruction& i)
     }
 }
 
-/// Compiled words and the shader that points to them; must not move in memory.
+/// The SPIR-V words of a compiled shader, and the shader that points to them. Must not move in memory.
 struct Compiled {
     std::string name;
     std::vector<uint32_t> words;
@@ -138,8 +138,8 @@ std::vector<uint32_t> spirv_of(const std::string& text, const std::string& name)
     return result;
 }
 
-/// Writes the program as the GLSL function `vec4 height_at(vec2 local_m, float spacing_m)`. Numbers stay in
-/// the parameters, so that programs of the same form have the same text.
+/// Writes a program as the GLSL function `vec4 height_at(vec2 local_m, float spacing_m)`. Numbers are read
+/// from the parameters, so that programs that differ only in numbers have the same text.
 std::string height_glsl(const Program& program)
 {
     std::string text = fmt::format("uint first_parameter()\n{{\n    return {}u;\n}}\n\n",
@@ -156,9 +156,9 @@ std::string height_glsl(const Program& program)
     return text + fmt::format("    return r{};\n}}\n", program.instructions.back().target);
 }
 
-/// Inserts the program into a shader's text at HEIGHT_PROGRAM, then compiles and optimises it with the
-/// program glslc. Results are cached by text until the process ends. Thread-safe. Throws Error when glslc is
-/// missing or rejects the text. Cost of a new text: 0.2 to 0.5 s.
+/// Inserts a program into a shader's text at HEIGHT_PROGRAM, then compiles and optimises the text with glslc.
+/// Results are cached by text until the process ends. Thread-safe. Throws Error if glslc is missing or
+/// rejects the text. Cost of a new text: 0.2 to 0.5 s.
 const gpu::Shader& compiled_with(const Program& program, const std::string& shader_name,
                                  const std::string& shader_text)
 {
@@ -181,7 +181,8 @@ const gpu::Shader& compiled_with(const Program& program, const std::string& shad
     return known.try_emplace(std::move(text), std::move(made)).first->second->shader;
 }
 
-/// Steps of sand that a picture's own graph may simulate. Other steps need add_catching_up() before.
+/// Number of sand steps that the graph of a picture may simulate. More steps need add_catching_up() before
+/// the picture.
 constexpr uint32_t steps_a_frame = 4;
 
 template <class T>
@@ -250,7 +251,7 @@ void TerrainBuffers::set_graph(gpu::Device& device, const Terrain& terrain)
     set_source(source_);
 }
 
-/// Keeps the simulated sand if the graph still asks for the same sand.
+/// Creates the simulated sand of the graph. Keeps the existing sand if the graph still asks for the same.
 void TerrainBuffers::take_sand(gpu::Device& device)
 {
     const auto& textures = terrain_.program().textures;
@@ -306,8 +307,8 @@ gpu::BufferId TerrainBuffers::add_texels(gpu::Graph& graph)
 void TerrainBuffers::set_source(HeightSource source)
 {
     source_ = source;
-    // Does not wait for a running compilation. finish_compiling() checks which terrain the compilation was
-    // for.
+    // Does not wait for a compilation that is still running. finish_compiling() checks for which terrain that
+    // compilation was.
     if (source == HeightSource::compiled_meanwhile && !compiled_ && !compiling_.valid()) {
         begin_compiling();
     }
@@ -319,7 +320,7 @@ void TerrainBuffers::begin_compiling()
     compiling_ = std::async(std::launch::async, shaders_of, terrain_);
 }
 
-/// Takes over the compiled shaders if the compiler has finished.
+/// Starts to use the compiled shaders if the compiler has finished.
 void TerrainBuffers::finish_compiling()
 {
     if (!compiling_.valid() || compiling_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
@@ -362,7 +363,8 @@ bool TerrainBuffers::prepare(gpu::Device& device, const TerrainMoment& moment)
         const double steps = sand_source_->start_steps + sand_source_->steps_per_s * std::max(time_s, 0.0);
         is_sand_stale_ = is_sand_stale_ || steps != sand_moment_;
         sand_moment_ = steps;
-        if (steps + 1.0 < static_cast<double>(sand_->steps())) { // the simulation cannot run backwards
+        // The moment lies in the past, but the simulation cannot run backwards.
+        if (steps + 1.0 < static_cast<double>(sand_->steps())) {
             sand_ = std::make_unique<SlabField>(device, sand_style_, sand_->side());
         }
         form_ += is_sand_stale_ ? 1 : 0;
@@ -441,7 +443,8 @@ gpu::ImageId TerrainBuffers::add_heights(gpu::Graph& graph, const HeightFields& 
         .sample(texels, gpu::Format::r32f);
     const gpu::ImageId height = pass.write(graph.image(
         "terrain/heights", {.width = size.x, .height = count * size.y, .format = gpu::Format::r32f}));
-    constexpr uint32_t point_us = 45; // the layers of noise run one after another, even for few points
+    // Estimated time per vertex: the octaves of noise run one after another, even for few vertices.
+    constexpr uint32_t point_us = 45;
     pass.push(constants).estimated_duration_us(point_us).dispatch_over_page(size.x, size.y, count);
     return height;
 }

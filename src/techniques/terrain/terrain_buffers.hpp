@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A terrain on the device, which poses the vertices of its mesh around the eye.
+// A terrain on the device. It poses the vertices of the terrain's mesh around the eye.
 
 #include <future>
 #include <memory>
@@ -20,71 +20,74 @@ namespace estampe::terrain {
 
 /// How the GPU evaluates the height graph.
 enum class HeightSource : uint8_t {
-    compiled,          ///< by a shader compiled for this graph; interpreted without a compiler
-    interpreted,       ///< by a general shader: slower, but available at once
-    compiled_meanwhile ///< interpreted until a background thread has compiled the shader
+    /// By a shader compiled for this graph; falls back to `interpreted` if there is no compiler.
+    compiled,
+    interpreted,       ///< by a general shader that interprets the graph: slower, but available immediately
+    compiled_meanwhile ///< interprets the graph until a background thread has compiled its shader
 };
 
-/// Shaders that contain a compiled graph; null if compilation failed.
+/// Shaders that contain a compiled height graph; null if the compilation failed.
 struct CompiledShaders {
     const gpu::Shader* vertices = nullptr;
     const gpu::Shader* heights = nullptr;
-    std::string problem; ///< reason of the failure
+    std::string problem; ///< error message of the compiler if the compilation failed
 };
 
-/// The time and the eye position of a frame.
+/// Time and eye position of a frame.
 struct TerrainMoment {
     EyePlace eye;
-    glm::dvec3 anchor_m{0.0}; ///< x and z are whole multiples of 64
+    glm::dvec3 anchor_m{0.0}; ///< origin of positions on the device; x and z are whole multiples of 64
     double time_s = 0.0;
-    std::optional<double> before_s; ///< time since the previous frame, if previous positions are wanted
+    /// Time since the previous frame; none: positions of the previous frame are not needed.
+    std::optional<double> before_s;
 };
 
-/// The place of the terrain's vertices in the buffer of all meshes: from `first_vertex` on.
+/// Where the vertices of the terrain are stored in the buffer of all meshes: from `first_vertex` on.
 struct TerrainTarget {
     uint32_t first_vertex = 0;
     double stroke_unit_m = 1.0;
 };
 
-/// Lattices whose heights are computed in one dispatch.
+/// Square fields whose heights are computed in one dispatch.
 using HeightFields = InlineVector<shared::TerrainField, shared::terrain_fields_most>;
 
 class TerrainBuffers {
 public:
-    /// Uploads the constant data. Throws Error when it does not fit the device.
+    /// Uploads the data that does not change from frame to frame. Throws Error if the data does not fit on
+    /// the device.
     TerrainBuffers(gpu::Device& device, const Terrain& terrain, const TerrainTarget& target,
                    const ObjectTriangles& object = {});
 
-    /// Sets another graph, or other numbers in the graph. Changes of the mesh must also be passed to
-    /// set_mesh(). Throws Error when the graph does not fit, and changes nothing then.
+    /// Sets another height graph, or other numbers in the graph. Changes of the mesh must also be passed to
+    /// set_mesh(). Throws Error and changes nothing if the graph does not fit on the device.
     void set_graph(gpu::Device& device, const Terrain& terrain);
 
-    /// Sets the mesh that the terrain describes; heights, sand and compiled shaders are kept. Throws Error
-    /// when it does not fit.
+    /// Sets the mesh that the terrain describes. Heights, sand and compiled shaders are kept. Throws Error if
+    /// the mesh does not fit on the device.
     void set_mesh(gpu::Device& device, const TerrainTarget& target, const ObjectTriangles& object = {});
 
-    /// Sets how the GPU evaluates the graph from now on.
+    /// Sets how the GPU evaluates the height graph from now on.
     void set_source(HeightSource source);
 
     [[nodiscard]] const Terrain& terrain() const { return terrain_; }
 
-    /// Updates levels and places to a moment. Returns whether any vertex may have changed since the last
-    /// call.
+    /// Updates the mesh's levels and the coordinates of the height graph to a moment. Returns whether any
+    /// vertex may have changed since the last call.
     bool prepare(gpu::Device& device, const TerrainMoment& moment);
 
-    /// Updates the texels of sand to the moment. Returns the texels of textures, masks and sand, which
-    /// add_vertices() and add_heights() read. Call once per graph.
+    /// Simulates sand up to the moment and writes its heights. Returns the buffer of texels (textures, masks
+    /// and sand) that add_vertices() and add_heights() read. Call once per graph.
     [[nodiscard]] gpu::BufferId add_texels(gpu::Graph& graph);
 
-    /// Returns whether sand is more steps behind its moment than one graph can simulate. If so, first run
-    ///         graphs that contain only add_catching_up().
+    /// Returns whether the sand is more steps behind its moment than one graph can simulate. If so, first run
+    /// graphs that contain only add_catching_up().
     [[nodiscard]] bool is_behind() const;
     void add_catching_up(gpu::Graph& graph);
 
     /// Poses the terrain's vertices and writes them into the meshes' buffers `posed_vertices`, `before` and
     /// `stroke_coordinates`.
     ///
-    /// Writes  posed vertices of this frame and of the previous one, stroke coordinates
+    /// Writes  posed vertices of this frame and of the previous frame, stroke coordinates
     /// Cost    one dispatch, one thread per vertex; up to three evaluations of the graph near a ring's edge
     /// Source  Losasso and Hoppe, "Geometry Clipmaps", SIGGRAPH 2004, for the rings
     struct Posed {
@@ -95,21 +98,23 @@ public:
 
     [[nodiscard]] Posed add_vertices(gpu::Graph& graph, const Posed& meshes, gpu::BufferId texels);
 
-    /// Computes heights above the anchor on lattices, r32f, of `size` texels each, stacked vertically. Leaves
-    /// out forms that are too fine for a lattice. Texels outside `wanted` are set to a very low height.
+    /// Computes the ground's heights above the anchor on several fields: r32f, `size` texels per field,
+    /// stacked
+    /// vertically. Leaves out forms that are too fine for a field. Texels outside `wanted` get a very low
+    /// height.
     ///
     /// Cost    one dispatch, one thread per texel
     [[nodiscard]] gpu::ImageId add_heights(gpu::Graph& graph, const HeightFields& fields, glm::uvec2 size,
                                            gpu::BufferId texels, const shared::FieldSector& wanted = {});
 
-    /// The reason why the graph is interpreted instead of compiled; empty if it is not.
+    /// The reason why the height graph is interpreted although a compiled shader was requested; else empty.
     [[nodiscard]] const std::string& problem() const;
 
-    /// Returns whether the graph is interpreted until its shader is compiled. After that, vertices are posed
-    /// again.
+    /// Returns whether the height graph is interpreted only until its shader is compiled. When it is
+    /// compiled, vertices are posed again.
     [[nodiscard]] bool is_compiling();
 
-    /// Incremented whenever the shape of the ground changes, including changes over time.
+    /// A number that increases whenever the shape of the ground changes, also when it changes over time.
     [[nodiscard]] uint64_t form() const { return form_; }
 
 private:
@@ -129,8 +134,10 @@ private:
     gpu::Buffer places_; ///< positions of vertices that are in no grid
     bool has_places_ = false;
     std::future<CompiledShaders> compiling_;
-    std::optional<Terrain> compiling_of_;     ///< the terrain being compiled; may be an older one
-    std::optional<CompiledShaders> compiled_; ///< shaders of the current graph
+    /// The terrain whose shader is being compiled; may be an older terrain than the current one.
+    std::optional<Terrain> compiling_of_;
+    /// Shaders of the current height graph; none while it is interpreted.
+    std::optional<CompiledShaders> compiled_;
     gpu::Buffer texels_;
     gpu::Buffer words_;
     gpu::Buffer levels_;
@@ -140,9 +147,9 @@ private:
     uint64_t form_ = 0;
     std::optional<SandSource> sand_source_;
     SlabStyle sand_style_;
-    std::unique_ptr<SlabField> sand_; ///< null if the graph has no sand
+    std::unique_ptr<SlabField> sand_; ///< the simulated sand; null if the height graph has no sand
     uint32_t first_sand_texel_ = 0;
-    double sand_moment_ = 0.0; ///< the moment, counted in steps
+    double sand_moment_ = 0.0; ///< the moment of the current frame, counted in simulation steps
     bool is_sand_stale_ = false;
     std::vector<shared::TerrainLevel> levels_now_;
 };

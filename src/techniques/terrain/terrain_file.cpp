@@ -147,7 +147,7 @@ TerrainTrack track_of(const Entry& entry)
     return parse_track(text != nullptr ? *text : entry.raw.shown, entry.key, entry.value_where);
 }
 
-/// Sets the parameter named by `entry` in `target`, a struct of `table`.
+/// Sets the parameter that `entry` names in `target`, a struct whose parameters are listed in `table`.
 template <typename Struct>
 void set_by(const style::Table<Struct>& table, const Entry& entry, Struct& target)
 {

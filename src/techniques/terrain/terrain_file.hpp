@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Parameters of a terrain file, except its nodes; each is described once.
+// The parameters of a terrain file except its nodes, as tables. Each parameter is described once.
 
 #include <estampe/terrain.hpp>
 

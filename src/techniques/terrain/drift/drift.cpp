@@ -15,7 +15,7 @@ namespace {
 
 constexpr uint32_t grid_side = 128;
 constexpr double least_wind_m_per_s = 6.0;
-constexpr double sand_by_wind = 0.6; ///< speed of sand in the air relative to the wind
+constexpr double sand_by_wind = 0.6; ///< speed of sand in the air divided by the speed of the wind
 constexpr double life_s = static_cast<double>(shared::drift_life_s);
 
 } // namespace

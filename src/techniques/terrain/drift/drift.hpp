@@ -25,10 +25,11 @@ struct DriftStyle {
 
 [[nodiscard]] const style::Table<DriftStyle>& drift_table();
 
-/// The drift of a picture: the common constants of its streaks, and the field of heights that they read.
+/// Constants of the drifting sand of one picture: constants of all streaks, and the field of heights from
+/// which the streaks find crests.
 struct DriftPlan {
     shared::DriftConstants streaks;
-    shared::TerrainField field; ///< `streaks.side` texels per side
+    shared::TerrainField field; ///< field of heights with `streaks.side` texels per side
 };
 
 struct DriftView {
@@ -38,19 +39,19 @@ struct DriftView {
     float pixels_per_mm = 1.0F;
 };
 
-/// Plans the drift of a picture; none if no sand is drawn.
+/// Computes the constants of the drifting sand. Returns none if no sand drifts.
 [[nodiscard]] std::optional<DriftPlan> drift_at(const TerrainWind& wind, const DriftStyle& style,
                                                 const DriftView& view);
 
 struct DriftInputs {
-    gpu::BufferId frame;  ///< FrameGlobals
-    gpu::ImageId heights; ///< r32f, heights of the plan's field
-    gpu::ImageId depth;   ///< r32f: reversed, 0 where no surface is visible
+    gpu::BufferId frame;  ///< buffer with the FrameGlobals of the current frame
+    gpu::ImageId heights; ///< r32f: height of the ground, on the field of the plan
+    gpu::ImageId depth;   ///< r32f: reversed depth (1 at the near plane), 0 where no surface is visible
     glm::uvec2 size_px{0};
 };
 
-/// Draws streaks over `lines`, a layer like that of contours: square root of linear colour, with coverage in
-/// alpha.
+/// Draws streaks of drifting sand over the ink layer `lines` (square root of linear colour, with coverage in
+/// alpha).
 ///
 /// Cost    one thread per possible streak (100,000), one full-screen dispatch
 [[nodiscard]] gpu::ImageId add_drift(gpu::Graph& graph, const DriftInputs& in,

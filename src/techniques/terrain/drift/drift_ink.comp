@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread draws the streaks at a pixel over the pixel's lines. Where both have ink, the darker ink is
-// kept.
+// One thread draws the streaks of drifting sand at one pixel over the pixel's lines. Where both have ink, the
+// darker ink remains.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -14,7 +14,8 @@ layout(scalar, binding = 0) readonly buffer Ink
     uint ink_at[];
 };
 
-layout(binding = 1, rgba8) uniform image2D line_image; // square root of linear colour; coverage in alpha
+// Ink layer with the lines: square root of linear colour; alpha is coverage.
+layout(binding = 1, rgba8) uniform image2D line_image;
 
 layout(push_constant, scalar) uniform Constants
 {

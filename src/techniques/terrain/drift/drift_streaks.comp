@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread draws one streak of sand that the wind blows off a crest, at the streak's age, as a stroke that
-// tapers at both ends. Where streaks cross, the darker one is kept, so that the order of threads does not
-// matter.
+// One thread draws one streak of sand that the wind blows off a dune's crest. The streak is a stroke that
+// tapers at both ends; its position depends on its age. Where streaks cross, the darker streak remains, so
+// the order of threads does not matter.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -18,12 +18,12 @@ layout(scalar, binding = 0) uniform Frame
     FrameGlobals frame;
 };
 
-layout(binding = 1) uniform sampler2D height_image; // metres above the anchor
+layout(binding = 1) uniform sampler2D height_image; // height of the ground, in metres above the anchor
 layout(binding = 2) uniform sampler2D depth_image;
 
 layout(scalar, binding = 3) buffer Ink
 {
-    uint ink_at[]; // row by row, 255 for full ink
+    uint ink_at[]; // ink of each pixel, row by row; 255 is full ink
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -31,10 +31,11 @@ layout(push_constant, scalar) uniform Constants
     DriftConstants drift;
 };
 
-const int search = 6; // samples to each side along the wind
+const int search = 6; // number of samples in each direction along the wind, in the search for a crest
 const float search_m = 1.5;
-const vec2 crest = vec2(0.3, 0.65); // change of slope at a crest: from a swell to a sharp brink
-const float sinking_m_s2 = 0.5;     // sinking of grains in moving air
+// Change of slope across a crest: from a swell that loses no sand to a sharp brink that loses most.
+const vec2 crest = vec2(0.3, 0.65);
+const float sinking_m_s2 = 0.5; // speed at which grains sink in moving air
 const float longest_px = 160.0;
 
 float ground_m(vec2 place_m)
@@ -43,7 +44,8 @@ float ground_m(vec2 place_m)
     return textureLod(height_image, ((place_m - drift.corner_m) / drift.cell_m + 0.5) / size, 0.0).x;
 }
 
-// Finds a crest along the wind near a place: its distance, its height, and how pronounced it is, 0 to 1.
+// Finds a dune's crest along the wind near a place. Returns the distance to the crest, its height, and how
+// pronounced it is, from 0 to 1.
 vec3 crest_near(vec2 place_m)
 {
     float height[2 * search + 1];
@@ -69,7 +71,8 @@ vec3 flown(vec3 from, float age_s, float rises, float swerves)
     return vec3(place.x, from.y + up, place.y);
 }
 
-// Position in pixels of the drawn image, and reversed depth; a negative depth is behind the eye.
+// Position of a point on the page, in pixels, and its reversed depth. The depth is negative if the point is
+// behind the eye.
 vec3 on_page(vec3 place)
 {
     vec4 clip = frame.clip_from_anchor * vec4(place, 1.0);
@@ -135,7 +138,7 @@ void main()
     if (tail.z < 0.0 || head.z < 0.0 || strength <= 0.0 || max(span.x, span.y) > longest_px) {
         return;
     }
-    // Walks along the longer axis of the stroke, and draws the pixels beside it within the margin.
+    // Steps along the longer axis of the stroke, and draws the pixels beside each step within the margin.
     bool is_steep = span.y > span.x;
     vec2 first = (is_steep ? along.y : along.x) > 0.0 ? tail.xy : head.xy;
     float longer = is_steep ? along.y : along.x;

@@ -22,13 +22,14 @@ namespace {
 
 constexpr size_t most_instructions = 1000;
 
-/// A node with its parsed text.
+/// A node of the height graph with its parsed expression.
 struct Definition {
     const HeightNode* node = nullptr;
     std::unique_ptr<Expression> expression;
 };
 
-/// Visits the nodes from "height" inwards, with the coordinates in which each node is evaluated.
+/// Visits the nodes of a height graph, from the node "height" on. Tracks the coordinates in which each node
+/// is evaluated.
 class Compiler {
 public:
     explicit Compiler(const TerrainDescription& terrain) : terrain_(terrain)
@@ -83,7 +84,8 @@ private:
                     node_->where, remedy);
     }
 
-    /// Runs `inside` in the context of the node `name`; throws Error when the node depends on itself.
+    /// Calls `inside` while the node `name` counts as the current node. Throws Error if the node depends on
+    /// itself.
     template <typename Function>
     auto within(const Expression& at, const Function& inside)
     {
@@ -216,7 +218,7 @@ private:
         }
     }
 
-    /// Rotates a frame's coordinates, and its warp if it has one.
+    /// Rotates a coordinate frame and, if it has one, its warp.
     Frame turned(const Frame& frame, double angle_rad)
     {
         Frame result = frame.turned(angle_rad);
@@ -249,8 +251,8 @@ private:
         return result;
     }
 
-    /// Translates a frame: by numbers and speeds exactly, at any distance from the origin; by other
-    /// expressions as a warp.
+    /// Translates a coordinate frame. Numbers and speeds are exact at any distance from the origin. Other
+    /// expressions become a warp.
     Frame translated(const Arguments& arguments, const Frame& frame)
     {
         const auto x = in_time(arguments.value("x"));
@@ -278,8 +280,8 @@ private:
         return result;
     }
 
-    /// The expression as a linear function of time, if it is linear, such as a number or a speed; none for
-    /// other expressions.
+    /// Converts an expression to a linear function of time, if it is one, such as a number or a speed.
+    /// Returns none for other expressions.
     std::optional<Linear> in_time(const Expression& at)
     {
         if (at.kind == Expression::Kind::number) {
@@ -515,7 +517,7 @@ private:
                 .count = 0};
     }
 
-    /// Index of numbers among the program's parameters; equal lists are stored once.
+    /// Returns the index of `numbers` in the program's parameters. Equal lists are stored only once.
     uint32_t parameters(const std::vector<double>& numbers)
     {
         const auto [found, is_new] =
@@ -526,8 +528,8 @@ private:
         return found->second;
     }
 
-    /// Appends an instruction, still numbered in order, and returns the number of its value. Reuses values
-    /// that were computed before, and folds values that only depend on constants.
+    /// Appends an instruction and returns the number of its value; registers are assigned later. Values that
+    /// were computed before are reused, and instructions on constants are evaluated immediately.
     uint32_t append(Instruction instruction)
     {
         if (instruction.op != shared::height_constant && hangs_on_constants(instruction)) {
@@ -575,13 +577,15 @@ private:
 
     const TerrainDescription& terrain_;
     std::map<std::string, Definition> definitions_;
-    const HeightNode* node_ = nullptr; ///< the node being read
-    std::set<std::string> open_;       ///< nodes on the path to `node_`, to detect cycles
+    const HeightNode* node_ = nullptr; ///< the node whose expression is being compiled
+    std::set<std::string> open_;       ///< names of the nodes on the path to `node_`, to detect cycles
     Program program_;
     std::map<std::vector<double>, uint32_t> parameters_;
     std::map<std::array<uint32_t, 9>, uint32_t> known_;
-    std::map<std::pair<std::string, Frame::Key>, uint32_t> named_; ///< values of nodes, by name and frame
-    std::map<std::string, std::optional<Linear>> times_;           ///< nodes that are linear in time
+    /// Number of each node's value, by the node's name and coordinate frame.
+    std::map<std::pair<std::string, Frame::Key>, uint32_t> named_;
+    /// For each node: its linear function of time; none if it is not linear.
+    std::map<std::string, std::optional<Linear>> times_;
 };
 
 } // namespace

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Compiles the nodes of a terrain to a program; coordinate frames are folded into the program's places.
+// Compiles the nodes of a terrain to a program. Coordinate frames are merged into the places at which the
+// program evaluates noise and other leaves.
 
 #include <algorithm>
 #include <array>
@@ -13,29 +14,30 @@
 
 namespace estampe::terrain {
 
-/// Compiles the nodes of a terrain to a program for the node "height": resolves names, folds coordinates into
-/// places and constants into numbers, and computes equal expressions once. Throws Error as Terrain's
-/// constructor does. Cost: linear in the nodes used; reads textures.
+/// Compiles the nodes of a terrain to a program that computes the node "height". Resolves names, merges
+/// coordinate transformations into places, evaluates constants, and computes equal expressions only once.
+/// Throws the same Errors as Terrain's constructor. Cost: linear in the number of used nodes; reads textures.
 [[nodiscard]] Program compile_program(const TerrainDescription& terrain);
 
-/// Cosine and sine of an angle. They are exact for quarter turns, so that repetition along an axis stays
+/// Cosine and sine of an angle. Both are exact for quarter turns. So a form that repeats along an axis stays
 /// exact a million metres away.
 [[nodiscard]] inline glm::dvec2 cosine_and_sine(double angle_rad)
 {
-    constexpr double rounding = 1e-15; // error of an angle of up to two turns
+    constexpr double rounding = 1e-15; // largest rounding error of an angle of up to two turns
     const auto exact = [](double value) { return std::abs(value) < rounding ? 0.0 : value; };
     return {exact(std::cos(angle_rad)), exact(std::sin(angle_rad))};
 }
 
-/// The coordinates in which a part of a graph is evaluated, in metres: linear in x, z and time, plus an
-/// optional warp by two values of the program.
+/// The coordinates in which a part of a height graph is evaluated, in metres. They are linear in x, z and
+/// time; a warp may add two values of the program.
 struct Frame {
     Linear u{.x = 1.0};
     Linear v{.z = 1.0};
     std::array<uint32_t, 2> warp{shared::height_no_register, shared::height_no_register};
-    double stretch = 1.0; ///< smallest length on the ground, in metres, of one metre in the frame
+    /// Smallest length on the ground, in metres, that corresponds to one metre in the frame.
+    double stretch = 1.0;
 
-    /// Equal for equal frames.
+    /// Key of a frame; equal frames have equal keys.
     using Key = std::array<double, 11>;
 
     [[nodiscard]] Key key() const
@@ -46,7 +48,7 @@ struct Frame {
 
     [[nodiscard]] bool is_warped() const { return warp[0] != shared::height_no_register; }
 
-    /// Rotates the content of the frame from x towards z; does not change the warp.
+    /// Rotates the content of the frame from x towards z. Does not change the warp.
     [[nodiscard]] Frame turned(double angle_rad) const
     {
         const glm::dvec2 turn = cosine_and_sine(angle_rad);
@@ -58,7 +60,7 @@ struct Frame {
         return result;
     }
 
-    /// Multiplies coordinates by `factor`; does not change the warp.
+    /// Multiplies the coordinates by `factor`. Does not change the warp.
     [[nodiscard]] Frame scaled(const glm::dvec2& factor) const
     {
         Frame result = *this;
@@ -68,7 +70,8 @@ struct Frame {
         return result;
     }
 
-    /// Moves the content of the frame; only `t` and `constant` of the arguments are used.
+    /// Moves the content of the frame by two linear functions of time. Uses only the members `t` and
+    /// `constant` of the arguments.
     [[nodiscard]] Frame moved(const Linear& by_u, const Linear& by_v) const
     {
         Frame result = *this;

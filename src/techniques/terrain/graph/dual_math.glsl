@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_DUAL_MATH
 #define ESTAMPE_DUAL_MATH
 
-// The arithmetic of height graphs, for GLSL and C++, where Real is a float or a double. A value is a dual
-// number (value, d/dx, d/dz, d/dt), so slopes and speeds are exact. Only sums, products, quotients and roots
-// are used, because sines and powers differ between devices.
+// The arithmetic of height graphs, for GLSL and C++. `Real` is float or double. A value is a dual number
+// (value, d/dx, d/dz, d/dt), so slopes and speeds are exact. Only sums, products, quotients and roots are
+// used, because sines and powers differ between devices.
 
 Real4 dual(Real value)
 {
@@ -26,7 +26,7 @@ Real4 dual_div(Real4 a, Real4 b)
     return r;
 }
 
-// f(a), given the value of f and its derivative at a.
+// Applies a function to a dual number, given the function's value and derivative at `a`.
 Real4 dual_chain(Real4 a, Real value, Real derivative)
 {
     Real4 r = a * derivative;
@@ -63,7 +63,7 @@ Real real_floor(Real x)
     return floor(x);
 }
 
-// sin(2 pi x), accurate to 1e-7.
+// Returns sin(2 pi x) with an error of at most 1e-7.
 Real sine_of_turns(Real x)
 {
     Real t = x - real_floor(x + Real(0.5));
@@ -102,7 +102,7 @@ Real4 dual_cos(Real4 a)
     return dual_sine_of_turns(turns);
 }
 
-// Square root; 0 for a negative value.
+// Square root of a dual number; 0 for a negative value.
 Real4 dual_sqrt(Real4 a)
 {
     if (a.x <= Real(0)) {
@@ -112,7 +112,8 @@ Real4 dual_sqrt(Real4 a)
     return dual_chain(a, root, Real(0.5) / root);
 }
 
-// log2 of a positive value, 0 otherwise; the next function is 2^x. Both use series that are accurate to 1e-7.
+// Base-2 logarithm of a positive number; 0 for other numbers. Computed by a series with an error of at most
+// 1e-7.
 Real log2_of(Real x)
 {
     if (x <= Real(0)) {
@@ -163,7 +164,7 @@ Real two_to(Real x)
     return power;
 }
 
-// a^exponent; 0 unless a is positive.
+// Power of a dual number with a constant exponent; 0 unless `a` is positive.
 Real4 dual_pow(Real4 a, Real exponent)
 {
     if (a.x <= Real(0)) {

@@ -26,7 +26,7 @@ bool continues_name(char c)
     return begins_name(c) || std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Recursive descent parser.
+/// Recursive descent parser for height expressions.
 class Reader {
 public:
     explicit Reader(const HeightNode& node) : text_(node.expression), node_(node) {}
@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    /// Counts the depth of recursion.
+    /// Counts the depth of nesting, to limit it.
     struct Level {
         explicit Level(Reader& reader) : reader_(reader)
         {
@@ -70,7 +70,7 @@ private:
         }
     }
 
-    /// The next character that is not blank; 0 at the end.
+    /// Skips blanks and returns the next character; 0 at the end of the text.
     char next()
     {
         skip_blanks();

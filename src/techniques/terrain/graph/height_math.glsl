@@ -2,8 +2,9 @@
 #ifndef ESTAMPE_HEIGHT_MATH
 #define ESTAMPE_HEIGHT_MATH
 
-// Evaluation of the leaves of height graphs, for GLSL and C++ (there as members of HeightMath, with Real a
-// float or a double). The including file must define Real, Real2 and Real4, and the functions
+// Evaluates the leaves of height graphs: noise, textures, dunes and other functions of the coordinates. For
+// GLSL and for C++, where the functions are members of HeightMath and Real is float or double. The including
+// file must define Real, Real2 and Real4, and the functions
 //
 //     Real height_number(uint index)        a parameter of the graph
 //     Real height_place(uint index)         a number of the places, sixteen words each, see place_at()
@@ -13,8 +14,8 @@
 #include "shaders/hash.glsl"
 #include "techniques/terrain/graph/dual_math.glsl"
 
-// The coordinates of a leaf in its own units: whole cells, and the offset from them in each direction.
-// `period_m` is the length of a unit on the ground.
+// The coordinates of a leaf (such as noise) in its own units: whole cells, and the offset from them in each
+// direction. `period_m` is the length of one unit on the ground.
 struct Place {
     int cell_u;
     int cell_v;
@@ -23,8 +24,8 @@ struct Place {
     Real period_m;
 };
 
-// A curve through `count` points (x, y, slope), which begin at parameter `first`. It is level beyond its
-// ends.
+// Evaluates a curve through `count` points. The points are stored as (x, y, slope) from parameter `first` on.
+// Beyond its ends, the curve is level.
 Real4 dual_curve(Real4 a, uint first, uint count)
 {
     uint last = first + 3u * (count - 1u);
@@ -52,8 +53,8 @@ Real4 dual_curve(Real4 a, uint first, uint count)
                       (m0 + t * (Real(2) * c2 + t * Real(3) * c3)) / width);
 }
 
-// Amplitude factor for a form that repeats every `period_m` on a grid of `spacing_m`: fades out forms that
-// are too fine for the grid.
+// Factor on the amplitude of a form that repeats every `period_m` metres, on a grid of `spacing_m`. The
+// factor fades out forms that are too fine for the grid.
 Real share_shown(Real period_m, Real spacing_m)
 {
     if (period_m >= Real(4) * spacing_m) {
@@ -82,7 +83,7 @@ Place place_at(uint place, Real x, Real z)
     return p;
 }
 
-// The place, moved by (u, v) in metres of the place's frame.
+// The coordinates of a leaf, moved by (u, v) in metres of the leaf's coordinate frame.
 Place place_warped(uint place, Real x, Real z, Real4 u, Real4 v)
 {
     Place p = place_at(place, x, z);
@@ -91,7 +92,7 @@ Place place_warped(uint place, Real x, Real z, Real4 u, Real4 v)
     return p;
 }
 
-// The frame's first coordinate, in metres.
+// The first coordinate of a frame, in metres.
 Real4 coordinate_u(Place p)
 {
     Real4 r = p.u;
@@ -121,8 +122,8 @@ Real hashed_unit(uint bits)
     return Real(bits >> 8u) * Real(1.0 / 16777216.0);
 }
 
-// Gradient noise in about [-1, 1], one feature per unit (Perlin, "Improving noise", SIGGRAPH 2002, but with
-// arbitrary gradients).
+// Gradient noise in about [-1, 1] with one feature per unit (Perlin, "Improving noise", SIGGRAPH 2002, but
+// with arbitrary gradients).
 Real4 gradient_noise(Place p, uint seed)
 {
     Real base_u = real_floor(p.u.x);
@@ -156,14 +157,14 @@ Real4 gradient_noise(Place p, uint seed)
     return r;
 }
 
-// Parameters: seed.
+// Gradient noise. Its parameter in the program is the seed.
 Real4 leaf_noise(Place p, uint first, Real spacing_m)
 {
     return gradient_noise(p, uint(height_number(first))) * share_shown(p.period_m, spacing_m);
 }
 
-// The place in the next octave: rotated by 26.6 degrees and scaled by the square root of five. This maps
-// cells to cells, so that no lattice is visible and no rounding occurs.
+// The coordinates for the next octave of noise: rotated by 26.6 degrees and scaled by the square root of
+// five. This maps cells to cells, so no lattice is visible and no rounding occurs.
 Place next_octave(Place p)
 {
     Place q;
@@ -181,7 +182,8 @@ Place next_octave(Place p)
     return q;
 }
 
-// Parameters: seed, octaves, gain.
+// Fractal noise (fbm): a sum of octaves of gradient noise. Its parameters in the program are seed, octaves,
+// gain.
 Real4 leaf_fbm(Place p, uint first, Real spacing_m)
 {
     uint seed = uint(height_number(first));
@@ -201,7 +203,8 @@ Real4 leaf_fbm(Place p, uint first, Real spacing_m)
     return sum;
 }
 
-// Parameters: seed, octaves, gain. Ridges where noise crosses zero; in [0, 1] for one octave.
+// Ridged noise: ridges where gradient noise crosses zero; in [0, 1] for one octave. Its parameters in the
+// program are seed, octaves, gain.
 Real4 leaf_ridged(Place p, uint first, Real spacing_m)
 {
     uint seed = uint(height_number(first));
@@ -222,8 +225,8 @@ Real4 leaf_ridged(Place p, uint first, Real spacing_m)
     return sum;
 }
 
-// Parameters: seed. Distance in cells to the nearest of random points, one per cell (Worley, "A cellular
-// texture basis function", SIGGRAPH 1996).
+// Cellular noise: distance in cells to the nearest of random points, one per cell (Worley, "A cellular
+// texture basis function", SIGGRAPH 1996). Its parameter in the program is the seed.
 Real4 leaf_cellular(Place p, uint first, Real spacing_m)
 {
     uint seed = uint(height_number(first));
@@ -254,7 +257,8 @@ Real4 leaf_cellular(Place p, uint first, Real spacing_m)
     return r * share_shown(p.period_m, spacing_m);
 }
 
-// Texel to read for `index` in a row of `count`; wrap: 0 repeats, 1 mirrors, 2 clamps.
+// The texel to read for `index` in a row of `count` texels. If `wrap` is 0 the row repeats, if 1 it is
+// mirrored, if 2 the index is clamped.
 int wrapped_texel(int index, int count, int wrap)
 {
     if (wrap == 2) {
@@ -266,8 +270,8 @@ int wrapped_texel(int index, int count, int wrap)
     return at >= count ? period - 1 - at : at;
 }
 
-// Weights of the four texels around t in [0, 1], and their derivatives: linear, or smooth and through the
-// texels (Catmull and Rom 1974).
+// Weights of the four texels around a position t in [0, 1] between the middle two. Either linear, or a smooth
+// curve through the texels (Catmull and Rom 1974).
 Real4 texel_weights(Real t, bool is_cubic)
 {
     if (!is_cubic) {
@@ -287,7 +291,8 @@ Real4 texel_slopes(Real t, bool is_cubic)
                  t * (Real(4) - Real(4.5) * t) + Real(0.5), t * (Real(1.5) * t - Real(1)));
 }
 
-// Parameters: first texel, columns, rows, wrap, whether cubic, mean. A unit is the whole texture.
+// Height from a texture. Its parameters in the program are first texel, columns, rows, wrap mode, whether
+// cubic, mean height. One unit of the coordinates is the whole texture.
 Real4 leaf_texture(Place p, uint first, Real spacing_m)
 {
     uint first_texel = uint(height_number(first));
@@ -296,7 +301,7 @@ Real4 leaf_texture(Place p, uint first, Real spacing_m)
     int wrap = int(height_number(first + 3u));
     bool is_cubic = height_number(first + 4u) > Real(0.5);
     Real mean = height_number(first + 5u);
-    // The number of whole textures only matters for mirroring and for clamping.
+    // The number of whole textures before this place only matters if the texture is mirrored or clamped.
     int turn_u = wrap == 0 ? 0 : (wrap == 1 ? p.cell_u & 1 : clamp(p.cell_u, -2, 2));
     int turn_v = wrap == 0 ? 0 : (wrap == 1 ? p.cell_v & 1 : clamp(p.cell_v, -2, 2));
     Real u = p.u.x * Real(columns) - Real(0.5);
@@ -327,7 +332,8 @@ Real4 leaf_texture(Place p, uint first, Real spacing_m)
     return r;
 }
 
-// One-dimensional noise in [-1, 1], different for each `row`, with its first and second derivative.
+// One-dimensional noise in [-1, 1], different for each `row`. Returns the noise and its first and second
+// derivative.
 Real4 row_noise(int cell, Real t, int row, uint seed)
 {
     Real base = real_floor(t);
@@ -341,14 +347,13 @@ Real4 row_noise(int cell, Real t, int row, uint seed)
     return Real4(a + (b - a) * weight, (b - a) * slope, (b - a) * bend, Real(0));
 }
 
-// In front of a dune the surface falls below the ground, like that of a dune with at least this share of the
-// usual height. At a distance of `before_rise` times the rise, it is lower by the width of a foot, a
-// twentieth of the height.
+// In front of a dune, the modelled surface falls below the ground, as if the dune had at least this share of
+// the usual height.
 const Real least_dune = Real(0.25);
 const Real before_rise = Real(0.29);
 
-// Height of dune number `row` of a train: it rises over `windward_m` to the brink, then falls at the angle of
-// repose. Negative outside the dune, down to -foot_m far away.
+// Height of dune number `row` in a train of dunes. The dune rises over `windward_m` to its brink, then falls
+// at the angle of repose. Outside of the dune the height is negative, but not below -foot_m.
 Real4 one_dune(Place p, int row, uint first, Real foot_m, Real spacing_m)
 {
     uint seed = uint(height_number(first));
@@ -360,11 +365,12 @@ Real4 one_dune(Place p, int row, uint first, Real foot_m, Real spacing_m)
     Real variation = height_number(first + 6u);
     Real crest_m = height_number(first + 7u);
     int ridge = p.cell_u + row;
-    // Position of the brink in wavelengths, and its height.
+    // Position of the brink (the sharp upper edge), in wavelengths, and the height of the brink.
     Real4 shift = row_noise(p.cell_v, p.v.x, ridge, seed) * meander;
     Real4 brink = dual_chain(p.v, Real(row) + shift.x, shift.y);
     Real4 behind_m = (p.u - brink) * wavelength_m;
-    // Where the brink meanders, the nearest brink is closer than the distance along the wind.
+    // Where the brink meanders, the nearest point of the brink is closer than the brink's distance along the
+    // wind.
     Real tilt = shift.y * wavelength_m / crest_m;
     Real stretch = sqrt(Real(1) + tilt * tilt);
     Real highest_m = height_m * (Real(1) + Real(0.6) * variation);
@@ -379,8 +385,8 @@ Real4 one_dune(Place p, int row, uint first, Real foot_m, Real spacing_m)
     Real4 straight = dual_chain(p.v, Real(1) / stretch, -tilt * tilt_slope / (stretch * stretch * stretch));
     Real4 lee = crest - dual_mul(behind_m, straight) * repose;
     Real4 climb = dual(Real(1)) + behind_m * (Real(1) / windward_m);
-    // The slope is level at the foot, steepest in the middle, still positive at the brink; in front of the
-    // foot the surface is below the ground.
+    // The windward slope is level at the foot, steepest in the middle, and still rises at the brink. In front
+    // of the foot, the surface is below the ground.
     Real4 rise = dual_chain(climb, climb.x * climb.x * (Real(2.4) - Real(1.4) * climb.x),
                             climb.x * (Real(4.8) - Real(4.2) * climb.x));
     if (climb.x <= Real(0)) {
@@ -390,13 +396,14 @@ Real4 one_dune(Place p, int row, uint first, Real foot_m, Real spacing_m)
     if (climb.x >= Real(1)) {
         rise = dual(Real(1));
     }
-    // A grid shows a sharp brink as teeth, so the brink is rounded by the grid's spacing.
+    // A mesh shows a sharp brink as a row of teeth. So the brink is rounded by the spacing of the mesh's
+    // grid.
     return -dual_smooth_max(-dual_mul(crest, rise), -lee, Real(1.5) * repose * spacing_m + Real(1e-9));
 }
 
-// Parameters: seed, height, wavelength, slope of the slip face, length of the rise, meander (in wavelengths),
-// variation of height, length of a bend of the crest, width of the rounded foot. A unit of u is a wavelength
-// downwind, a unit of v is a bend of the crest.
+// Dunes. The parameters in the program are: seed, height, wavelength, slope of the slip face, length of the
+// rise, meander in wavelengths, variation of height, length of a bend of the crest, width of the rounded
+// foot. One unit of u is a wavelength downwind, one unit of v is a bend of the crest.
 Real4 leaf_dunes(Place p, uint first, Real spacing_m)
 {
     Real shown = share_shown(p.period_m * Real(0.5), spacing_m);
@@ -408,7 +415,7 @@ Real4 leaf_dunes(Place p, uint first, Real spacing_m)
     p.u.x = p.u.x - whole;
     Real foot_m = height_number(first + 8u);
     Real4 height = dual(Real(0));
-    // Only dunes whose slip face or rise can reach this place are evaluated.
+    // Evaluates only dunes whose slip face or windward rise can reach this place.
     Real lee = height_number(first + 1u) * (Real(1) + Real(0.6) * height_number(first + 6u)) /
                (height_number(first + 3u) * height_number(first + 2u));
     Real meander = height_number(first + 5u);

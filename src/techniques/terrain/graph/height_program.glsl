@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_HEIGHT_PROGRAM
 #define ESTAMPE_HEIGHT_PROGRAM
 
-// height_at(place, spacing): a program's height at a place relative to the anchor, as a dual number. Forms
-// that are too fine for a grid of that spacing are left out. The function is an interpreter for any program,
-// or, if its text replaces HEIGHT_PROGRAM, a single compiled program. The including shader must declare
+// Defines height_at(place, spacing): the height of a program at a place relative to the anchor, as a dual
+// number. It leaves out forms that are too fine for a grid of that spacing. The function interprets any
+// program, unless the text of one compiled program replaces HEIGHT_PROGRAM. The including shader must declare
 // `words`, `texels` and `terrain`.
 
 #include "techniques/terrain/terrain.glsl.h"
@@ -14,7 +14,7 @@
 #define Real4 vec4
 
 #ifdef ESTAMPE_HEIGHT_PROGRAM_IS_WRITTEN
-uint first_parameter(); // a constant, so that the compiler knows the positions of all words
+uint first_parameter(); // defined as a constant, so that the compiler knows the positions of all words
 #else
 uint first_parameter()
 {
@@ -58,8 +58,8 @@ struct Decoded {
     uint count;
 };
 
-// Decodes an instruction of four words: op, target and count of a curve; three inputs; two warps and the
-// place; the parameter.
+// Decodes an instruction of four words. Word 1: operation, target register, number of points of a curve. Word
+// 2: three input registers. Word 3: two warp registers and the place. Word 4: the first parameter.
 Decoded decoded(uint number)
 {
     uint first = terrain.first_instruction + 4u * number;
@@ -134,7 +134,8 @@ vec4 value_of(Decoded i, vec4 a, vec4 b, vec4 c)
 
 vec4 height_at(vec2 local_m, float spacing_m)
 {
-    // One register more than programs use; it serves inputs that an operation does not have.
+    // The last register is one more than programs use. An operation with fewer inputs reads its missing
+    // inputs from it.
     vec4 registers[height_register_count + 1u];
     registers[height_register_count] = vec4(0.0);
     uint target = 0u;

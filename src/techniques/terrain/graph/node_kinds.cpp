@@ -185,7 +185,7 @@ const NodeKind* find_node_kind(std::string_view name)
 
 namespace {
 
-/// The state of binding the arguments of one call.
+/// The arguments of one call while they are assigned to the parameters of its function.
 struct Binding {
     const NodeKind& kind;
     const Expression& call;

@@ -20,7 +20,7 @@
 namespace estampe::terrain {
 namespace {
 
-/// A coordinate at the origin, divided into whole cells and the rest.
+/// A coordinate at the origin, as a whole number of cells and a remainder.
 struct Split {
     int32_t cell = 0;
     double rest = 0.0;
@@ -39,7 +39,7 @@ uint32_t bits(double number)
     return std::bit_cast<uint32_t>(static_cast<float>(number));
 }
 
-/// Inputs that an operation does not have are read from an extra register, which holds zeros.
+/// Missing inputs of an operation are read from an extra register, which holds zeros.
 uint32_t byte_of(uint32_t number)
 {
     return number == shared::height_no_register ? shared::height_register_count : number;
@@ -108,7 +108,7 @@ std::vector<double> monotone_curve(std::span<const glm::dvec2> points)
         if (i > 0 && i + 1 < points.size() && rise(i - 1) * rise(i) > 0.0) {
             const double before = points[i].x - points[i - 1].x;
             const double after = points[i + 1].x - points[i].x;
-            // The weighted harmonic mean stays within three times the smaller slope, which is enough for a
+            // The weighted harmonic mean is at most three times the smaller slope. This is sufficient for a
             // monotone curve.
             const double near = 2.0 * after + before;
             const double far = after + 2.0 * before;
@@ -121,7 +121,7 @@ std::vector<double> monotone_curve(std::span<const glm::dvec2> points)
 
 namespace {
 
-/// Calls `visit` with a reference to each input register.
+/// Calls `visit` with a reference to each input register of an instruction.
 template <typename Visit>
 void for_each_input(Instruction& instruction, const Visit& visit)
 {
@@ -197,7 +197,8 @@ void check_room(const Program& program, size_t added)
     }
 }
 
-/// Appends an Image or a DeepImage as the mean of its colour channels, scaled so that white is 1.
+/// Appends the mean of the colour channels of each pixel of a picture (Image or DeepImage), scaled so that
+/// white is 1.
 template <class Picture>
 HeightTexture append_picture(Program& program, const Picture& image)
 {
@@ -282,7 +283,7 @@ using std::max;
 using std::sqrt;
 using uint = uint32_t;
 
-/// The definitions that height_math.glsl requires.
+/// The types and functions that height_math.glsl requires from the file that includes it.
 template <typename Real>
 struct HeightMath {
     using Real2 = glm::vec<2, Real>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mesh methods of a terrain, from which mesh_method() chooses.
+// The methods that divide a terrain into triangles. mesh_method() chooses one of them.
 #include "techniques/terrain/mesh/mesh_method.hpp"
 
 #include <algorithm>
@@ -9,11 +9,11 @@
 namespace estampe::terrain {
 namespace {
 
-/// Nested square grids around the eye; each has twice the cell size of the grid inside it, and a hole for
-/// that grid. A grid follows the eye in steps of two cells, so that its even vertices coincide with vertices
-/// of the next grid. Its outermost triangles only use even vertices along the border, at the heights of the
-/// next grid: neighbours share their edges bit for bit. As the hole may be off by a cell in each direction, a
-/// trim of one column and one row of cells fills the gap.
+/// Nested square grids around the eye. Each grid has twice the cell size of the grid inside it, and a hole
+/// for that inner grid. A grid follows the eye in steps of two cells, so that its even vertices coincide with
+/// vertices of the next outer grid. Its outermost triangles use only even vertices along the border, at the
+/// heights of the outer grid, so both grids share their edges bit for bit. The hole may be off by one cell in
+/// each direction; a trim of one column and one row of cells fills the gap.
 class Rings : public MeshMethod {
 public:
     explicit Rings(const TerrainMeshing& meshing);
@@ -28,8 +28,8 @@ private:
     uint32_t levels_ = 1;
 };
 
-/// One uniform grid that follows the eye in steps of the grid's cell size, with three quarters of the grid
-/// ahead of the eye. The grid only turns by right angles, so that vertices never leave the lattice.
+/// One uniform grid that follows the eye in steps of one cell, with three quarters of the grid ahead of the
+/// eye. The grid turns only by right angles, so its vertices stay at multiples of the cell size.
 class Grid : public MeshMethod {
 public:
     explicit Grid(const TerrainMeshing& meshing);
@@ -43,7 +43,7 @@ private:
     uint32_t cells_;
 };
 
-/// An existing mesh, whose vertices are raised by the terrain's heights.
+/// An existing mesh of the scene. The terrain's heights are added to its vertices.
 class Raised : public MeshMethod {
 public:
     explicit Raised(ObjectTriangles object);
@@ -54,16 +54,17 @@ public:
 
 private:
     ObjectTriangles object_;
-    float spacing_m_; ///< approximate distance between vertices
+    float spacing_m_; ///< approximate distance between vertices, in metres
 };
 
-/// The finest cell size, rounded to a power of two, so that positions of vertices are exact numbers.
+/// The finest cell size of the mesh, rounded to a power of two so that the positions of vertices are exact
+/// numbers.
 double cell_of(const TerrainMeshing& meshing)
 {
     return std::exp2(std::round(std::log2(static_cast<double>(meshing.cell_m))));
 }
 
-/// Cells along a side, rounded up to a multiple of four, at least `least`.
+/// Number of cells along a side of a grid: at least `least`, and a multiple of four.
 uint32_t cells_of(const TerrainMeshing& meshing, uint32_t least)
 {
     return std::max(least, (static_cast<uint32_t>(meshing.cells) + 3U) / 4U * 4U);
@@ -134,7 +135,8 @@ std::vector<shared::TerrainLevel> Grid::place(const EyePlace& eye, const glm::dv
 
 namespace {
 
-/// Side of a square whose area is the mean area, on the plane, of a pair of triangles.
+/// Approximate distance between the vertices of a mesh: the side of a square whose area is the mean area of
+/// two triangles, seen from above.
 float spacing_of(const ObjectTriangles& object)
 {
     double area = 0.0;
@@ -170,7 +172,7 @@ namespace {
 constexpr uint32_t most_levels = 16;
 constexpr uint32_t none = std::numeric_limits<uint32_t>::max();
 
-/// The vertices of one grid that are used, created on first use.
+/// The used vertices of one grid. A vertex is created when it is used first.
 class GridVertices {
 public:
     GridVertices(MeshTopology& mesh, uint32_t word, uint32_t columns, uint32_t rows)
@@ -190,8 +192,8 @@ public:
 
     void triangle(glm::uvec2 a, glm::uvec2 b, glm::uvec2 c)
     {
-        // In these coordinates (x to the right, z down, seen from above), counter-clockwise has the opposite
-        // sign.
+        // These coordinates have x to the right and z down, seen from above. So the sign of a
+        // counter-clockwise cross product is negative.
         const auto cross = [](glm::ivec2 p, glm::ivec2 q) { return p.x * q.y - p.y * q.x; };
         if (cross(glm::ivec2(b) - glm::ivec2(a), glm::ivec2(c) - glm::ivec2(a)) > 0) {
             std::swap(b, c);
@@ -199,7 +201,7 @@ public:
         mesh_.triangles.emplace_back(at(a.x, a.y), at(b.x, b.y), at(c.x, c.y));
     }
 
-    /// Adds two triangles, divided along the diagonal from the first corner to the last.
+    /// Adds the two triangles of a cell, divided along the diagonal from its first corner to its last.
     void cell(uint32_t i, uint32_t j)
     {
         triangle({i, j}, {i + 1, j}, {i + 1, j + 1});
@@ -213,11 +215,11 @@ private:
     std::vector<uint32_t> known_;
 };
 
-/// Adds the outermost cells of a grid of n x n cells, whose border has steps of two cells.
+/// Adds the outermost cells of a grid of n x n cells. Along the border, their edges are two cells long.
 void add_border(GridVertices& grid, uint32_t n)
 {
     for (uint32_t side = 0; side < 4; ++side) {
-        // `along` the border, `in` cells away from it.
+        // The vertex at `along` cells along the border and `in` cells away from it.
         const auto place = [&](uint32_t along, uint32_t in) {
             const glm::uvec2 lower(along, in);
             const glm::uvec2 upper(along, n - in);

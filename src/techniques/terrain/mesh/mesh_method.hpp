@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How the plane is divided into triangles: methods behind a small interface, which can be exchanged at run
-// time.
+// Methods that divide the ground plane into triangles. They share one small interface, so the method can be
+// changed at run time.
 
 #include <cstdint>
 #include <memory>
@@ -14,46 +14,50 @@
 
 namespace estampe::terrain {
 
-/// The vertices and triangles of a mesh. A level's placement converts vertices to points of the plane.
-/// Triangles are counter-clockwise seen from above.
+/// The vertices and triangles of a terrain's mesh. A vertex is a column and row; the placement of its level
+/// converts it to a point of the plane. Triangles are counter-clockwise as seen from above.
 struct MeshTopology {
-    std::vector<glm::dvec3> places; ///< world positions of vertices that are in no grid; otherwise empty
-    std::vector<uint32_t> vertices; ///< words as described in terrain.glsl.h
+    /// World positions of the vertices if they are in no grid; otherwise empty.
+    std::vector<glm::dvec3> places;
+    std::vector<uint32_t> vertices; ///< one word per vertex: column, row, part and level, see terrain.glsl.h
     std::vector<glm::uvec3> triangles;
 };
 
-/// Position and direction of the eye, projected on the plane (x, z).
+/// Position and direction of the eye, projected to the plane (x, z).
 struct EyePlace {
     glm::dvec2 eye_m{0.0};
-    glm::dvec2 ahead{1.0, 0.0}; ///< of any length
+    glm::dvec2 ahead{1.0, 0.0}; ///< direction of view; its length does not matter
 };
 
 class MeshMethod {
 public:
     virtual ~MeshMethod() = default;
 
-    /// Cost: linear in vertices.
+    /// Computes the vertices and triangles. Cost: linear in the number of vertices.
     [[nodiscard]] virtual MeshTopology topology() const = 0;
 
-    /// Places the levels around an eye, relative to an anchor whose coordinates are whole multiples of 64 m.
+    /// Computes the position of each level around an eye, relative to an anchor. The anchor's coordinates
+    /// must be whole multiples of 64 m.
     [[nodiscard]] virtual std::vector<shared::TerrainLevel> place(const EyePlace& eye,
                                                                   const glm::dvec2& anchor_m) const = 0;
 };
 
-/// A mesh of the scene in world space.
+/// A mesh of the scene, with positions in world space.
 struct ObjectTriangles {
     std::vector<glm::dvec3> places;
     std::vector<glm::uvec3> triangles;
 };
 
-/// Creates the method that `meshing` names; `object` is used by the method that raises a mesh. Source of the
-/// rings: Losasso and Hoppe, "Geometry Clipmaps", SIGGRAPH 2004, except that neighbours share vertices, so
-/// that no gap remains; of the grid: Zanuttini, "Recherches en rendu non réaliste temps réel", 2008, chapter
-/// 5.
+/// Creates the method that `meshing` names. Only the method that raises an existing mesh uses `object`.
+///
+/// Source  rings: Losasso and Hoppe, "Geometry Clipmaps", SIGGRAPH 2004, but neighbouring rings share
+/// vertices, so that no gap remains; grid: Zanuttini, "Recherches en rendu non réaliste temps réel", 2008,
+/// chapter 5
 [[nodiscard]] std::unique_ptr<MeshMethod> mesh_method(const TerrainMeshing& meshing,
                                                       const ObjectTriangles& object = {});
 
-/// Position of a vertex in the plane, from the anchor in metres, as in terrain_vertices.comp.
+/// Position of a vertex in the plane, in metres from the anchor. terrain_vertices.comp computes the same
+/// position.
 [[nodiscard]] glm::vec2 vertex_place(uint32_t vertex, const std::vector<shared::TerrainLevel>& levels);
 
 } // namespace estampe::terrain

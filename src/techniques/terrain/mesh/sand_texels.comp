@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Copies heights of sand to the buffer in which graphs look textures up.
+// Copies the heights of simulated sand to the buffer from which height graphs read textures.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread computes the height at one texel of one field.
+// One thread computes the ground's height at one texel of one field of heights.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -15,11 +15,12 @@ layout(scalar, binding = 0) uniform Terrain
 
 layout(scalar, binding = 1) uniform Words
 {
-    uint words[height_words_most]; // places, parameters, instructions
+    uint words[height_words_most]; // the program: places, parameters, instructions
 };
 
 layout(binding = 2) uniform samplerBuffer texels;
-layout(binding = 3, r32f) writeonly uniform image2D out_height; // metres above the anchor
+// Height of the ground, in metres above the anchor.
+layout(binding = 3, r32f) writeonly uniform image2D out_height;
 
 layout(push_constant, scalar) uniform Constants
 {

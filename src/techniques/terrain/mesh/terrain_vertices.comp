@@ -30,7 +30,7 @@ layout(scalar, binding = 2) readonly buffer Vertices
 
 layout(scalar, binding = 3) uniform Words
 {
-    uint words[height_words_most]; // places, parameters, instructions
+    uint words[height_words_most]; // the program: places, parameters, instructions
 };
 
 layout(binding = 4) uniform samplerBuffer texels;
@@ -52,7 +52,7 @@ layout(scalar, binding = 7) writeonly buffer StrokeCoordinates
 
 layout(scalar, binding = 8) readonly buffer Places
 {
-    vec3 places[]; // positions of vertices in no grid, from the first anchor
+    vec3 places[]; // world positions of vertices that are in no grid
 };
 
 layout(constant_id = 0) const uint variant = 0u;
@@ -72,8 +72,8 @@ uvec2 index_of(uint vertex, TerrainLevel level)
     return part == terrain_part_grid ? index : index + level.hole_first + trim;
 }
 
-// Blends the vertex's height into the height of the next level. In the next level, the vertex is on a
-// straight edge between even vertices, so one or two of these are also evaluated.
+// Height of a vertex, blended into the height of the next outer level near the border. In the outer level,
+// the vertex may lie in the middle of an edge. So the one or two ends of that edge are evaluated too.
 vec4 height_of(uvec2 index, TerrainLevel level)
 {
     vec2 from_eye = abs(vec2(index) - level.eye_cells);
@@ -95,7 +95,8 @@ vec4 height_of(uvec2 index, TerrainLevel level)
     return sum;
 }
 
-// If the ground is a planet, bends a place onto a sphere whose top is below the eye, at height 0.
+// If the ground is a planet, bends a place onto a sphere. The top of the sphere is below the eye, at height
+// 0.
 vec3 bent(vec2 place, float height)
 {
     vec2 away = place - terrain.eye_m;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread bends the shading normal of a pixel of sand by the ripples there.
+// One thread bends the shading normal at one pixel of sand by the ripples at that place.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -27,10 +27,13 @@ layout(push_constant, scalar) uniform Constants
     RippleConstants constants;
 };
 
-const vec2 resolved = vec2(0.15, 0.36); // waves per pixel between which ripples fade out
-const vec2 sliding = vec2(0.35, 0.55);  // slopes between which ripples fade: they do not last on steep sand
+// Waves per pixel: ripples begin to fade at the first number and are gone at the second.
+const vec2 resolved = vec2(0.15, 0.36);
+// Slopes of the ground: ripples begin to fade at the first and are gone at the second, as steep sand slides.
+const vec2 sliding = vec2(0.35, 0.55);
 
-// Upper limit of the number of waves that a step crosses, as waves are not exactly across the wind.
+// Upper limit of the number of waves that a step on the ground crosses. The waves are not exactly across the
+// wind, so the limit is larger than the number along the wind.
 float waves_over(vec3 step_m)
 {
     vec2 across = vec2(-constants.wind.y, constants.wind.x);
@@ -63,7 +66,8 @@ void main()
     float height = constants.height_m / constants.wavelength_m;
     height *= 1.0 - smoothstep(resolved.x, resolved.y, waves);
     height *= 1.0 - smoothstep(sliding.x, sliding.y, steepness);
-    if (height <= 0.0 || smooth_normal.y <= 0.0) { // the second condition: the ground is seen from below
+    // The second condition means that the ground is seen from below.
+    if (height <= 0.0 || smooth_normal.y <= 0.0) {
         return;
     }
     vec2 across = vec2(-constants.wind.y, constants.wind.x);
@@ -71,7 +75,7 @@ void main()
     vec2 at = constants.rest +
               vec2(dot(place.xz, constants.wind), dot(place.xz, across)) / (constants.wavelength_m * cells);
     vec2 lean = height * ripple_lean(ivec2(constants.cell), at, constants.meander, cells);
-    vec2 rise = lean.x * constants.wind + lean.y * across; // slope along x and z
+    vec2 rise = lean.x * constants.wind + lean.y * across; // slope of the ripples along x and z
     vec3 normal = unpack_normal(packed.x);
     normal = unit(normal - normal.y * vec3(rise.x, 0.0, rise.y));
     imageStore(normal_image, pixel, uvec4(pack_normal(normal), packed.y, 0u, 0u));

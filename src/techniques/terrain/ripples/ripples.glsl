@@ -2,17 +2,17 @@
 #ifndef ESTAMPE_RIPPLES
 #define ESTAMPE_RIPPLES
 
-// The shape of sand ripples, in plain GLSL that tests also compile as C++.
+// The shape of sand ripples, in GLSL that tests also compile as C++.
 
 #include "shaders/hash.glsl"
 
 const float ripple_turn = 6.2831853f;
 
-// Asymmetry of a ripple: its lee face is (1 + skew) times as steep as a sine's.
+// Asymmetry of a ripple: its lee face is (1 + skew) times as steep as that of a sine wave.
 const float ripple_skew = 0.55f;
 
-// A wave of unit height and wavelength along the wind. Each corner of the lattice has its own phase and
-// direction. Where the corners disagree, waves end and fork. The members are the value and its derivatives
+// A wave of unit height along the wind, one wavelength long. Each corner of a lattice has its own phase and
+// direction; where corners disagree, waves end and fork. Members: the value of the wave and its derivatives
 // along and across the wind, as complex numbers.
 struct RippleWave {
     vec2 z;
@@ -55,16 +55,18 @@ RippleWave ripple_wave(ivec2 cell, vec2 at, float meander)
     return sum;
 }
 
-// Slope of rippled sand along and across the wind, for a height equal to the wavelength. `cells` is the size
-// of a cell in wavelengths, a whole number along the wind.
+// Slope of rippled sand along and across the wind, for ripples as high as their wavelength. `cells` is the
+// size of a lattice cell in wavelengths; along the wind it is a whole number.
 vec2 ripple_lean(ivec2 cell, vec2 at, float meander, vec2 cells)
 {
     RippleWave wave = ripple_wave(cell, at, meander);
     float strength = dot(wave.z, wave.z);
-    float calm = 1.0f / (strength + 0.06f); // flat where waves end
+    // Reduces the slope where waves end, so that the sand is flat there.
+    float calm = 1.0f / (strength + 0.06f);
     vec2 drift = vec2(wave.z.x * wave.z_along.y - wave.z.y * wave.z_along.x,
                       wave.z.x * wave.z_across.y - wave.z.y * wave.z_across.x);
-    vec2 phase_slope = vec2(strength, 0.0f) + drift / (ripple_turn * cells); // turns per wavelength
+    // Change of phase along and across the wind, in turns per wavelength.
+    vec2 phase_slope = vec2(strength, 0.0f) + drift / (ripple_turn * cells);
     float carrier = cells.x * (at.x - floor(at.x));
     float t = ripple_turn * (carrier - floor(carrier)) + atan(wave.z.y, wave.z.x);
     float psi = t - ripple_skew * cos(t);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Ripples on sand: they give tone near the eye, and vanish where they are finer than pixels.
+// Ripples on sand. They give tone near the eye, and vanish where they are finer than pixels.
 
 #include <optional>
 
@@ -12,22 +12,23 @@
 
 namespace estampe::terrain {
 
-/// The ripples relative to an anchor, at a time in seconds, so that lattice coordinates stay small. `draw` is
-/// the terrain's draw. Returns none if the terrain has no ripples.
+/// Computes the constants of the ripples relative to an anchor, so that coordinates stay small. `time_s` is
+/// the time in seconds, `draw` the number of the terrain's draw. Returns none if the terrain has no ripples.
 [[nodiscard]] std::optional<shared::RippleConstants>
 ripples_at(const TerrainDescription& terrain, uint32_t draw, const glm::dvec3& anchor_m, double time_s);
 
 struct RippleInputs {
-    gpu::BufferId frame; ///< FrameGlobals
+    gpu::BufferId frame; ///< buffer with the FrameGlobals of the current frame
     gpu::ImageId draw;
     gpu::ImageId depth;
-    gpu::ImageId normal; ///< rg32ui: shading normal, smooth normal
+    gpu::ImageId normal; ///< rg32ui: shading normal in the first channel, smooth normal in the second
     glm::uvec2 size_px{0};
 };
 
 /// Bends the terrain's shading normals by ripples.
 ///
-/// Writes  a new version of `normal`, for pixels of the terrain within some 300 pixels' worth of wavelengths
+/// Writes  a new version of `normal`; the normals change at pixels of the terrain that are smaller on the
+///         ground than 0.36 wavelengths
 /// Cost    one full-screen dispatch
 /// Source  Tricard et al., "Procedural Phasor Noise", SIGGRAPH 2019, with four waves per place, on a lattice
 [[nodiscard]] gpu::ImageId add_ripples(gpu::Graph& graph, const RippleInputs& in,

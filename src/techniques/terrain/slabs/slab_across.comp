@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell: interpolates heights between two steps, in slabs, and smooths them along x.
+// One thread handles one cell of the sand: it interpolates the cell's height between two simulation steps, in
+// slabs, and smooths heights along x.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell: converts heights to metres and smooths them along y.
+// One thread handles one cell of the sand: it smooths heights along y and converts them from slabs to metres.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

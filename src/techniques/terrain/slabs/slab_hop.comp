@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell: the wind may lift a slab, which hops until it stays. Each slab reads the ground as it
-// was before the step, and slabs are whole numbers, so the order of threads does not matter.
+// One thread handles one cell of the sand. The wind may lift a slab from the cell; the slab hops until it
+// stays on another cell. Each slab reads the heights before the step, and heights are whole numbers of slabs,
+// so the order of threads does not matter.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -25,14 +26,16 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/terrain/slabs/slab_lines.glsl"
 
-// Length factor of hops from a cell of this height, 256 for 1: the wind is faster over crests.
+// Factor on the length of hops that start at this height of sand; 256 means 1. Hops are longer over crests,
+// because the wind is faster there.
 int reach_of_hop(int slabs)
 {
     int above = clamp(slabs - slab.mean, -0x4000, 0x4000);
     return clamp(256 + ((slab.gain * above) >> 8), 64, 1024);
 }
 
-// Fractions of a cell are rounded up or down at random, so that their mean is correct.
+// Converts the length of a hop to whole cells. Fractions of a cell are rounded up or down at random, so that
+// their mean is correct.
 ivec2 cells_of_hop(int reach, uint bits)
 {
     return ivec2(slab.hop_x * reach + int(bits & 0xffffu), slab.hop_y * reach + int(bits >> 16u)) >> 16;
@@ -67,7 +70,7 @@ void main()
         }
     }
     if (lands != cell) {
-        atomicAdd(next_slabs[cell], 0xffffffffu); // adds -1
+        atomicAdd(next_slabs[cell], 0xffffffffu); // removes one slab: adding 0xffffffff subtracts 1
         atomicAdd(next_slabs[lands], 1u);
     }
 }

@@ -2,10 +2,10 @@
 #ifndef ESTAMPE_SLAB_LINES
 #define ESTAMPE_SLAB_LINES
 
-// Lines along the wind on a field that repeats at its edges. If n is the number of cells per side, all lines
-// together visit each cell once in n steps, and then each line continues as another line. Cells in the lee
-// are below a roof that descends downwind from every crest. The including shader must declare `slab`, a
-// SlabConstants, and last_slabs.
+// Lines of cells along the wind, on a field that repeats at its edges. With n cells per side, all lines
+// together visit each cell once in n steps; then each line continues as another line. Cells in the lee lie
+// below a roof, an imaginary surface that descends downwind from every crest. The including shader must
+// declare `slab`, a SlabConstants, and last_slabs.
 
 const int no_roof = -0x40000000;
 
@@ -22,7 +22,7 @@ uint cell_of_line(int line, int step)
     return slab_cell(slab.along_y != 0u ? ivec2(across, along) : ivec2(along, across));
 }
 
-// The line that continues as `line`.
+// The number of the line that continues as `line`, upwind of it.
 int line_upwind(int line)
 {
     return (line - ((slab.slope * int(slab.side)) >> 16)) & (int(slab.side) - 1);
@@ -38,7 +38,7 @@ uint number_of_piece(int line, int piece)
     return uint(line) * slab_pieces + uint(piece);
 }
 
-// Height in 1/256 slab, the unit of roofs.
+// Converts a number of slabs to 1/256 slab, the unit of the lee's roof.
 int height_of(uint slabs)
 {
     return int(slabs) << 8;

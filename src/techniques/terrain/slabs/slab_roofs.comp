@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per piece of a line along the wind: computes the height of the roof at the piece's end.
+// One thread handles one piece of a line of cells along the wind. It computes the height of the lee's roof
+// (an imaginary surface that descends from each crest) at the end of the piece.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

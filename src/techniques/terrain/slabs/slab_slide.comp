@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per block of 2 x 2 cells: sand slides between the block's cells where it is steeper than its
-// angle of repose. Blocks do not overlap, so this works in place.
+// One thread handles one block of 2 x 2 cells. Sand slides between the cells of the block where it is steeper
+// than its angle of repose. Blocks do not overlap, so the heights can be changed in place.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -19,7 +19,8 @@ layout(push_constant, scalar) uniform Constants
     SlideConstants slide;
 };
 
-// Slabs that slide from the higher of two cells: half of the excess, so that at most one slides back.
+// Number of slabs that slide from the higher of two cells to the lower: half of the excess, so that at most
+// one slab slides back later.
 int sliding(int from, int to, int most)
 {
     int difference = from - to;

@@ -30,7 +30,7 @@ uint32_t share(float value)
     return static_cast<uint32_t>(times(static_cast<double>(value), 65536.0));
 }
 
-/// Slabs by which heights may differ at the angle of repose over a distance in cells.
+/// Number of slabs by which heights may differ at the angle of repose, over a distance in cells.
 int difference_at_repose(const SlabStyle& style, double cells)
 {
     const auto slope = std::tan(glm::radians(static_cast<double>(style.repose_deg)));
@@ -38,7 +38,8 @@ int difference_at_repose(const SlabStyle& style, double cells)
                                         static_cast<double>(style.slab_m)));
 }
 
-/// Wind direction of a step: multiples of the golden ratio spread directions evenly over any number of steps.
+/// Wind direction of a simulation step, in radians. Multiples of the golden ratio spread the directions
+/// evenly over any number of steps.
 double wind_rad(const SlabStyle& style, uint64_t step)
 {
     const auto turn = static_cast<double>(static_cast<uint32_t>(step) * 2654435769U) / 2147483648.0 - 1.0;
@@ -50,7 +51,8 @@ double wind_rad(const SlabStyle& style, uint64_t step)
 
 shared::SlabConstants slab_constants(const SlabStyle& style, uint32_t side, uint64_t step)
 {
-    constexpr int steepest_drop = 1 << 19; // limits the sum over twice the side to 32 bits
+    // Limit for the roof's fall per cell, so that the sum over twice the side fits in 32 bits.
+    constexpr int steepest_drop = 1 << 19;
     constexpr int greatest_gain = 1 << 16;
     const double wind = wind_rad(style, step);
     const glm::dvec2 downwind(std::cos(wind), std::sin(wind));
@@ -81,7 +83,7 @@ shared::SlabConstants slab_constants(const SlabStyle& style, uint32_t side, uint
 
 shared::SlideConstants slide_constants(const SlabStyle& style, uint32_t side, int slide)
 {
-    // Blocks have four offsets; the second is diagonal to the first.
+    // Blocks of cells have four offsets. The second offset is diagonal to the first.
     const auto phase = static_cast<uint32_t>(slide) & 3U;
     return {.side = side,
             .first_x = phase & 1U,
@@ -92,8 +94,9 @@ shared::SlideConstants slide_constants(const SlabStyle& style, uint32_t side, in
 
 namespace {
 
-constexpr uint32_t most_passes = 240;  ///< number of step passes per graph; other passes need the rest
-constexpr double most_slabs = 1 << 20; ///< largest number on a cell at the start
+/// Largest number of passes per graph for simulation steps; other passes need the remaining passes.
+constexpr uint32_t most_passes = 240;
+constexpr double most_slabs = 1 << 20; ///< largest number of slabs on a cell at the start
 
 void check_side(uint32_t side)
 {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Sand that the wind moves in slabs: dunes grow, wander and merge on a square that repeats at its edges. The
-// number of slabs is constant. The result is a height image that repeats.
+// Sand that the wind moves in slabs (small units of constant volume). Dunes grow, wander and merge on a
+// square that repeats at its edges. The number of slabs is constant. The result is an image of heights that
+// repeats.
 
 #include <array>
 #include <span>
@@ -36,22 +37,26 @@ struct SlabStyle {
 
 [[nodiscard]] const style::Table<SlabStyle>& slab_table();
 
-/// A square field of cells that repeats at its edges, and the slabs on the cells.
+/// A square field of cells that repeats at its edges, with a number of sand slabs on each cell.
 ///
-/// Equal style, start and steps give equal slabs on every device, bit for bit. Sand is counted in whole
-/// slabs, and their number never changes.
+/// Equal style, start and number of steps give equal slabs on every device, bit for bit. Sand is counted in
+/// whole slabs, and their number never changes.
 class SlabField {
 public:
-    /// Starts with the style's depth of sand, plus random differences of up to a metre. `side` is in cells: a
-    /// power of two, 64 to 1024; other values throw std::logic_error.
+    /// Starts with the style's depth of sand, plus random differences of up to a metre. `side` is the number
+    /// of cells per side: a power of two, 64 to 1024; other values throw std::logic_error.
     SlabField(gpu::Device& device, const SlabStyle& style, uint32_t side = 512);
-    /// Starts from `side` times `side` heights in metres, row by row, rounded to slabs. A negative height or
-    /// NaN is bare rock.
+    /// Starts with heights in metres, one for each of `side` x `side` cells, row by row. Heights are rounded
+    /// to slabs. A negative height or NaN is bare rock.
     SlabField(gpu::Device& device, const SlabStyle& style, uint32_t side, std::span<const float> heights_m);
 
-    /// Lets `count` steps pass, and returns heights in metres: r32f, `side` x `side` texels, one per cell,
-    /// for Sampling::linear_repeat. `fraction` interpolates from 0, before the last step, to 1, after it, so
-    /// that motion between steps is smooth; a `count` of 0 interpolates the last step of earlier calls.
+    /// Simulates `count` steps, and returns heights in metres: r32f, `side` x `side` texels, one per cell,
+    /// for
+    /// Sampling::linear_repeat. `fraction` interpolates between the state before the last step (0) and after
+    /// it
+    /// (1), so that motion between steps is smooth. With a `count` of 0, it interpolates the last step of
+    /// earlier
+    /// calls.
     ///
     /// The graph must be run. Graphs must run in the order in which they were passed to the field, and the
     /// field must outlive the runs. Call once per graph.
@@ -65,36 +70,36 @@ public:
     [[nodiscard]] gpu::ImageId add_steps(gpu::Graph& graph, const SlabStyle& style, uint32_t count,
                                          float fraction = 1.0F);
 
-    /// Lets steps pass up to a moment, counted in steps: 3.25 is a quarter of the way from state 3 to 4. At
-    /// most `most` steps pass per graph, until the moment is reached. A moment in the past shows the state
-    /// before the last step.
+    /// Simulates steps up to a moment, which is counted in steps: 3.25 is a quarter of the way from state 3
+    /// to state 4. Simulates at most `most` steps per graph until the moment is reached. A moment in the past
+    /// shows the state before the last step.
     [[nodiscard]] gpu::ImageId add_moment(gpu::Graph& graph, const SlabStyle& style, double moment,
                                           uint32_t most);
 
-    /// The largest number of steps per graph.
+    /// The largest number of steps that one graph can simulate.
     [[nodiscard]] static uint32_t most_steps(const SlabStyle& style);
 
     [[nodiscard]] uint32_t side() const { return side_; }
 
-    /// Steps that have passed once all graphs so far have run.
+    /// Number of steps that have passed when all graphs so far have run.
     [[nodiscard]] uint64_t steps() const { return steps_; }
 
-    /// Slabs on each cell, row by row, one word each.
+    /// Number of slabs on each cell, row by row, one word per cell.
     [[nodiscard]] gpu::Buffer& slabs() { return states_[newest_]; }
 
 private:
     SlabField(gpu::Device& device, uint32_t side, const std::vector<uint32_t>& slabs);
 
-    std::array<gpu::Buffer, 2> states_; ///< states before and after the last step
+    std::array<gpu::Buffer, 2> states_; ///< slabs on each cell before and after the last step
     uint32_t newest_ = 0;
     uint32_t side_ = 0;
     uint64_t steps_ = 0;
 };
 
-/// Constants of a step, with a wind direction within the style's spread.
+/// Constants of a simulation step, with a wind direction within the style's spread.
 [[nodiscard]] shared::SlabConstants slab_constants(const SlabStyle& style, uint32_t side, uint64_t step);
 
-/// Constants of one of the slides of a step.
+/// Constants of one slide: one of several passes per step in which steep sand slides.
 [[nodiscard]] shared::SlideConstants slide_constants(const SlabStyle& style, uint32_t side, int slide);
 
 } // namespace estampe::terrain

@@ -83,7 +83,7 @@ TrailStamp TrailStamp::drag(glm::dvec2 from_m, glm::dvec2 to_m, float radius_m, 
 
 TrailStamp TrailStamp::foot(glm::dvec2 place_m, glm::dvec2 towards, float length_m, float depth_m)
 {
-    constexpr double heel = 0.13; // radii relative to the length
+    constexpr double heel = 0.13; // radius of a footprint's heel, relative to the length of the foot
     constexpr double ball = 0.18;
     const double length = glm::length(towards);
     const glm::dvec2 ahead =
@@ -143,7 +143,7 @@ std::string track_text(const TerrainTrack& track)
 namespace terrain {
 namespace {
 
-/// Points a few centimetres apart on the curve, and their distances along it.
+/// Points on a track's curve, a few centimetres apart, and their distances along the curve.
 struct Curve {
     std::vector<glm::dvec2> places_m;
     std::vector<double> along_m;
@@ -180,7 +180,7 @@ Curve curve_through(const std::vector<glm::dvec2>& path_m)
     return curve;
 }
 
-/// Widens a foot's stamp, because loose sand falls in around it.
+/// Widens the stamp of a foot, because loose sand falls in around a foot.
 TrailStamp in_loose_sand(TrailStamp foot)
 {
     foot.from_radius_m *= 1.6F;
@@ -188,7 +188,7 @@ TrailStamp in_loose_sand(TrailStamp foot)
     return foot;
 }
 
-/// Unit vector; the x axis if `way` is zero.
+/// The direction of `way` as a unit vector; the x axis if `way` is zero.
 glm::dvec2 direction_of(const glm::dvec2& way)
 {
     const double length = glm::length(way);
@@ -204,7 +204,7 @@ std::vector<TimedStamp> stamps_of(const TerrainTrack& track)
     const double start_s = track.start_s.value_or(-length_m / track.pace_m_per_s);
     const bool is_dragged = track.drag_m > 0.0;
     const double step_m = is_dragged ? std::max(track.drag_m, 0.1) : track.stride_m;
-    std::mt19937 random; // the same sequence for every track
+    std::mt19937 random; // always starts with the same seed, so that every track has the same random sequence
     const auto by_chance = [&] { return static_cast<double>(random()) / 2147483648.0 - 1.0; };
     std::vector<TimedStamp> stamps;
     for (int step = 0; step * step_m <= length_m; ++step) {

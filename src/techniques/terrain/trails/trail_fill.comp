@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per texel: the wind fills low places and removes high ones. Texels that are new in the window
-// are level.
+// One thread handles one texel. The wind fills low places of the trails and removes high places. Texels that
+// are new in the window become level.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -23,7 +23,7 @@ layout(push_constant, scalar) uniform Constants
 
 void main()
 {
-    const float least_m = 1e-6; // smaller heights count as 0
+    const float least_m = 1e-6; // a height below this counts as 0
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
     if (!is_within(fill.window, texel)) {
         return;

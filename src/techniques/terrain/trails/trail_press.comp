@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One workgroup presses a stamp into the ground. A stamp is a bar whose round ends may have different radii.
-// The displaced sand becomes a rim around the bar, by weights that are first summed in a fixed order. A known
-// stamp only changes texels that are new in the window.
+// One workgroup presses one stamp into the ground. A stamp is a bar whose round ends may have different
+// radii. The displaced sand becomes a rim around the bar, by weights that are first summed in a fixed order.
+// A known stamp (pressed earlier) only changes texels that are new in the window.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -26,7 +26,7 @@ layout(push_constant, scalar) uniform Constants
 shared float displaced_by[threads];
 shared float weight_of[threads];
 
-// Distance of a texel from the bar's edge, negative inside.
+// Distance of a texel from the edge of the stamp, in metres; negative inside the stamp.
 float distance_m(ivec2 texel)
 {
     vec2 place = press.texel_m * vec2(texel);
@@ -35,7 +35,7 @@ float distance_m(ivec2 texel)
     return distance(place, press.from + share * along) - mix(press.from_radius_m, press.to_radius_m, share);
 }
 
-// Depth profile of the sole: flat, with a sloping edge.
+// Height profile of the pressed area: flat, with a sloping edge.
 float sole_m(float distance)
 {
     return -min(press.depth_m, press.steepness * max(-distance, 0.0));
@@ -53,7 +53,7 @@ bool is_pressed(ivec2 texel)
            (press.is_known == 0u || !is_within(press.window, texel + ivec2(press.moved_x, press.moved_y)));
 }
 
-// Weight of a texel in the rim. Ground that is already low gets little sand.
+// Weight of a texel in the distribution of sand to the rim. Ground that is already low gets little sand.
 float rim_weight(float distance, float height)
 {
     float across = clamp(distance / press.rim_m, 0.0, 1.0);

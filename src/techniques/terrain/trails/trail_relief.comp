@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread bends the shading normal of a pixel of sand by the trails at the pixel: by the change of their
-// height across the pixel's area on the ground. Where a trail shades itself, the normal turns away from the
-// sun.
+// One thread bends the shading normal at one pixel of sand by the trails there: by the change of the trails'
+// height over the area of the pixel on the ground. Where a trail shades itself, the normal turns away from
+// the sun.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -29,7 +29,7 @@ layout(push_constant, scalar) uniform Constants
 };
 
 const int shadow_steps = 8;
-const float longest_m = 0.5; // in pixels that cover more of the ground, trails are invisible
+const float longest_m = 0.5; // largest size of a pixel on the ground; trails are invisible in larger pixels
 
 float trail_height_m(vec2 place_m)
 {
@@ -37,7 +37,7 @@ float trail_height_m(vec2 place_m)
     return textureLod(trail_image, (place_m - relief.corner_m) / size_m, 0.0).x;
 }
 
-// Slope along a step, measured over at least one texel.
+// Slope of the trails along a step on the ground, measured over at least one texel.
 float rise(vec2 place_m, vec2 along_m, float length_m)
 {
     vec2 aside = 0.5 * max(length_m, relief.texel_m) / length_m * along_m;
@@ -45,8 +45,8 @@ float rise(vec2 place_m, vec2 along_m, float length_m)
            max(length_m, relief.texel_m);
 }
 
-// Share of the sunlight that reaches a place past the surrounding sand, sampled texel by texel towards the
-// sun.
+// Share of the sunlight that reaches a place past the sand around it. The heights are sampled texel by texel
+// towards the sun.
 float sun_left(vec2 place_m, vec3 normal)
 {
     float up = dot(relief.towards_sun, normal);
@@ -57,7 +57,7 @@ float sun_left(vec2 place_m, vec3 normal)
     }
     float here = trail_height_m(place_m);
     float rising = up / level_m;
-    float highest = 0.0; // largest height above the ray, relative to its distance
+    float highest = 0.0; // largest height above the ray to the sun, relative to the distance
     for (int i = 1; i <= shadow_steps; ++i) {
         float way = float(i) * relief.texel_m;
         highest = max(highest, (trail_height_m(place_m + way / level_m * level) - here) / way - rising);
@@ -93,7 +93,7 @@ void main()
     if (max(right_m, down_m) > longest_m || abs(turned) < 1e-3 || smooth_normal.y <= 0.0) {
         return;
     }
-    // The slope whose components along both steps equal the measured rises.
+    // The slope in x and z that agrees with the slopes measured along both steps.
     float along_right = rise(place.xz, right, right_m);
     float along_down = rise(place.xz, down, down_m);
     vec2 slope =

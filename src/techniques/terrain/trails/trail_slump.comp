@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread per block of 2 x 2 texels: sand slides between the block's texels where it is steeper than its
-// angle of repose. Blocks begin at even or at odd texels of the ground, wherever the window is. Blocks across
-// the window's edge are left out.
+// One thread handles one block of 2 x 2 texels. Sand slides between the texels of the block where it is
+// steeper than its angle of repose. Blocks begin at even or at odd texels of the ground, wherever the window
+// is. Blocks across the edge of the window are left out.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_TRAIL_TEXELS
 #define ESTAMPE_TRAIL_TEXELS
 
-// Index at which a texel of the window is stored.
+// Index in memory at which a texel of the window is stored.
 uint kept_at(TrailWindow window, ivec2 texel)
 {
     ivec2 wrapped = (texel + ivec2(window.first_x, window.first_y)) & (int(window.side) - 1);

@@ -22,11 +22,13 @@ namespace {
 
 constexpr uint32_t ticks_a_step = 4;
 constexpr double steps_a_second = 30.0;
-constexpr uint32_t most_steps = 30 * 3600;   ///< steps that may pass at once: an hour
-constexpr uint32_t steps_a_dispatch = 16384; ///< lavapipe stops a thread after 65535 loop rounds
-constexpr int slumps = 8;                    ///< steps during which sand slumps after a stamp
-constexpr float least_m = 0.001F;            ///< shallower stamps are forgotten
-constexpr double farthest_m = 1e12; ///< largest distance from the origin, where texels can still be counted
+/// Largest number of time steps of 1/30 s that may pass in one call: an hour.
+constexpr uint32_t most_steps = 30 * 3600;
+/// Largest number of time steps per dispatch; lavapipe stops a thread after 65535 loop rounds.
+constexpr uint32_t steps_a_dispatch = 16384;
+constexpr int slumps = 8;           ///< number of steps during which sand slumps after a stamp
+constexpr float least_m = 0.001F;   ///< a stamp that has become shallower is forgotten
+constexpr double farthest_m = 1e12; ///< largest distance from the origin at which texels can still be counted
 
 std::vector<float> even_ground(uint32_t side, double extent_m)
 {
@@ -37,7 +39,7 @@ std::vector<float> even_ground(uint32_t side, double extent_m)
     return std::vector<float>(static_cast<size_t>(side) * side);
 }
 
-/// Returns whether the whole stamp was inside the window before the window moved.
+/// Returns whether the whole stamp was inside the window before the window moved by `moved` texels.
 bool lay_within(const shared::TrailPress& press, glm::i64vec2 moved, uint32_t side)
 {
     const glm::i64vec2 base = moved + glm::i64vec2(press.base_x, press.base_y);
@@ -63,9 +65,9 @@ bool is_usable(const TrailStamp& stamp)
            is_size(stamp.depth_m, 1e-4F) && is_size(stamp.rim_m, 1e-3F);
 }
 
-/// Converts a stamp to texels of a window; a stamp longer than the window is cut a little outside it. Places
-/// are relative to a texel of the ground near the stamp, so that they do not depend on the window. Returns
-/// none if the stamp touches no texel.
+/// Converts a stamp to texels of a window. A stamp longer than the window is cut a little outside the window.
+/// Places are relative to a texel of the ground near the stamp, so that they do not depend on the window.
+/// Returns none if the stamp touches no texel.
 std::optional<shared::TrailPress> press_of(const TrailStamp& stamp, uint32_t side, double texel_m,
                                            glm::i64vec2 first)
 {
@@ -172,7 +174,7 @@ void TrailField::go_to(const TerrainTrails& style, glm::dvec2 centre_m)
     if (is_placed_ && first == first_) {
         return;
     }
-    // Stamps that had not been repeated yet are collected again.
+    // If some known stamps still wait to be repeated, all known stamps are collected again.
     const bool is_whole = !std::exchange(is_placed_, true) || !arriving_.empty();
     const glm::i64vec2 far(side_);
     const glm::i64vec2 moved = is_whole ? far : glm::clamp(first - first_ + moved_, -far, far);
@@ -197,7 +199,7 @@ void TrailField::go_to(const TerrainTrails& style, glm::dvec2 centre_m)
     }
 }
 
-/// Levels the new texels, and repeats the known stamps in them.
+/// Sets the new texels of the window to level ground, and repeats the known stamps in them.
 gpu::BufferId TrailField::add_arriving(gpu::Graph& graph, const TerrainTrails& style, size_t most,
                                        gpu::BufferId heights)
 {
@@ -227,7 +229,7 @@ gpu::BufferId TrailField::add_slump(gpu::Graph& graph, const TerrainTrails& styl
 {
     const double beside_m = texel_m_ * std::tan(glm::radians(static_cast<double>(style.repose_deg)));
     for (uint32_t phase = 0; phase < 4; ++phase) {
-        // The second of the four block offsets is diagonal to the first.
+        // Blocks of 2 x 2 texels have four offsets. The second offset is diagonal to the first.
         const glm::uvec2 begin(phase & 1U, (phase ^ (phase >> 1U)) & 1U);
         auto pass = graph.compute("trails/slump", shaders::trail_slump_comp);
         heights = pass.modify(heights);
@@ -298,7 +300,7 @@ namespace {
 
 constexpr double ticks_a_second = 120.0;
 constexpr uint32_t window_texels = 1024;
-constexpr double longest_step_s = 2.0; ///< a longer step counts as a jump in time
+constexpr double longest_step_s = 2.0; ///< a longer step between two moments counts as a jump in time
 
 int64_t ticks_at(double time_s)
 {
@@ -363,7 +365,7 @@ void Footprints::prepare(gpu::Device& device, const FootprintMoment& moment)
     }
 }
 
-/// Rebuilds the field from all stamps before a time, each at its age.
+/// Rebuilds the trails from all stamps before a time, each stamp at its age.
 void Footprints::make_afresh(gpu::Device& device, double time_s)
 {
     next_step_ = static_cast<size_t>(std::ranges::upper_bound(steps_, time_s, {}, &TimedStamp::time_s) -
@@ -379,7 +381,8 @@ void Footprints::make_afresh(gpu::Device& device, double time_s)
     }
 }
 
-/// Presses in the tracks' stamps up to a time; after a jump in time, repeats them at their age.
+/// Presses the tracks' stamps up to a time into the sand. After a jump in time, repeats the stamps at their
+/// age.
 void Footprints::walk_on(double time_s)
 {
     const bool is_jump = time_s - moment_.time_s > longest_step_s;
