@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread per pixel: the darkness that the strokes must reach there. Also initializes the ink to blank,
-// and lists the tiles that have any darkness. Threads of a tile agree through subgroup operations, because
-// barriers are slow on CPU devices.
+// One thread handles one pixel. It computes the darkness that the strokes must reach there, and initializes
+// the pixel's ink to blank. The shader also lists the tiles that have any darkness. The threads of a tile
+// share results through subgroup operations, because barriers are slow on CPU devices.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -29,11 +29,12 @@ layout(binding = 5) uniform sampler2D screen_image;
 layout(binding = 6, r16f) writeonly uniform image2D out_darkness;
 layout(binding = 7, r16f) writeonly uniform image2D out_ink;
 
-// Tiles of 8 x 8 pixels that are not entirely blank, in any order, after the arguments of a dispatch with one
-// workgroup per tile.
+// A list of the tiles of 8 x 8 pixels that are not entirely blank, in any order. The list follows the
+// arguments of an indirect dispatch with one workgroup per tile.
 struct DarkTile {
-    uint place;     // n-th entry of the list: column in the lower half, row in the upper
-    uint is_listed; // whether the n-th tile of the page, row by row, is listed
+    // In entry n, the n-th listed tile: its column in the lower 16 bits, its row in the upper 16 bits.
+    uint place;
+    uint is_listed; // in entry n: 1 if the n-th tile of the page, row by row, is already listed
 };
 
 layout(scalar, binding = 8) buffer DarkTiles
@@ -42,7 +43,7 @@ layout(scalar, binding = 8) buffer DarkTiles
     DarkTile dark_tiles[];
 };
 
-layout(binding = 9) uniform usamplerBuffer variant_texels; // one per draw call
+layout(binding = 9) uniform usamplerBuffer variant_texels; // number of the style variant of each draw call
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -68,8 +69,8 @@ float darkness_at(ivec2 pixel)
     }
     dark = sees_draw(word) ? dark : 0.0;
     if (has_screen) {
-        // Surfaces behind a transparent surface get lighter, as under tracing paper, and their darkness is
-        // mixed with that of the transparent surface.
+        // A surface behind a transparent surface gets lighter, as if seen through tracing paper. Its darkness
+        // is mixed with the darkness of the transparent surface.
         vec4 screen = texelFetch(screen_image, pixel, 0);
         float own = 0.6 * (1.0 - luminance(screen.rgb * screen.rgb));
         dark = sees_draw(word) ? mix(dark, own, 0.7 * screen.a) : 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per pixel: a screentone, dots of one size on a lattice that lies on the page and is attached to
-// the shaded object, so that it moves with the object.
+// One thread draws one pixel of a screentone: dots on a lattice that lies on the page. The lattice is
+// attached to the shaded object, so that it moves with the object.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -32,8 +32,9 @@ layout(push_constant, scalar) uniform Constants
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_ink = (variant & dots_has_ink) != 0u;
 
-// Radius, in spacings, of dots that cover a share of the page. Beyond pi / 4 dots overlap; Newton's method
-// accounts for the four segments that each loses.
+// Radius of the dots, in spacings of the lattice, for dots that cover a given share of the page. If the share
+// is more than pi / 4, the dots overlap. Newton's method then subtracts the four segments that each dot
+// loses.
 float radius_for(float share)
 {
     float radius = sqrt(share / 3.14159265);
@@ -47,7 +48,7 @@ float radius_for(float share)
     return radius;
 }
 
-// Position of an object on the page in pixels; (0, 0) if it is behind the eye.
+// Position of an object on the page, in pixels; (0, 0) if the object is behind the eye.
 vec2 place_of(uint draw)
 {
     vec4 clip = frame.clip_from_anchor * vec4(draw_pose_at(draw).anchor_from_object[3].xyz, 1.0);
@@ -61,12 +62,12 @@ float dot_ink(vec2 from_object_px, float dark)
         constants.axis * from_object_px.x + vec2(-constants.axis.y, constants.axis.x) * from_object_px.y;
     vec2 place = across / constants.pitch_px;
     float radius_px = radius_for(dark) * constants.pitch_px;
-    // Area that a pixel-wide soft edge adds to a disc, divided by pi.
+    // The area that a soft edge one pixel wide adds to a disc, divided by pi.
     const float soft = 1.0 / 12.0;
-    // A dot smaller than a pixel is drawn about a pixel wide, and lighter.
+    // A dot smaller than a pixel is drawn about one pixel wide and lighter.
     float drawn_px = max(sqrt(max(radius_px * radius_px - soft, 0.0)), 0.6);
     float ink = 0.0;
-    // A pixel between several dots may be partly covered by each of them.
+    // A pixel between several dots may be partly covered by each of these dots.
     for (int i = 0; i < 4; ++i) {
         vec2 corner = floor(place) + vec2(i & 1, i >> 1);
         ink += clamp(drawn_px - length(place - corner) * constants.pitch_px + 0.5, 0.0, 1.0);
@@ -87,7 +88,8 @@ void main()
     }
     float tone = dark;
     if (constants.steps > 0u) {
-        // As with cut sheets of screentone, darkness below half a tone is left blank.
+        // Darkness is rounded to a few tones. Darkness below half a tone stays blank, as with cut sheets of
+        // screentone.
         tone = round(dark * float(constants.steps)) / float(constants.steps);
     }
     float ink = tone > 0.0

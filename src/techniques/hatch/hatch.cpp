@@ -20,14 +20,14 @@
 namespace estampe::hatch {
 namespace {
 
-/// The axis across strokes that run along u, turned by `degrees`.
+/// The axis across strokes that run along the coordinate u, turned by `degrees`.
 glm::vec2 turned(float degrees)
 {
     return {-glm::sin(glm::radians(degrees)), glm::cos(glm::radians(degrees))};
 }
 
 constexpr uint32_t tile_px = 8;
-constexpr uint32_t most_listed_tiles = 65535; // every Vulkan device supports this many workgroups in x
+constexpr uint32_t most_listed_tiles = 65535; // number of workgroups in x that every Vulkan device supports
 
 gpu::BufferId add_empty_list(gpu::Graph& graph, glm::uvec2 size_px)
 {
@@ -46,7 +46,7 @@ gpu::ImageId ink_image(gpu::Graph& graph, glm::uvec2 size_px)
 uint32_t reach_px(const HatchStyle& style, float pixels_per_mm)
 {
     const float overrun_px = style.overrun_mm * pixels_per_mm;
-    // Steps s, s/2, ..., 1 together reach a source at most 2s - 1 pixels away.
+    // Jump flooding with the steps s, s/2, ..., 1 reaches a source at most 2 s - 1 pixels away.
     return overrun_px > 0.0F ? 2U * std::bit_ceil(static_cast<uint32_t>(std::ceil(overrun_px))) : 0U;
 }
 
@@ -73,9 +73,9 @@ gpu::ImageId add_overrun(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId 
 
 FirstLayer first_layer(const HatchStyle& style)
 {
-    // Share of full shadow that a single layer draws.
+    // Largest share of full shadow that a single layer of strokes draws.
     constexpr float single_share = 0.7F;
-    // Must equal kept_share() of shaders/lines.glsl; a test checks it.
+    // The formula must equal kept_share() of shaders/lines.glsl; a test checks this.
     const float ends_mm = style.gap_mm > 0.0F ? 0.75F * (style.gap_mm + style.taper_mm) : 0.0F;
     const float kept = std::max(1.0F - ends_mm / std::max(style.length_mm, 1e-3F), 0.1F);
     const float share = style.layers > 1 ? shared::first_layer_share : single_share;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Strokes whose mean ink is a target darkness: lines, tonal art maps and dots. Also tonal art maps on the
-// GPU, with the ramp that converts darkness into the value to look up.
+// Hatching: draws strokes whose mean ink is a target darkness, as lines, tonal art maps or dots. Also uploads
+// tonal art maps, with the ramp (a table) that converts darkness to the value to look up in the map.
 
 #include <cstdint>
 #include <optional>
@@ -19,38 +19,42 @@
 
 namespace estampe::hatch {
 
-/// How the tones of a tonal art map are combined.
+/// How the tones of a tonal art map are combined at one pixel.
 enum class MapTone : uint8_t {
-    order = shared::map_in_order,  ///< stroke by stroke, by the thresholds
-    blend = shared::map_in_blends, ///< blend of two tones, with contrast about the middle
-    step = shared::map_in_steps    ///< one tone or the next
+    order = shared::map_in_order, ///< a darker tone adds stroke after stroke, by the map's thresholds
+    /// Two neighbouring tones are blended, with increased contrast about the middle.
+    blend = shared::map_in_blends,
+    step = shared::map_in_steps ///< each pixel shows only the nearer of two tones
 };
 
-/// A tonal art map for shading: square images of 8-bit texels, row by row from the top. The finest level has
-/// `size_px` texels per side, a power of two; the coarsest has one.
+/// A tonal art map for shading, as square images of 8-bit texels, row by row from the top. The finest mip
+/// level has `size_px` texels per side, a power of two; the coarsest level has one texel.
 struct MapData {
     uint32_t size_px = 0;
-    std::vector<std::vector<std::vector<uint8_t>>> level_of_tone; ///< coverage, 255 is ink; lightest first
-    std::vector<std::vector<uint8_t>> threshold_of_level; ///< darkness times 255 at which a texel is inked
+    /// Coverage of each texel, 255 is ink; the lightest tone comes first.
+    std::vector<std::vector<std::vector<uint8_t>>> level_of_tone;
+    /// Darkness at which each texel turns to ink, times 255.
+    std::vector<std::vector<uint8_t>> threshold_of_level;
 };
 
-/// Computes the ramp that hatch.glsl.h describes by measuring the map. The mean ink then equals the wanted
-/// darkness at every level and between levels, whatever the map's own tones are. Cost: 60 ms for 512 px.
+/// Measures a map and computes its ramp (a table, see hatch.glsl.h). With the ramp, the mean ink equals the
+/// wanted darkness at every mip level and between levels, whatever the map's own tones are. Cost: 60 ms for
+/// 512 px.
 [[nodiscard]] std::vector<float> measured_ramp(const MapData& map, MapTone tone, float contrast);
 
 struct MapImages {
-    gpu::Image tones;      ///< r8, one layer per tone
-    gpu::Image thresholds; ///< r8
+    gpu::Image tones;      ///< image array in format r8, one layer per tone
+    gpu::Image thresholds; ///< image in format r8: darkness at which a texel turns to ink
     gpu::Buffer ramp;
     uint32_t size_px = 0;
     uint32_t tone_count = 0;
     uint32_t level_count = 0;
 };
 
-/// `map` needs at least one tone. Throws Error if memory runs out.
+/// Uploads `map`, which must have at least one tone. Throws Error if memory runs out.
 [[nodiscard]] MapImages upload_map(gpu::Device& device, const MapData& map, MapTone tone, float contrast);
 
-/// Coordinate that strokes follow.
+/// The coordinates on a surface along which strokes run.
 enum class Coordinates : uint8_t {
     solid = shared::strokes_solid,
     uv = shared::strokes_uv,
@@ -72,7 +76,7 @@ struct HatchStyle {
     int layers = 3;
     Coordinates coordinates = Coordinates::automatic;
     float slant_deg = 24.0F;
-    wind::Wind wind; ///< the wind of the scene, not a style key of hatching
+    wind::Wind wind; ///< wind of the scene, which is not a style key of hatching
     float wobble_mm = 0.18F;
     float gap_mm = 0.6F;
     float taper_mm = 2.6F;
@@ -80,8 +84,9 @@ struct HatchStyle {
     float pressure = 0.28F;
     float growth = 0.0F;
     float overrun_mm = 0.0F;
-    float fade = 1.0F;             ///< haze.hatching; no key of its own
-    float fade_distance_m = 60.0F; ///< haze.hatching_distance_m
+    float fade = 1.0F; ///< share of darkness left at infinite distance, from the style's `haze.hatching`
+    /// Distance in metres over which hatching fades, from the style's `haze.hatching_distance_m`.
+    float fade_distance_m = 60.0F;
     float black_above = 0.96F;
     std::string map;
     MapTone map_tone = MapTone::order;
@@ -95,18 +100,18 @@ struct HatchStyle {
 
 [[nodiscard]] const style::Table<HatchStyle>& hatch_table();
 
-/// The first layer of lines in full shadow, for effects that align with its strokes.
+/// The first layer of lines in full shadow. Effects that align with its strokes need these values.
 struct FirstLayer {
     float width_mm = 0.3F;
-    float darkness = 0.5F; ///< darkness of the lines themselves
+    float darkness = 0.5F; ///< darkness of the lines without the gaps between strokes
     uint32_t seed = 1;
-    glm::vec2 flat_axis{0.0F, 1.0F}; ///< across the strokes, in UV space and on the page
-    glm::vec2 wind{0.0F, 1.0F};      ///< horizontal direction x, z
+    glm::vec2 flat_axis{0.0F, 1.0F}; ///< axis across the strokes, for strokes in UV space or on the page
+    glm::vec2 wind{0.0F, 1.0F};      ///< unit vector of the wind's horizontal direction, as (x, z)
 };
 
 [[nodiscard]] FirstLayer first_layer(const HatchStyle& style);
 
-/// Handles of a tonal art map in one graph.
+/// Handles of the images of a tonal art map in one frame graph.
 struct MapInputs {
     gpu::ImageId tones;
     gpu::ImageId thresholds;
@@ -116,11 +121,11 @@ struct MapInputs {
     uint32_t level_count = 0;
 };
 
-/// `map` must outlive the run of `graph`.
+/// Imports the images of a tonal art map into `graph`. `map` must live until `graph` has run.
 [[nodiscard]] MapInputs import_map(gpu::Graph& graph, MapImages& map);
 
 struct HatchInputs {
-    gpu::BufferId frame; ///< holds FrameGlobals
+    gpu::BufferId frame; ///< buffer with the FrameGlobals of the current frame
     gpu::ImageId draw;
     gpu::ImageId depth;
     gpu::ImageId normal;
@@ -128,48 +133,50 @@ struct HatchInputs {
     gpu::ImageId coordinate;
     gpu::ImageId footprint;
     gpu::ImageId light;
-    gpu::ImageId screen; ///< colour and coverage of transparent surfaces; one texel if there are none
+    gpu::ImageId screen; ///< colour and coverage of transparent surfaces; a single texel if there are none
     bool has_screen = false;
     shared::ToneConstants tone;
     uint32_t strokes_present =
-        0xff; ///< one bit for each kind of stroke in `draw`, see shaders/stroke_kind.glsl.h
-    /// Octahedral directions (r32ui) towards the strongest local light at each pixel, or 0. Strokes along the
-    /// light follow them.
+        0xff; ///< bit mask of the kinds of stroke in `draw`, see shaders/stroke_kind.glsl.h
+    /// Direction towards the strongest local light at each pixel, octahedral in r32ui; 0 if there is none.
+    /// Strokes along the light follow these directions.
     std::optional<gpu::ImageId> strongest_light;
     glm::vec3 towards_light{0.0F, 1.0F, 0.0F};
-    glm::vec2 ground_wind{1.0F, 0.0F}; ///< horizontal direction x, z, for strokes along the slope
-    std::optional<MapInputs> map;      ///< set if the style asks for a map
+    /// Unit vector of the wind on the ground, as (x, z), for strokes along the slope.
+    glm::vec2 ground_wind{1.0F, 0.0F};
+    std::optional<MapInputs> map; ///< tonal art map; set if the style uses one
     float pixels_per_mm = 1.0F;
     glm::uvec2 size_px{0};
-    std::optional<gpu::BufferId> variant_of_draw; ///< r32ui, per draw call; unset with one style variant
-    std::optional<gpu::BufferId> draws;           ///< needed by dots
-    uint32_t variant = 0;                         ///< the style variant to draw
-    std::optional<gpu::ImageId> ink_before;       ///< ink of style variants drawn before
+    /// Style variant of each draw call, as r32ui texels; not set if there is only one variant.
+    std::optional<gpu::BufferId> variant_of_draw;
+    std::optional<gpu::BufferId> draws;     ///< buffer of all draws; needed only by dots
+    uint32_t variant = 0;                   ///< number of the style variant whose surfaces are hatched
+    std::optional<gpu::ImageId> ink_before; ///< ink of the style variants that were drawn before
 };
 
-/// Hatching of the surfaces of one style variant.
+/// Style of hatching for the surfaces of one style variant.
 struct HatchVariant {
     HatchStyle style;
     shared::ToneConstants tone;
-    std::optional<MapInputs> map; ///< set if the style asks for a map
+    std::optional<MapInputs> map; ///< tonal art map; set if the variant's style uses one
 };
 
-/// Returns `in` for one of several style variants, drawn over `ink_before`.
+/// Returns a copy of `in` for one of several style variants, which draws over `ink_before`.
 [[nodiscard]] HatchInputs inputs_of_variant(const HatchInputs& in, const std::vector<HatchVariant>& variants,
                                             uint32_t number, std::optional<gpu::ImageId> ink_before);
 
-/// Darkness that the strokes must reach, and the tiles where it is not zero.
+/// The darkness that the strokes must reach, and a list of the tiles where it is not zero.
 struct Darkness {
-    gpu::ImageId image;  ///< r16f: 0 paper to 1 ink
-    gpu::ImageId blank;  ///< ink before any stroke of this style variant is drawn
-    gpu::BufferId tiles; ///< tiles that are not blank, see darkness.comp
+    gpu::ImageId image;  ///< r16f: darkness from 0 for paper to 1 for ink
+    gpu::ImageId blank;  ///< the page's ink before any stroke of this style variant is drawn
+    gpu::BufferId tiles; ///< list of the tiles that are not blank, see darkness.comp
 };
 
-/// Converts light into darkness by the tone curve; lighter with distance and behind transparent surfaces.
-/// Cost: one full-screen dispatch.
+/// Converts light to darkness by the tone curve. Darkness decreases with distance and behind transparent
+/// surfaces. Cost: one full-screen dispatch.
 [[nodiscard]] Darkness add_darkness(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style);
 
-/// Draws lines whose mean ink is the wanted darkness; shaders/lines.glsl explains the construction.
+/// Draws lines whose mean ink is the wanted darkness. shaders/lines.glsl explains how lines are placed.
 ///
 /// Writes  r16f: coverage, 0 paper to 1 ink
 /// Cost    one dispatch without texture reads over the tiles that are not blank; over the page if
@@ -177,8 +184,9 @@ struct Darkness {
 [[nodiscard]] gpu::ImageId add_lines(gpu::Graph& graph, const HatchInputs& in, const Darkness& darkness,
                                      const HatchStyle& style);
 
-/// Draws strokes of a tonal art map; requires `in.map`. Nearer than its finest level the map repeats at half
-/// the size, so that strokes keep their width at any zoom.
+/// Draws strokes of a tonal art map; requires `in.map`. Near the eye, where its finest level would be
+/// enlarged,
+/// the map repeats at half the size, so that strokes keep their width at any zoom.
 ///
 /// Writes  r16f: coverage, 0 paper to 1 ink
 /// Cost    one full-screen dispatch, five texels per pixel
@@ -187,10 +195,12 @@ struct Darkness {
 [[nodiscard]] gpu::ImageId add_map(gpu::Graph& graph, const HatchInputs& in, const Darkness& darkness,
                                    const HatchStyle& style);
 
-/// Largest distance from a pixel to strokes that run over into the pixel; 0 if no strokes do.
+/// Largest distance in pixels from a pixel to another pixel whose strokes run over into it; 0 if strokes do
+/// not run over silhouettes.
 [[nodiscard]] uint32_t reach_px(const HatchStyle& style, float pixels_per_mm);
 
-/// Draws dots of a screentone whose mean ink is the wanted darkness, or the nearest tone. Dots lie on the
+/// Draws dots of a screentone. Their mean ink is the wanted darkness, or the nearest tone. The dots lie on
+/// the
 /// page and move with the object that they shade.
 ///
 /// Writes  r16f: coverage, 0 paper to 1 ink
@@ -198,18 +208,18 @@ struct Darkness {
 [[nodiscard]] gpu::ImageId add_dots(gpu::Graph& graph, const HatchInputs& in, const Darkness& darkness,
                                     const HatchStyle& style);
 
-/// Draws the strokes of all style variants. Ignores `tone`, `map` and `variant` of `in`. Cost: per variant
-/// one full-screen dispatch and its strokes.
+/// Draws the strokes of all style variants. Ignores `tone`, `map` and `variant` of `in`. Cost per variant:
+/// one full-screen dispatch and the variant's strokes.
 [[nodiscard]] gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in,
                                      const std::vector<HatchVariant>& variants);
 
 [[nodiscard]] shared::LineConstants line_constants(const HatchInputs& in, const HatchStyle& style);
 
-/// Variant bits for line_families.glsl, without lines_has_all_tiles.
+/// Variant bits of the shaders that include line_families.glsl, without lines_has_all_tiles.
 [[nodiscard]] uint32_t line_variant(const HatchInputs& in, const HatchStyle& style);
 
-/// For each pixel the nearest pixel whose strokes may run over into it. Returns the draw image if the style
-/// has no overrun.
+/// Finds for each pixel the nearest pixel whose strokes may run over into it. Returns the draw image
+/// unchanged if strokes do not run over silhouettes.
 [[nodiscard]] gpu::ImageId add_overrun(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId darkness,
                                        const HatchStyle& style);
 

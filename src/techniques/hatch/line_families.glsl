@@ -2,7 +2,8 @@
 #ifndef ESTAMPE_LINE_FAMILIES
 #define ESTAMPE_LINE_FAMILIES
 
-// The families of strokes that cross at a pixel. Requires `constants`, LineConstants as push constants.
+// The families (sets of parallel strokes) that cross at a pixel. Requires before inclusion: `constants`, a
+// LineConstants in push constants.
 
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_growth = (variant & lines_has_growth) != 0u;
@@ -18,20 +19,20 @@ const bool has_flat = (kinds & flat_kinds) != 0u;
 const bool has_directions = (kinds & directed_kinds) != 0u;
 const bool has_slices = (kinds & (directed_kinds | 1u << strokes_solid)) != 0u;
 
-// Direction towards the light at the current pixel.
+// Direction towards the light at the pixel that is being drawn.
 vec3 towards_light = vec3(0.0, 1.0, 0.0);
 
-// A local light's direction changes from place to place, but the planes of strokes must stay fixed. The
-// nearest of 26 directions replaces it, which divides the page into patches of straight strokes, as in hand
-// drawing.
+// The nearest of 26 fixed directions. It replaces the direction of a local light, which changes from place to
+// place, because the planes of strokes must stay fixed. So the page is divided into patches of straight
+// strokes, as in hand drawing.
 vec3 settled(vec3 direction)
 {
     vec3 largest = vec3(max(abs(direction.x), max(abs(direction.y), abs(direction.z))));
     return normalize(round(direction / largest));
 }
 
-// Direction towards the strongest local light, from the packed value of the lighting pass; the constant light
-// direction if the value is 0.
+// Direction towards the strongest local light, from the packed value of the lighting pass. If the value is 0,
+// returns the scene's constant light direction.
 vec3 towards_light_of(uint strongest)
 {
     return strongest != 0u ? settled(unpack_normal(strongest)) : constants.towards_light;
@@ -48,23 +49,24 @@ bool lies_flat(uint kind)
     return has_flat && (!has_slices || is_flat(kind));
 }
 
-// Families of strokes, two per layer, and the darkness that each must draw. Shares are such that the white
-// left by the families multiplies to the white that the darkness leaves. The family of a layer with more to
-// draw comes first; if it draws everything, the other is skipped.
+// State of the loop over the families of strokes: two per layer, each with the darkness that it must draw.
+// The white areas left by all families multiply to the white that the wanted darkness leaves. In each layer,
+// the family that draws more comes first; the other family is skipped if it draws nothing.
 struct Families {
     uint layer;
     bool is_second;
-    float remaining; // darkness that this layer and later layers must draw
+    float remaining; // darkness that this layer and all later layers must draw
 };
 
-// Share of the remaining darkness that a layer draws; the last layer draws all of it.
+// Share of the remaining darkness that a layer draws. The last layer draws all of it.
 float layer_share(uint layer, float remaining)
 {
     float most = layer == 0u ? FIRST_LAYER_SHARE : NEXT_LAYER_SHARE;
     return layer + 1u >= constants.layers ? remaining : min(remaining, most);
 }
 
-// Share of a layer's strokes that the family of slices draws; the level family draws the rest.
+// Share of a layer's strokes in its first family, which cuts the surface in slices across the strokes' axis.
+// The second family (level lines) draws the rest.
 float slice_share(uint layer, vec3 normal, uint kind)
 {
     return !has_slices || lies_flat(kind)
@@ -77,7 +79,8 @@ bool is_any_left(Families families)
     return families.layer < constants.layers && families.remaining > 1e-4;
 }
 
-// Advances to the next family, and returns the darkness that it must draw; 0 if there is none.
+// Advances to the next family of strokes. Returns the darkness that this family must draw; 0 if there is no
+// further family.
 float next_family(inout Families families, vec3 normal, uint kind, out uint family)
 {
     family = 0u;
@@ -108,7 +111,8 @@ uint family_seed(uint family)
     return hash(constants.seed * 64u + family);
 }
 
-// The coordinate that the lines of a family follow at a place of the surface, and its change per pixel.
+// The coordinate that the lines of a family follow at a place of the surface, and the change of this
+// coordinate per pixel.
 LineField family_field(vec3 p, Footprint f, uint kind, uint family)
 {
     bool flat_here = lies_flat(kind);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per pixel of the tiles that are not blank: draws the strokes that produce the target darkness.
+// One thread draws the strokes at one pixel, so that their mean ink is the target darkness. Only tiles that
+// are not blank are processed.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_vote : require
@@ -18,10 +19,13 @@ layout(binding = 1) uniform usampler2D draw_image;
 layout(binding = 2) uniform usampler2D normal_image;
 layout(binding = 3) uniform sampler2D coordinate_image;
 layout(binding = 4) uniform usampler2D footprint_image;
-layout(binding = 5) uniform usampler2D source_image;    // see overrun.comp
-layout(binding = 6) uniform usampler2D strongest_image; // directions towards local lights; 0 for none
+// For each pixel: the pixel whose strokes run over into it, see overrun.comp.
+layout(binding = 5) uniform usampler2D source_image;
+// Packed direction towards the strongest local light; 0 for none.
+layout(binding = 6) uniform usampler2D strongest_image;
 
-layout(binding = 7) uniform usamplerBuffer dark_tile_texels; // as in darkness.comp, two words per texel
+// List of tiles that are not blank, in the format of darkness.comp, two words per texel.
+layout(binding = 7) uniform usamplerBuffer dark_tile_texels;
 
 layout(binding = 8, r16f) uniform image2D out_ink;
 

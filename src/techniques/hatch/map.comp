@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One thread per pixel: draws the strokes of a tonal art map. The map stores for every texel a threshold, the
-// darkness at which the texel turns to ink, and the ink of every tone. Every mip level is drawn, not
-// filtered. Nearer than the finest level the map repeats at half the size, again and again, so strokes do not
-// get wider.
+// One thread draws the strokes of a tonal art map at one pixel. For every texel, the map stores the ink of
+// every tone, and a threshold: the darkness at which the texel turns to ink. Every mip level is a drawing of
+// its own, not a filtered image. Near the eye, the finest level is repeated at half the size, again and
+// again, so that strokes do not get wider.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -24,7 +24,8 @@ layout(scalar, binding = 6) readonly buffer Ramp
     float ramp[];
 };
 
-layout(binding = 7) uniform usampler2D source_image; // see overrun.comp
+// For each pixel: the pixel whose strokes run over into it, see overrun.comp.
+layout(binding = 7) uniform usampler2D source_image;
 layout(binding = 8, r16f) uniform image2D out_ink;
 
 layout(push_constant, scalar) uniform Constants
@@ -42,12 +43,12 @@ const bool has_ink = (variant & map_has_ink) != 0u;
 #include "techniques/hatch/overrun_source.glsl"
 
 struct Place {
-    vec2 at;   // place in units of the map's side
-    float lod; // level of detail, 0 is the finest; the map repeats below 0
+    vec2 at;   // position in the map, in units of the map's side
+    float lod; // level of detail: 0 is the finest mip level; below 0 that level is repeated at smaller size
 };
 
-// Projection onto the axis plane that the surface faces most, in the rest pose, so that strokes stick to the
-// surface.
+// Position in the map: the surface in its rest pose, projected along the axis that it faces most. So strokes
+// stay attached to the surface.
 Place place_on(uint kind, vec3 p, Footprint f)
 {
     vec3 facing = abs(cross(f.dx, f.dy));
@@ -58,8 +59,8 @@ Place place_on(uint kind, vec3 p, Footprint f)
     place.at = along_z ? p.xy : along_y ? p.xz : p.zy;
     vec2 dx = along_z ? f.dx.xy : along_y ? f.dx.xz : f.dx.zy;
     vec2 dy = along_z ? f.dy.xy : along_y ? f.dy.xz : f.dy.zy;
-    // Size between the finer and the coarser direction of a tilted surface, so that the mean width of strokes
-    // is constant.
+    // The size of a pixel in the map is a mean of the finer and the coarser direction of a tilted surface, so
+    // that the mean width of strokes is constant.
     float area = abs(dx.x * dy.y - dx.y * dy.x);
     float widest = max(dot(dx, dx), dot(dy, dy));
     float texels = float(constants.map_size_texels) / constants.texels_per_px;
@@ -68,9 +69,9 @@ Place place_on(uint kind, vec3 p, Footprint f)
 }
 
 struct Levels {
-    vec2 fine;   // place in the finer of two levels
-    vec2 coarse; // place in the coarser level
-    int level;   // number of the finer level
+    vec2 fine;   // position in the finer of two mip levels
+    vec2 coarse; // position in the coarser mip level
+    int level;   // number of the finer mip level
     float towards_coarse;
     bool repeats;
 };
@@ -97,7 +98,7 @@ float ramp_in(uint row, float x)
     return mix(ramp[index], ramp[index + 1u], at - float(first));
 }
 
-// Value to look up in the map, from the ramp of hatch.glsl.h.
+// Converts a darkness to the value to look up in the map, by the ramp that hatch.glsl.h describes.
 float asked_of(Levels levels, float dark)
 {
     uint first = (levels.repeats ? 0u : uint(levels.level) + 1u) * ramp_steps;
@@ -106,7 +107,7 @@ float asked_of(Levels levels, float dark)
     return mix(ramp_in(first + step, dark), ramp_in(first + step + 1u, dark), at - float(step));
 }
 
-// The four texels around a place, and their weights.
+// The four texels around a position, and their weights.
 struct Four {
     vec4 value;
     vec4 share;
@@ -130,8 +131,8 @@ Four thresholds_at(vec2 place, int level)
     return four;
 }
 
-// Compares each threshold of the finer level, and of the coarser, with the darkness, and blends the results,
-// so that edges are smooth but not grey and nothing jumps between levels.
+// Compares the darkness with the four thresholds in each of two mip levels, and blends the results. So edges
+// are smooth but not grey, and nothing jumps from level to level.
 float ordered_ink(Levels levels, float dark)
 {
     float asked = asked_of(levels, dark);

@@ -17,11 +17,11 @@ namespace {
 using shared::ramp_length;
 using shared::ramp_steps;
 
-/// A mip level is sampled at no more than this many places along a side.
+/// A mip level is measured at no more than this many places along a side.
 constexpr uint32_t measured_side = 96;
 
-/// Fills one row: for darknesses from 0 to 1 the x in [low, high] at which the increasing function `ink_at`
-/// reaches that darkness.
+/// Fills one row of the ramp with the inverse of the increasing function `ink_at`: for each darkness from 0
+/// to 1, the x in [low, high] at which the function reaches that darkness.
 void invert(const std::function<double(double)>& ink_at, double low, double high, float* row)
 {
     constexpr size_t samples = 256;
@@ -42,7 +42,7 @@ void invert(const std::function<double(double)>& ink_at, double low, double high
     }
 }
 
-/// Bilinear sample of an image: the four nearest texels, 0 to 1, and their weights.
+/// A bilinear lookup in an image: the values of the four nearest texels, from 0 to 1, and their weights.
 struct Four {
     std::array<float, 4> value;
     std::array<float, 4> share;
@@ -71,20 +71,22 @@ Four four_at(const std::vector<uint8_t>& image, uint32_t side, float x, float y)
     return four;
 }
 
-/// Samples of a mip level and of the next coarser level at equal places.
+/// Lookups in a mip level and in the next coarser level, at the same places.
 struct Pair {
     std::vector<Four> fine;
     std::vector<Four> coarse;
 };
 
-/// Samples of `level` and of the next one; for -1, of the finest level and of itself at twice the size.
+/// Samples a mip level and the next coarser level. If `level` is -1, samples the finest level repeated at
+/// half the size, and the finest level itself.
 Pair pair_of(const std::vector<std::vector<uint8_t>>& levels, uint32_t size_px, int level)
 {
     const auto fine_level = static_cast<size_t>(std::max(level, 0));
     const size_t coarse_level = level < 0 ? 0 : fine_level + 1;
     const uint32_t fine_side = std::max(size_px >> fine_level, 1U);
     const uint32_t coarse_side = std::max(size_px >> coarse_level, 1U);
-    // Pixels may fall anywhere between texel centres, so samples cover all quarters of a texel.
+    // Pixels of the page may lie anywhere between texel centres. So the samples cover all quarters of a
+    // texel.
     const uint32_t count = std::min(std::max(2 * fine_side, 8U), measured_side);
     const float step = static_cast<float>(fine_side) / static_cast<float>(count);
     Pair pair;
@@ -106,7 +108,8 @@ double contrasted(double value, double contrast)
     return std::clamp((value - 0.5) * contrast + 0.5, 0.0, 1.0);
 }
 
-/// Row for thresholds; `towards` is the blend from the finer level to the coarser.
+/// Computes one row of the ramp from thresholds. `towards` is the blend from the finer mip level (0) to the
+/// coarser level (1).
 void measure_order(const Pair& thresholds, float towards, double contrast, float* row)
 {
     std::array<double, 512> shares{};
@@ -132,7 +135,7 @@ void measure_order(const Pair& thresholds, float towards, double contrast, float
     invert(ink_at, -0.5 / contrast, 1.0 + 0.5 / contrast, row);
 }
 
-/// Row for tones, from paper to full ink.
+/// Computes one row of the ramp from the tones between paper and full ink.
 void measure_layers(const std::vector<Pair>& tones, float towards, double contrast, float* row)
 {
     constexpr int per_tone = 8;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread per pixel: finds the nearest pixel whose strokes may run over into this one, by jump flooding,
-// one step per dispatch, farthest first. Rong and Tan, "Jump Flooding in GPU with Applications to Voronoi
-// Diagram and Distance Transform", I3D 2006.
+// One thread finds, for one pixel, the nearest pixel whose strokes may run over into it. The search is jump
+// flooding with one step per dispatch, the longest step first. Rong and Tan, "Jump Flooding in GPU with
+// Applications to Voronoi Diagram and Distance Transform", I3D 2006.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -13,7 +13,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform sampler2D darkness_image;
 layout(binding = 1) uniform usampler2D draw_image;
-layout(binding = 2) uniform usampler2D before_image; // x and y in 16 bits each; unused in the first step
+// Pixel found in the previous step, x and y in 16 bits each; unused in the first step.
+layout(binding = 2) uniform usampler2D before_image;
 layout(binding = 3, r32ui) writeonly uniform uimage2D out_source;
 
 layout(push_constant, scalar) uniform Constants

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One thread per pixel: finds where the lines of strokes pass between it and the pixels to the right and
-// below, by marching squares with one level per line. Each crossing stores the line's drawn width. Where the
-// surface ends between two pixels, each side is extended by half a pixel. Crossings are listed in any order.
+// One thread handles one pixel. It finds where the centre lines of strokes pass between the pixel and its
+// neighbours to the right and below, by marching squares with one level per line. Each crossing stores the
+// drawn width of the line. Where the surface ends between two pixels, both sides are extended by half a
+// pixel. The crossings are listed in any order.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -19,12 +20,14 @@ layout(binding = 1) uniform usampler2D draw_image;
 layout(binding = 2) uniform usampler2D normal_image;
 layout(binding = 3) uniform sampler2D coordinate_image;
 layout(binding = 4) uniform usampler2D footprint_image;
-layout(binding = 5) uniform usampler2D source_image;    // see overrun.comp
-layout(binding = 6) uniform usampler2D strongest_image; // directions towards local lights; 0 for none
+// For each pixel: the pixel whose strokes run over into it, see overrun.comp.
+layout(binding = 5) uniform usampler2D source_image;
+// Packed direction towards the strongest local light; 0 for none.
+layout(binding = 6) uniform usampler2D strongest_image;
 
 layout(scalar, binding = 7) buffer Crossings
 {
-    uint crossing_count; // includes crossings that did not fit
+    uint crossing_count; // number of all crossings, including those for which the list has no room
     Crossing crossings[];
 };
 
@@ -39,10 +42,10 @@ layout(push_constant, scalar) uniform Constants
 #include "techniques/hatch/overrun_source.glsl"
 
 const float least_width_px = 0.04;
-const int most_lines = 64; // between two pixels
+const int most_lines = 64; // largest number of lines between two neighbouring pixels
 const uint most_families = 6u;
 
-// Inputs of the strokes at one pixel.
+// Inputs from which the strokes at one pixel follow.
 struct Spot {
     uint word;
     vec3 p;
@@ -81,13 +84,15 @@ void darkness_of_families(Spot spot, out float dark[most_families])
     }
 }
 
-// Maps coordinates of one pixel to those of another if they are only defined up to whole numbers and sign.
+// Maps the stroke coordinates of one pixel to those of its neighbour. Strokes along the form need it: their
+// coordinates are only defined up to whole numbers and sign.
 struct Turn {
     float sign;
     vec3 shift;
 };
 
-// Whether the surface continues from pixel to pixel: the coordinate changes as predicted at both.
+// Whether the surface continues from pixel `a` to pixel `b`: the stroke coordinate must change as the
+// footprints of both pixels predict.
 bool goes_on(Spot a, Spot b, bool is_down, out Turn turn)
 {
     bool wraps = has_form && strokes_of(a.word) == strokes_form;
@@ -103,7 +108,7 @@ bool goes_on(Spot a, Spot b, bool is_down, out Turn turn)
            dot(surprise, surprise) < allowed * allowed;
 }
 
-// Width in pixels of the line at number * half of 2^level; 0 if the pixel has no such line.
+// Width in pixels of the line at the coordinate number / 2 * 2^level; 0 if the pixel does not draw this line.
 float width_at(LineField field, HatchLineStyle style, DrawnLines drawn, float dark, int number, int level,
                uint identity)
 {
@@ -126,7 +131,8 @@ void list(uint edge, uint word, uint family, int number, int exponent, float alo
         Crossing(edge, draw_of(word) + 1u, line, number >> zeros, place | packHalf2x16(vec2(0.0, width_px)));
 }
 
-// Finds a family's crossings between a and b; `part` limits the part of the way that counts.
+// Finds the crossings of one family of strokes between the pixels `a` and `b`. `part` limits the search to a
+// part of the way.
 void trace_family(Spot a, Spot b, float dark_a, float dark_b, Turn turn, uint family, uint edge, vec2 part)
 {
     HatchLineStyle style = line_style();
@@ -188,7 +194,7 @@ void trace_edge(Spot a, Spot b, Turn turn, uint edge, vec2 part)
     }
 }
 
-// The surface of a pixel, extrapolated by `pixels`.
+// The surface at a pixel, extrapolated by a number of pixels to the right or downwards.
 Spot moved(Spot spot, bool is_down, float pixels)
 {
     spot.p += pixels * (is_down ? spot.f.dy : spot.f.dx);

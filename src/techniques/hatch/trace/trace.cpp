@@ -15,7 +15,8 @@
 namespace estampe::hatch {
 namespace {
 
-constexpr float crossings_per_width = 4.0F; // maximum on a black pixel with strokes one pixel wide
+// Largest number of crossings at a black pixel with strokes one pixel wide.
+constexpr float crossings_per_width = 4.0F;
 constexpr float least_step_px = 0.6F;
 constexpr size_t none = ~size_t{0};
 
@@ -29,9 +30,9 @@ bool is_same_line(const shared::Crossing& a, const shared::Crossing& b)
     return a.draw == b.draw && a.line == b.line && a.number == b.number;
 }
 
-/// A crossing as a member of one square of four pixels.
+/// A crossing of a line, seen as a point on the border of one square of four pixels.
 struct Corner {
-    uint32_t square = 0; ///< the square's upper left pixel
+    uint32_t square = 0; ///< index of the upper left pixel of the square
     size_t crossing = 0;
 };
 
@@ -49,7 +50,8 @@ public:
         }
     }
 
-    /// Links the crossings [first, last) of one line, and adds its strokes.
+    /// Links the crossings from `first` to before `last`, all of one line, to strokes and appends these to
+    /// `strokes`.
     void add_line(size_t first, size_t last, std::vector<TracedStroke>& strokes)
     {
         corners_.clear();
@@ -96,7 +98,8 @@ private:
         (links_[b][0] == none ? links_[b][0] : links_[b][1]) = a;
     }
 
-    /// Links the two crossings that are nearest to each other, then the nearest two of the rest.
+    /// Links the crossings on the border of one square: first the two that are nearest to each other, then
+    /// the nearest two of the rest.
     void link_square(std::span<const Corner> around)
     {
         std::vector<size_t> open;
@@ -148,8 +151,8 @@ private:
         }
     }
 
-    /// Drops crossings too close to each other, at corners of the grid, because their direction is
-    /// unreliable.
+    /// Removes crossings that are too close to the previous one, which happens at corners of the pixel grid.
+    /// The direction between such points is unreliable.
     static void space_out(std::vector<TracedPoint>& points)
     {
         const TracedPoint last = points.back();
@@ -173,7 +176,7 @@ private:
     std::vector<Corner> corners_;
 };
 
-/// Adds the crossings of one style variant.
+/// Adds the pass that finds the crossings of one style variant.
 gpu::BufferId add_crossings(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style,
                             gpu::BufferId before)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Converts hatching lines into paths.
+// Converts the lines of hatching to paths, for vector output.
 
 #include <cstdint>
 #include <span>
@@ -16,7 +16,7 @@ namespace estampe::hatch {
 
 /// Finds the points where the lines that add_hatch() draws pass between neighbouring pixels.
 ///
-/// Writes  the number of crossings, then shared::Crossing as far as there is room, in any order
+/// Writes  the number of crossings, then a shared::Crossing for each, as far as there is room, in any order
 /// Cost    two full-screen dispatches per style variant; some 60 bytes per pixel, more if strokes are finer
 ///         than a pixel, at most `most_bytes`
 /// Source  marching squares: Lorensen and Cline, "Marching Cubes", SIGGRAPH 1987
@@ -30,13 +30,14 @@ struct TracedPoint {
 
 struct TracedStroke {
     uint32_t draw = 0;
-    uint32_t family = 0; ///< two per layer
+    uint32_t family = 0; ///< number of the family of parallel strokes; each layer has two families
     bool is_closed = false;
-    std::vector<TracedPoint> points; ///< two or more, about a pixel apart
+    std::vector<TracedPoint> points; ///< two or more points, about one pixel apart
 };
 
-/// Links crossings into strokes, per square of four pixels. The result does not depend on the order of the
-/// crossings. Cost: n log n in crossings, about 1 us each.
+/// Links the crossings of lines to strokes. Crossings on the border of the same square of four pixels are
+/// linked. The result does not depend on the order of the crossings. Cost: n log n in the number of
+/// crossings, about 1 us each.
 [[nodiscard]] std::vector<TracedStroke> string_crossings(std::span<const shared::Crossing> crossings,
                                                          const glm::uvec2& size_px);
 
