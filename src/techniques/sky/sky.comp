@@ -19,13 +19,13 @@ layout(binding = 1, rgba16f) writeonly uniform image2D out_wash;
 layout(binding = 2, r16f) writeonly uniform image2D out_ink;
 
 #define TILE_LIST_BINDING 3
-#include "shaders/tile_list.glsl" // for sky_has_tiles
+#include "shaders/tile_list.glsl" // only with sky_has_tiles
 
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_tiles = (variant & sky_has_tiles) != 0u;
 const bool has_depth = (variant & sky_has_depth) != 0u;
 
-layout(binding = 4) uniform sampler2D depth_image; // for sky_has_depth
+layout(binding = 4) uniform sampler2D depth_image; // reversed depth; only with sky_has_depth
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -34,16 +34,17 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/sky/vault.glsl"
 
-// Quantizes the share from horizon to zenith into flat tones with soft transitions.
+// Rounds a share between horizon and zenith to flat tones with soft transitions.
 float stepped(float share, float steps)
 {
-    const float wiped = 0.3; // width of a transition, as a share of a tone
+    const float wiped = 0.3; // width of the transition between two tones, as a share of a tone
     float at = share * (steps - 1.0);
     float edge = floor(at) + 0.5;
     return (edge - 0.5 + smoothstep(edge - 0.5 * wiped, edge + 0.5 * wiped, at)) / max(steps - 1.0, 1.0);
 }
 
-// The wash without discs: colours from horizon to zenith, and bands blended in from above and below.
+// The wash without the discs of sun and moon: colours from horizon to zenith, with bands blended in from
+// above and below.
 vec3 graded(vec3 d, float height)
 {
     float share = smoothstep(0.0, 1.0, sqrt(height));
@@ -58,7 +59,7 @@ vec3 graded(vec3 d, float height)
     return mix(mix(wash, constants.low_color, low), constants.high_color, high);
 }
 
-// Coverage of a pixel, `pixel_rad` wide, by the disc of sun or moon.
+// Coverage of a pixel by the disc of sun or moon. `pixel_rad` is the angular width of the pixel.
 float disc_cover(vec3 d, float pixel_rad)
 {
     vec3 to_sun = vec3(constants.towards_sun.x, 0.0, constants.towards_sun.z) + 1e-6;
@@ -67,7 +68,7 @@ float disc_cover(vec3 d, float pixel_rad)
     vec2 at = vec2(dot(d, right), dot(d, cross(right, constants.towards_disc)));
     float away = dot(d, constants.towards_disc) > 0.0 ? asin(min(length(at), 1.0)) : 3.0;
     float cover = clamp((constants.disc_rad - away) / pixel_rad + 0.5, 0.0, 1.0);
-    // The terminator of the moon is half an ellipse.
+    // The border between the lit and the dark part of the moon is half an ellipse.
     float half_width = sqrt(max(constants.disc_rad * constants.disc_rad - at.y * at.y, 0.0));
     float from = at.x - (1.0 - 2.0 * constants.disc_lit) * half_width;
     cover *= constants.disc_lit < 1.0 ? clamp(from / pixel_rad + 0.5, 0.0, 1.0) : 1.0;

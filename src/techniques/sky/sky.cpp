@@ -21,10 +21,10 @@ SkyColors mix(const SkyColors& a, const SkyColors& b, float share)
 struct Disc {
     glm::vec3 towards{0.0F};
     glm::vec3 color{0.0F};
-    float lit = 1.0F; ///< lit share of the disc's width
+    float lit = 1.0F; ///< lit share of the disc's width; less than 1 for a crescent moon
 };
 
-/// The sun at its position, or the moon on the opposite side after sunset.
+/// The disc to draw: the sun at its position, or after sunset the moon on the opposite side.
 Disc disc_of(const SkyStyle& style, const glm::vec3& towards_sun, const std::optional<float>& daylight_rad)
 {
     if (!daylight_rad) {
@@ -33,7 +33,7 @@ Disc disc_of(const SkyStyle& style, const glm::vec3& towards_sun, const std::opt
     const glm::vec2 level = glm::normalize(glm::vec2(towards_sun.x, towards_sun.z) + glm::vec2(0.0F, 1e-6F));
     const float up = std::sin(*daylight_rad);
     const glm::vec2 along = level * std::cos(*daylight_rad);
-    constexpr float set_rad = -0.035F; // elevation at which the sun's glow has gone
+    constexpr float set_rad = -0.035F; // elevation of the sun at which its glow on the sky has disappeared
     return *daylight_rad > set_rad
                ? Disc{.towards = {along.x, up, along.y}, .color = style.sun_color}
                : Disc{.towards = {-along.x, -up, -along.y}, .color = style.moon_color, .lit = style.moon_lit};

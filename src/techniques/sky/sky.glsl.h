@@ -9,68 +9,73 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-SHARED_CONSTANT uint sky_has_tiles = 1U << 0U; // variant bit of sky.comp: paints only listed tiles
-SHARED_CONSTANT uint sky_has_depth = 1U << 1U; // variant bit of sky.comp: skips pixels with near surfaces
+SHARED_CONSTANT uint sky_has_tiles = 1U << 0U; // variant bit of sky.comp: paints only tiles in a list
+// Variant bit of sky.comp: skips pixels whose visible surface is near.
+SHARED_CONSTANT uint sky_has_depth = 1U << 1U;
 
 struct SkyConstants {
     vec3 horizon_color;
     float stroke_width_px;
     vec3 zenith_color;
-    float darkness; // darkness of the strokes at the zenith, away from the sun
+    float darkness; // darkness of the strokes at the zenith, on the side away from the sun
     vec3 towards_sun;
-    vec3 high_color; // colour of the high band
-    float high_rad;  // elevation of the middle of the high band's edge
+    vec3 high_color; // linear colour of the band high in the sky
+    float high_rad;  // elevation of the middle of the high band's lower edge
     vec3 low_color;
     float low_rad;
     vec3 disc_color;
-    float disc_rad; // angular radius of the disc; 0: none
+    float disc_rad; // angular radius of the disc of sun or moon; 0: no disc
     vec3 towards_disc;
     float disc_lit; // lit share of the disc's width
-    float steps;    // number of flat tones; 0: a smooth gradient
-    float far_m;    // for sky_has_depth: distance from the eye beyond which sky is painted
+    float steps;    // number of flat tones of the wash; 0: a smooth gradient
+    float far_m;    // only with sky_has_depth: surfaces nearer to the eye than this hide the sky
 };
 
 // Variant bits of clouds.comp.
 SHARED_CONSTANT uint clouds_have_hatching = 1U << 0U;
 SHARED_CONSTANT uint clouds_have_streaks = 1U << 1U;
 
-SHARED_CONSTANT uint clouds_have_share = 1U << 2U; // other occluders have a share of sunlight, too
-SHARED_CONSTANT uint clouds_keep_cover = 1U << 3U; // also outputs the clouds' coverage
-SHARED_CONSTANT uint clouds_have_tiles = 1U << 4U; // paints only listed tiles
-SHARED_CONSTANT uint clouds_have_depth = 1U << 5U; // skips pixels with near surfaces
+// An image of sunlight exists, in which other objects already cast shadows.
+SHARED_CONSTANT uint clouds_have_share = 1U << 2U;
+SHARED_CONSTANT uint clouds_keep_cover = 1U << 3U; // also outputs the clouds' coverage of each pixel
+SHARED_CONSTANT uint clouds_have_tiles = 1U << 4U; // paints only tiles in a list
+SHARED_CONSTANT uint clouds_have_depth = 1U << 5U; // skips pixels whose visible surface is near
 SHARED_CONSTANT uint clouds_by_groups = 1U << 6U;  // the pixels of a workgroup find their puffs together
 
 SHARED_CONSTANT uint most_puff_layers = 2U;
-SHARED_CONSTANT float puff_wavers = 1.2F; // reach of a wavering outline, in radii of its puff
+SHARED_CONSTANT float puff_wavers = 1.2F; // largest radius of a wavering outline, in radii of its puff
 
-// Layer space: along the wind, above the base, across the wind, in cells. A tile of `cells` x `cells`
-// repeats. Puffs are balls in layer space, but may be flat or long in metres.
+// The space of a cloud layer: coordinates along the wind, above the base and across the wind, in cells. A
+// tile of `cells` x `cells` cells repeats. Puffs are balls in layer space, but may be flat or long in metres.
 
-// A ball of cloud: two texels of four floats.
+// A puff, a ball of cloud. It is stored in two texels of four floats.
 struct CloudPuff {
-    vec3 centre; // in layer space, on the tile or next to it
+    vec3 centre; // position in layer space, on the tile or next to it
     float radius;
-    vec3 lean;   // unit vector, in metres: the direction that the cloud mass around it faces
+    vec3 lean;   // unit vector, in metres: the direction that the cloud mass around the puff faces
     float trait; // random number of the puff, 0 to 1
 };
 
-// A layer of puffs, cut flat by its base.
+// A layer of puffs (balls of cloud), cut flat by its base.
 struct PuffLayer {
-    vec3 eye;      // in layer space, on the tile
+    vec3 eye;      // position of the eye in layer space, on the tile
     float base_m;  // height of the base above the eye
-    vec3 per_m;    // factor from metres to layer space
-    float thick_m; // thickness of the layer's slab
-    float pen;     // factor on the outlines' width
-    float under;   // how much less light the base receives
+    vec3 per_m;    // factors from metres to layer space
+    float thick_m; // thickness of the layer
+    float pen;     // factor on the width of the outlines
+    float under;   // how much less light the base of the clouds receives
     uint cells;
-    uint first_cell; // first cell in the list of starts, for puffs that touch a cell
-    uint first_home; // first cell in the list of starts, for puffs with their centre in a cell
-    float reach;     // reach of the largest puff, in cells
+    // Index of the first cell in the list of starts, for lists of all puffs that touch a cell.
+    uint first_cell;
+    // Index of the first cell in the list of starts, for lists of puffs whose centre lies in a cell.
+    uint first_home;
+    float reach; // largest radius of a puff including its outline, in cells
 };
 
-// White strokes on a plane; their density is stored at the corners of cells.
+// A layer of cirrus clouds: white strokes on a plane. The density of the strokes is stored at the corners of
+// cells.
 struct StreakLayer {
-    vec2 eye; // along and across the wind, in cells, on the tile
+    vec2 eye; // position of the eye on the tile, along and across the wind, in cells
     float base_m;
     float cell_m;
     uint cells;
@@ -78,26 +83,26 @@ struct StreakLayer {
 };
 
 struct CloudGlobals {
-    PuffLayer puffs[most_puff_layers]; // lowest layer first
+    PuffLayer puffs[most_puff_layers]; // the layers of puffs, the lowest layer first
     StreakLayer streaks;
     uint puff_layer_count;
-    vec2 along_wind;  // x and z of a unit vector
-    vec3 towards_sun; // in the wind's axes: along, up, across
-    vec3 lit_color;   // transmittance of the paint
+    vec2 along_wind;  // unit vector of the wind's direction, as (x, z)
+    vec3 towards_sun; // unit vector in the wind's axes: along, up, across
+    vec3 lit_color;   // transmittance of the paint on lit surfaces
     vec3 middle_color;
     vec3 shade_color;
     float shade_below; // surfaces with less light than this are shaded
-    float middle_band; // width of the middle tone below `shade_below`
+    float middle_band; // range of light below `shade_below` that is drawn in the middle tone
     float outline_px;
     float broken; // share of an outline's lit side that is left out
     float hatch_darkness;
     float hatch_width_px;
-    float reach_m; // distance at which clouds have dissolved
+    float reach_m; // distance from the eye at which clouds have dissolved
 };
 
-// Constants of clouds.comp, for clouds_have_depth.
+// Constants of clouds.comp that are only used with clouds_have_depth.
 struct CloudCover {
-    float far_m; // distance from the eye; nearer surfaces show no clouds
+    float far_m; // distance from the eye; no clouds are painted over nearer surfaces
 };
 
 struct CloudShadow {

@@ -39,46 +39,48 @@ struct SkyStyle {
 [[nodiscard]] const style::Table<SkyStyle>& sky_table();
 
 struct SkyInputs {
-    gpu::BufferId frame; ///< FrameGlobals
-    gpu::ImageId depth;  ///< r32f: reversed depth, 0 for the background
+    gpu::BufferId frame; ///< buffer with the FrameGlobals of the current frame
+    gpu::ImageId depth;  ///< r32f: reversed depth (1 at the near plane), 0 for the background
     glm::vec3 towards_sun{0.0F, 1.0F, 0.0F};
-    std::optional<float> daylight_rad; ///< elevation of the sun if sun.by is place
+    std::optional<float> daylight_rad; ///< elevation of the sun; only set if the style's `sun.by` is place
     float pixels_per_mm = 1.0F;
     bool drawn = false;
     glm::uvec2 size_px{0};
-    /// Paints only these tiles, from surface::add_far_tiles(); other tiles stay blank.
+    /// If set, paints the sky only in these tiles of the page, a list from surface::add_far_tiles(). All
+    /// other tiles stay blank.
     std::optional<gpu::BufferId> tiles;
-    /// Leaves pixels blank whose visible surface is nearer than this distance.
+    /// If set, leaves a pixel blank if its visible surface is nearer to the eye than this distance.
     std::optional<float> far_m;
 };
 
 struct Sky {
-    gpu::ImageId wash; ///< rgba16f: transmittance of the paint
-    gpu::ImageId ink;  ///< r16f: coverage
+    gpu::ImageId wash; ///< rgba16f: transmittance of the sky's paint
+    gpu::ImageId ink;  ///< r16f: coverage by the sky's strokes, 0 to 1
 };
 
 /// The colours of the sky at a time of day.
 struct SkyColors {
     glm::vec3 horizon{0.0F};
     glm::vec3 zenith{0.0F};
-    float darkness = 0.0F; ///< darkness of the strokes at the zenith
+    float darkness = 0.0F; ///< darkness of the sky's strokes at the zenith
 };
 
-/// The sky's colours under this sun; they depend on its elevation if the style's sky follows the sun.
+/// Returns the sky's colours for a direction of the sun. They depend on the sun's elevation if the style's
+/// sky follows the sun.
 [[nodiscard]] SkyColors colors_under(const SkyStyle& style, const glm::vec3& towards_sun,
                                      const std::optional<float>& daylight_rad);
 
-/// Elevation of the sun that the sky's colours follow; none if the style keeps them fixed.
+/// Elevation of the sun on which the sky's colours depend; none if the style keeps the colours fixed.
 [[nodiscard]] std::optional<double> followed_elevation_rad(const SkyStyle& style,
                                                            const glm::vec3& towards_sun,
                                                            const std::optional<float>& daylight_rad);
 
-/// The colours at a sun elevation: night up to -10 degrees, dusk at -2, the style's horizon and zenith from 4
-/// to 12, noon from 40, with smooth transitions.
+/// Returns the sky's colours at an elevation of the sun: night up to -10 degrees, dusk at -2, the style's
+/// horizon and zenith colours from 4 to 12, noon from 40, with smooth transitions.
 [[nodiscard]] SkyColors colors_at(const SkyStyle& style, double sun_elevation_rad);
 
-/// Paints the sky of the page; returns blank images of one texel if no sky is drawn. Cost: one dispatch over
-/// the page or a list of tiles; next to nothing without a sky.
+/// Paints the sky of the page. Returns blank images of one texel if the style draws no sky. Cost: one
+/// dispatch over the page or a list of tiles; next to nothing without a sky.
 [[nodiscard]] Sky add_sky(gpu::Graph& graph, const SkyInputs& in, const SkyStyle& style);
 
 } // namespace estampe::sky

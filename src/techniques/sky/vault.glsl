@@ -2,40 +2,42 @@
 #ifndef ESTAMPE_VAULT
 #define ESTAMPE_VAULT
 
-// Strokes on the sky. The including shader defines `frame` before this file.
+// Strokes on the sky. The including shader must define `frame` before this file.
 
 #include "shaders/camera.glsl"
 #include "shaders/lines.glsl"
 
-// Uses a distant point, because near the eye the difference of two positions would lose its digits to
-// cancellation.
+// View direction at a position of the page. It uses a distant point, because near the eye the difference of
+// two positions would lose its digits to cancellation.
 vec3 direction_at(vec2 position_px)
 {
     return -towards_eye(frame, anchor_at(frame, position_px, 1e-5));
 }
 
-// Whether the visible surface in direction `d` is nearer than `far_m`, so that it hides the sky.
+// Whether the visible surface in direction `d` is nearer to the eye than `far_m`, so that it hides the sky.
 bool is_covered(sampler2D depth_image, ivec2 pixel, vec3 d, float far_m)
 {
     float depth_at_most = frame.near_m / max(0.999 * far_m * dot(d, frame.view_forward), 1e-9);
     return frame.is_orthographic == 0u && texelFetch(depth_image, pixel, 0).x > depth_at_most;
 }
 
-// Bearing, and height above the horizon, bent so that strokes curve like a vault.
+// Coordinates on the sky: the bearing, and the height above the horizon. The height is bent, so that strokes
+// curve like a vault.
 vec2 vault(vec3 d)
 {
     return vec2(atan(d.x, -d.z), d.y / (0.35 + length(d.xz)));
 }
 
-// Coordinate along the strokes: the bearing, which must jump by a full turn somewhere. The jump is behind the
-// viewer. Its bearing differs with the height, so that strokes do not all break at one bearing.
+// Coordinate along the strokes of the sky: the bearing, which must jump by a full turn somewhere. The jump is
+// behind the viewer. Its bearing differs with the height, so that the strokes do not all break at one
+// bearing.
 float along_strokes(vec2 here)
 {
     float middle = 1.2 * sin(53.0 * here.y);
     return here.x + 6.2831853 * round((middle - here.x) / 6.2831853);
 }
 
-// Horizontal strokes in direction `d`, which is the direction of pixel position `position_px`.
+// Horizontal strokes in the direction `d`. `position_px` is the pixel position that looks in this direction.
 LineField level_strokes(vec3 d, vec2 position_px)
 {
     vec2 here = vault(d);
@@ -55,7 +57,7 @@ LineField level_strokes(vec3 d, vec2 position_px)
     return field;
 }
 
-// The pen of these strokes.
+// The pen that draws the horizontal strokes of the sky.
 HatchLineStyle level_pen(float pen_px)
 {
     return HatchLineStyle(pen_px, 0.9 * pen_px, 26.0 * pen_px, 40.0 * pen_px, 190.0 * pen_px, 0.35, 0.0);

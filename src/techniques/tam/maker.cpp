@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// After Praun, Hoppe, Webb and Finkelstein, "Real-Time Hatching", SIGGRAPH 2001: tones from light to dark,
-// levels from coarse to fine, and among many random strokes the one that is best spaced at all scales.
+// Draws tonal art maps after Praun, Hoppe, Webb and Finkelstein, "Real-Time Hatching", SIGGRAPH 2001: tones
+// from light to dark, levels from coarse to fine. For each stroke, many random strokes are tried, and the one
+// that is best spaced at all scales is drawn.
 #include "techniques/tam/maker.hpp"
 
 #include <algorithm>
@@ -19,15 +20,16 @@ namespace estampe::tam {
 namespace {
 
 constexpr uint32_t full = 65535;
-constexpr uint32_t half = full / 2; ///< a texel with more than this is ink
+constexpr uint32_t half = full / 2; ///< a texel with more ink than this counts as ink
 
-/// The ink that a mark adds to a texel.
+/// The ink that a mark adds to a texel that already has `ink`.
 uint32_t added(uint32_t ink, uint32_t mark)
 {
     return (full - ink) * mark / full;
 }
 
-/// Bilinear lookup in a grid of `size` cells per side, a power of two; `x` and `y` in cells, wrapped.
+/// Bilinear lookup in a grid that wraps. `size` is the number of cells per side, a power of two; `x` and `y`
+/// are in cells.
 template <typename Cell>
 float lookup(const std::vector<Cell>& grid, uint32_t size, float x, float y)
 {
@@ -144,7 +146,7 @@ void Spacing::spread(std::span<const Mark> marks)
     const uint32_t size_px = scales_.front().size_px;
     for (const Mark& mark : marks) {
         const uint32_t ink =
-            mark.ink >> 4U; // keeps sums over a whole level of 2048 px within 32 bits at scale 4
+            mark.ink >> 4U; // divided by 16, so that a sum over 2048 x 2048 texels fits in 32 bits
         ink_ += ink;
         uint32_t x = mark.texel % size_px;
         uint32_t y = mark.texel / size_px;
@@ -187,7 +189,7 @@ namespace {
 
 constexpr size_t most_layers = 3;
 
-/// Cosine and sine, rounded so that they do not depend on the last bits of the maths library.
+/// Cosine and sine of an angle, rounded so that they do not depend on the last bits of the maths library.
 glm::vec2 direction_of(float degrees)
 {
     constexpr double steps = 1048576.0;
@@ -198,7 +200,7 @@ glm::vec2 direction_of(float degrees)
     return {static_cast<float>(x / length), static_cast<float>(y / length)};
 }
 
-/// One mip level: its picture, and the positions of the strokes of each layer.
+/// One mip level of the map: its picture, and the positions of the strokes of each layer.
 struct Level {
     Canvas canvas;
     std::vector<Spacing> spacing_of_layer;
@@ -242,7 +244,7 @@ public:
     }
 
 private:
-    /// A plain solid line, for spacing.
+    /// A brush that draws a plain solid line; it measures the spacing of strokes.
     static Brush round_style(TamStyle style)
     {
         style.tool = Tool::pen;
@@ -251,7 +253,7 @@ private:
         return Brush(style);
     }
 
-    /// Among the layers that this tone draws, the layer that lacks most of its share of ink.
+    /// Among the layers that this tone draws, finds the layer that lacks most of its share of ink.
     [[nodiscard]] size_t next_layer(const Level& level) const
     {
         constexpr std::array<double, most_layers> share{1.0, 0.75, 0.5};
@@ -278,7 +280,8 @@ private:
         stroke.length =
             std::min(length_px / static_cast<float>(size_px), longest * (1.0F - 0.4F * random_.unit()));
         stroke.direction = direction_of(style_.angle_deg + turn[layer] + style_.angle_spread_deg * spread);
-        const float x = random_.unit(); // separate statement: argument order is unspecified
+        // A separate statement, because the order in which function arguments are evaluated is unspecified.
+        const float x = random_.unit();
         const glm::vec2 middle(x, random_.unit());
         stroke.start = middle - 0.5F * stroke.length * stroke.direction;
         stroke.bow = style_.bow * (0.9F + 0.9F * random_.sign());
@@ -287,7 +290,7 @@ private:
         return stroke;
     }
 
-    /// Points along the chord and arc of a stroke, two or three pixels apart.
+    /// Computes points along the chord and arc of a stroke, two or three pixels apart.
     void trace(const Stroke& stroke, uint32_t size_px)
     {
         constexpr float step_px = 2.5F;
@@ -318,14 +321,14 @@ private:
         return best;
     }
 
-    /// Computes the marks of a stroke on a level, in marks_.
+    /// Computes the ink marks of a stroke on a level, and stores them in marks_.
     void mark(const Stroke& stroke, const Level& level)
     {
         const uint32_t size_px = level.canvas.size_px();
         draw_stroke(stroke, nib_at(style_, size_px), brush_, level.tooth, size_px, marks_);
     }
 
-    /// Draws a stroke on its level and on all finer ones.
+    /// Draws a stroke on its coarsest level and on all finer levels.
     void place(const Stroke& stroke, size_t layer, size_t coarsest)
     {
         for (size_t i = 0; i <= coarsest; ++i) {
@@ -363,7 +366,7 @@ private:
                 place(stroke, layer, index);
                 continue;
             }
-            // The last two strokes share the missing ink, so that neither is a stub.
+            // The last two strokes share the missing ink, so that neither of them is a stub.
             if (gain <= missing) {
                 static_cast<void>(shorten(stroke, level, 0.5 * missing));
                 place(stroke, layer, index);
@@ -405,8 +408,8 @@ private:
         return true;
     }
 
-    /// Brings the mean of a coarse level to `target` with dots too faint to count as ink. Finer levels do not
-    /// get these dots. A few texels cannot hold a tone otherwise. In fine levels the missing ink is
+    /// Brings the mean of a coarse level to `target` with dots that are too faint to count as ink. A few
+    /// texels cannot hold a tone otherwise. Finer levels do not get these dots, because their missing ink is
     /// negligible.
     void tint(size_t index, double target)
     {

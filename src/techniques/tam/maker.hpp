@@ -17,10 +17,11 @@
 
 namespace estampe::tam {
 
-/// Increased whenever the same style would draw a different map; cached maps are then drawn again.
+/// Version of the drawing code. It is increased whenever the same style would give a different map, so that
+/// cached maps are drawn again.
 inline constexpr int drawing_version = 2;
 
-/// A stroke of a map. It is drawn in all levels from 0 to `level` and in all tones from `tone` on.
+/// A stroke of a map. It appears in all levels from 0 to `level` and in all tones from `tone` on.
 struct PlacedStroke {
     Stroke stroke;
     size_t tone = 0;
@@ -41,34 +42,35 @@ struct PlacedStroke {
 /// The darkness of each tone of a style.
 [[nodiscard]] std::vector<float> darkness_of_tones(const TamStyle& style);
 
-/// The nib of a style at a level of `size_px`, narrowed if it would fill a tiny level.
+/// The nib (width of the pen) of a style at a level of `size_px` texels per side. In tiny levels the nib is
+/// narrower, so that it does not fill the level.
 [[nodiscard]] Nib nib_at(const TamStyle& style, uint32_t size_px);
 
-/// One mip level while it is drawn. Ink only increases: a mark covers its share of the paper that is still
-/// bare.
+/// The image of one mip level while it is drawn. Ink only increases: a mark covers its share of the paper
+/// that is still bare.
 class Canvas {
 public:
     explicit Canvas(uint32_t size_px);
 
     [[nodiscard]] uint32_t size_px() const { return size_px_; }
 
-    /// Mean coverage, 0 to 1.
+    /// Mean coverage of the canvas, 0 to 1.
     [[nodiscard]] double mean() const;
 
-    /// Growth of the mean coverage if `marks` were drawn.
+    /// By how much the mean coverage would grow if `marks` were drawn.
     [[nodiscard]] double gain(std::span<const Mark> marks) const;
 
-    /// Draws `marks`, and records the order in which texels turn to ink.
+    /// Draws `marks` on the canvas, and records the order in which texels turn to ink.
     void draw(std::span<const Mark> marks);
 
-    /// Whether `mark` would turn its texel to ink, that is, cover more than half of it.
+    /// Whether `mark` would turn its texel to ink, so that more than half of the texel is covered.
     [[nodiscard]] bool turns(const Mark& mark) const;
 
     [[nodiscard]] Gray8 coverage() const;
 
-    /// Threshold of each texel: the share of all texels, times 255, that were ink when the texel turned to
-    /// ink. A share of T / 255 of all texels has threshold T or less. Texels that never turned to ink follow,
-    /// in the order of decreasing ink.
+    /// Threshold of each texel: the share of all texels, times 255, that were ink when this texel turned to
+    /// ink. So a share of T / 255 of all texels has a threshold of at most T. Texels that never turned to ink
+    /// get the highest thresholds, in the order of decreasing ink.
     [[nodiscard]] Gray8 thresholds() const;
 
 private:
@@ -81,28 +83,29 @@ private:
 
 /// Positions of the strokes of one direction, at several scales; each scale is half as fine as the previous
 /// scale. A stroke is well spaced if at every scale it crosses little ink. Each scale stores a picture and
-/// the mean ink around each place. In the picture, strokes have the pixel width of the level and so keep
-/// other strokes farther away. The mean ink still differs from place to place when the picture is full of
-/// ink.
+/// the mean ink around each place. In the picture, strokes are as many pixels wide as in the level, and so
+/// keep other strokes farther away. The mean ink still differs from place to place when the picture is full
+/// of ink.
 ///
 /// Source  Praun et al., "Real-Time Hatching", SIGGRAPH 2001, section 3.2, for the pictures
 class Spacing {
 public:
-    /// For a level of `size_px`.
+    /// Creates the scales for a mip level of `size_px` texels per side.
     explicit Spacing(uint32_t size_px);
 
-    /// Adds a stroke. Calls `draw` once per scale, finest first. `draw` fills in the marks of the stroke on a
-    /// level of the given size.
+    /// Adds a stroke. Calls `draw` once per scale, finest first. `draw` must fill `marks` with the stroke as
+    /// drawn on a level of `size_px`.
     void add(const std::function<void(uint32_t size_px, std::vector<Mark>& marks)>& draw);
 
-    /// Free space along `points` (unit square, not wrapped): higher is better; has no unit.
+    /// How much free space there is along `points` (in the unit square, not wrapped). Higher is better; the
+    /// value has no unit.
     [[nodiscard]] float room(std::span<const glm::vec2> points) const;
 
 private:
     struct Scale {
         uint32_t size_px = 0;
         std::vector<uint16_t> picture;
-        std::vector<uint32_t> ink; ///< sum over the level's texels in a cell
+        std::vector<uint32_t> ink; ///< sum of the ink over the level's texels in each cell of the scale
     };
 
     void spread(std::span<const Mark> marks);

@@ -12,8 +12,8 @@ namespace {
 
 constexpr size_t picture_columns = 256;
 
-/// Minimum ink on a stroke's centre line: above one half by more than rounding removes. Otherwise the tip of
-/// a stroke, less than a pixel wide, could be ink in one level and not in the next.
+/// Smallest ink on a stroke's centre line: more than one half, also after rounding. Otherwise the tip of a
+/// stroke, less than a pixel wide, could be ink in one level and not in the next.
 constexpr float least_ink = 0.53F;
 
 float smooth(float from, float to, float x)
@@ -22,14 +22,14 @@ float smooth(float from, float to, float x)
     return t * t * (3.0F - 2.0F * t);
 }
 
-/// Share of a pixel's width that a line covers, if the line's edge is `half_px` from the pixel's centre.
+/// Share of a pixel's width that a line covers. The pixel's position relative to the line is in `touch`.
 float line_coverage(const Touch& touch)
 {
     const float reach = touch.half_px + 0.5F - std::abs(touch.across_px);
     return std::clamp(reach, 0.0F, std::min(1.0F, 2.0F * touch.half_px));
 }
 
-/// Mean of `values` (rows of `width`) over the rectangle from (x0, y0) to (x1, y1).
+/// Mean of `values` (rows of `width` values) over the rectangle from (x0, y0) to (x1, y1).
 float box_mean(const std::vector<float>& values, size_t width, size_t x0, size_t x1, size_t y0, size_t y1)
 {
     double sum = 0.0;
@@ -41,7 +41,7 @@ float box_mean(const std::vector<float>& values, size_t width, size_t x0, size_t
     return static_cast<float>(sum / static_cast<double>((x1 - x0) * (y1 - y0)));
 }
 
-/// Ink of each pixel of a picture: its alpha, or its darkness if the picture is fully opaque.
+/// Ink of each pixel of a picture: its alpha, or its darkness if the whole picture is opaque.
 std::vector<float> ink_of(const Image& picture)
 {
     bool opaque = true;
@@ -80,7 +80,8 @@ std::vector<float> paper_tooth(uint32_t size_px, uint32_t cell_px, uint32_t seed
             const float height = 0.5F * bumps(x, y, cell_px, 0) +
                                  0.35F * bumps(x, y, std::max(1U, cell_px / 2), 101U) +
                                  0.15F * bumps(x, y, 1, 211U);
-            // Sums of bumps cluster around the middle; this spreads them out.
+            // Sums of bumps cluster around the middle value. This line spreads the heights over the whole
+            // range.
             tooth[size_t{y} * size_px + x] = std::clamp(0.5F + 1.7F * (height - 0.5F), 0.0F, 1.0F);
         }
     }
@@ -134,7 +135,7 @@ float Brush::pressure(float along, uint32_t seed) const
 {
     const float noise = 0.5F + 0.5F * line_noise(seed + 11U, 3.0F * along + 0.37F);
     switch (tool_) {
-    case Tool::burin: // a burin's line swells, and is thickest past the middle
+    case Tool::burin: // a burin's line swells, and is thickest beyond its middle
         return 1.0F - pressure_ * (1.0F - smooth(0.0F, 0.55F, along) * smooth(1.0F, 0.55F, along));
     case Tool::brush: // a brush starts at full width and is lifted along the stroke
         return 1.0F - pressure_ * (0.75F * smooth(0.25F, 1.0F, along) + 0.25F * noise);
@@ -146,7 +147,8 @@ float Brush::pressure(float along, uint32_t seed) const
     return 1.0F - pressure_ * noise;
 }
 
-/// Ink stays on the bumps of the paper that the pressure reaches; pressure is strongest at the centre line.
+/// Ink of a grainy tool: ink stays only on the bumps of the paper that the pressure reaches. The pressure is
+/// strongest on the centre line.
 float Brush::grained(const Touch& touch, float roughness) const
 {
     const float side = std::min(1.0F, std::abs(touch.across_px) / (touch.half_px + 0.5F));
@@ -157,13 +159,14 @@ float Brush::grained(const Touch& touch, float roughness) const
     return line_coverage(touch) * edge * darkness;
 }
 
-/// Hairs separate towards the end of the stroke, where the ink runs out.
+/// Ink of a brush: its hairs separate towards the end of the stroke, where the ink runs out.
 float Brush::hairs(const Touch& touch, uint32_t seed) const
 {
     const float side = touch.across_px / touch.half_px;
     const float hair = 0.5F + 0.5F * line_noise(seed + 23U, 2.3F * touch.hairs * side + 40.0F);
     const float along = 0.5F + 0.5F * line_noise(seed + 29U, 5.0F * touch.along + 2.0F * side + 60.0F);
-    const float wide = smooth(1.2F, 2.4F, touch.half_px); // one or two hairs do not separate
+    // A brush that is only one or two hairs wide does not separate.
+    const float wide = smooth(1.2F, 2.4F, touch.half_px);
     const float dry = grain_ * wide * smooth(0.3F, 0.9F, touch.along) * std::min(1.0F, 2.5F * std::abs(side));
     const float left = smooth(dry - 0.35F, dry + 0.1F, 0.7F * hair + 0.3F * along);
     return line_coverage(touch) * left * opacity_;
@@ -210,7 +213,7 @@ float Brush::formula(const Touch& touch, uint32_t seed) const
 
 namespace {
 
-/// Course and width of a stroke, per pixel along its chord.
+/// Course and width of a stroke, stored for each pixel along its chord (the straight line between its ends).
 class Path {
 public:
     Path(const Stroke& stroke, const Nib& nib, const Brush& brush, uint32_t size_px)
@@ -255,8 +258,8 @@ private:
     std::vector<float> half_px_;
 };
 
-/// The texels that a stroke's centre line runs through: per column of the picture, or per row if the stroke
-/// is steep, from the lowest to the highest.
+/// The texels through which a stroke's centre line runs. For each column of the picture (each row, if the
+/// stroke is steep), stores the lowest and the highest of these texels.
 class Middle {
 public:
     Middle(const Stroke& stroke, uint32_t size_px, int major) : major_(major)
@@ -303,11 +306,12 @@ private:
     }
 
     int major_;
-    std::unordered_map<int, glm::ivec2> rows_; ///< lowest and highest
+    /// Lowest and highest row of the centre line in each column (columns and rows swapped for steep strokes).
+    std::unordered_map<int, glm::ivec2> rows_;
 };
 
-/// Walks the columns of the picture that a stroke crosses, or its rows if it is steep, so that each texel is
-/// visited once.
+/// Visits the texels near a stroke, column by column (row by row, if the stroke is steep), so that each texel
+/// is visited once.
 class Walk {
 public:
     Walk(const Stroke& stroke, const Path& path, const Brush& brush, const std::vector<float>& tooth,
@@ -351,7 +355,8 @@ private:
         return 1.5F * most;
     }
 
-    /// Minor-axis position at which the stroke crosses a column. The bend is small: two iterations suffice.
+    /// Row at which the stroke crosses a column (rows and columns are swapped for steep strokes). The bend of
+    /// a stroke is small, so two iterations suffice.
     [[nodiscard]] float middle_of(float column) const
     {
         const int minor = 1 - major_;

@@ -32,7 +32,7 @@ void check_images(const std::vector<Gray8>& levels, uint32_t size_px, const std:
     }
 }
 
-/// Darkness at which the line from (a, coverage_of_a) to (b, coverage_of_b) passes one half.
+/// The darkness between `a` and `b` at which the coverage, interpolated linearly, passes one half.
 float crossing(float a, float coverage_of_a, float b, float coverage_of_b)
 {
     const float rise = coverage_of_b - coverage_of_a;
@@ -177,7 +177,7 @@ Image preview_sheet(const TonalArtMap& map, const glm::vec3& paper, const glm::v
             if (level == 1) {
                 corner.y += map.size_px + margin_px;
             }
-            // Skips the last few levels if they do not fit into the column; they are too small to
+            // Skips the last few levels if they do not fit into the column. They are too small to
             // distinguish.
             if (level < 2 || corner.x + size_px <= margin_px + (tone + 1) * (map.size_px + margin_px)) {
                 paste(sheet, map.level_of_tone[tone][level], size_px, corner, colors);

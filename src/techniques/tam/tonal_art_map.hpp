@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Tonal art maps: requirements, levels, thresholds, and a preview of all images.
+// Checks tonal art maps, computes their levels and thresholds, and makes a preview of all images.
 
 #include <cstdint>
 #include <string>
@@ -21,24 +21,28 @@ inline constexpr uint32_t min_size_px = 32;
 inline constexpr uint32_t max_size_px = 2048;
 inline constexpr size_t min_tones = 1;
 inline constexpr size_t max_tones = 16;
-/// Levels smaller than this are averaged from the level of this size. In them a stroke would be as wide as
-/// the level.
+/// Smallest level that is drawn. Smaller levels are averaged from the level of this size, because in them a
+/// stroke would be as wide as the level.
 inline constexpr uint32_t least_drawn_px = 8;
 
-/// Number of levels from `size_px` down to 1 px.
+/// Number of mip levels from `size_px` down to 1 px.
 [[nodiscard]] size_t level_count(uint32_t size_px);
 
 /// Mean coverage of an image, 0 to 1.
 [[nodiscard]] double mean_coverage(const Gray8& image);
 
-/// Averages squares of four texels. `size_px` is the size of `image`, and even.
+/// Halves the size of an image: each texel is the mean of a square of four texels. `size_px`, the size of
+/// `image`, must be even.
 [[nodiscard]] Gray8 half_size(const Gray8& image, uint32_t size_px);
 
-/// Throws Error naming `where` unless sizes, number of images and darknesses satisfy TonalArtMap.
+/// Throws Error naming `where` unless the map's sizes, number of images and darknesses satisfy the rules of
+/// TonalArtMap.
 void check_map(const TonalArtMap& map, const std::string& where);
 
-/// One threshold image per level: the darkness, times 255, at which a texel turns to ink. A shader draws any
-/// darkness t as saturate((t - T) * sharpness + 0.5): whole strokes, in the order of the map.
+/// Returns one threshold image per level. The threshold T of a texel is the darkness, times 255, at which the
+/// texel turns to ink. A shader draws any darkness t as saturate((t - T / 255) * sharpness + 0.5): whole
+/// strokes,
+/// in the order of the map.
 ///
 /// Uses the maker's thresholds if the map has them: a share t of the texels has T <= 255 t, so the tone is
 /// exact. Otherwise coverage is interpolated linearly from each tone to the next, from paper at 0 to ink at
@@ -47,11 +51,11 @@ void check_map(const TonalArtMap& map, const std::string& where);
 /// Source  Webb et al., "Fine Tone Control in Hardware Hatching", NPAR 2002
 [[nodiscard]] std::vector<Gray8> threshold_levels(const TonalArtMap& map);
 
-/// The thresholds of one level, interpolated from its tones only.
+/// Computes the thresholds of one level by interpolation between its tones.
 [[nodiscard]] Gray8 interpolated_thresholds(const TonalArtMap& map, size_t level);
 
-/// All images of a map on one sheet: one column per tone, the lightest tone at the left. The finest level is
-/// on top, and the coarser levels are below it from left to right. Colours are linear.
+/// Puts all images of a map on one sheet: one column per tone, the lightest tone at the left. The finest
+/// level is on top. The coarser levels are below it, from left to right. Colours are linear.
 [[nodiscard]] Image preview_sheet(const TonalArtMap& map, const glm::vec3& paper, const glm::vec3& ink);
 
 } // namespace estampe::tam

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per pixel: the share of sunlight that clouds let through to the visible surface.
+// One thread computes, for one pixel, the share of sunlight that clouds let through to the visible surface.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -23,7 +23,8 @@ layout(scalar, binding = 1) uniform Clouds
 layout(binding = 2) uniform usamplerBuffer start_texels;
 layout(binding = 3) uniform samplerBuffer puff_texels;
 layout(binding = 4) uniform sampler2D depth_image;
-layout(binding = 5) uniform sampler2D share_image; // for clouds_have_share
+// Share of sunlight that other objects let through; only with clouds_have_share.
+layout(binding = 5) uniform sampler2D share_image;
 layout(binding = 6, r16f) writeonly uniform image2D out_share;
 
 layout(push_constant, scalar) uniform Constants
@@ -36,10 +37,11 @@ const bool has_share = (variant & clouds_have_share) != 0u;
 
 #include "techniques/sky/clouds/puffs.glsl"
 
-const float lowest_sun = 0.05;   // lower suns cast shadows too long to be distinguished
-const float penumbra_rad = 0.01; // about the sun's angular diameter
+// Sine of the sun's lowest elevation; shadows of a lower sun are too long to be distinguished.
+const float lowest_sun = 0.05;
+const float penumbra_rad = 0.01; // about the angular diameter of the sun: the width of a shadow's soft edge
 
-// Rotates a vector to the wind's axes: along the wind, up, across.
+// Rotates a world vector to the wind's axes: along the wind, up, across the wind.
 vec3 in_wind(vec3 d)
 {
     vec2 along = clouds.along_wind;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread paints the clouds of one pixel over its sky, highest layer first.
+// One thread paints the clouds at one pixel over the sky, the highest layer first.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -28,9 +28,10 @@ layout(binding = 3) uniform samplerBuffer puff_texels;
 layout(binding = 4) uniform samplerBuffer streak_texels;
 layout(binding = 5, rgba16f) uniform image2D wash_image;
 layout(binding = 6, r16f) uniform image2D ink_image;
-layout(binding = 7, r16f) writeonly uniform image2D out_cover; // for clouds_keep_cover
+// Coverage by clouds; only with clouds_keep_cover.
+layout(binding = 7, r16f) writeonly uniform image2D out_cover;
 
-layout(binding = 9) uniform sampler2D depth_image; // for clouds_have_depth
+layout(binding = 9) uniform sampler2D depth_image; // reversed depth; only with clouds_have_depth
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -38,7 +39,7 @@ layout(push_constant, scalar) uniform Constants
 };
 
 #define TILE_LIST_BINDING 8
-#include "shaders/tile_list.glsl" // for clouds_have_tiles
+#include "shaders/tile_list.glsl" // only with clouds_have_tiles
 
 layout(constant_id = 0) const uint variant = 0u;
 const bool have_hatching = (variant & clouds_have_hatching) != 0u;
@@ -48,20 +49,22 @@ const bool have_tiles = (variant & clouds_have_tiles) != 0u;
 const bool have_depth = (variant & clouds_have_depth) != 0u;
 const bool by_groups = (variant & clouds_by_groups) != 0u;
 
-const float lowest_way = 0.012; // clouds in lower directions are too far away to be drawn
+// Smallest upward component of a view direction with clouds; lower clouds are too far away.
+const float lowest_way = 0.012;
 
 #include "techniques/sky/clouds/puffs.glsl"
 #include "techniques/sky/clouds/puffs_of_group.glsl"
 
-// Streaks (cirrus): white strokes on a high plane, along the wind.
+// Streaks (cirrus clouds): white strokes on a high plane, along the wind.
 
 #include "shaders/lines.glsl"
 
-// Where a ray hits the plane, in cells: along the strokes, which bend slightly, and across the strokes.
+// Where a ray hits the plane of the streaks, in cells: along the strokes, which bend slightly, and across the
+// strokes.
 vec2 streak_place(StreakLayer layer, vec3 d)
 {
     vec2 at = layer.eye + d.xz * (layer.base_m / (max(d.y, 1e-3) * layer.cell_m));
-    float turns = 2.0 / float(layer.cells); // whole periods, so that the tile repeats
+    float turns = 2.0 / float(layer.cells); // a whole number of periods per tile, so that the tile repeats
     at.y += 0.35 * wave(at.x * turns) + 0.05 * wave(4.0 * turns * at.x + turns * at.y);
     return at;
 }
@@ -81,7 +84,7 @@ float density_at(StreakLayer layer, vec2 at)
     return mix(near, far, f.y);
 }
 
-// Coverage of a pixel by streaks; `right` and `down` are the directions of its neighbours.
+// Coverage of a pixel by streaks. `right` and `down` are the view directions of the neighbouring pixels.
 float streaks_along(StreakLayer layer, vec3 d, vec3 right, vec3 down)
 {
     vec2 here = streak_place(layer, d);
@@ -105,7 +108,7 @@ float streaks_along(StreakLayer layer, vec3 d, vec3 right, vec3 down)
 
 #include "techniques/sky/vault.glsl"
 
-// Rotates a vector to the wind's axes: along the wind, up, across.
+// Rotates a world vector to the wind's axes: along the wind, up, across the wind.
 vec3 in_wind(vec3 d)
 {
     vec2 along = clouds.along_wind;
@@ -118,14 +121,15 @@ vec3 tone_of(float shade)
                        : mix(clouds.middle_color, clouds.shade_color, 2.0 * shade - 1.0);
 }
 
-// Whether clouds may be visible at the pixel, which looks along `d`.
+// Whether clouds may be visible at a pixel. `d` is the view direction of the pixel.
 bool may_show(ivec2 pixel, vec3 d)
 {
     return frame.is_orthographic == 0u && d.y >= lowest_way &&
            !(have_depth && is_covered(depth_image, pixel, d, over.far_m));
 }
 
-// Directions at the corners of the workgroup's pixels, widened by one pixel.
+// Computes the view directions at the corners of the workgroup's pixels, widened by one pixel, for
+// puffs_of_group().
 void share_corners(ivec2 pixel)
 {
     if (gl_LocalInvocationIndex < 4u) {
@@ -157,7 +161,8 @@ void main()
     }
     vec3 right = direction_at(position + vec2(1.0, 0.0));
     vec3 down = direction_at(position + vec2(0.0, 1.0));
-    ivec2 under = min(pixel, ivec2(frame.size_px) - 1); // threads off the page still help to find puffs
+    // Threads outside of the page take the nearest pixel, as they still help to find puffs.
+    ivec2 under = min(pixel, ivec2(frame.size_px) - 1);
     vec3 wash = imageLoad(wash_image, under).rgb;
     float ink = imageLoad(ink_image, under).x;
     float open = 1.0;

@@ -82,15 +82,15 @@ constexpr uint32_t tile_cells = 64;
 constexpr uint32_t streak_cells = 32;
 constexpr uint32_t streak_mass_cells = 4;
 
-/// One kind of cloud made of puffs.
+/// One kind of cloud that is made of puffs (balls with a drawn outline).
 struct Kind {
     float coverage;
     float base_m;
-    glm::vec3 cell_m; ///< size of a cell along the wind, up, and across
+    glm::vec3 cell_m; ///< size of a cell in metres: along the wind, up, across the wind
     uint32_t mass_cells;
     PuffShape shape;
-    float pen;   ///< factor on the outlines' width
-    float under; ///< how much less light the base receives
+    float pen;   ///< factor on the width of the outlines
+    float under; ///< how much less light the flat base of a cloud receives
     uint32_t seed;
 };
 
@@ -122,12 +122,13 @@ Kind flocks(const CloudStyle& style)
             .seed = 2U * static_cast<uint32_t>(style.seed) + 1U};
 }
 
-/// The wind, in the plane of x and z.
+/// The wind in the plane of x and z.
 struct Wind {
     glm::dvec2 along{0.0, 1.0};
     double drifted_m = 0.0;
 
-    /// Converts a world position to the drifting clouds' frame: along the wind, and across it.
+    /// Converts a world position to coordinates that drift with the clouds: along the wind, and across the
+    /// wind.
     [[nodiscard]] glm::dvec2 from_world(const glm::dvec3& place) const
     {
         return {place.x * along.x + place.z * along.y - drifted_m, place.z * along.x - place.x * along.y};
@@ -141,7 +142,7 @@ Wind wind_of(const CloudStyle& style, double time_s)
             .drifted_m = static_cast<double>(wind::speed_m_per_s(style.wind, style.wind_m_per_s)) * time_s};
 }
 
-/// Appends lists of puffs; returns the index of their first cell.
+/// Appends lists of puffs to `shapes`. Returns the index of the first cell of these lists.
 uint32_t add_lists(CloudShapes& shapes, const PuffLists& lists)
 {
     const auto first_cell = static_cast<uint32_t>(shapes.starts.size());
@@ -153,13 +154,14 @@ uint32_t add_lists(CloudShapes& shapes, const PuffLists& lists)
     return first_cell;
 }
 
-/// Wraps a place into the repeating tile.
+/// Wraps a place into the tile on which the clouds repeat.
 glm::vec2 on_tile(const glm::dvec2& place, double tile)
 {
     return glm::vec2(place - tile * glm::floor(place / tile));
 }
 
-/// Rounds to steps that are too small to see, but so large that many frames of a film have one common value.
+/// Phase of the clouds' slow change, rounded to steps. The steps are too small to see, but so large that many
+/// frames of a film share one value.
 float turn_of(const CloudStyle& style, double time_s)
 {
     constexpr double steps = 32768.0;
@@ -230,8 +232,8 @@ void add_streaks(CloudPlan& plan, const CloudStyle& style, const CloudView& view
         .width_px = style.streaks_mm * view.pixels_per_mm};
 }
 
-/// Adjusts the style's colours to the time of day: a low sun tints the lit side with the horizon's colour,
-/// and night blends both colours into the sky's.
+/// Adjusts the style's colours to the time of day. A low sun tints the lit side with the horizon's colour,
+/// and at night both colours blend into the sky's colour.
 void set_colors(shared::CloudGlobals& globals, const CloudStyle& style, const CloudView& view)
 {
     glm::vec3 lit = style.color;

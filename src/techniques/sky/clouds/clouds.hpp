@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Clouds and their style section. There are three layers: cumulus made of round puffs on a flat base, small
-// flat clouds (altocumulus) above, and streaks (cirrus) above all. The layers are fixed in the world and
+// Clouds and their section of the style. There are three layers: cumulus, made of round puffs on a flat base;
+// above it small flat clouds (altocumulus); highest streaks (cirrus). The layers are fixed in the world and
 // drift with the wind.
 
 #include <array>
@@ -32,7 +32,7 @@ struct CloudStyle {
     float streaks_size_m = 9000.0F;
     float streaks_mm = 0.9F;
     float wind_m_per_s = 9.0F;
-    wind::Wind wind; ///< the scene's [wind]; this section has no key for it
+    wind::Wind wind; ///< wind of the scene, from the style's [wind]; not a key of this section
     float change_s = 3600.0F;
     glm::vec3 color = style::srgb(0xffffff);
     glm::vec3 shade_color = style::srgb(0xc4cfd0);
@@ -51,41 +51,44 @@ struct CloudStyle {
 
 [[nodiscard]] const style::Table<CloudStyle>& cloud_table();
 
-/// The camera and the light for clouds.
+/// The camera and the light from which the clouds of a picture are computed.
 struct CloudView {
-    glm::dvec3 eye_m{0.0}; ///< in world space
+    glm::dvec3 eye_m{0.0}; ///< position of the eye in world space
     double time_s = 0.0;
     glm::vec3 towards_sun{0.0F, 1.0F, 0.0F};
-    /// Elevation of the sun from which the colours are computed; none: the colours are fixed.
+    /// Elevation of the sun from which the clouds' colours are computed. None: the colours do not depend on
+    /// the sun.
     std::optional<double> follows_elevation_rad;
     SkyColors colors; ///< colours of the sky behind the clouds
     float pixels_per_mm = 1.0F;
 };
 
-/// The shapes of all clouds, independent of the camera.
+/// The shapes of all clouds. They do not depend on the camera.
 struct CloudShapes {
-    /// One layer of puffs.
+    /// One layer of puffs (balls of cloud): where its data starts in the lists of CloudShapes.
     struct Layer {
         uint32_t first_cell = 0;
-        uint32_t first_home = 0; ///< first cell of the lists that contain each puff once
-        float top = 0.0F;        ///< height in cells; 0 without puffs
-        float reach = 0.0F;      ///< largest radius of a puff, with its outline
+        uint32_t first_home = 0; ///< index of the first cell in the lists that contain each puff only once
+        float top = 0.0F;        ///< height of the layer in cells; 0 if it has no puffs
+        float reach = 0.0F;      ///< largest radius of a puff including its outline, in cells
     };
 
-    /// Adds a layer of puffs whose centres lie on a tile of `cells` cells per side.
+    /// Adds a layer of puffs. The centres of the puffs lie on a tile of `cells` cells per side.
     Layer add(std::span<const shared::CloudPuff> layer_puffs, uint32_t cells);
 
-    std::array<Layer, 2> layers;  ///< cumulus, flocks
-    std::vector<uint32_t> starts; ///< first puff of each cell of each list, and the end
+    std::array<Layer, 2> layers; ///< cumulus clouds, then altocumulus clouds
+    /// For each list: index of the first puff of each cell, then the end of the last cell.
+    std::vector<uint32_t> starts;
     std::vector<shared::CloudPuff> puffs;
-    std::vector<float> streaks; ///< density of streaks at each corner, row by row
+    std::vector<float> streaks; ///< density of streaks at each corner of the cells, row by row
 };
 
-/// Cloud shapes, cached between pictures because clouds change slowly.
+/// Cache of cloud shapes between pictures. Clouds change slowly, so many pictures share their shapes.
 class CloudMemory {
 public:
-    /// The shapes of `style` at phase `turn` (0 to 1) of their change. Costs nothing if `style` and `turn`
-    /// are unchanged, else some milliseconds per layer.
+    /// Returns the cloud shapes of `style` at the phase `turn` (0 to 1) of their slow change. Returns the
+    /// cached shapes if `style` and `turn` are unchanged; otherwise computes shapes in some milliseconds per
+    /// layer.
     [[nodiscard]] std::shared_ptr<const CloudShapes> shapes(const CloudStyle& style, float turn);
 
 private:
@@ -94,45 +97,46 @@ private:
     std::shared_ptr<const CloudShapes> shapes_;
 };
 
-/// The clouds of a picture.
+/// The shapes and constants of the clouds of one picture.
 struct CloudPlan {
     shared::CloudGlobals globals{};
     uint32_t variant = 0;
     std::shared_ptr<const CloudShapes> shapes;
 };
 
-/// Plans the clouds of a picture. Returns none if the style has no clouds, or if the eye is above all clouds.
-/// Clouds change in small steps, 32,768 in `clouds.change_s`. The result does not depend on the content of
-/// `memory`. Cost: that of memory.shapes().
+/// Computes the clouds of a picture. Returns none if the style has no clouds or the eye is above all clouds.
+/// Clouds change in small steps, 32,768 steps in `clouds.change_s`. The result does not depend on the content
+/// of `memory`. Cost: that of memory.shapes().
 [[nodiscard]] std::optional<CloudPlan> plan_clouds(const CloudStyle& style, const CloudView& view,
                                                    CloudMemory& memory);
 
-/// A plan's clouds on the device.
+/// The clouds of a picture, uploaded to the device.
 struct CloudHandles {
-    gpu::BufferId globals; ///< CloudGlobals
+    gpu::BufferId globals; ///< buffer with the CloudGlobals: all constants of the clouds
     gpu::BufferId starts;
     gpu::BufferId puffs;
     gpu::BufferId streaks;
 };
 
 struct CloudInputs {
-    gpu::BufferId frame; ///< FrameGlobals
+    gpu::BufferId frame; ///< buffer with the FrameGlobals of the current frame
     CloudHandles clouds;
-    gpu::ImageId depth; ///< r32f: reversed depth, 0 for the background
+    gpu::ImageId depth; ///< r32f: reversed depth (1 at the near plane), 0 for the background
     uint32_t variant = 0;
-    bool keeps_cover = false; ///< also outputs the clouds' coverage
+    bool keeps_cover = false; ///< also outputs the clouds' coverage of each pixel
     glm::uvec2 size_px{0};
-    /// Paints only these tiles, from surface::add_far_tiles(); requires keeps_cover = false.
+    /// If set, paints clouds only in these tiles of the page, a list from surface::add_far_tiles(). Requires
+    /// keeps_cover = false.
     std::optional<gpu::BufferId> tiles;
-    /// Skips pixels whose visible surface is nearer than this distance.
+    /// If set, skips pixels whose visible surface is nearer to the eye than this distance.
     std::optional<float> far_m;
-    /// The 8 x 8 pixels of a workgroup find their puffs together, which is faster on GPUs. A tile of the page
-    /// must then begin at a multiple of 8. Otherwise crossing outlines may differ from those of the whole
-    /// page.
+    /// If set, the 8 x 8 pixels of a workgroup find their puffs together, which is faster on GPUs. A tile of
+    /// the page must then begin at a multiple of 8 pixels. Otherwise crossing outlines may differ from those
+    /// of the whole page.
     bool by_groups = false;
 };
 
-/// A sky with clouds, and their coverage: r16f; one texel without `keeps_cover`.
+/// A sky with clouds, and the coverage by clouds: r16f, or one texel without `keeps_cover`.
 struct CloudedSky {
     Sky sky;
     gpu::ImageId cover;
@@ -148,15 +152,17 @@ struct CloudedSky {
 [[nodiscard]] CloudedSky add_clouds(gpu::Graph& graph, const CloudInputs& in, const Sky& sky);
 
 struct CloudShadowInputs {
-    gpu::BufferId frame; ///< FrameGlobals
+    gpu::BufferId frame; ///< buffer with the FrameGlobals of the current frame
     CloudHandles clouds;
-    gpu::ImageId depth;                ///< r32f: reversed depth, 0 for the background
-    std::optional<gpu::ImageId> share; ///< share of sunlight that other occluders let through, page-sized
+    gpu::ImageId depth; ///< r32f: reversed depth (1 at the near plane), 0 for the background
+    /// Image of the page's size: share of sunlight that other objects let through.
+    std::optional<gpu::ImageId> share;
     glm::uvec2 size_px{0};
 };
 
-/// Share of sunlight at visible surfaces, r16f. Cumulus and flocks cast shadows of darkness `strength`. Cost:
-/// a full-screen dispatch, with a walk through each layer for every pixel that shows a surface.
+/// Returns the share of sunlight at visible surfaces, r16f. Cumulus and altocumulus clouds cast shadows of
+/// darkness `strength`. Cost: a full-screen dispatch, with a walk through each layer for every pixel that
+/// shows a surface.
 [[nodiscard]] gpu::ImageId add_cloud_shadow(gpu::Graph& graph, const CloudShadowInputs& in, float strength);
 
 } // namespace estampe::sky

@@ -12,7 +12,7 @@
 namespace estampe::sky {
 namespace {
 
-/// Value noise with `period` features per side of the tile.
+/// Value noise on a repeating tile, with `period` random values per side of the tile.
 float periodic_noise(glm::vec2 place, uint32_t period, uint32_t seed)
 {
     const glm::vec2 cell = glm::floor(place);
@@ -34,7 +34,7 @@ float inverse_smoothstep(float y)
     return 0.5F - std::sin(std::asin(std::clamp(1.0F - 2.0F * y, -1.0F, 1.0F)) / 3.0F);
 }
 
-/// Random position of a puff, from the corner of its cell, and its full-grown radius.
+/// Random position of a puff, relative to the corner of its cell, and its radius when it is full-grown.
 struct PuffSeed {
     glm::vec2 place{0.0F};
     float radius = 0.0F;
@@ -53,14 +53,14 @@ PuffSeed seed_of(const CoverField& field, const PuffShape& shape, int x, int y, 
             .trait = hashed(cell, number, 14U)};
 }
 
-/// Direction that the cloud mass around a cell faces.
+/// Direction that the cloud mass around a cell faces: the direction in which the mass gets thinner.
 glm::vec3 lean_of(const CoverField& field, int x, int y)
 {
     const glm::vec2 slope(field.at(x + 1, y) - field.at(x - 1, y), field.at(x, y + 1) - field.at(x, y - 1));
     return glm::normalize(glm::vec3(-6.0F * slope.x, 0.6F, -6.0F * slope.y));
 }
 
-/// Lists puffs by cell. `for_cells` visits the cells of a puff, with the puff's offset for each.
+/// Lists puffs by cell. `for_cells` visits all cells of a puff, with the offset of the puff for each cell.
 template <typename ForCells>
 PuffLists list_by_cell(std::span<const shared::CloudPuff> puffs, uint32_t cells, const ForCells& for_cells)
 {
@@ -134,7 +134,8 @@ float limit_for(const CoverField& field, const PuffShape& shape, float share, ui
             seeds.push_back(seed_of(field, shape, x, y, 0, seed));
         }
     }
-    std::vector<float> limits; // per point: the point is covered if the limit is lower
+    // For each point of the base: puffs cover the point if the limit is lower than this value.
+    std::vector<float> limits;
     limits.reserve(size_t{points_a_cell} * field.values.size());
     for (int y = 0; y < cells; ++y) {
         for (int x = 0; x < cells; ++x) {
@@ -164,7 +165,8 @@ float limit_for(const CoverField& field, const PuffShape& shape, float share, ui
 std::vector<shared::CloudPuff> puffs_of(const CoverField& field, const PuffShape& shape, float limit,
                                         uint32_t seed)
 {
-    constexpr float least_radius = 0.06F; // in cells; smaller puffs look like crumbs
+    // Smallest radius of a puff in cells; smaller puffs look like crumbs.
+    constexpr float least_radius = 0.06F;
     const auto cells = static_cast<int>(field.cells);
     std::vector<shared::CloudPuff> puffs;
     for (int y = 0; y < cells; ++y) {

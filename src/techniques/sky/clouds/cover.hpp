@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Distribution of clouds: a noise field on a repeating tile, and the limit above which a cloud forms.
+// The distribution of clouds: a noise field on a repeating tile, and the limit above which a cloud forms.
 
 #include <cstdint>
 #include <span>
@@ -13,12 +13,12 @@
 
 namespace estampe::sky {
 
-/// A random number in [0, 1), the same on every machine.
+/// A hashed random number in [0, 1). It is the same on every machine.
 [[nodiscard]] float hashed(uint32_t a, uint32_t b, uint32_t c);
 
-/// A field over a tile, sampled at the middles of cells.
+/// A noise field over a tile, sampled at the middles of cells.
 struct CoverField {
-    uint32_t cells = 0; ///< cells per side, a power of two
+    uint32_t cells = 0; ///< number of cells per side, a power of two
     std::vector<float> values;
 
     [[nodiscard]] uint32_t index(int x, int y) const
@@ -31,37 +31,39 @@ struct CoverField {
 };
 
 struct CoverNoise {
-    uint32_t cells = 64;     ///< per side of the tile
-    uint32_t mass_cells = 5; ///< width of an average cloud mass
+    uint32_t cells = 64;     ///< number of cells per side of the tile
+    uint32_t mass_cells = 5; ///< width of an average cloud mass, in cells
     float turn = 0.0F;       ///< phase of the field's change, 0 to 1
     uint32_t seed = 1;
 };
 
-/// Noise of three octaves. Each octave blends two value noises by sine and cosine of the phase, so that the
-/// field changes smoothly, keeps its variance, and repeats.
+/// Computes noise of three octaves. Each octave blends two value noises by sine and cosine of the phase. So
+/// the field changes smoothly, keeps its variance, and repeats.
 [[nodiscard]] CoverField cover_field(const CoverNoise& noise);
 
-/// Size of puffs, in cells, and how they are stacked.
+/// Size of puffs (balls of cloud) in cells, and how the puffs are stacked.
 struct PuffShape {
-    float radius = 0.85F;      ///< radius where the cloud is dense
-    float growth = 0.10F;      ///< how far the field rises above the limit until a puff has full size
-    uint32_t levels = 1;       ///< puffs on top of each other
-    float level_rise = 0.62F;  ///< height from one level to the next, in radii
-    float level_limit = 0.06F; ///< how much higher the limit of the field is for each level
+    float radius = 0.85F;      ///< radius of a puff where the cloud is dense, in cells
+    float growth = 0.10F;      ///< by how much the field must exceed the limit until a puff has its full size
+    uint32_t levels = 1;       ///< number of puffs on top of each other
+    float level_rise = 0.62F;  ///< height from one puff to the next higher puff, in radii
+    float level_limit = 0.06F; ///< by how much the limit of the field increases with each level of puffs
 };
 
-/// The limit for which puffs cover the share `share` of the base. Cost: linear in cells.
+/// The limit of the field for which puffs cover the given share of the base. Cost: linear in the number of
+/// cells.
 [[nodiscard]] float limit_for(const CoverField& field, const PuffShape& shape, float share, uint32_t seed);
 
-/// The puffs where the field exceeds the limit, in cells.
+/// The puffs that form where the field exceeds the limit. Positions are in cells.
 [[nodiscard]] std::vector<shared::CloudPuff> puffs_of(const CoverField& field, const PuffShape& shape,
                                                       float limit, uint32_t seed);
 
-/// Puffs by cell of the tile, for the walk along a ray. Each puff is in the list of every cell that its
-/// outline may touch. For cells across the tile's edge, the puff's centre is shifted by the tile's size to be
-/// next to the cell.
+/// Puffs by the cells of the tile, for the walk along a ray. Each puff is in the list of every cell that its
+/// outline may touch. In cells across the tile's edge, the puff's centre is shifted by the tile's size, so
+/// that it lies next to the cell.
 struct PuffLists {
-    std::vector<uint32_t> starts; ///< first puff of each cell, row by row, and the end
+    /// Index of the first puff of each cell, row by row, then the end of the last cell.
+    std::vector<uint32_t> starts;
     std::vector<shared::CloudPuff> puffs;
 };
 
@@ -70,7 +72,7 @@ struct PuffLists {
 /// Lists each puff once, in the cell that holds its centre.
 [[nodiscard]] PuffLists list_homes(std::span<const shared::CloudPuff> puffs, uint32_t cells);
 
-/// Density of streaks per cell, scaled so that they cover the share `share` on average.
+/// Density of streaks in each cell, scaled so that streaks cover the given share of the sky on average.
 [[nodiscard]] std::vector<float> streak_density(const CoverField& field, float share);
 
 } // namespace estampe::sky

@@ -2,32 +2,32 @@
 #ifndef ESTAMPE_PUFFS
 #define ESTAMPE_PUFFS
 
-// A ray through a layer of puffs: balls with wavering outlines, cut flat by the base, found cell by cell
-// (Amanatides and Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing", 1987). Define before: `clouds`,
-// `start_texels`, `puff_texels`.
+// Follows a ray through a layer of puffs: balls of cloud with wavering outlines, cut flat by the layer's
+// base. The puffs are found cell by cell (Amanatides and Woo, "A Fast Voxel Traversal Algorithm for Ray
+// Tracing", 1987). Define before inclusion: `clouds`, `start_texels`, `puff_texels`.
 
 #include "shaders/lines.glsl"
 
 const float no_hit_m = 1e9;
 
-// What a ray sees of a layer.
+// What a ray sees of a layer of puffs.
 struct SeenPuffs {
-    float cover;    // coverage of the pixel
-    float away_m;   // distance of the nearest puff; no_hit_m without one
-    float shade;    // of the nearest puff: 0 lit, 1 shaded, 0.5 in the band between
-    float line;     // ink of the outline at this pixel
-    float line_m;   // distance of the outline
-    float line_px;  // distance outside the outlined edge
-    float width_px; // width of the outline
+    float cover;    // coverage of the pixel by puffs
+    float away_m;   // distance from the eye to the nearest puff; no_hit_m if there is none
+    float shade;    // shade of the nearest puff: 0 lit, 1 shaded, 0.5 in the band between
+    float line;     // ink of the outline at this pixel, 0 to 1
+    float line_m;   // distance from the eye to the outlined puff
+    float line_px;  // distance of the pixel from the edge of the outlined puff, in pixels outside of it
+    float width_px; // width of the outline in pixels
 };
 
-// A ray in a layer's space.
+// A ray in the space of a layer, whose unit is a cell.
 struct PuffRay {
-    vec3 d;     // unit vector in metres: along the wind, up, across
-    vec3 step;  // `d` in the layer's space, per metre
-    vec3 aside; // unit, horizontal, at a right angle to the ray
+    vec3 d;     // direction as a unit vector in metres: along the wind, up, across the wind
+    vec3 step;  // direction in layer space, per metre along the ray
+    vec3 aside; // horizontal unit vector at a right angle to the ray
     float per_step_squared;
-    float enter_m; // distance at which the ray enters the layer's slab
+    float enter_m; // distance in metres at which the ray enters the layer
     float leave_m;
     float pixel_rad;
 };
@@ -39,7 +39,8 @@ CloudPuff puff_at(int i)
     return CloudPuff(ball.xyz, ball.w, lean.xyz, lean.w);
 }
 
-// Pen width at a point of an outline: heavy away from the light, thin and broken towards it.
+// Width of the pen at a point of an outline: heavy on the side away from the light, thin and broken on the
+// lit side.
 float pen_px(float widest_px, float facing, float angle, float trait, float away_m)
 {
     float lit = smoothstep(-0.5, 0.8, facing);
@@ -49,15 +50,15 @@ float pen_px(float widest_px, float facing, float angle, float trait, float away
     return widest_px * thinned * mix(1.0, 0.45, lit) * mix(1.0, 0.7, pressed) * (1.0 - left_out);
 }
 
-// Light on a surface that faces `outward`, -1 to 1; the normal is bent towards the direction of the whole
-// mass.
+// Light on a puff's surface that faces `outward`, from -1 to 1. The normal is bent towards `lean`, the
+// direction that the whole cloud mass faces.
 float light_on(vec3 outward, vec3 lean)
 {
     return dot(normalize(mix(outward, lean, 0.45)), clouds.towards_sun);
 }
 
-// Shade from light: 0 lit, 1 shaded; 0.5 in the band between, if there are three tones. `soft` is the change
-// of light over a pixel.
+// Converts light to shade: 0 lit, 1 shaded, and 0.5 in the band between if there are three tones. `soft` is
+// the change of light over a pixel.
 float shade_of(float light, float soft)
 {
     float low = smoothstep(-soft, soft, clouds.shade_below - light);
@@ -65,13 +66,13 @@ float shade_of(float light, float soft)
     return 0.5 * (low + lower);
 }
 
-// Ink share of a pixel at a distance outside the outlined edge.
+// Share of ink at a pixel that lies `beyond_px` outside of the outlined edge.
 float line_ink_at(float beyond_px, float width_px)
 {
     return clamp(beyond_px + 0.5, 0.0, min(width_px, 1.0)) * clamp(width_px - beyond_px + 0.5, 0.0, 1.0);
 }
 
-// Adds a puff to `seen`; `from_centre` is the vector from the puff's centre to the eye.
+// Adds a puff to what a ray has seen. `from_centre` is the vector from the puff's centre to the eye.
 void see_puff(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, CloudPuff puff, vec3 from_centre)
 {
     float nearest_m = -dot(from_centre, ray.step) * ray.per_step_squared;
@@ -82,8 +83,8 @@ void see_puff(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, CloudPuff puff
     float angle = atan(dot(offset, ray.aside), offset.y) * 0.15915494;
     float radius = puff.radius * (1.0 + 0.05 * wave(3.0 * angle + puff.trait) +
                                   0.035 * wave(7.0 * angle + 5.0 * puff.trait));
-    // A pixel's span across the outline: in the plane of the base where the base cuts the ball, else across
-    // the ray.
+    // The step on the surface that corresponds to one pixel across the outline: in the plane of the base
+    // where the base cuts the ball, else across the ray.
     vec3 slope = normal * layer.per_m;
     slope.y -= at_m > nearest_m ? dot(slope, ray.d) / ray.d.y : 0.0;
     float span = max(at_m * ray.pixel_rad * length(slope), 1e-9);
@@ -106,29 +107,30 @@ void see_puff(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, CloudPuff puff
         float into_m = nearest_m - half_chord_m;
         float hit_m = max(into_m, ray.enter_m);
         if (hit_m <= seen.away_m) {
-            // Where the base's rim crosses the pixel, blends the shades of side and base.
+            // Blends the shades of the puff's side and base where the rim of the base crosses the pixel.
             float under =
                 clamp((ray.enter_m - into_m) * ray.d.y / (ray.enter_m * ray.pixel_rad) + 0.5, 0.0, 1.0);
             vec3 side = normalize((from_centre + ray.step * hit_m) * layer.per_m);
             float soft = hit_m * ray.pixel_rad * length(layer.per_m) / radius;
             float shade = mix(shade_of(light_on(side, puff.lean), soft),
                               shade_of(light_on(vec3(0.0, -1.0, 0.0), puff.lean) - layer.under, 1e-3), under);
-            // All bases lie in one plane, so no rim is visible within another puff's base.
+            // The bases of all puffs lie in one plane. So the rim of one base must not be visible within the
+            // base of another puff.
             seen.shade = hit_m == seen.away_m ? max(shade, seen.shade) : shade;
             seen.away_m = hit_m;
         }
     }
 }
 
-// The walk of a ray through the cells of a layer, and through each cell's list.
+// State of a ray's walk through the cells of a layer, and through the list of puffs of each cell.
 struct PuffWalk {
     ivec2 cell;
     ivec2 forth;
-    vec2 border_m; // distance at which the ray leaves the cell, along and across the wind
+    vec2 border_m; // distances at which the ray leaves the cell, along and across the wind
     vec2 cell_m;
     float at_m; // distance at which the ray entered the cell
-    int next;   // next puff to test
-    int end;    // end of the cell's list
+    int next;   // index of the next puff to test
+    int end;    // index after the last puff of the cell
 };
 
 void enter_cell(inout PuffWalk walk, PuffLayer layer)
@@ -159,14 +161,14 @@ PuffWalk start_walk(PuffLayer layer, PuffRay ray)
     return walk;
 }
 
-// Vector from the centre of a puff in a cell's list to the eye.
+// Vector to the eye from the centre of a puff in the list of `cell`.
 vec3 from_centre_of(PuffLayer layer, vec3 centre, ivec2 cell)
 {
     ivec2 in_tile = cell & (int(layer.cells) - 1);
     return layer.eye - centre - vec3(cell.x - in_tile.x, 0.0, cell.y - in_tile.y);
 }
 
-// Whether the ray passes near the puff, and no nearer puff hides it.
+// Whether the ray passes near a puff that no nearer puff hides.
 bool is_near(SeenPuffs seen, PuffRay ray, vec3 from_centre, float radius)
 {
     float nearest_m = -dot(from_centre, ray.step) * ray.per_step_squared;
@@ -175,8 +177,8 @@ bool is_near(SeenPuffs seen, PuffRay ray, vec3 from_centre, float radius)
            nearest_m - radius * sqrt(ray.per_step_squared) < seen.away_m;
 }
 
-// Advances to the next puff near the ray. Returns false at the end. This small loop lets CPUs, which run
-// several rays in lockstep, process few puffs.
+// Advances to the next puff near the ray. Returns false at the end of the ray. CPUs run several rays in
+// lockstep; with this small loop they process fewer puffs.
 bool find_puff(inout PuffWalk walk, SeenPuffs seen, PuffLayer layer, PuffRay ray)
 {
     bool is_found = false;
@@ -193,7 +195,8 @@ bool find_puff(inout PuffWalk walk, SeenPuffs seen, PuffLayer layer, PuffRay ray
     return is_found;
 }
 
-// `d` is a unit vector well above the horizon, in the wind's axes: along, up, across.
+// Converts a view direction to a ray in layer space. `d` is a unit vector well above the horizon, in the
+// wind's axes: along, up, across.
 PuffRay puff_ray(PuffLayer layer, vec3 d, float pixel_rad)
 {
     PuffRay ray;
@@ -213,10 +216,10 @@ SeenPuffs no_puffs()
     return SeenPuffs(0.0, no_hit_m, 0.0, 0.0, no_hit_m, 0.0, 0.0);
 }
 
-// Finishes the outline after all puffs.
+// Completes the outline after all puffs of the layer were added.
 void end_line(inout SeenPuffs seen, PuffRay ray)
 {
-    // Where two puffs touch, the outline of the nearer one tapers off.
+    // Where two puffs touch, the outline of the nearer puff tapers off.
     float gap_cells = (seen.away_m - seen.line_m) * length(ray.step);
     float tapered = smoothstep(0.15, 0.9, gap_cells);
     seen.line = min(seen.line, line_ink_at(seen.line_px, tapered * seen.width_px));

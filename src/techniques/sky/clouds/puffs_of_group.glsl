@@ -2,44 +2,49 @@
 #ifndef ESTAMPE_PUFFS_OF_GROUP
 #define ESTAMPE_PUFFS_OF_GROUP
 
-// The puffs of a layer that the 64 pixels of a workgroup see. The workgroup finds them together, which is
-// faster on GPUs. Each thread scans one cell for puff centres near the group's rays, then tests one of the
-// puffs found; pixels process only the remaining puffs. Define before: all that puffs.glsl needs, and
-// `lowest_way`.
+// Finds the puffs of a layer that the 64 pixels of a workgroup see. The workgroup finds them together, which
+// is faster on GPUs. Each thread scans one cell for puff centres near the group's rays, then tests one of the
+// found puffs. The pixels then process only the remaining puffs. Define before inclusion: all that puffs.glsl
+// needs, and `lowest_way`.
 
 #include "techniques/sky/clouds/puffs.glsl"
 
 const int group_threads = 64;
 
-shared vec3 corner_ways[4]; // directions that enclose the directions of all pixels, as for puff_ray()
-shared vec3 inward[4];      // normals of the planes between these directions, in the layer's space
-// Number of puffs, and whether any pixel still needs some; double-buffered.
+// Four directions that enclose the view directions of all pixels, in the wind's axes.
+shared vec3 corner_ways[4];
+// Normals of the planes between neighbouring corner_ways, in layer space, pointing inwards.
+shared vec3 inward[4];
+// Sums of each subgroup: the number of puffs, and whether any pixel still needs puffs. Two copies are used in
+// turn.
 shared uvec2 subgroup_sums[2][group_threads];
-shared ivec3 found[group_threads]; // a puff, and its cell
-shared vec4 balls[group_threads];  // vector from the puff's centre to the eye; radius
-shared vec4 leans[group_threads];  // lean and trait of the puff
-shared uint kept[2][2];            // one bit per puff that is near some ray; double-buffered
+shared ivec3 found[group_threads]; // index of a puff, and its cell
+shared vec4 balls[group_threads];  // xyz: vector from the puff's centre to the eye; w: radius of the puff
+shared vec4 leans[group_threads];  // xyz: direction that the cloud mass faces; w: random number of the puff
+shared uint kept[2][2];            // one bit per puff that is near some ray; two copies are used in turn
 
-// The region that may hold centres of puffs near the group's rays: rows of cells, nearest first.
+// The region of cells that may hold centres of puffs near the group's rays. It consists of rows of cells, the
+// nearest row first.
 struct PuffBand {
-    bool is_turned; // rows run along the wind
-    bool is_narrow; // all rays cross the rows in one direction
-    int forth;      // direction across rows: -1 or 1
+    bool is_turned; // true: the rows run along the wind; false: across the wind
+    bool is_narrow; // all rays cross the rows in the same direction
+    int forth;      // direction across the rows in which rays move away from the eye: -1 or 1
     int first_row;
     int row_count;
     int column_count; // largest number of columns in a row
-    vec2 slopes;      // smallest and largest slope of rays: along a row per distance across it
-    vec2 sides;       // smallest and largest extent along rows, from the eye
-    float beyond;     // largest distance along a row from a ray to the centre of a puff near it
+    vec2 slopes;      // smallest and largest slope of the rays: distance along a row per distance across it
+    vec2 sides;       // smallest and largest extent along the rows, relative to the eye
+    float beyond;     // largest distance along a row between a ray and the centre of a puff near it
 };
 
-// Converts a place to the band's axes: across rows, along rows.
+// Converts a place to the band's axes: across the rows, along the rows.
 vec2 in_band(PuffBand band, vec2 place)
 {
     return band.is_turned ? place.yx : place;
 }
 
-// All threads of a workgroup must call this function together, after corner_ways is written.
+// Whether `is_one` is true for any thread. All threads of a workgroup must call this function together, after
+// corner_ways is written.
 bool any_of_group(bool is_one)
 {
     bool is_any = subgroupAny(is_one);
@@ -53,7 +58,7 @@ bool any_of_group(bool is_one)
     return is_any;
 }
 
-// Inward normal of the plane through the eye, a corner and the next corner.
+// Normal of the plane through the eye, a corner direction and the next corner direction; points inwards.
 vec3 inward_of(PuffLayer layer, int corner)
 {
     const ivec4 next = ivec4(1, 3, 0, 2);
@@ -109,7 +114,7 @@ PuffBand band_of(PuffLayer layer)
     return band;
 }
 
-// Cell number `number` of a band; false if there is none.
+// Finds the cell with a given number in a band. Returns false if the band has no such cell.
 bool cell_of(PuffBand band, PuffLayer layer, int number, out ivec2 cell)
 {
     int row = number / band.column_count;
@@ -125,7 +130,7 @@ bool cell_of(PuffBand band, PuffLayer layer, int number, out ivec2 cell)
     return row < band.row_count && float(column) <= eye.y + to;
 }
 
-// Smallest ray distance at which puffs of the band's cells from `number` on may be near.
+// Smallest distance along a ray at which puffs may be near that lie in cells of the band from `number` on.
 float nearest_of(PuffBand band, PuffLayer layer, PuffRay ray, int number)
 {
     int line = band.first_row + band.forth * (number / band.column_count) + (band.forth > 0 ? 0 : 1);
@@ -133,7 +138,7 @@ float nearest_of(PuffBand band, PuffLayer layer, PuffRay ray, int number)
     return band.is_narrow ? along / abs(in_band(band, ray.step.xz).x) : 0.0;
 }
 
-// Keeps the puff found in slot `own` if some ray may pass near it.
+// Keeps the puff in slot `own` if some ray of the workgroup may pass near it.
 void keep_puff(PuffLayer layer, int own, uint turn)
 {
     CloudPuff puff = puff_at(found[own].x);
@@ -150,7 +155,7 @@ void keep_puff(PuffLayer layer, int own, uint turn)
     }
 }
 
-// Adds the kept puffs, in order, to what a pixel sees.
+// Adds the kept puffs, in their order, to what a pixel sees.
 void see_kept(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, uint turn)
 {
     for (int word = 0; word < 2; ++word) {
@@ -164,7 +169,7 @@ void see_kept(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, uint turn)
     }
 }
 
-// The puffs of a thread's cell, the number in cells of earlier threads, and the total.
+// Numbers of puffs: in the cell of this thread, in the cells of earlier threads, and in all cells.
 struct CellPuffs {
     ivec2 cell;
     int start;
@@ -187,7 +192,7 @@ CellPuffs cell_puffs(PuffBand band, PuffLayer layer, int number)
     return puffs;
 }
 
-// Sums the counts of all threads; false if no pixel needs more puffs.
+// Sums the numbers of puffs over all threads. Returns false if no pixel needs more puffs.
 bool add_up(inout CellPuffs puffs, bool looks, uint turn)
 {
     uint before = subgroupExclusiveAdd(uint(puffs.count));
@@ -206,7 +211,7 @@ bool add_up(inout CellPuffs puffs, bool looks, uint turn)
     return sums.y != 0u;
 }
 
-// Finds puffs from number `from` on that some ray may pass near, up to one per thread.
+// Finds puffs that some ray may pass near, from puff number `from` on, up to one per thread.
 void find_kept(CellPuffs puffs, PuffLayer layer, int from, uint turn)
 {
     int own = int(gl_LocalInvocationIndex);
@@ -224,10 +229,11 @@ void find_kept(CellPuffs puffs, PuffLayer layer, int from, uint turn)
     barrier();
 }
 
-// Like puffs_along(), but all threads of a workgroup must call it together, including those without clouds.
+// Does the same as puffs_along(), but all threads of a workgroup must call it together, including those whose
+// pixel shows no clouds.
 SeenPuffs puffs_of_group(PuffLayer layer, vec3 d, float pixel_rad, bool sees_any)
 {
-    barrier(); // all threads have finished the previous layer
+    barrier(); // no thread may write before all threads have finished the previous layer
     if (gl_LocalInvocationIndex < 4u) {
         inward[gl_LocalInvocationIndex] = inward_of(layer, int(gl_LocalInvocationIndex));
     }

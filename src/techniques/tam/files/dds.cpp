@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The DDS container of uncompressed images. Debian packages no library that reads and writes arrays with
-// custom mip levels, and the required part is only a header and a loop.
+// Reads and writes DDS files of uncompressed images. Debian packages no library that reads and writes arrays
+// with custom mip levels, and the required part of the format is only a header and a loop.
 #include "techniques/tam/files/map_files.hpp"
 
 #include <algorithm>
@@ -15,10 +15,10 @@
 namespace estampe::tam {
 namespace {
 
-constexpr size_t header_bytes = 128; ///< with the four letters in front
+constexpr size_t header_bytes = 128; ///< size of the header, including the four letters of the file type
 constexpr size_t dx10_bytes = 20;
 
-// Positions of 32-bit words, in bytes from the start of the file.
+// Positions of the 32-bit words of the header, in bytes from the start of the file.
 namespace at {
 constexpr size_t magic = 0;
 constexpr size_t size = 4;
@@ -32,7 +32,7 @@ constexpr size_t format_size = 76;
 constexpr size_t format_flags = 80;
 constexpr size_t format_letters = 84;
 constexpr size_t format_bits = 88;
-constexpr size_t masks = 92; ///< red, green, blue, alpha
+constexpr size_t masks = 92; ///< position of the first of four masks: red, green, blue, alpha
 constexpr size_t caps = 108;
 constexpr size_t caps2 = 112;
 constexpr size_t dxgi_format = 128;
@@ -40,22 +40,22 @@ constexpr size_t dimension = 132;
 constexpr size_t array_size = 140;
 } // namespace at
 
-constexpr uint32_t magic_letters = 0x20534444; // "DDS "
-constexpr uint32_t dx10_letters = 0x30315844;  // "DX10"
-constexpr uint32_t has_letters = 0x4;          // DDPF_FOURCC
-constexpr uint32_t has_alpha = 0x1;            // DDPF_ALPHAPIXELS
-constexpr uint32_t only_alpha = 0x2;           // DDPF_ALPHA
-constexpr uint32_t volume = 0x200000;          // DDSCAPS2_VOLUME
-constexpr uint32_t dimension_2d = 3;           // D3D10_RESOURCE_DIMENSION_TEXTURE2D
+constexpr uint32_t magic_letters = 0x20534444; // the letters "DDS "
+constexpr uint32_t dx10_letters = 0x30315844;  // the letters "DX10"
+constexpr uint32_t has_letters = 0x4;          // flag DDPF_FOURCC: the pixel format is named by four letters
+constexpr uint32_t has_alpha = 0x1;            // flag DDPF_ALPHAPIXELS: pixels have colour and alpha
+constexpr uint32_t only_alpha = 0x2;           // flag DDPF_ALPHA: pixels have only alpha
+constexpr uint32_t volume = 0x200000;          // flag DDSCAPS2_VOLUME: the file is a volume texture
+constexpr uint32_t dimension_2d = 3;           // value D3D10_RESOURCE_DIMENSION_TEXTURE2D
 constexpr uint32_t r8_unorm = 61;
 constexpr uint32_t max_layers = max_tones;
 
-/// Conversion of a texel's bytes to light, 0 to 255, and opacity.
+/// How the bytes of a texel are converted to light (0 to 255) and opacity.
 struct Layout {
     uint32_t bytes = 1;
-    std::array<uint32_t, 3> channel{0, 0, 0}; ///< byte positions of red, green and blue
+    std::array<uint32_t, 3> channel{0, 0, 0}; ///< positions in the texel of the bytes for red, green and blue
     std::optional<uint32_t> alpha;
-    bool is_coverage = false; ///< the byte is ink, not light
+    bool is_coverage = false; ///< the byte is ink (255 is black), not light
 };
 
 class DdsReader {
@@ -116,7 +116,7 @@ private:
                     "save it uncompressed: 8-bit luminance, R8, RGB8 or RGBA8");
     }
 
-    /// Position of the byte that `mask` selects; `otherwise` if the mask is empty.
+    /// Position in the texel of the byte that `mask` selects. Returns `otherwise` if the mask is empty.
     [[nodiscard]] uint32_t byte_of(uint32_t mask, uint32_t bytes, uint32_t otherwise) const
     {
         if (mask == 0) {
@@ -213,9 +213,9 @@ DdsImages decode_dds(std::span<const std::byte> bytes, const std::string& name)
 std::vector<std::byte> encode_dds(const TonalArtMap& map)
 {
     check_map(map, {});
-    constexpr uint32_t flags = 0x1 | 0x2 | 0x4 | 0x8 | 0x1000 | 0x20000; // caps, sizes, pitch, format, mip
-                                                                         // count
-    constexpr uint32_t caps = 0x8 | 0x1000 | 0x400000;                   // complex, texture, mipmap
+    // Flags of the members that are set: caps, sizes, pitch, format, mip count.
+    constexpr uint32_t flags = 0x1 | 0x2 | 0x4 | 0x8 | 0x1000 | 0x20000;
+    constexpr uint32_t caps = 0x8 | 0x1000 | 0x400000; // capabilities: complex, texture, mipmap
     std::vector<std::byte> bytes(header_bytes + dx10_bytes);
     const auto put = [&](size_t place, uint32_t value) {
         for (size_t i = 0; i < 4; ++i) {

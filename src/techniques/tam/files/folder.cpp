@@ -24,7 +24,7 @@ constexpr uint64_t max_image_bytes = uint64_t{1} << 27;
 constexpr const char* naming =
     "name them tone1.png, tone2.png, ... or tone1_level0.png, tone1_level1.png, ...";
 
-/// The numbers in a file name's stem, left to right: {1, 0} for "tone1_level0".
+/// The numbers in a file name without its extension, from left to right: {1, 0} for "tone1_level0".
 std::vector<size_t> numbers_in(const std::string& stem)
 {
     constexpr size_t most = 100000;
@@ -44,7 +44,7 @@ std::vector<size_t> numbers_in(const std::string& stem)
     return numbers;
 }
 
-/// Files of one kind by the (tone, level) in their names; level 0 if there is only one number.
+/// Image files by the tone and level in their names. A name with only one number has level 0.
 using Placed = std::map<std::pair<size_t, size_t>, fs::path>;
 
 Placed placed_files(const fs::path& folder, const std::string& extension)
@@ -137,7 +137,7 @@ PaintedMap read_folder(const fs::path& folder)
     return pictures.empty() ? read_dds_folder(folder, textures) : read_png_folder(folder, pictures);
 }
 
-/// Adds to each tone the ink of lighter tones that it lacks.
+/// Adds to each tone the ink that lighter tones have and this tone lacks.
 void nest(PaintedMap& painted)
 {
     constexpr double worth_a_word = 0.001;
@@ -246,7 +246,7 @@ PaintedMap read_map(const fs::path& path)
         DdsImages images = decode_dds(read_file(path, max_file_bytes), path.string());
         return complete_map(std::move(images.level_of_layer), images.size_px, {}, path.string());
     }
-    static_cast<void>(read_file(path, max_file_bytes)); // throws if there is no such file
+    static_cast<void>(read_file(path, max_file_bytes)); // throws an Error if there is no such file
     throw Error("is no tonal art map", path.string(), "give a folder of PNG files, a .dds or a .tam file");
 }
 

@@ -20,7 +20,7 @@
 namespace estampe::tam {
 namespace {
 
-/// Reads a big-endian number from the header of a PNG; width and height are at bytes 16 and 20.
+/// Reads a big-endian number from the header of a PNG. The width is stored at byte 16, the height at byte 20.
 uint32_t header_number(std::span<const std::byte> png, size_t at)
 {
     uint32_t value = 0;
@@ -215,7 +215,7 @@ public:
             throw Error(fmt::format("is not a .tam file, or a damaged one: {}", text_of(error)), name_,
                         "estampe tam writes one anew");
         }
-        static_cast<void>(source.release()); // the archive frees it
+        static_cast<void>(source.release()); // the archive now owns the source and frees it
         zip_error_fini(&error);
         if (zip_get_num_entries(archive_.get(), 0) > max_entries) {
             throw Error(fmt::format("holds more than {} files", max_entries), name_);
@@ -253,7 +253,7 @@ private:
     Archive archive_;
 };
 
-/// In a picture of thresholds, texels that turn to ink first are black.
+/// Converts thresholds to a picture and back: in the picture, texels that turn to ink first are black.
 Gray8 inverted(Gray8 image)
 {
     std::transform(image.begin(), image.end(), image.begin(),

@@ -14,7 +14,7 @@ namespace {
 
 constexpr size_t direction_count = 3;
 
-/// The third of the half circle in which a stroke's direction lies.
+/// The number of the third of the half circle in which a stroke's direction lies.
 size_t direction_of(const PaintedStroke& stroke)
 {
     const glm::vec2 chord = stroke.points.back() - stroke.points.front();
@@ -27,12 +27,13 @@ size_t direction_of(const PaintedStroke& stroke)
     return x > 0.0F ? 1 : 2;
 }
 
-/// Draws a painted stroke as a row of discs, with one mark per texel.
+/// Draws a painted stroke as a row of discs, and computes one mark per texel.
 class DiscPen {
 public:
     explicit DiscPen(uint32_t size_px) : ink_(size_t{size_px} * size_px), size_px_(size_px) {}
 
-    /// Marks the first `count` points, at most `most_half_px` wide on either side.
+    /// Marks the first `count` points of a stroke, with at most `most_half_px` of ink on either side of its
+    /// centre line.
     void draw(const PaintedStroke& stroke, size_t count, float most_half_px, std::vector<Mark>& marks)
     {
         for (size_t i = 0; i < count; ++i) {
@@ -85,8 +86,9 @@ public:
         }
     }
 
-    /// Keeps the best spaced strokes of `offered`, which is sorted longest first, until the mean is `target`.
-    /// Returns the kept strokes in the order of `offered`. Takes short scraps only after all longer strokes.
+    /// Keeps the best spaced strokes of `offered` until the mean coverage is `target`. `offered` must be
+    /// sorted, longest first. Returns the kept strokes in the order of `offered`. Takes short scraps only
+    /// after all longer strokes.
     [[nodiscard]] std::vector<const PaintedStroke*> keep(std::vector<const PaintedStroke*> offered,
                                                          double target)
     {
@@ -110,8 +112,8 @@ public:
     [[nodiscard]] Gray8 coverage() const { return canvas_.coverage(); }
 
 private:
-    /// Number of strokes, longest first, that are longer than a third of the stroke at the median of the ink.
-    /// If no such stroke is left, the number of all strokes.
+    /// Counts the strokes in `offered` that are longer than a third of the stroke at the median of the ink.
+    /// If none of these strokes is left, returns the number of all strokes.
     [[nodiscard]] size_t long_ones(const std::vector<const PaintedStroke*>& offered)
     {
         if (shortest_long_ == 0) {
@@ -132,7 +134,7 @@ private:
         return end == offered.begin() ? offered.size() : static_cast<size_t>(end - offered.begin());
     }
 
-    /// The best spaced of some of the first `count` strokes.
+    /// Finds the best spaced stroke among a sample of the first `count` strokes.
     [[nodiscard]] size_t best(const std::vector<const PaintedStroke*>& offered, size_t count)
     {
         constexpr size_t candidates = 48;
@@ -161,7 +163,8 @@ private:
         pens_.front().draw(stroke, count, most_half_px(canvas_.size_px()), marks_);
     }
 
-    /// Draws a stroke, or the part of it that the tone still needs. Returns false if the tone is reached.
+    /// Draws a stroke, or the part of the stroke that the tone still needs. Returns false if the tone is
+    /// reached.
     [[nodiscard]] bool place(const PaintedStroke& stroke, double target)
     {
         constexpr size_t fewest_points = 3;
@@ -187,7 +190,7 @@ private:
         return all;
     }
 
-    /// Makes marks fainter than ink if they would exceed the missing ink.
+    /// Makes marks fainter than ink if they would add more than the missing ink.
     void soften(double missing)
     {
         constexpr double faint = 0.45;

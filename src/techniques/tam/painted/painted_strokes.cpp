@@ -14,10 +14,10 @@
 namespace estampe::tam {
 namespace {
 
-/// A line one pixel wide, as consecutive pixels, not wrapped.
+/// A line that is one pixel wide: consecutive pixels, whose positions do not wrap.
 using Chain = std::vector<glm::ivec2>;
 
-/// A square of texels that wraps.
+/// A square of texels that wraps at its edges.
 class Field {
 public:
     Field(std::vector<uint8_t> texels, uint32_t size_px) : texels_(std::move(texels)), size_px_(size_px) {}
@@ -61,7 +61,7 @@ End end_of(const std::vector<Chain>& chains, size_t index, bool at_back)
     return {index, at_back, tip, length > 0.0F ? out / length : glm::vec2(0.0F)};
 }
 
-/// Joins chains whose ends point at each other.
+/// Joins chains of pixels whose ends point at each other.
 class Joiner {
 public:
     Joiner(std::vector<Chain> chains, const Field& ink, float reach_px)
@@ -79,7 +79,7 @@ public:
         pair_ends();
         std::vector<Chain> joined;
         std::vector<bool> used(chains_.size());
-        // Open sequences of chains first, from their free ends, then the rest, which are rings.
+        // First follows the open sequences of chains from their free ends. The remaining sequences are rings.
         for (const bool rings : {false, true}) {
             for (size_t end = 0; end < ends_.size(); ++end) {
                 if (!used[end / 2] && (rings || partner_[end] == none)) {
@@ -104,7 +104,7 @@ private:
         return difference - size_ * glm::round(difference / size_);
     }
 
-    /// How badly two ends fit together; negative if they cannot be joined.
+    /// How badly the ends of two chains fit together; negative if they cannot be joined.
     [[nodiscard]] float misfit(const End& a, const End& b) const
     {
         constexpr float least_agreement = 0.85F;
@@ -172,7 +172,7 @@ private:
         }
     }
 
-    /// The sequence of chains that begins at an end, with gaps filled.
+    /// Follows joined chains from one end on, and returns them as one chain with the gaps filled.
     [[nodiscard]] Chain follow(size_t end, std::vector<bool>& used) const
     {
         Chain string;
@@ -214,8 +214,8 @@ private:
     std::vector<size_t> partner_;
 };
 
-/// Joins chains whose ends point at each other, if they are at most `reach_px` apart with ink all the way
-/// between. Gaps are filled with a straight line.
+/// Joins chains whose ends point at each other, if the ends are at most `reach_px` apart and ink lies all the
+/// way between them. The gaps are filled with a straight line.
 std::vector<Chain> join_chains(std::vector<Chain> chains, const Field& ink, float reach_px)
 {
     return Joiner(std::move(chains), ink, reach_px).join();
@@ -225,7 +225,8 @@ constexpr size_t fewest_points = 3;
 constexpr size_t most_strokes = 20000;
 constexpr float most_half_px = 16.0F;
 
-/// Sides before corners, so that a walk does not cut a corner and return for it.
+/// Steps to neighbouring pixels: sides come before corners, so that a walk does not cut a corner and return
+/// for it.
 constexpr std::array<glm::ivec2, 8> steps{glm::ivec2(1, 0), {0, 1},  {-1, 0},  {0, -1},
                                           {1, 1},           {-1, 1}, {-1, -1}, {1, -1}};
 
@@ -238,7 +239,7 @@ int neighbours(const Field& field, glm::ivec2 place)
     return count;
 }
 
-/// Walks a line to its end, and removes it from the field.
+/// Walks along a line to its end, and removes the line from `lines`.
 void walk(Field& lines, glm::ivec2 place, Chain& chain)
 {
     while (true) {
@@ -253,7 +254,7 @@ void walk(Field& lines, glm::ivec2 place, Chain& chain)
     }
 }
 
-/// Lines between crossings, each from one end to the other.
+/// Splits lines at their crossings. Each resulting chain runs from one end of a line to the other.
 std::vector<Chain> trace_chains(Field lines)
 {
     const auto size = static_cast<int>(lines.size_px());
@@ -282,7 +283,7 @@ std::vector<Chain> trace_chains(Field lines)
     return chains;
 }
 
-/// Distance from a texel to the nearest texel outside the field.
+/// Distance from a texel to the nearest texel that does not belong to the field.
 float distance_to_paper(const Field& field, glm::ivec2 place)
 {
     float nearest = most_half_px * most_half_px;
@@ -298,7 +299,8 @@ float distance_to_paper(const Field& field, glm::ivec2 place)
     return std::sqrt(nearest);
 }
 
-/// Mean of each value and its neighbours, because a row of pixels only roughly follows a stroke's centre.
+/// Mean of each value and its two neighbours. It smooths the chain, because a row of pixels follows a
+/// stroke's centre only roughly.
 template <typename Value>
 std::vector<Value> smoothed(const std::vector<Value>& values)
 {
@@ -321,7 +323,7 @@ PaintedStroke stroke_of(const Chain& chain, const Field& fresh)
     const auto size_px = static_cast<float>(fresh.size_px());
     for (const glm::ivec2 place : chain) {
         stroke.points.push_back((glm::vec2(place) + 0.5F) / size_px);
-        // A texel of a gap is a crossing. The stroke's width is unchanged there.
+        // A texel of a gap lies where the stroke crosses another. The stroke's width does not change there.
         stroke.half_px.push_back(fresh.at(place) != 0 || stroke.half_px.empty()
                                      ? distance_to_paper(fresh, place)
                                      : stroke.half_px.back());
@@ -331,7 +333,7 @@ PaintedStroke stroke_of(const Chain& chain, const Field& fresh)
     return stroke;
 }
 
-/// Scales widths so that the strokes cover `area_px` pixels.
+/// Scales the widths of all strokes so that together they cover `area_px` pixels.
 void fit_area(std::vector<PaintedStroke>& strokes, double area_px, uint32_t size_px)
 {
     double drawn = 0.0;
@@ -349,7 +351,8 @@ void fit_area(std::vector<PaintedStroke>& strokes, double area_px, uint32_t size
         halves.push_back(stroke.half_px[stroke.half_px.size() / 2]);
     }
     std::sort(halves.begin(), halves.end());
-    // Where strokes touch, the centres of both strokes are far from paper, so the strokes look too wide.
+    // Where two strokes touch, the centre lines of both are far from paper, so both look too wide. This
+    // limits the width.
     const float most = halves.empty() ? 0.0F : 1.5F * halves[halves.size() / 2];
     for (PaintedStroke& stroke : strokes) {
         for (float& half_px : stroke.half_px) {
@@ -358,8 +361,8 @@ void fit_area(std::vector<PaintedStroke>& strokes, double area_px, uint32_t size
     }
 }
 
-/// Adds to `fresh` the texels of older ink that a fresh stroke crosses: on a straight line through them, in
-/// one of twelve directions, most texels on both sides are fresh.
+/// Adds to `fresh` the texels of older ink that a fresh stroke crosses. Such a texel lies on a straight line,
+/// in one of twelve directions, on which most texels on both sides are fresh.
 Field with_crossings(const Field& fresh, const Field& ink)
 {
     constexpr int reach_px = 8;
@@ -405,7 +408,7 @@ float mean_half_px(const std::vector<Chain>& chains, const Field& fresh)
     return static_cast<float>(sum / count);
 }
 
-/// The eight neighbours of a texel, clockwise from the one above; the map wraps.
+/// The eight neighbours of a texel, clockwise from the texel above. The map wraps at its edges.
 std::array<uint32_t, 8> around(uint32_t texel, uint32_t size_px)
 {
     const uint32_t mask = size_px - 1;
@@ -419,7 +422,7 @@ std::array<uint32_t, 8> around(uint32_t texel, uint32_t size_px)
     return {up + x, up + right, here + right, down + right, down + x, down + left, here + left, up + left};
 }
 
-/// Whether an edge texel may be removed in this half of a round.
+/// Whether a texel at the edge of a line may be removed in this half of a thinning round.
 bool removable(const std::vector<uint8_t>& mask, uint32_t texel, uint32_t size_px, bool second)
 {
     const std::array<uint32_t, 8> places = around(texel, size_px);

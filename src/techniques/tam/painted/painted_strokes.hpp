@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Finds the strokes of a painted map, and draws them again in coarser levels.
+// Finds the strokes of a painted tonal art map, and draws these strokes again in coarser levels.
 
 #include <cstdint>
 #include <vector>
@@ -12,13 +12,16 @@
 
 namespace estampe::tam {
 
-/// A stroke found in a painting: its centre line with one point per pixel, in drawing order or reversed.
+/// A stroke that was found in a painting: its centre line with one point per pixel, in drawing order or
+/// reversed.
 struct PaintedStroke {
-    std::vector<glm::vec2> points; ///< unit square, not wrapped
-    std::vector<float> half_px;    ///< half the width at each point, in pixels of the painting
+    std::vector<glm::vec2> points; ///< points of the centre line in the unit square; positions do not wrap
+    std::vector<float> half_px;    ///< half the stroke's width at each point, in pixels of the painting
 };
 
-/// Finds the strokes that are ink in `darker` but not in `lighter` (empty for paper), both of `size_px`.
+/// Finds the strokes that are ink in `darker` but not in `lighter`. Both images have `size_px` texels per
+/// side;
+/// an empty `lighter` means paper.
 ///
 /// The difference is thinned to lines one pixel wide (Zhang and Suen, 1984), which are cut where they cross.
 /// Ends that point at each other across a gap of ink, such as a lighter stroke, are joined again. Widths are
@@ -31,13 +34,14 @@ struct PaintedStroke {
 /// Adds the coarse levels that a painted map lacks. Every tone must have the same number of painted levels.
 ///
 /// The strokes of a tone are found in the tone's difference from the previous tone (see find_strokes()). Each
-/// coarser level keeps the best spaced strokes of the next finer level. It draws them as many pixels wide as
-/// they were painted, until the ink equals the darkness of the tone.
+/// coarser level keeps the best spaced strokes of the next finer level. These strokes are drawn as many
+/// pixels
+/// wide as they were painted, until the ink equals the darkness of the tone.
 ///
 /// Cost    a second or two for 512 px and 6 tones
 void derive_levels(TonalArtMap& map);
 
-/// Thins `mask` (0 or 1 per texel, wrapping) to lines one texel wide, and preserves connections.
+/// Thins the ink of `mask` (0 or 1 per texel, wrapping) to lines one texel wide. Connections are preserved.
 ///
 /// Source  Zhang and Suen, "A Fast Parallel Algorithm for Thinning Digital Patterns", CACM 1984
 void thin(std::vector<uint8_t>& mask, uint32_t size_px);
