@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Aggregation after Vanek, Mandel and Brezina, "Algebraic Multigrid by Smoothed Aggregation", 1996, without
-// smoothing of the prolongation. Corrections from coarse levels are over-relaxed: Braess, "Towards Algebraic
-// Multigrid for Elliptic Problems of Second Order", 1995. Diffusion with normalization: Viertel and Osting,
-// "An Approach to Quad Meshing Based on Harmonic Cross-Valued Maps and the Ginzburg-Landau Theory", 2019.
+// Multigrid by aggregation (merging groups of nodes): Vanek, Mandel and Brezina, "Algebraic Multigrid by
+// Smoothed Aggregation", 1996, without smoothing of the prolongation. Corrections from coarse levels are
+// over-relaxed: Braess, "Towards Algebraic Multigrid for Elliptic Problems of Second Order", 1995. Diffusion
+// with normalization: Viertel and Osting, "An Approach to Quad Meshing Based on Harmonic Cross-Valued Maps
+// and the Ginzburg-Landau Theory", 2019.
 #include "techniques/form/bundle.hpp"
 
 #include <algorithm>
@@ -50,9 +51,9 @@ Bundle::Bundle(uint32_t node_count, const std::vector<Link>& links, std::vector<
     }
 }
 
-/// Each node whose neighbours are all free forms a group with these neighbours; each remaining node then
-/// joins the group of its most strongly linked neighbour. Returns false if this hardly reduces the number of
-/// nodes.
+/// Groups the nodes of a level for the next coarser level. Each node whose neighbours are all free forms a
+/// group with these neighbours. Each remaining node then joins the group of its most strongly linked
+/// neighbour. Returns false if this hardly reduces the number of nodes.
 bool Bundle::aggregate(Level& fine)
 {
     const uint32_t count = fine.size();
@@ -157,7 +158,7 @@ glm::dvec2 unit_or(glm::dvec2 v, glm::dvec2 otherwise)
 
 glm::dvec2 random_unit(uint32_t seed, uint32_t index)
 {
-    // PCG hash, as in Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 2020.
+    // Random numbers by PCG hash, as in Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 2020.
     uint32_t h = seed * 747796405U + index * 2891336453U + 1013904223U;
     h = ((h >> ((h >> 28U) + 4U)) ^ h) * 277803737U;
     const double angle = 6.283185307179586 * ((h >> 22U) ^ h) / 4294967296.0;
@@ -202,7 +203,8 @@ void Bundle::invert_diagonals()
     for (Level& level : levels_) {
         level.inverse_diagonal.resize(level.size());
         for (uint32_t i = 0; i < level.size(); ++i) {
-            // Slightly above zero, for groups without inner conflict and without neighbours.
+            // A small value above zero makes the matrix invertible even for a group without inner conflict
+            // and without neighbours.
             const double least = 1e-7 * (level.diagonal[i].x + level.diagonal[i].z) + 1e-300;
             const glm::dvec3 d = level.diagonal[i] + glm::dvec3(1.0, 0.0, 1.0) * (level.shifts[i] + least);
             const double determinant = std::max(d.x * d.z - d.y * d.y, 1e-14 * d.x * d.z);
@@ -236,7 +238,8 @@ void Bundle::apply(const Level& level, const Vectors& x, Vectors& out)
     }
 }
 
-/// The coarsest level may stay large if the graph has many parts; its nodes then have hardly any neighbours.
+/// Whether a level is coarse enough. The coarsest level may stay large if the graph has many parts; its nodes
+/// then have hardly any neighbours.
 bool Bundle::is_small(const Level& level)
 {
     return level.size() <= 1000;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Multigrid for fields of 2D vectors on a graph. Each link of the graph rotates or mirrors a vector.
+// Multigrid solver for fields of 2D vectors on a graph. Each link of the graph rotates or mirrors a vector.
 
 #include <algorithm>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace estampe::form {
 
-/// A 2 x 2 matrix, row by row, in single precision to save bandwidth.
+/// A 2 x 2 matrix, row by row. It has single precision to save memory bandwidth.
 struct Block {
     float xx = 0.0F, xy = 0.0F, yx = 0.0F, yy = 0.0F;
 };
@@ -47,7 +47,7 @@ inline float strength(const Block& m)
     return m.xx * m.xx + m.xy * m.xy + m.yx * m.yx + m.yy * m.yy;
 }
 
-/// The rotation or reflection nearest to -m.
+/// The rotation or reflection that is nearest to -m.
 inline Block nearest_orthogonal(const Block& m)
 {
     const glm::vec2 rotation(-m.xx - m.yy, m.xy - m.yx);
@@ -67,8 +67,8 @@ inline Block nearest_orthogonal(const Block& m)
 
 using Vectors = std::vector<glm::dvec2>;
 
-/// Requests that the vector at `to` equal the vector at `from`, rotated by `turn_rad` and then, if `mirrors`,
-/// mirrored in the x axis.
+/// A link requests that the vector at `to` equals the vector at `from`, rotated by `turn_rad` and then, if
+/// `mirrors`, mirrored in the x axis.
 struct Link {
     uint32_t from = 0;
     uint32_t to = 0;
@@ -77,37 +77,43 @@ struct Link {
     bool mirrors = false;
 };
 
-/// The energy sum over links of weight |z_to - T z_from|^2, as a matrix A, with a mass per node (M), and a
-/// hierarchy of coarser versions. Coarsening merges neighbours whose links agree.
+/// The energy of a vector field on a graph, the sum over links of weight |z_to - T z_from|^2, as a matrix A.
+/// Each node has a mass (matrix M). Also contains a hierarchy of coarser versions: coarsening merges
+/// neighbours whose links agree.
 class Bundle {
 public:
     Bundle(uint32_t node_count, const std::vector<Link>& links, std::vector<double> masses);
 
-    /// Solves (A + diag(pulls)) z = right by conjugate gradients, preconditioned by one multigrid cycle,
-    /// until the residual has fallen to `tolerance` times its start or after 60 rounds. Each connected part
-    /// needs a node with a pull, or its solution is not unique.
+    /// Solves (A + diag(pulls)) z = right by conjugate gradients, preconditioned by one multigrid cycle.
+    /// Stops when the residual has fallen to `tolerance` times its first value, or after 60 rounds. Each
+    /// connected part of the graph needs a node with a pull; otherwise its solution is not unique.
     [[nodiscard]] Vectors solve(const std::vector<double>& pulls, const Vectors& right, double tolerance);
 
-    /// Solves with right = diag(pulls) targets: draws the field towards targets.
+    /// Finds a smooth field that is drawn towards `targets`: solves the system with right = diag(pulls)
+    /// targets.
     [[nodiscard]] Vectors attract(const std::vector<double>& pulls, const Vectors& targets, double tolerance);
 
-    /// Returns unit vectors with nearly the least energy. On each level, from the coarsest to the finest,
-    /// alternates diffusion and normalization. Diffusion reaches about `reach`, but at least some nodes;
-    /// `reach` squared has the unit of the masses. Starts from random vectors with `seed`.
+    /// Returns a field of unit vectors with nearly the least energy. Alternates diffusion and normalization
+    /// on each level, from the coarsest to the finest. Diffusion reaches about as far as `reach`, but at
+    /// least over a few nodes; `reach` squared has the unit of the masses. Starts from random vectors with
+    /// `seed`.
     [[nodiscard]] Vectors relax(double reach, uint32_t seed);
 
 private:
     struct Level {
-        std::vector<uint32_t> starts; ///< first entry of each row in columns and blocks
+        /// For each row of the matrix: index of its first entry in `columns` and `blocks`.
+        std::vector<uint32_t> starts;
         std::vector<uint32_t> columns;
-        std::vector<Block> blocks;        ///< off the diagonal
-        std::vector<glm::dvec3> diagonal; ///< symmetric: xx, xy, yy
+        std::vector<Block> blocks;        ///< entries of the matrix that are not on the diagonal
+        std::vector<glm::dvec3> diagonal; ///< diagonal entries of the matrix, symmetric: xx, xy, yy
         std::vector<double> masses;
-        std::vector<double> shifts; ///< added to the diagonal
+        std::vector<double> shifts; ///< values that are added to the diagonal
         std::vector<glm::dvec3> inverse_diagonal;
-        std::vector<uint32_t> coarse;   ///< node's number in the next level
-        std::vector<Block> from_coarse; ///< orthogonal
-        Vectors x, b, r;                ///< work vectors of a cycle
+        /// For each node: the number of its group, a node in the next coarser level.
+        std::vector<uint32_t> coarse;
+        /// For each node: orthogonal matrix that maps its group's vector to the node's vector.
+        std::vector<Block> from_coarse;
+        Vectors x, b, r; ///< work vectors of a multigrid cycle
 
         [[nodiscard]] uint32_t size() const { return static_cast<uint32_t>(diagonal.size()); }
     };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Fields of n-fold symmetry, represented by the n-th power of complex numbers and attracted to curvature:
-// Knoeppel, Crane, Pinkall and Schroeder, "Globally Optimal Direction Fields", SIGGRAPH 2013. Finds the cross
-// of both principal directions first, then selects one of its two lines: Palacios and Zhang, "Rotational
-// Symmetry Field Design on Surfaces", SIGGRAPH 2007, found that fields smoothed as crosses have fewer
-// unwanted singularities.
+// Computes the direction field of strokes. Fields of n-fold symmetry are represented by the n-th power of
+// complex numbers and attracted to curvature: Knoeppel, Crane, Pinkall and Schroeder, "Globally Optimal
+// Direction Fields", SIGGRAPH 2013. Finds the cross of both principal directions first, then selects one of
+// its two lines. Palacios and Zhang, "Rotational Symmetry Field Design on Surfaces", SIGGRAPH 2007, found
+// that fields smoothed as crosses have fewer unwanted singularities.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,13 +21,15 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Curvature tensor at a vertex, in inverse radii of the mesh; positive on a sphere.
+/// Curvature of the surface at a vertex, in 1 / radius of the mesh; positive on a sphere.
 struct Curvature {
-    double mean = 0.0;      ///< (k1 + k2) / 2
-    Complex deviator = 0.0; ///< (k1 - k2) / 2, at twice the angle of k1's direction in the tangent plane
+    double mean = 0.0; ///< mean curvature (k1 + k2) / 2
+    /// Complex number of length (k1 - k2) / 2, at twice the angle of k1's direction in the tangent plane.
+    Complex deviator = 0.0;
 };
 
-/// Second fundamental form of a triangle in its own plane, with x along its first edge: xx, xy, yy.
+/// Second fundamental form of a triangle as (xx, xy, yy), in the triangle's plane with x along its first
+/// edge.
 glm::dvec3 bending(const Mesh& mesh, uint32_t triangle)
 {
     const auto& c = mesh.triangles[triangle];
@@ -43,8 +45,9 @@ glm::dvec3 bending(const Mesh& mesh, uint32_t triangle)
     return second_form(sides, 1e-12);
 }
 
-/// Curvature per face from differences of vertex normals, transferred to the vertices and averaged over about
-/// `reach` (in radii of the mesh), so that smaller bumps cancel. Cost: linear.
+/// Computes the curvature at each vertex. The curvature of each triangle follows from the differences of its
+/// vertex normals. It is transferred to the vertices and averaged over about `reach` (in radii of the mesh),
+/// so that smaller bumps cancel. Cost: linear.
 std::vector<Curvature> find_curvature(const Mesh& mesh, double reach)
 {
     const auto count = static_cast<uint32_t>(mesh.points.size());
@@ -84,12 +87,18 @@ std::vector<Curvature> find_curvature(const Mesh& mesh, double reach)
     return result;
 }
 
-constexpr double tolerance = 1e-2;     ///< tolerance of residuals; directions need no higher accuracy
-constexpr double level_pull = 0.05;    ///< per area, towards level strokes; in inverse squares of the radius
-constexpr double crease_pull = 0.2;    ///< per length, towards creases; in inverse radii
-constexpr double cross_weight = 0.005; ///< weight of equal crosses across a crease; an edge has about 0.6
-constexpr double crease_vote = 0.002;  ///< weight of equal line choices across a crease
-constexpr double flat_below = 0.15;    ///< curvature below which a surface counts as flat, in inverse radii
+/// Tolerance of the solver's residuals; directions need no higher accuracy.
+constexpr double tolerance = 1e-2;
+/// Strength per area with which strokes are pulled to be level, in 1 / radius^2 of the mesh.
+constexpr double level_pull = 0.05;
+/// Strength per length with which strokes are pulled along creases, in 1 / radius of the mesh.
+constexpr double crease_pull = 0.2;
+/// Weight of equal crosses on both sides of a crease; an ordinary edge has a weight of about 0.6.
+constexpr double cross_weight = 0.005;
+/// Weight of choosing the same line of the cross on both sides of a crease.
+constexpr double crease_vote = 0.002;
+/// A surface with less curvature counts as flat, in 1 / radius of the mesh.
+constexpr double flat_below = 0.15;
 
 struct Pull {
     std::vector<double> strengths;
@@ -130,8 +139,8 @@ Complex unit(Complex z)
     return length > 1e-200 ? z / length : Complex(1.0);
 }
 
-/// Unit complex numbers at twice the angle of the level line at each vertex; on horizontal ground all have
-/// the same direction.
+/// The direction of the level line at each vertex, as a unit complex number at twice its angle. On horizontal
+/// ground all these lines have the same direction.
 std::vector<Complex> level_lines(const Mesh& mesh, const glm::dvec3& up)
 {
     const glm::dvec3 aside = std::abs(up.x) < 0.9 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
@@ -164,7 +173,7 @@ Complex complex_of(glm::dvec2 v)
     return {v.x, v.y};
 }
 
-/// How clearly the tensor distinguishes its two directions on a curved surface, 0 to 1.
+/// How clearly a curvature distinguishes its two principal directions on a curved surface, from 0 to 1.
 double distinctness(const Curvature& k)
 {
     const double deviation = std::abs(k.deviator);
@@ -174,17 +183,17 @@ double distinctness(const Curvature& k)
                       : 0.0;
 }
 
-/// The principal curvature with the larger absolute value: 1 for the greater one, -1 for the lesser one, 0 if
-/// both are equal.
+/// Which principal curvature has the larger absolute value: 1 if the greater curvature, -1 if the lesser
+/// curvature, 0 if both are equal.
 double preference(const Curvature& k)
 {
     const double deviation = std::abs(k.deviator);
     return deviation > 0.0 ? std::clamp(k.mean / deviation, -1.0, 1.0) : 0.0;
 }
 
-/// For each vertex, which of the two lines of its cross to follow: 1 for the line itself, -1 for the
-/// perpendicular one, smaller values where it is less certain. Neighbours are linked to choose alike, so that
-/// the most certain ones decide.
+/// Chooses for each vertex one of the two lines of its cross: 1 for the line itself, -1 for the perpendicular
+/// line, smaller values where the choice is less certain. Neighbours are linked to choose alike, so the most
+/// certain vertices decide.
 Vectors choose_lines(const Mesh& mesh, const std::vector<Complex>& lines, const Pull& line_pull)
 {
     std::vector<Link> links;
@@ -209,7 +218,7 @@ Vectors choose_lines(const Mesh& mesh, const std::vector<Complex>& lines, const 
         .attract(line_pull.strengths, votes, tolerance);
 }
 
-/// Returns the smoothed lines as squared complex numbers.
+/// Computes the smoothed line at each vertex, as a squared complex number.
 Vectors smooth_lines(const Mesh& mesh, const glm::dvec3& up, double reach)
 {
     const size_t count = mesh.points.size();
@@ -249,7 +258,8 @@ Vectors smooth_lines(const Mesh& mesh, const glm::dvec3& up, double reach)
     return make_bundle(mesh, 2.0, false).attract(along_cross.strengths, along_cross.targets, tolerance);
 }
 
-/// Gives neighbouring lines an equal sense as far as possible, breadth first.
+/// Gives neighbouring lines the same sense (one of a line's two directions) as far as possible. Visits the
+/// vertices breadth first.
 void agree_on_sense(const Mesh& mesh, Directions& directions)
 {
     const size_t count = mesh.points.size();

@@ -21,7 +21,7 @@ bool comes_before(const glm::vec3& a, const glm::vec3& b)
     return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
-/// For each vertex the first vertex at the same place; `none` if its place is not finite.
+/// Returns for each vertex the first vertex at the same place; `none` if the vertex's place is not finite.
 std::vector<uint32_t> weld(std::span<const glm::vec3> positions)
 {
     std::vector<uint32_t> order;
@@ -101,7 +101,8 @@ private:
         points_of_corners_ = mesh_.triangles;
     }
 
-    /// Returns false if the area is too small, or the triangle too thin for meaningful angles.
+    /// Whether a triangle can be used. Returns false if its area is too small, or the triangle is too thin
+    /// for meaningful angles.
     bool has_area(const std::array<uint32_t, 3>& corners)
     {
         const std::array<glm::dvec3, 3> p{place(corners[0]), place(corners[1]), place(corners[2])};
@@ -159,7 +160,7 @@ private:
     }
 
     /// Joins two triangles of equal orientation that share an edge. If more triangles share the edge, as at
-    /// the edge of a sheet with front and back, each triangle is joined to the best continuation.
+    /// the rim of a sheet with front and back, joins each triangle to the best continuation.
     void pair_up(std::vector<uint32_t>& around)
     {
         constexpr size_t most_triangles = 16;
@@ -195,7 +196,8 @@ private:
         return glm::dot(n_a, n_b) / (glm::length(n_a) * glm::length(n_b));
     }
 
-    /// Makes one vertex of each fan of triangles around a point, and unfolds the fan into the plane.
+    /// Makes one vertex of each fan of connected triangles around a point, and unfolds the fan into the
+    /// plane.
     void split_vertices()
     {
         const size_t count = mesh_.twins.size();
@@ -246,7 +248,7 @@ private:
         mesh_.normals.push_back(normal);
     }
 
-    /// Tangent-plane angle, at the end of a half-edge, of its reverse direction.
+    /// Angle of a half-edge's reverse direction, in the tangent plane of the half-edge's end.
     double angle_back(uint32_t half_edge) const
     {
         const uint32_t there = next_corner(half_edge);
@@ -303,10 +305,11 @@ private:
 
     std::span<const glm::vec3> positions_;
     Mesh mesh_;
-    std::vector<std::array<uint32_t, 3>> points_of_corners_; ///< before vertices are split
-    std::vector<std::array<uint32_t, 2>> creases_;           ///< pairs of half-edges
+    /// The points of each triangle, before the points are split into vertices.
+    std::vector<std::array<uint32_t, 3>> points_of_corners_;
+    std::vector<std::array<uint32_t, 2>> creases_; ///< each crease as its two half-edges
     std::vector<uint32_t> fan_;
-    std::vector<uint32_t> around_; ///< half-edges between the same two points
+    std::vector<uint32_t> around_; ///< all half-edges between the same two points
 };
 
 } // namespace

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Knoeppel, Crane, Pinkall and Schroeder, "Stripe Patterns on Surfaces", SIGGRAPH 2015. This is the
-// unit-length variant: it minimises with |z| = 1 everywhere, so that the eigenvector does not vanish in any
-// part of a mesh.
+// unit-length variant: it minimises the energy with |z| = 1 everywhere, so that the eigenvector does not
+// vanish in any part of a mesh.
 //
 // Spacing: a unit field n, stretched by e^s, is the gradient of a function if the curl of e^s n is zero. That
-// is the case if along the stripes, perpendicular to n, s grows as the field turns: with J a quarter turn and
-// theta the angle of n,
+// is the case if s grows along the stripes (perpendicular to n) as the field turns. With J a quarter turn and
+// theta the angle of n, the condition is
 //     Jn . grad s = n . grad theta.
-// This is solved by least squares, with a smaller penalty on change across the stripes.
+// The condition is solved by least squares, with a smaller penalty on change across the stripes.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -23,12 +23,13 @@ namespace {
 constexpr double price_across = 0.2;
 constexpr double most_closeness = 4.0;
 
-/// A triangle in its own plane, with the first edge along x.
+/// A triangle in its own plane, with its first edge along x.
 struct Flat {
-    std::array<glm::dvec2, 3> gradients; ///< gradients of the three barycentric coordinates
+    /// Gradients of the three barycentric coordinates in the triangle's plane.
+    std::array<glm::dvec2, 3> gradients;
     double area = 0.0;
-    glm::dvec2 turning{0.0}; ///< gradient of the line field's angle
-    glm::dvec2 along{0.0};   ///< unit direction of the stripes' lines
+    glm::dvec2 turning{0.0}; ///< gradient of the angle of the line field
+    glm::dvec2 along{0.0};   ///< unit direction of the lines of the stripes
 };
 
 glm::dvec2 quarter_turn(glm::dvec2 v)
@@ -71,7 +72,7 @@ Flat lay_flat(const Mesh& mesh, const Directions& directions, double turn_rad, u
     return flat;
 }
 
-/// Relative density, 1/4 to 4, at each vertex, of stripes whose phase grows along the line field turned by
+/// Relative density (1/4 to 4) at each vertex of the stripes whose phase grows along the line field turned by
 /// `turn_rad`. Stripes get closer where their lines converge, so a drawing that thins out crowded strokes
 /// needs no correction. Cost: linear.
 std::vector<double> find_closeness(const Mesh& mesh, const Directions& directions, double turn_rad)
@@ -114,9 +115,11 @@ std::vector<double> find_closeness(const Mesh& mesh, const Directions& direction
     return closeness;
 }
 
-constexpr double agreement_weight = 0.6; ///< weight of agreement across a crease; an edge has about 0.6
+/// Weight of equal phases on both sides of a crease; an ordinary edge has a weight of about 0.6.
+constexpr double agreement_weight = 0.6;
 
-/// Phase gained along an edge, in periods, for the sense of the line at its start.
+/// The phase that is gained along an edge, in periods. Its sign is for the sense of the line at the start of
+/// the edge.
 struct Gain {
     double wanted = 0.0;
     double real = 0.0;
@@ -189,7 +192,7 @@ private:
         }
     }
 
-    /// Gain along a half-edge for the sense of the line at its origin.
+    /// The phase that is gained along a half-edge, for the sense of the line at the start of the half-edge.
     double gain(uint32_t half_edge) const
     {
         const uint32_t e = mesh_.edge_of[half_edge];
@@ -204,9 +207,9 @@ private:
         return directions_.turns[mesh_.edge_of[half_edge]] != 0 ? -1.0 : 1.0;
     }
 
-    /// Propagates phases from one corner along its two edges; the third edge takes the mismatch. Of the three
-    /// corners, takes the one with the least change over the triangle. At a singularity, takes the one whose
-    /// third edge is shortest, so that the signs are equal for both coordinates.
+    /// Computes the phases of a triangle from one corner along its two edges; the third edge takes the
+    /// mismatch. Chooses the corner with the least change of phase over the triangle. At a singularity,
+    /// chooses the corner whose opposite edge is shortest, so that the signs are equal for both coordinates.
     void paint_triangle(uint32_t t)
     {
         const uint32_t h = 3 * t;
@@ -224,7 +227,8 @@ private:
             sense[k] = 1.0;
             corner[next_corner(onward) % 3] = corner[k] + gain(onward);
             sense[next_corner(onward) % 3] = sign(onward);
-            // `back` is the incoming half-edge: its gain, seen from the far end, has the opposite sign.
+            // The half-edge `back` leads into the corner. Seen from the far end, the phase gained along it
+            // has the opposite sign.
             corner[back % 3] = corner[k] - sign(back) * gain(back);
             sense[back % 3] = sign(back);
             const double change = std::abs(corner[0] - corner[1]) + std::abs(corner[1] - corner[2]) +
@@ -251,7 +255,7 @@ private:
         }
     }
 
-    /// Breadth first over the triangles, so that whole numbers and signs change over few edges.
+    /// Visits the triangles breadth first, so that whole numbers and signs of phases change across few edges.
     void unwrap()
     {
         std::vector<uint8_t> is_reached(mesh_.triangles.size(), 0);
@@ -290,10 +294,11 @@ private:
 
     const Mesh& mesh_;
     const Directions& directions_;
-    std::vector<Gain> gains_;    ///< per edge
-    std::vector<double> phases_; ///< per vertex, in periods
+    std::vector<Gain> gains_;    ///< phase gained along each edge
+    std::vector<double> phases_; ///< phase at each vertex, in periods
     Stripes stripes_;
-    std::vector<std::array<double, 3>> senses_; ///< sense of a triangle's phases relative to its vertices
+    /// For each corner of a triangle: sign of the triangle's phases relative to those of the vertex.
+    std::vector<std::array<double, 3>> senses_;
 };
 
 } // namespace
