@@ -69,20 +69,20 @@ const style::Table<LensStyle>& lens_table()
     return table;
 }
 
-// Thin lens and near and far fields: Potmesil and Chakravarty, "A Lens and Aperture Camera Model for
-// Synthetic Image Generation", SIGGRAPH 1981; Jimenez, "Next Generation Post Processing in Call of Duty",
-// SIGGRAPH 2014.
+// Sources of the thin lens, and of near and far fields: Potmesil and Chakravarty, "A Lens and Aperture Camera
+// Model for Synthetic Image Generation", SIGGRAPH 1981; Jimenez, "Next Generation Post Processing in Call of
+// Duty", SIGGRAPH 2014.
 
 namespace {
 
-constexpr float most_wider_px = 10.0F; // growth of a line on each side
+constexpr float most_wider_px = 10.0F; // largest growth of an unfocused line on each side
 
 float most_radius_px(const LensStyle& style, float pixels_per_mm)
 {
     return 0.5F * style.largest_mm * pixels_per_mm;
 }
 
-/// The passes of one lens over one page.
+/// Adds the passes of one lens over one page.
 class Passes {
 public:
     Passes(gpu::Graph& graph, const LensInputs& in, const LensStyle& style, shared::LensConstants lens)
@@ -149,7 +149,7 @@ public:
         return add_apply(page, {.near = near, .far = far, .reach = reach}, shared::lens_is_gathered);
     }
 
-    /// Writes a blurred page back to the layers.
+    /// Converts a blurred packed page back to layers.
     LensLayers add_blurred(gpu::ImageId page, gpu::ImageId blurred)
     {
         return add_apply(page, {.near = blurred, .far = blurred, .reach = in_.depth}, 0U);
@@ -181,7 +181,7 @@ public:
     }
 
 private:
-    /// The results of a blur.
+    /// Images that a blur produces.
     struct Blurred {
         gpu::ImageId near;
         gpu::ImageId far;
@@ -266,7 +266,8 @@ uint32_t reach_px(const LensStyle& style, float pixels_per_mm)
     if (!style.enabled) {
         return 0;
     }
-    // A tile depends on the circles of its neighbours, in texels that are aligned to blocks.
+    // A tile of the page depends on the blur circles of its neighbours. These are stored in texels that are
+    // aligned to blocks of the page.
     return static_cast<uint32_t>(std::ceil(2.0F * most_radius_px(style, pixels_per_mm))) +
            2 * shared::lens_block_px;
 }

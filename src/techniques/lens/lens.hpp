@@ -32,35 +32,36 @@ struct LensStyle {
 
 [[nodiscard]] const style::Table<LensStyle>& lens_table();
 
-/// Diameter, in millimetres on the sensor, of the circle of confusion of a thin lens that is focused at
-/// `focus_m`, for a point at `distance_m`. An infinite distance is allowed; a focus within the focal length
-/// is not.
+/// Diameter of the circle of confusion of a thin lens, in millimetres on the sensor. The lens is focused at
+/// `focus_m`, and the point is at `distance_m`. An infinite distance is allowed; a focus within the focal
+/// length is not.
 [[nodiscard]] double circle_mm(double focal_mm, double f_number, double focus_m, double distance_m);
 
-/// The page that a lens renders. The lens is at the camera's position; the camera's field of view is that of
-/// the focused lens.
+/// The page on which a lens draws. The lens is at the camera's position, and the camera's field of view is
+/// that of the focused lens.
 struct LensPage {
     double focus_m = 1.0;
-    double near_m = 0.01;          ///< the camera's near plane: reversed depth is near_m / distance
-    double pixel_at_one_m = 0.001; ///< size of a pixel at a distance of one metre
+    /// Distance of the camera's near plane; reversed depth is near_m / distance.
+    double near_m = 0.01;
+    double pixel_at_one_m = 0.001; ///< size of a pixel in metres, one metre from the eye
     float pixels_per_mm = 1.0F;    ///< pixels per millimetre of the page
-    float line_half_px = 1.0F;     ///< how far the widest line extends beyond its edge
+    float line_half_px = 1.0F;     ///< how far the widest line extends beyond the edge that it follows
 };
 
-/// Returns the constants that all passes of the lens share; none if the style has no lens.
+/// Returns the constants that all passes of the lens share, or none if the style has no lens.
 [[nodiscard]] std::optional<shared::LensConstants> lens_on(const LensStyle& style, const LensPage& page);
 
-/// Largest distance of the pixels that one pixel depends on.
+/// Largest distance in pixels between a pixel and another pixel on which it depends.
 [[nodiscard]] uint32_t reach_px(const LensStyle& style, float pixels_per_mm);
 
 struct LensInputs {
-    gpu::ImageId depth;    ///< r32f: reversed, 0 where no surface is visible
-    gpu::ImageId wash;     ///< rgba16f
-    gpu::ImageId hatch;    ///< r16f
-    gpu::ImageId lines;    ///< rgba8
-    gpu::ImageId sky_ink;  ///< r16f
-    bool has_sky = false;  ///< false: `sky_ink` is not used
-    glm::uvec2 from_px{0}; ///< position of the first pixel on the page
+    gpu::ImageId depth;    ///< r32f: reversed depth (1 at the near plane), 0 where no surface is visible
+    gpu::ImageId wash;     ///< rgba16f: transmittance of the paint
+    gpu::ImageId hatch;    ///< r16f: coverage by hatching
+    gpu::ImageId lines;    ///< rgba8: colour and coverage of lines
+    gpu::ImageId sky_ink;  ///< r16f: coverage by the sky's strokes
+    bool has_sky = false;  ///< if false, `sky_ink` is not used
+    glm::uvec2 from_px{0}; ///< position on the page of the first drawn pixel
     glm::uvec2 size_px{0};
 };
 
@@ -68,11 +69,12 @@ struct LensLayers {
     gpu::ImageId wash;
     gpu::ImageId hatch;
     gpu::ImageId lines;
-    bool holds_sky = true; ///< `hatch` contains the sky's ink where no surface is visible
+    bool holds_sky = true; ///< after the blur, `hatch` contains the sky's strokes where no surface is visible
 };
 
-/// Blurs the layers as the lens sees them, either all together or only the wash. Composed on paper they look
-/// like the blurred picture, while the paper itself stays sharp.
+/// Blurs the layers as the lens sees them, either all layers together or only the wash. Composed on paper
+/// they
+/// look like the blurred picture, while the paper itself stays sharp.
 ///
 /// Writes  new layers; pixels whose circle is smaller than a pixel keep their bits unless a nearer surface
 ///         blurs over them
@@ -82,7 +84,7 @@ struct LensLayers {
 [[nodiscard]] LensLayers add_lens(gpu::Graph& graph, const LensInputs& in, const LensStyle& style,
                                   shared::LensConstants lens);
 
-/// Enlarges the footprints by which strokes are drawn, so that strokes become wider and fewer out of focus.
+/// Enlarges the footprints with which strokes are drawn, so that strokes become wider and fewer out of focus.
 ///
 /// Writes  rgba32ui: the enlarged footprints, see shaders/surface_images.glsl
 /// Cost    one full-screen dispatch

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread writes a pixel's blurred colour and ink back to the layers. Sharp pixels are unchanged.
+// One thread writes the blurred colour and ink of one pixel back to the layers. Sharp pixels are unchanged.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -14,7 +14,8 @@ layout(binding = 1) uniform sampler2D hatch_image;
 layout(binding = 2) uniform sampler2D line_image;
 layout(binding = 3) uniform sampler2D sky_ink_image;
 layout(binding = 4) uniform usampler2D page_image;
-layout(binding = 5) uniform usampler2D near_image; // the blurred page unless lens_is_gathered is set
+// Near field (surfaces in front of the focus); the whole blurred page if lens_is_gathered is not set.
+layout(binding = 5) uniform usampler2D near_image;
 layout(binding = 6) uniform usampler2D far_image;
 layout(binding = 7) uniform sampler2D reach_image;
 layout(binding = 8, rgba16f) writeonly uniform image2D out_wash;
@@ -35,7 +36,7 @@ const bool shows_circles = (variant & lens_shows_circles) != 0u;
 #include "techniques/lens/lens_texel.glsl"
 #include "shaders/layers.glsl"
 
-// The layers that a pixel shows, and whether other pixels contribute to them.
+// The layers that a pixel shows, and whether other pixels contribute to these layers.
 struct Seen {
     LayerSample layers;
     bool is_blurred;
@@ -43,7 +44,7 @@ struct Seen {
 
 const int small_side = 3;
 
-// Blurs a nearly sharp pixel from the page's pixels.
+// Blurs a nearly sharp pixel by reading the page's pixels.
 Seen nearly_sharp(ivec2 pixel, LensTexel own, float reach_px)
 {
     float own_radius = abs(own.radius_px);
@@ -61,7 +62,7 @@ Seen nearly_sharp(ivec2 pixel, LensTexel own, float reach_px)
                 all(greaterThanEqual(at, ivec2(0))) && all(lessThan(uvec2(at), constants.size_px));
             LensTexel tap =
                 unpack_texel(texelFetch(page_image, clamp(at, ivec2(0), ivec2(constants.size_px) - 1), 0));
-            // A surface behind this pixel spreads no farther than this pixel's own circle.
+            // A surface behind this pixel blurs no farther than the pixel's own blur circle.
             bool is_behind = tap.radius_px > own.radius_px;
             float radius = is_behind ? min(abs(tap.radius_px), own_radius) : abs(tap.radius_px);
             float share = disc_share(max(radius, lens_sharp_px), aperture_distance(vec2(aside)));
@@ -76,7 +77,8 @@ Seen nearly_sharp(ivec2 pixel, LensTexel own, float reach_px)
     return Seen(is_blurred ? scaled(sum, 1.0 / max(weights, 1e-6)) : own.layers, is_blurred);
 }
 
-// Bilinear lookup in a field. In the near field, radius_px of the result is its coverage.
+// Bilinear lookup in the near or the far field. In the near field, radius_px of the result is the field's
+// coverage.
 LensTexel between(usampler2D field_image, ivec2 pixel, bool is_wanted)
 {
     vec2 place = 0.5 * (vec2(pixel + ivec2(constants.pad_px)) + 0.5) - 0.5;
@@ -84,7 +86,8 @@ LensTexel between(usampler2D field_image, ivec2 pixel, bool is_wanted)
     vec2 part = place - vec2(corner);
     ivec2 most = level_size(1) - 1;
     LensTexel sum = LensTexel(no_sample, 0.0, 1.0);
-    int rounds = is_wanted ? 1 : 0; // a loop, because CPU drivers execute both branches of an `if`
+    // A loop instead of an `if`, because CPU drivers execute both branches of an `if`.
+    int rounds = is_wanted ? 1 : 0;
     for (int round = 0; round < rounds; ++round) {
         [[unroll]] for (int i = 0; i < 4; ++i)
         {
@@ -113,7 +116,8 @@ Seen gathered(ivec2 pixel, LensTexel own)
     return Seen(sample_here, seen.is_blurred || far > 0.0 || cover > 0.0);
 }
 
-// Blue behind the plane in focus, red in front of it, white in focus.
+// Colour that shows the radius of the blur circle: blue behind the plane in focus, red in front of it, white
+// in focus.
 vec3 circle_color(float radius_px)
 {
     float share = clamp(abs(radius_px) / max(constants.most_px, 1e-6), 0.0, 1.0);

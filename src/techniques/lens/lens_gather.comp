@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// For a block of 2 x 2 pixels, one thread gathers the near field, which blurs over the block, and the far
-// field. Behind near surfaces the far field is filled in from its surroundings.
+// One thread handles a block of 2 x 2 pixels. It gathers the near field (surfaces in front of the focus,
+// which blur over the block) and the far field. Behind near surfaces, the far field is filled in from its
+// surroundings.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -12,7 +13,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform usampler2D level_image;
 layout(binding = 1) uniform sampler2D reach_image;
-layout(binding = 2, rgba32ui) writeonly uniform uimage2D out_near; // sums; radius_px holds coverage
+// Near field: sums of the layers; radius_px holds their coverage.
+layout(binding = 2, rgba32ui) writeonly uniform uimage2D out_near;
 layout(binding = 3, rgba32ui) writeonly uniform uimage2D out_far;
 
 layout(push_constant, scalar) uniform Constants
@@ -27,13 +29,13 @@ layout(constant_id = 0) const uint variant = 0u;
 const int tap_side = 7;
 const float hidden_sharp = 0.15;
 
-// The finest level on which the circle's radius is at most three texels.
+// The finest mip level on which the radius of the blur circle is at most three texels.
 int level_for(float radius_px)
 {
     return clamp(int(ceil(log2(max(radius_px, 1.0) / 3.0))), 1, int(lens_levels));
 }
 
-// A position on a level: its texel, and the offset from the texel's centre.
+// A position on a mip level: its texel, and the offset from the texel's centre.
 struct Place {
     int level;
     ivec2 texel;
@@ -50,7 +52,7 @@ Place place_on(int level, ivec2 at)
 
 struct Tap {
     LensTexel texel;
-    vec2 offset; // from the tap to the position, in texels of the level
+    vec2 offset; // vector from the sampled texel to the position, in texels of the mip level
     bool is_there;
 };
 
@@ -89,7 +91,7 @@ LensTexel gather_near(ivec2 at, float own_px, float reach_px)
             seen_near += within * near_share(tap.texel.radius_px);
         }
     }
-    // Rounding must not open gaps: a near surface that fills the circle hides everything behind it.
+    // Rounding must not open gaps: a near surface that fills the blur circle hides everything behind it.
     float hidden = min(max(cover, own_near * seen_near / max(seen, 1e-6)), 1.0);
     return LensTexel(scaled(sum, hidden / max(cover, 1e-6)), hidden, 1.0);
 }
@@ -110,7 +112,7 @@ LensTexel gather_far(ivec2 at, LensTexel own, float own_reach_px)
             float away = aperture_distance(tap.offset);
             float radius = disc_texels(min(tap.texel.radius_px, own.radius_px) * place.texels_per_px);
             float blurred = far_share(tap.texel.radius_px) * disc_share(radius, away);
-            // Behind near surfaces, the fill prefers far texels to sharp ones.
+            // Behind near surfaces, the gap is filled with far texels rather than with sharp texels.
             float far = far_share(tap.texel.radius_px);
             float sharp = hidden_sharp * (1.0 - far - near_share(tap.texel.radius_px));
             float beside = (far + own_near * sharp) / (1.0 + away * away * away * away);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread draws the ink of a pixel as with a softer pencil: lines become wider with the blur circle, and
-// paler to match.
+// One thread draws the ink of one pixel as if with a softer pencil: out of focus, lines become wider and
+// paler.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -14,7 +14,8 @@ layout(binding = 1) uniform sampler2D hatch_image;
 layout(binding = 2) uniform sampler2D line_image;
 layout(binding = 3) uniform sampler2D sky_ink_image;
 layout(binding = 4) uniform usampler2D page_image;
-layout(binding = 5) uniform usampler2D across_image; // see lens_ink_across.comp
+// The line that each pixel's row contributes, see lens_ink_across.comp.
+layout(binding = 5) uniform usampler2D across_image;
 layout(binding = 6, r16f) writeonly uniform image2D out_hatch;
 layout(binding = 7, rgba8) writeonly uniform image2D out_lines;
 

@@ -2,9 +2,10 @@
 #ifndef ESTAMPE_LENS_INK
 #define ESTAMPE_LENS_INK
 
-// How ink changes out of focus. The including shader must declare `constants`.
+// How ink changes out of focus: lines and strokes become wider and paler. The including shader must declare
+// `constants`.
 
-// Difference between a circle's radius and the radius of a sharp point. `rest` is the last word of a packed
+// By how much the radius of a blur circle exceeds that of a sharp point. `rest` is the last word of a packed
 // texel.
 float wider_by(uint rest)
 {

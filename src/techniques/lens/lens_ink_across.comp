@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread searches the pixel's row for the line that covers the pixel most after lines are widened by
-// their blur circles.
+// One thread searches the row of one pixel for the line that covers the pixel most, after lines are widened
+// by their blur circles.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -11,7 +11,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform sampler2D line_image;
 layout(binding = 1) uniform usampler2D page_image;
-layout(binding = 2, rg32ui) writeonly uniform uimage2D out_line; // colour, coverage; radius, distance
+// The line found: its colour and coverage; its radius and distance.
+layout(binding = 2, rg32ui) writeonly uniform uimage2D out_line;
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -36,7 +37,7 @@ void main()
         float radius = min(0.5 * constants.widening * wider_px, constants.most_wider_px - 0.5) + 0.5;
         float away = abs(float(aside));
         float cover = line.a * paled(wider_px);
-        // Between equally dark lines, the nearer one wins.
+        // If two lines are equally dark, the nearer one is chosen.
         float score = cover * (aside == 0 ? 1.0 : clamp(radius - away, 0.0, 1.0)) - 1e-4 * away;
         kept = score > best ? uvec2(packUnorm4x8(vec4(line.rgb, cover)), packHalf2x16(vec2(radius, away)))
                             : kept;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread makes a texel of a level from four texels of the level below. If these show two surfaces, it
-// keeps one and the part of the area that it covers: the one in front of the focus, otherwise the most
-// blurred.
+// One thread makes one texel of a mip level from four texels of the next finer level. If these show two
+// surfaces, the thread keeps one surface and the part of the area that it covers: the surface in front of the
+// focus, otherwise the most blurred surface.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -10,7 +10,7 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0) uniform usampler2D page_image; // only read for the first level
+layout(binding = 0) uniform usampler2D page_image; // packed page; only read for the first mip level
 layout(binding = 1, rgba32ui) uniform uimage2D level_image;
 
 layout(push_constant, scalar) uniform Constants

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread packs the layers of a pixel and the radius of its circle of confusion into one texel.
+// One thread packs the layers of one pixel, and the radius of its circle of confusion, into one texel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread finds the search radii of a tile: the largest near circle that reaches the tile, and the largest
-// circle in the tile and its neighbours.
+// One thread finds the search radii of one tile: the largest blur circle in front of the focus that reaches
+// the tile, and the largest circle in the tile and its neighbours.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -37,7 +37,8 @@ void main()
     do {
         TileAbout about = tile_about(tile, reach, i, count);
         vec2 largest = texelFetch(tile_image, about.tile, 0).xy;
-        // Sharp pixels depend on blurred neighbours, and blurred pixels on sharp neighbours.
+        // Sharp pixels depend on blurred neighbours, and blurred pixels on sharp neighbours. So neighbouring
+        // tiles count too.
         beside = all(lessThanEqual(about.away, ivec2(1))) ? max(beside, largest.y) : beside;
         int between_px = max(about.between.x, about.between.y) * int(lens_tile_px);
         near = largest.x >= float(between_px) ? max(near, largest.x) : near;

@@ -2,15 +2,15 @@
 #ifndef ESTAMPE_LENS_TEXEL
 #define ESTAMPE_LENS_TEXEL
 
-// The packed texel that the lens passes exchange. The including shader must declare `constants` and
-// `variant`.
+// The packed texel that the lens passes exchange: the layers of a pixel and its blur. The including shader
+// must declare `constants` and `variant`.
 
 #include "shaders/layer_sample.glsl"
 
 struct LensTexel {
     LayerSample layers;
     float radius_px; // radius of the circle of confusion; negative in front of the plane in focus
-    float part;      // part of the texel's area that is covered
+    float part;      // part of the texel's area that the surface covers
 };
 
 uvec4 pack_texel(LensTexel t)
@@ -31,7 +31,8 @@ ivec2 padded_px()
     return size - size % int(lens_block_px);
 }
 
-// All levels are in one image: the first at the top, the others side by side below it.
+// Position of a mip level in the image that holds all levels: the first level is at the top, all others are
+// side by side below it.
 ivec2 level_origin(int level)
 {
     ivec2 padded = padded_px();
@@ -43,7 +44,7 @@ ivec2 level_size(int level)
     return padded_px() >> level;
 }
 
-// The share of a surface in the near field, which blurs over what lies behind it.
+// The share of a surface that belongs to the near field. The near field blurs over all that lies behind it.
 float near_share(float radius_px)
 {
     return smoothstep(lens_nearly_px, lens_blurred_px, -radius_px);
@@ -54,13 +55,14 @@ float far_share(float radius_px)
     return smoothstep(lens_nearly_px, lens_blurred_px, radius_px);
 }
 
-// The radius that remains for a disc blur, given that the texels gathered are themselves means over squares.
+// The radius that a disc blur needs if the texels that it reads are themselves means over squares.
 float disc_texels(float radius_texels)
 {
     return sqrt(max(radius_texels * radius_texels - 0.67, 0.25));
 }
 
-// Distance of a tap from the centre of the aperture, scaled so that a polygonal aperture counts as a disc.
+// Distance of a sampled texel from the centre of the aperture, scaled so that a polygonal aperture counts as
+// a disc.
 float aperture_distance(vec2 offset)
 {
     float away = sqrt(dot(offset, offset));
@@ -72,7 +74,7 @@ float aperture_distance(vec2 offset)
     return away;
 }
 
-// The share of a tap's light that falls on a place at distance `away`; both lengths are in texels.
+// The share of a texel's light that falls on a place at distance `away`. Both lengths are in texels.
 float disc_share(float radius, float away)
 {
     return clamp(radius + 0.5 - away, 0.0, 1.0) / (3.14159265 * (radius * radius + 1.0 / 12.0));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per pixel looks up the baked light of the visible surface. Alpha is 1 on the front of triangles
-// that have a lightmap, otherwise 0.
+// One thread looks up the baked light of the surface that is visible at one pixel. Alpha is 1 on the front of
+// triangles that have a lightmap, otherwise 0.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -26,12 +26,12 @@ layout(scalar, binding = 1) readonly buffer Visibility
 
 layout(scalar, binding = 4) readonly buffer Slots
 {
-    LightmapSlot slots[]; // one per draw
+    LightmapSlot slots[]; // the lightmap of each draw
 };
 
 layout(scalar, binding = 5) readonly buffer Corners
 {
-    vec2 map_corners[]; // three per triangle
+    vec2 map_corners[]; // UV coordinates in the lightmap, three per triangle
 };
 
 layout(binding = 6) uniform sampler2DArray maps;
@@ -42,7 +42,7 @@ layout(push_constant) uniform Constants
     float scale;
 }
 
-constants; // factor from the maps' exposure to the frame's exposure
+constants; // factor from the exposure of the lightmaps to the exposure of the frame
 
 vec4 light_at(ivec2 pixel)
 {

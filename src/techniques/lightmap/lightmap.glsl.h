@@ -11,9 +11,9 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint no_lightmap = 0xffffffffU;
 
-// The lightmap of a draw.
+// Which lightmap a draw (one primitive of a mesh in one place) has.
 struct LightmapSlot {
-    uint layer; // no_lightmap means none
+    uint layer; // layer of the image array of lightmaps; no_lightmap if the draw has none
     float strength;
 };
 

@@ -22,29 +22,31 @@ struct LightmapStyle {
 
 [[nodiscard]] const style::Table<LightmapStyle>& lightmap_table();
 
-/// The lightmaps of a scene, and the UVs of its triangles.
+/// The lightmaps of a scene, and the UV coordinates of its triangles.
 struct MapData {
-    std::vector<LightImage> layers;          ///< images of any size
-    std::vector<shared::LightmapSlot> slots; ///< one per draw
-    std::vector<glm::vec2> corners;          ///< UVs, three per triangle; (0, 0) is the top left
+    std::vector<LightImage> layers;          ///< the lightmaps, images of any size
+    std::vector<shared::LightmapSlot> slots; ///< the lightmap of each draw
+    /// UV coordinates, three per triangle; (0, 0) is the top left corner of a lightmap.
+    std::vector<glm::vec2> corners;
 };
 
 struct MapBuffers {
     gpu::Buffer slots;
     gpu::Buffer corners;
-    gpu::Image maps; ///< rgba16f, one layer per lightmap
+    gpu::Image maps; ///< image array in format rgba16f, one layer per lightmap
 };
 
-/// Uploads lightmaps, all resized to the largest, with one mip level: a map's charts are too close together
-/// for more. Throws Error if they exceed the device's limits. Cost: about 30 ns per texel.
+/// Uploads lightmaps. All are resized to the size of the largest, and have only one mip level, because the
+/// charts of a lightmap are too close together for more. Throws Error if the lightmaps exceed the device's
+/// limits. Cost: about 30 ns per texel.
 [[nodiscard]] MapBuffers upload_maps(gpu::Device& device, const MapData& data);
 
 struct LightmapInputs {
-    gpu::BufferId frame; ///< FrameGlobals
+    gpu::BufferId frame; ///< buffer with the FrameGlobals of the current frame
     gpu::BufferId visibility;
     gpu::BufferId triangles;
     gpu::BufferId posed_vertices;
-    float scale = 1.0F; ///< factor from the maps' exposure to the frame's exposure
+    float scale = 1.0F; ///< factor from the exposure of the lightmaps to the exposure of the frame
     glm::uvec2 size_px{0};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per pixel computes where the visible point was on the page in the frame before.
+// One thread computes, for one pixel, where on the page the visible point was in the previous frame.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -33,7 +33,7 @@ vec4 vertex_before(uint vertex)
     return vec4(uintBitsToFloat(texelFetch(vertex_texels_before, int(vertex)).xyz), 1.0);
 }
 
-// A homogeneous point of anchor space, now and in the frame before.
+// A homogeneous point of anchor space, in this frame and in the previous frame.
 struct Point {
     vec4 now;
     vec4 before;
@@ -53,7 +53,8 @@ Point seen_point(uvec2 seen, vec2 position_px)
                      weight);
 }
 
-// The background is infinitely far away. In a parallel view the background is on the far plane.
+// A point of the background at a pixel. It is infinitely far away; in a parallel view it lies on the far
+// plane.
 Point far_point(vec2 position_px)
 {
     vec4 far = frame.anchor_from_clip * vec4(ndc_at(position_px, frame.size_px), 0.0, 1.0);

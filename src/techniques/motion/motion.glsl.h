@@ -6,7 +6,7 @@
 namespace estampe::shared {
 #endif
 
-// Present and former camera, without the subpixel shift of a sample.
+// The current and the previous camera, without the subpixel shift of a sample.
 struct MotionConstants {
     mat4 clip_from_anchor;
     mat4 clip_from_anchor_before;

@@ -9,18 +9,20 @@
 namespace estampe::motion {
 
 struct MotionInputs {
-    gpu::BufferId frame; ///< FrameGlobals
+    gpu::BufferId frame; ///< buffer with the FrameGlobals of the current frame
     gpu::BufferId visibility;
     gpu::BufferId triangles;
     gpu::BufferId posed_vertices;
-    gpu::BufferId posed_vertices_before; ///< equals posed_vertices if nothing moved
-    glm::mat4 clip_from_anchor{1.0F};    ///< without the subpixel shift of a sample
+    /// Posed vertices at the other moment; equals `posed_vertices` if nothing moved.
+    gpu::BufferId posed_vertices_before;
+    glm::mat4 clip_from_anchor{1.0F}; ///< camera of the current frame, without the subpixel shift of a sample
     glm::mat4 clip_from_anchor_before{1.0F};
     glm::uvec2 size_px{0};
 };
 
-/// The exact motion of the surface at each pixel: interpolates the visible triangle's vertices as posed at
-/// the other moment. The background moves as if the background were infinitely far away.
+/// Computes the exact motion of the surface at each pixel: interpolates the vertices of the visible triangle
+/// as
+/// posed at the other moment. The background moves as if it were infinitely far away.
 ///
 /// Writes  rgba32f: motion in pixels to the right and down; reversed depth of the point at the other moment,
 ///         0 at infinity; and 1, or 0 if the point was behind the eye. If the picture of the other moment

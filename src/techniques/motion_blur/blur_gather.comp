@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// For one pixel of the listed tiles, one thread computes the surfaces that pass over the pixel during the
-// exposure, and the surface that is visible when nothing passes. All other pixels are read from a packed
+// One thread blurs one pixel of the listed tiles. It computes the surfaces that pass over the pixel during
+// the exposure, and the surface that is visible when nothing passes. It reads all other pixels from a packed
 // copy, so that the layers can be modified in place.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -30,31 +30,32 @@ const bool shows_velocity = (variant & blur_shows_velocity) != 0u;
 
 #include "shaders/layer_sample.glsl"
 
-const int most_taps = 24;        // along one path
-const int most_taps_of_two = 16; // along each of two paths
+const int most_taps = 24;        // largest number of samples if a pixel has one path
+const int most_taps_of_two = 16; // largest number of samples along each path if a pixel has two paths
 
 float length_of(vec2 way)
 {
     return sqrt(dot(way, way));
 }
 
-// Share of the exposure that a surface spends on a pixel at distance `away_px`; `length_px` is its
-// displacement to either side.
+// Share of the exposure during which a surface covers a pixel at the distance `away_px`. `length_px` is the
+// displacement of the surface to either side.
 float time_share(float length_px, float away_px)
 {
     return clamp(length_px + 0.5 - away_px, 0.0, 1.0) / (2.0 * max(length_px, 0.5));
 }
 
-// How certainly the first depth is in front of the second, 0 to 1; 0 if the first is infinitely far.
+// How certainly the first depth is in front of the second, from 0 to 1; 0 if the first is infinitely far.
 float is_before(float depth, float other)
 {
     return other < depth ? smoothstep(0.02, 0.06, 1.0 - other / depth) : 0.0;
 }
 
 struct Passing {
-    LayerSample before; // surfaces in front of the pixel's own surface, weighted by their time at the pixel
+    // Sum of the surfaces in front of the pixel's own surface, weighted by their time at the pixel.
+    LayerSample before;
     float before_time;
-    LayerSample there; // the pixel's own surface and those behind it
+    LayerSample there; // sum of the pixel's own surface and the surfaces behind it
     float there_time;
 };
 
@@ -65,7 +66,7 @@ void pass_along(ivec2 pixel, vec2 way, int most, vec2 own_way, float own_depth, 
     int taps = reach_px > 0.0 ? min(int(ceil(2.0 * reach_px + 1.0)), most) : 0;
     vec2 forward = way / max(reach_px, 1e-6);
     float step_px = (2.0 * reach_px + 1.0) / float(max(taps, 1));
-    // A do loop runs at least once: without motion it evaluates one tap of weight 0.
+    // A do loop runs at least once. Without motion, it evaluates one sample with the weight 0.
     int i = 0;
     do {
         float along_px = (float(i) + 0.5) * step_px - reach_px - 0.5;
@@ -81,12 +82,12 @@ void pass_along(ivec2 pixel, vec2 way, int most, vec2 own_way, float own_depth, 
         float before = is_before(depth, own_depth);
         float behind = is_before(own_depth, depth);
         float weight = is_there && taps > 0 ? step_px : 0.0;
-        // Only a surface that moves along this path reaches the pixel from there.
+        // Only a surface that moves along this path can reach the pixel from the sample's position.
         float same_way = abs(dot(tap_way, forward)) / max(tap_px, 1e-6);
         float moved = tap_px > 0.0 ? same_way * same_way * time_share(tap_px, away_px) * weight : 0.0;
         float uncovered = own_px > 0.0 ? time_share(own_px, away_px) * weight : 0.0;
         LayerSample sample_here = unpack_sample(texel);
-        // At a similar distance, a faster surface passes over a slower one.
+        // Of two surfaces at a similar distance, the faster one passes over the slower one.
         float faster = clamp(1.0 - 2.0 * own_px / max(tap_px, 1e-6), 0.0, 1.0);
         before += faster * (1.0 - before - behind);
         passing.before = sum_of(passing.before, scaled(sample_here, before * moved));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread packs the layers of a pixel and its displacement in half the exposure into one texel.
+// One thread packs the layers of one pixel, and the pixel's displacement in half the exposure, into one
+// texel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -14,10 +15,12 @@ layout(binding = 2) uniform sampler2D wash_image;
 layout(binding = 3) uniform sampler2D hatch_image;
 layout(binding = 4) uniform sampler2D line_image;
 layout(binding = 5) uniform sampler2D sky_ink_image;
-layout(binding = 6) uniform sampler2D own_motion_image; // unstretched; read in mode `stretched`
+// Motion without stretching; only read in the mode `stretched`.
+layout(binding = 6) uniform sampler2D own_motion_image;
 layout(binding = 7, rgba32ui) writeonly uniform uimage2D out_texel;
-layout(binding = 8, r32f) writeonly uniform image2D out_depth; // of the surface or its line's owner
-layout(binding = 9, r16f) writeonly uniform image2D out_hatch; // including the sky's strokes
+// Depth of the surface; at a pixel of a line, of the surface to which the line belongs.
+layout(binding = 8, r32f) writeonly uniform image2D out_depth;
+layout(binding = 9, r16f) writeonly uniform image2D out_hatch; // hatching, including the sky's strokes
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -51,7 +54,7 @@ void main()
     LineOwner owner = owner_of(pixel, layers.lines.a, constants.line_reach_px, ivec2(constants.size_px) - 1);
     vec2 way = half_way(texelFetch(motion_image, owner.pixel, 0));
     if (is_stretched && way == vec2(0.0)) {
-        // A pixel that a stretched shape has left is still blurred by its own motion. Otherwise it would stay
+        // A pixel that a stretched shape has left is still blurred by its own motion; otherwise it would stay
         // sharp.
         way = half_way(texelFetch(own_motion_image, owner.pixel, 0));
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread finds the longest displacement that reaches a tile, from this tile or from other tiles, and
-// lists the tile if it must be drawn.
+// One thread handles one tile. It finds the longest displacement that reaches the tile, from the tile itself
+// or from other tiles. It lists the tile if its pixels must be drawn.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -38,7 +38,8 @@ void main()
     do {
         TileAbout about = tile_about(tile, reach, i, count);
         vec2 way = texelFetch(tile_image, about.tile, 0).xy;
-        // Along each axis, the displacement must span the gap between the two tiles.
+        // A displacement reaches this tile from another tile if it spans the gap between the two tiles along
+        // each axis.
         bool gets_here = all(greaterThanEqual(abs(way), vec2(about.between * int(blur_tile_px))));
         longest = gets_here && dot(way, way) > dot(longest, longest) ? way : longest;
     } while (++i < tiles);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One workgroup finds the longest displacement in a tile, with one thread per pixel. If several pixels have
-// the longest displacement, that of the first pixel is used.
+// One workgroup finds the longest displacement in one tile, with one thread per pixel. If several pixels have
+// the longest displacement, the first of these pixels is used.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -17,7 +17,8 @@ layout(push_constant, scalar) uniform Constants
     MotionBlurConstants constants;
 };
 
-shared uint longest_bits; // float bits of the squared length; these bits sort like the number
+// Squared length of the longest displacement, as float bits, which sort like the number.
+shared uint longest_bits;
 shared uint first_thread;
 
 void main()

@@ -95,8 +95,8 @@ const style::Table<MotionBlurStyle>& motion_blur_table()
     return table;
 }
 
-// Strokes are thinned out like a hard-core point process: Matérn, "Spatial Variation", 1960, second method.
-// In this method each point only depends on the points around it.
+// The seeds of smear strokes are thinned out like a hard-core point process: Matérn, "Spatial Variation",
+// 1960, second method. In this method, each point depends only on the points around it.
 
 namespace {
 
@@ -108,7 +108,8 @@ float unit_float(uint32_t bits)
     return static_cast<float>(bits >> 8U) / 16777216.0F;
 }
 
-/// Adds `count` seeds, one in each equal part of the area of a draw call. `of_draw` lists its triangles.
+/// Adds `count` seeds of smear strokes, one in each equal part of the area of a draw call. `of_draw` lists
+/// the triangles of the draw call.
 void spread_over(std::span<const uint32_t> of_draw, std::span<const glm::uvec4> triangles,
                  std::span<const glm::vec3> places, uint32_t count, std::vector<shared::SmearSeed>& seeds)
 {
@@ -215,7 +216,7 @@ gpu::ImageId add_smear(gpu::Graph& graph, const SmearScene& scene, const SmearPa
 }
 
 // Blur along the longest motion of tiles: McGuire, Hennessy, Bukowski and Osman, "A Reconstruction Filter for
-// Plausible Motion Blur", I3D 2012. Along two motions: Guertin, McGuire and Nowrouzezahrai, "A Fast and
+// Plausible Motion Blur", I3D 2012. Blur along two motions: Guertin, McGuire and Nowrouzezahrai, "A Fast and
 // Stable Feature-Aware Motion Blur Filter", HPG 2014. Separate foreground and background: Jimenez, "Next
 // Generation Post Processing in Call of Duty", SIGGRAPH 2014.
 
@@ -223,11 +224,11 @@ namespace {
 
 constexpr float longest_line_mm = 30.0F;
 
-/// Packed layers and motion of the page.
+/// The layers and the motion of a page, packed into few images.
 struct Packed {
     gpu::ImageId page;
     gpu::ImageId depth;
-    gpu::ImageId hatch; ///< with the sky's strokes if they are added; otherwise one texel
+    gpu::ImageId hatch; ///< hatching with the sky's strokes, if these are added; otherwise a single texel
 };
 
 Packed add_pack(gpu::Graph& graph, const MotionBlurInputs& in, uint32_t variant,
@@ -252,10 +253,10 @@ Packed add_pack(gpu::Graph& graph, const MotionBlurInputs& in, uint32_t variant,
     return packed;
 }
 
-/// The longest displacements that reach tiles, and the tiles to draw.
+/// The longest displacements that reach each tile, and the list of tiles to draw.
 struct Reach {
     gpu::ImageId ways;
-    gpu::BufferId tiles; ///< see shaders/tiles.glsl.h
+    gpu::BufferId tiles; ///< list of tiles, see shaders/tiles.glsl.h
 };
 
 Reach add_reach(gpu::Graph& graph, const MotionBlurInputs& in, gpu::ImageId page, uint32_t variant,
@@ -282,7 +283,7 @@ Reach add_reach(gpu::Graph& graph, const MotionBlurInputs& in, gpu::ImageId page
     return {.ways = ways, .tiles = passed};
 }
 
-/// Blurs `layers` in place, in the tiles that a moving surface passes over.
+/// Blurs `layers` in place, in the tiles over which a moving surface passes.
 void blur_in_place(gpu::Graph& graph, const MotionBlurInputs& in, const Packed& packed, uint32_t variant,
                    const shared::MotionBlurConstants& constants, MotionBlurLayers& layers)
 {

@@ -16,58 +16,60 @@ SHARED_CONSTANT uint blur_is_stretched = 1U << 2U; // shapes are stretched along
 SHARED_CONSTANT uint blur_lays_sky = 1U << 3U;     // the sky's strokes are added to the hatching
 
 SHARED_CONSTANT uint blur_tile_px = 16U;
-SHARED_CONSTANT float blur_still_px = 0.25F; // a smaller displacement counts as standing still
-SHARED_CONSTANT uint most_speed_lines = 16U; // per tile
+SHARED_CONSTANT float blur_still_px = 0.25F; // a pixel with a smaller displacement counts as standing still
+SHARED_CONSTANT uint most_speed_lines = 16U; // largest number of speed lines per tile
 
 struct MotionBlurConstants {
     uvec2 size_px;
-    uvec2 window_min_px; // pixels outside the window are never visible
+    uvec2 window_min_px; // corner of the window; pixels outside of the window are never visible
     uvec2 window_max_px;
-    float scale;         // from motion to the displacement in half the exposure
-    float most_px;       // upper limit of that displacement
-    float line_reach_px; // largest distance of a line's pixel from the edge that it follows
-    float cell_px;       // side of a cell of the page that has one speed line
+    float scale;         // factor from motion to the displacement in half the exposure
+    float most_px;       // upper limit of the displacement in half the exposure
+    float line_reach_px; // largest distance of a line's pixel from the edge that the line follows
+    float cell_px;       // side of a cell of the page; each cell has at most one speed line
     float line_length;   // length of speed lines, as a multiple of the displacement
-    float line_most_px;  // longest speed line
-    float line_half_px;  // half width at its start
-    float line_from_px;  // least displacement that gets speed lines
+    float line_most_px;  // length of the longest speed line
+    float line_half_px;  // half the width of a speed line at its start
+    float line_from_px;  // smallest displacement at which speed lines are drawn
     uint seed;
-    vec3 line_ink; // linear
+    vec3 line_ink; // linear colour of the speed lines
 };
 
-SHARED_CONSTANT uint smear_block_px = 64U;     // side of the blocks of the page that list their strokes
-SHARED_CONSTANT uint most_smear_strokes = 63U; // per block
-SHARED_CONSTANT float smear_bow = 0.03F;       // largest sideways bend of a stroke relative to its length
+// Side of the blocks of the page for which smear strokes are listed.
+SHARED_CONSTANT uint smear_block_px = 64U;
+SHARED_CONSTANT uint most_smear_strokes = 63U; // largest number of smear strokes in the list of a block
+// Largest sideways bend of a smear stroke, as a share of its length.
+SHARED_CONSTANT float smear_bow = 0.03F;
 
-// A position on a triangle, one texel.
+// A position on a triangle at which a smear stroke may start; stored in one texel.
 struct SmearSeed {
     uint triangle;
-    vec2 weight; // barycentric weights of the second and third corner
-    uint number; // constant over time and different for each seed
+    vec2 weight; // barycentric weights of the triangle's second and third corner
+    uint number; // number that differs for each seed and never changes
 };
 
-// Two texels. A stroke with way_px = 0 is not drawn.
+// A smear stroke; stored in two texels. A stroke with way_px = 0 is not drawn.
 struct SmearStroke {
-    vec2 from_px; // the trailing edge of the moving body
-    vec2 way_px;  // opposite to the motion, as long as the stroke
+    vec2 from_px; // start of the stroke, on the trailing edge of the moving body
+    vec2 way_px;  // vector from the start to the end of the stroke; opposite to the motion
     float half_px;
-    float depth; // reversed depth of the body
+    float depth; // reversed depth of the body (1 at the near plane)
     uint random;
-    float least_px; // a pixel that moves farther than this along the body's motion belongs to the body
+    float least_px; // a pixel belongs to the body if it moves farther than this along the body's motion
 };
 
 struct SmearConstants {
     mat4 clip_from_anchor_before;
     uvec2 size_px;
-    float scale;        // from motion to the displacement in half the exposure
-    float most_px;      // upper limit of that displacement
-    float length_share; // length of strokes, as a multiple of the displacement
-    float spacing_px;   // distance between strokes, across the motion
-    float width_px;     // width of the widest stroke
-    float from_px;      // least displacement that gets strokes
+    float scale;        // factor from motion to the displacement in half the exposure
+    float most_px;      // upper limit of the displacement in half the exposure
+    float length_share; // length of smear strokes, as a multiple of the displacement
+    float spacing_px;   // distance between smear strokes, across the motion
+    float width_px;     // width of the widest smear stroke
+    float from_px;      // smallest displacement at which smear strokes are drawn
     uint seed;
     uint count; // number of seeds
-    vec3 ink;   // linear
+    vec3 ink;   // linear colour of the smear strokes
 };
 
 #ifdef __cplusplus

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Motion during the exposure: moving objects are blurred along their motion, or drawn with speed lines or
+// Motion during the exposure. Moving objects are blurred along their motion, or drawn with speed lines or
 // smear strokes. Smear strokes are dry brush strokes behind an object, as animators and comic artists draw
 // them.
 
@@ -19,7 +19,7 @@ namespace estampe::motion_blur {
 
 enum class Mode : uint8_t { tiles, own, stretched, velocity };
 
-/// Speed lines or smear strokes: drawn marks of motion.
+/// Style of speed lines or of smear strokes: drawn marks of motion.
 struct MotionMarks {
     bool enabled = false;
     float length = 5.0F;
@@ -42,17 +42,18 @@ struct MotionBlurStyle {
 
 [[nodiscard]] const style::Table<MotionBlurStyle>& motion_blur_table();
 
-/// Approximate number of seeds of a scene, divided equally between its draw calls. Each draw call has at
-/// least four seeds, so a scene may have up to four times this number.
+/// Approximate number of seeds (possible starts) of smear strokes in a scene, divided equally between the
+/// draw calls. Each draw call has at least four seeds, so a scene may have up to four times this number.
 inline constexpr uint32_t smear_seed_count = 2048;
 
-/// Spreads seeds over each draw of a scene by area, in the pose `places`. `of` lists the triangles to use
-/// (three vertices and a draw). The result only depends on the triangles and the pose. Cost: linear.
+/// Spreads seeds of smear strokes over each draw of a scene by area, in the pose `places`. `of` lists the
+/// triangles to use, and `triangles` has three vertices and a draw per triangle. The result depends only on
+/// the triangles and the pose. Cost: linear.
 [[nodiscard]] std::vector<shared::SmearSeed> spread_seeds(std::span<const uint32_t> of,
                                                           std::span<const glm::uvec4> triangles,
                                                           std::span<const glm::vec3> places);
 
-/// Seeds of smear strokes on the device, made when a style first asks for smear strokes.
+/// Seeds of smear strokes on the device. They are made when a style uses smear strokes for the first time.
 struct SmearSeeds {
     gpu::Buffer places;
     uint32_t count = 0;
@@ -61,25 +62,26 @@ struct SmearSeeds {
 
 [[nodiscard]] SmearSeeds upload_seeds(gpu::Device& device, const std::vector<shared::SmearSeed>& seeds);
 
-/// Inputs of smear strokes from the scene.
+/// The inputs of smear strokes that come from the scene.
 struct SmearScene {
     gpu::BufferId frame;
     gpu::BufferId triangles;
     gpu::BufferId posed_vertices;
     gpu::BufferId posed_vertices_before;
-    glm::mat4 clip_from_anchor_before; ///< with the frame's subpixel jitter
+    glm::mat4 clip_from_anchor_before; ///< camera of the previous frame, with its subpixel jitter
     SmearSeeds* seeds;
 };
 
-/// Inputs of smear strokes from the page.
+/// The inputs of smear strokes that come from the page.
 struct SmearPage {
-    gpu::ImageId page;        ///< rgba32ui; the last word is the displacement in half the exposure
-    gpu::ImageId owner_depth; ///< r32f: depth of the surface that a line belongs to
-    gpu::ImageId depth;       ///< r32f
+    gpu::ImageId page; ///< packed layers, rgba32ui; the last word is the displacement in half the exposure
+    /// R32f: at a pixel of a line, reversed depth of the surface to which the line belongs.
+    gpu::ImageId owner_depth;
+    gpu::ImageId depth; ///< r32f: reversed depth (1 at the near plane)
     glm::uvec2 size_px{0};
 };
 
-/// Constants of all smear passes, except `size_px`, the seeds and the previous camera.
+/// Returns the constants of all passes of smear strokes, except `size_px`, the seeds and the previous camera.
 [[nodiscard]] shared::SmearConstants smear_constants_of(const MotionBlurStyle& style, float scale,
                                                         float most_px, float pixels_per_mm);
 
@@ -92,31 +94,33 @@ struct SmearPage {
 [[nodiscard]] gpu::ImageId add_smear(gpu::Graph& graph, const SmearScene& scene, const SmearPage& page,
                                      gpu::ImageId lines, shared::SmearConstants constants);
 
-/// Exposure time in seconds.
+/// Exposure time of the shutter, in seconds.
 [[nodiscard]] double exposure_s(const MotionBlurStyle& style);
 
-/// Returns whether the style asks for blur, speed lines or smear strokes.
+/// Returns whether the style draws motion blur, speed lines or smear strokes.
 [[nodiscard]] bool is_wanted(const MotionBlurStyle& style);
 
-/// Constants of all blur and speed line passes. `scale` is the factor from motion on the page to the
-/// displacement in half the exposure, `line_half_px` half the width of the scene's widest line.
+/// Returns the constants of all passes of motion blur and speed lines. `scale` is the factor from motion on
+/// the page to the displacement in half the exposure. `line_half_px` is half the width of the scene's widest
+/// line.
 [[nodiscard]] shared::MotionBlurConstants constants_of(const MotionBlurStyle& style, float scale,
                                                        float pixels_per_mm, float line_half_px);
 
 struct VelocityShapeInputs {
     gpu::BufferId posed_vertices;
     gpu::BufferId posed_vertices_before;
-    glm::mat4 now_from_before{1.0F}; ///< moves a previous position to its former place in this camera's view
-    float share = 0.0F;              ///< factor from motion to the displacement in half the exposure
+    /// Transforms previous positions so that this camera sees them where the previous camera did.
+    glm::mat4 now_from_before{1.0F};
+    float share = 0.0F; ///< factor from motion to the displacement in half the exposure
 };
 
-/// A shape that is drawn only for its velocities: its current and its previous vertices.
+/// A shape that is drawn only for its velocities, with its current and its previous vertices.
 struct VelocityShape {
     gpu::BufferId vertices;
     gpu::BufferId before;
 };
 
-/// Data that the style's mode keeps between frames; most modes keep none.
+/// Data that a mode of motion blur keeps between frames. Most modes keep none.
 class Memory {
 public:
     Memory();
@@ -126,14 +130,14 @@ public:
     Memory(Memory&&) = delete;
     Memory& operator=(Memory&&) = delete;
 
-    /// Returns whether the style's mode needs a call of set_vertices() first.
+    /// Returns whether the style's mode of motion blur needs a call of set_vertices() first.
     [[nodiscard]] bool lacks_vertices(const MotionBlurStyle& style) const;
 
-    /// Sets the posed vertices at rest. Cost: n log n.
+    /// Sets the posed vertices of the scene at rest. Cost: n log n.
     void set_vertices(gpu::Device& device, std::span<const glm::vec3> places,
                       std::span<const uint32_t> draw_of_vertex);
 
-    /// Call when the scene has other vertices.
+    /// Call this function when the scene has other vertices.
     void forget();
 
 private:
@@ -143,40 +147,42 @@ private:
     std::unique_ptr<Kept> kept_;
 };
 
-/// The shape whose motion is the input MotionBlurInputs::motion, if the style's mode stretches shapes beyond
-/// their outlines; none if that is the scene itself.
+/// Returns the shape whose motion must be passed as MotionBlurInputs::motion, if the style's mode stretches
+/// shapes beyond their outlines. Returns none if that shape is the scene itself.
 [[nodiscard]] std::optional<VelocityShape> add_velocity_shape(gpu::Graph& graph, Memory& memory,
                                                               const VelocityShapeInputs& in,
                                                               const MotionBlurStyle& style);
 
 struct MotionBlurInputs {
-    gpu::ImageId motion;     ///< rgba32f: pixels to the right and down, previous depth, 1 where known
-    gpu::ImageId own_motion; ///< motion without stretching, used where `motion` is 0; equal to `motion`
-                             ///< unless the mode is `stretched`
-    gpu::ImageId depth;      ///< r32f: reversed, 0 where no surface is visible
-    gpu::ImageId wash;       ///< rgba16f
-    gpu::ImageId hatch;      ///< r16f
-    gpu::ImageId lines;      ///< rgba8
-    gpu::ImageId sky_ink;    ///< r16f
-    bool has_sky = false;    ///< false: `sky_ink` is not used
+    /// Rgba32f: motion in pixels to the right and down; previous reversed depth; 1 where the motion is known.
+    gpu::ImageId motion;
+    /// Motion without stretching, used where `motion` is 0; differs from it only in the mode `stretched`.
+    gpu::ImageId own_motion;
+    gpu::ImageId depth;   ///< r32f: reversed depth (1 at the near plane), 0 where no surface is visible
+    gpu::ImageId wash;    ///< rgba16f: transmittance of the paint
+    gpu::ImageId hatch;   ///< r16f: coverage by hatching
+    gpu::ImageId lines;   ///< rgba8: colour and coverage of lines
+    gpu::ImageId sky_ink; ///< r16f: coverage by the sky's strokes
+    bool has_sky = false; ///< if false, `sky_ink` is not used
     glm::uvec2 size_px{0};
-    glm::uvec2 window_min_px{0}; ///< tiles outside the window are left unchanged
+    glm::uvec2 window_min_px{0}; ///< corner of the window; tiles outside of the window are left unchanged
     glm::uvec2 window_max_px{~0U};
-    std::optional<SmearScene> smear; ///< set if the style has smear strokes
-    bool by_groups = false;          ///< uses one thread per pixel for a tile, which is faster on a GPU
+    std::optional<SmearScene> smear; ///< inputs of smear strokes; set if the style draws them
+    /// Uses one thread per pixel of a tile instead of one per tile, which is faster on a GPU.
+    bool by_groups = false;
 };
 
 struct MotionBlurLayers {
     gpu::ImageId wash;
     gpu::ImageId hatch;
     gpu::ImageId lines;
-    bool holds_sky = true; ///< `hatch` contains the sky's ink where no surface is visible
+    bool holds_sky = true; ///< after the blur, `hatch` contains the sky's strokes where no surface is visible
 };
 
 /// Blurs all layers together by the motion during the exposure, so that the layers composed on paper look
 /// like the blurred picture. Then draws speed lines and smear strokes over the layers.
 ///
-/// Writes  the layers in place, or new ones; pixels that stand still and that nothing passes over stay
+/// Writes  the layers in place, or new layers; pixels that stand still and that nothing passes over stay
 ///         bit-identical
 /// Cost    one pass over the page for packing, two over its tiles, one over the tiles that a moving surface
 ///         passes over, with at most 64 texels per pixel; speed lines: three more passes with at most 16

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread lists the smear strokes that may touch a block of the page: their count, then their numbers.
+// One thread lists the smear strokes that may touch one block of the page: first their count, then their
+// numbers.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

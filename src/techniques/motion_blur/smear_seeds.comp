@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From a seed on a moving body, one thread walks back along the motion to the body's trailing edge, where it
-// uncovers the background. A smear stroke may begin there.
+// One thread handles one seed on a moving body. From the seed, it walks back along the motion to the body's
+// trailing edge, where the body uncovers the background. A smear stroke may begin at that edge.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -97,7 +97,8 @@ void main()
     vec2 back = -way / max(length_of(way), 1e-6);
     ivec2 last = ivec2(constants.size_px) - 1;
     ivec2 first = ivec2(floor(clamp(moving.xy, vec2(-1.0), vec2(constants.size_px))));
-    // The pixel must show the seed's own surface, or a surface that moves in the same way.
+    // The pixel must show the seed's own surface, or a surface that moves in the same way. Otherwise the seed
+    // is hidden.
     vec2 off = way_at(clamp(first, ivec2(0), last)) - way;
     bool is_its = length_of(off) < 0.05 * length_of(way) + 0.25;
     bool goes_on = is_on_page(first) && is_its && length_of(way) > max(constants.from_px, blur_still_px);
@@ -110,7 +111,7 @@ void main()
     }
     ivec2 between = ivec2(floor(moving.xy + (along_px - 0.5 * step_px) * back));
     along_px -= goes_along(way_at(clamp(between, ivec2(0), last)), way) ? 0.0 : 0.5 * step_px;
-    // The background just behind the trailing edge must be farther away than the body.
+    // The background just behind the body's trailing edge must be farther away than the body.
     ivec2 inner = clamp(ivec2(floor(moving.xy + (along_px - 0.5 * step_px) * back)), ivec2(0), last);
     ivec2 left = ivec2(floor(moving.xy + (along_px + 1.0) * back));
     float depth = texelFetch(owner_depth_image, inner, 0).x;
@@ -122,14 +123,15 @@ void main()
     float weight = unit_float(hash(random, 2u));
     SmearStroke stroke;
     stroke.from_px = moving.xy + along_px * back;
-    // Few strokes are long, and few are wide.
+    // The random factors are chosen so that only few strokes are long, and only few are wide.
     stroke.way_px = ends && goes_along(edge_way, way)
                         ? -edge_way * (constants.length_share * (0.2 + 0.8 * uneven * uneven))
                         : vec2(0.0);
-    // The width is limited by the length, so that a short stroke does not look like a tuft.
+    // The width of a stroke is limited by its length, so that a short stroke does not look like a tuft.
     stroke.half_px = min(0.5 * constants.width_px * (0.15 + 0.85 * weight * weight * weight),
                          length_of(stroke.way_px) / 14.0);
-    // Where the edge is parallel to the motion, there is no body on which a wide brush could be set down.
+    // A wide brush needs a body on which it can be set down. Where the edge is parallel to the motion, there
+    // is no such body.
     vec2 begin = stroke.from_px - 3.0 * stroke.half_px * back;
     vec2 aside = stroke.half_px * vec2(-back.y, back.x);
     bool has_body = goes_along(way_at(clamp(ivec2(floor(begin + aside)), ivec2(0), last)), way) &&

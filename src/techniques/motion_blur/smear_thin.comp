@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread keeps a smear stroke unless a stroke of higher priority is too near.
+// One thread decides whether one smear stroke is kept: it is dropped if a stroke of higher priority is too
+// near.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -30,8 +31,8 @@ void main()
     SmearStroke own = stroke_at(int(item));
     float length_px = sqrt(dot(own.way_px, own.way_px));
     vec2 back = own.way_px / max(length_px, 1e-6);
-    // Random minimum distance, so that some strokes are close together and others leave a gap. Its mean is
-    // half the spacing, because each neighbour has its own minimum distance, too.
+    // The minimum distance is random, so that some strokes are close together and others leave a gap. Its
+    // mean is half the spacing, because each neighbour has its own minimum distance too.
     float apart_px = constants.spacing_px * mix(0.15, 0.85, unit_float(hash(own.random, 4u)));
     int count = length_px > 0.0 ? int(constants.count) : 0;
     bool is_kept = length_px > 0.0;

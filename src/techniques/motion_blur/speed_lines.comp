@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread draws the speed lines that cover a pixel. The body that a line comes from hides it.
+// One thread draws the speed lines that cover one pixel. The body from which a line starts hides the line.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -23,7 +23,7 @@ float line_cover(vec2 from, vec2 way, vec2 place)
     vec2 forward = way / length_px;
     float along = dot(place - from, forward) / length_px;
     float aside_px = abs(forward.x * (place.y - from.y) - forward.y * (place.x - from.x));
-    // Like a quick pen stroke, the line swells soon after its start and then tapers.
+    // A speed line swells soon after its start and then tapers, like a quick pen stroke.
     float half_px = constants.line_half_px * smoothstep(0.0, 0.12, along) * (1.0 - along);
     float cover = clamp(max(half_px, 0.5) + 0.5 - aside_px, 0.0, 1.0) * min(half_px / 0.5, 1.0);
     return along > 0.0 && along < 1.0 ? cover : 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread searches a cell of the page for a place on the trailing edge of a fast body. A speed line begins
-// there.
+// One thread searches one cell of the page for a place on the trailing edge of a fast body. A speed line
+// begins at that place.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -13,7 +13,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform usampler2D page_image;
 layout(binding = 1) uniform sampler2D owner_depth_image;
 layout(binding = 2,
-       rgba32f) writeonly uniform image2D out_seed; // start and vector of the line; 0 for none
+       rgba32f) writeonly uniform image2D out_seed; // start and vector of the cell's speed line; 0 for none
 
 layout(push_constant, scalar) uniform Constants
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread lists the speed lines that may touch a tile, in the order of their cells.
+// One thread lists the speed lines that may touch one tile of the page, in the order of the lines' cells.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -9,7 +9,8 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform sampler2D seed_image;
-layout(binding = 1, rgba32f) writeonly uniform image2D out_line; // one row of lines per tile; 0 for none
+// One row of most_speed_lines entries per tile; an unused entry is 0.
+layout(binding = 1, rgba32f) writeonly uniform image2D out_line;
 
 layout(push_constant, scalar) uniform Constants
 {

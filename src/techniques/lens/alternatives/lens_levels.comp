@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread blurs a pixel by reading mip levels: either the level whose texels are as large as its blur
-// circle, or all levels up to it, whose sum is rounder.
+// One thread blurs one pixel by reading mip levels of the page: either the level whose texels are as large as
+// the pixel's blur circle, or all levels up to it. The sum of all levels gives a rounder blur.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -24,7 +24,7 @@ const bool is_sum = (variant & lens_is_sum) != 0u;
 
 #include "techniques/lens/lens_texel.glsl"
 
-// Bilinear lookup in a level, weighted by the part of each texel that is covered.
+// Bilinear lookup in a mip level, weighted by the part of each texel that is covered.
 LayerSample level_at(int level, ivec2 pixel)
 {
     vec2 place = (vec2(pixel + ivec2(constants.pad_px)) + 0.5) / float(1 << level) - 0.5;
@@ -51,7 +51,7 @@ void main()
         return;
     }
     LensTexel own = unpack_texel(texelFetch(page_image, pixel, 0));
-    // A bilinear lookup blurs like a disc with a radius of about four fifths of the texel's side.
+    // A bilinear lookup blurs like a disc whose radius is about four fifths of the texel's side.
     float wanted = log2(max(abs(own.radius_px) / (is_sum ? 0.6 : 0.8), 1.0));
     wanted = min(wanted, float(lens_levels));
     LayerSample sum = no_sample;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread blurs a pixel along its path: each step continues with the motion of the surface found there.
+// One thread blurs one pixel along its path. Each step follows the motion of the surface that is found at the
+// step's position.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -28,7 +29,7 @@ const bool has_sky = (variant & blur_has_sky) != 0u;
 #include "shaders/layers.glsl"
 #include "shaders/layer_sample.glsl"
 
-const int steps = 8; // in each direction
+const int steps = 8; // number of steps in each direction along the path
 
 void main()
 {

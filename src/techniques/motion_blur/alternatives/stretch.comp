@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread displaces a vertex along its motion: forwards where the surface faces that way, otherwise
-// backwards.
+// One thread displaces one vertex along its motion: forwards if the surface around it faces in the direction
+// of motion, otherwise backwards.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -17,7 +17,8 @@ layout(binding = 1) uniform usamplerBuffer posed_vertices_before;
 
 layout(scalar, binding = 2) readonly buffer Together
 {
-    uvec2 together[]; // first index and length of each vertex's list
+    // For each vertex: start and length of its list of vertices at the same position, in `members`.
+    uvec2 together[];
 };
 
 layout(scalar, binding = 3) readonly buffer Members
@@ -54,7 +55,8 @@ void main()
     uvec4 words = texelFetch(posed_vertices, int(item));
     vec3 now = place_of(words);
     vec3 before = place_of(texelFetch(posed_vertices_before, int(item)));
-    // Previous position, transformed so that the current camera sees it where the previous camera saw it.
+    // The vertex's previous position, transformed so that the current camera sees it where the previous
+    // camera saw it.
     vec4 seen = constants.now_from_before * vec4(before, 1.0);
     vec3 way = seen.w > 1e-6 ? now - seen.xyz / seen.w : vec3(0.0);
     uvec2 list = together[item];

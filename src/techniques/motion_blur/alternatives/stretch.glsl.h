@@ -7,8 +7,9 @@ namespace estampe::shared {
 #endif
 
 struct StretchConstants {
-    mat4 now_from_before; // moves previous positions to where this camera sees them alike
-    float share;          // part of its motion by which a vertex is displaced
+    // Transforms previous positions so that this camera sees them where the previous camera did.
+    mat4 now_from_before;
+    float share; // share of its motion by which a vertex is displaced
     uint vertex_count;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Motion blur within the outline of moving objects: each pixel is blurred along its own motion. In mode
-// `stretched`, meshes are also stretched along their motion, so that the pixels they pass over get a
+// Motion blur within the outline of moving objects: each pixel is blurred along its own motion. In the mode
+// `stretched`, meshes are also stretched along their motion, so that the pixels over which they pass get a
 // velocity.
 
 #include <span>
@@ -13,7 +13,8 @@
 
 namespace estampe::motion_blur {
 
-/// Blurs each pixel along its own path, following the velocities found there. No object blurs over its
+/// Blurs each pixel along its own path, following the velocities that are found there. No object blurs over
+/// its
 /// background.
 ///
 /// Reads   `page`: packed layers with the displacement in half the exposure
@@ -22,18 +23,19 @@ namespace estampe::motion_blur {
 [[nodiscard]] MotionBlurLayers add_own_blur(gpu::Graph& graph, const MotionBlurInputs& in, gpu::ImageId page,
                                             const shared::MotionBlurConstants& constants);
 
-/// Vertices at the same position in one draw call. Such vertices move together even if their normals differ.
-/// Holds the start and length of each vertex's list, then the lists.
+/// Lists of the vertices at the same position in one draw call. Such vertices move together even if their
+/// normals differ. `of_vertex` holds the start and length of each vertex's list in `members`.
 struct CoincidentList {
     std::vector<glm::uvec2> of_vertex;
     std::vector<uint32_t> members;
 };
 
-/// Finds coincident vertices; `places` are the posed vertices at rest. Cost: n log n.
+/// Finds vertices at the same position. `places` are the posed vertices at rest. Cost: n log n.
 [[nodiscard]] CoincidentList list_coincident(std::span<const glm::vec3> places,
                                              std::span<const uint32_t> draw_of_vertex);
 
-/// A CoincidentList on the device, made when a style first asks for it.
+/// A CoincidentList (vertices at the same position) on the device. It is made when a style uses it for the
+/// first time.
 struct CoincidentVertices {
     gpu::Buffer of_vertex;
     gpu::Buffer members;
@@ -44,8 +46,8 @@ struct CoincidentVertices {
 
 [[nodiscard]] CoincidentVertices upload_coincident(gpu::Device& device, const CoincidentList& list);
 
-/// Displaces each vertex by half of its motion times `share`: forwards where the surface around it faces that
-/// way, otherwise backwards.
+/// Displaces each vertex by half of its motion times `share`: forwards if the surface around it faces in the
+/// direction of motion, otherwise backwards.
 ///
 /// Cost    one dispatch, one thread per vertex
 /// Source  Wloka and Zeleznik, "Interactive Real-Time Motion Blur", The Visual Computer 12, 1996; Zanuttini,
