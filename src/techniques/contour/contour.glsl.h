@@ -10,7 +10,8 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint no_seed = 0xffffffffU;
 
-// Variant bits of edges.comp, seeds.comp and stroke.comp. The first word of a name is the shader.
+// Variant bits (features that are compiled into a shader) of edges.comp, seeds.comp and stroke.comp. The
+// first word of a name is the shader.
 SHARED_CONSTANT uint edges_has_screen = 1U << 0U; // the scene has see-through surfaces
 SHARED_CONSTANT uint edges_only_cut = 1U << 1U;   // draws lines only where a texture's alpha cuts the surface
 // At least one material sets the ink and width of its outline.

@@ -179,10 +179,11 @@ struct ContourInputs {
     /// Size of a pixel in metres, one metre from the eye; in parallel projection, at any distance.
     float pixel_m_at_one = 0.001F;
     glm::uvec2 size_px{0};
-    /// Number of the style variant of each draw, as r32ui texels; set if surfaces have style variants.
+    /// Number of the style variant (the style of certain materials or objects) of each draw, as r32ui texels;
+    /// set if surfaces have style variants.
     std::optional<gpu::BufferId> variant_of_draw;
-    /// One VariantLines (widths and inks) per style variant, for chains. Set if surfaces have style variants,
-    /// or if has_inks_by_kind() is true for some variant.
+    /// One VariantLines (widths and inks) per style variant (the style of certain materials or objects), for
+    /// chains. Set if surfaces have style variants, or if has_inks_by_kind() is true for some variant.
     std::optional<gpu::BufferId> variant_lines;
     bool has_inks_by_kind = false;
     /// Visibility buffer of the surfaces that hide chains. Set if these are not all solid surfaces, because

@@ -93,7 +93,8 @@ constexpr double tolerance = 1e-2;
 constexpr double level_pull = 0.05;
 /// Strength per length with which strokes are pulled along creases, in 1 / radius of the mesh.
 constexpr double crease_pull = 0.2;
-/// Weight of equal crosses on both sides of a crease; an ordinary edge has a weight of about 0.6.
+/// Weight of equal crosses (pairs of principal directions) on both sides of a crease; an ordinary edge has a
+/// weight of about 0.6.
 constexpr double cross_weight = 0.005;
 /// Weight of choosing the same line of the cross on both sides of a crease.
 constexpr double crease_vote = 0.002;
@@ -191,9 +192,9 @@ double preference(const Curvature& k)
     return deviation > 0.0 ? std::clamp(k.mean / deviation, -1.0, 1.0) : 0.0;
 }
 
-/// Chooses for each vertex one of the two lines of its cross: 1 for the line itself, -1 for the perpendicular
-/// line, smaller values where the choice is less certain. Neighbours are linked to choose alike, so the most
-/// certain vertices decide.
+/// Chooses for each vertex one of the two lines of its cross (the pair of principal directions): 1 for the
+/// line itself, -1 for the perpendicular line, smaller values where the choice is less certain. Neighbours
+/// are linked to choose alike, so the most certain vertices decide.
 Vectors choose_lines(const Mesh& mesh, const std::vector<Complex>& lines, const Pull& line_pull)
 {
     std::vector<Link> links;

@@ -43,7 +43,8 @@ layout(scalar, binding = 8) buffer DarkTiles
     DarkTile dark_tiles[];
 };
 
-layout(binding = 9) uniform usamplerBuffer variant_texels; // number of the style variant of each draw call
+// Number of the style variant (the style of certain materials or objects) of each draw call.
+layout(binding = 9) uniform usamplerBuffer variant_texels;
 
 layout(push_constant, scalar) uniform Constants
 {

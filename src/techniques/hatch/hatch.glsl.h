@@ -20,43 +20,49 @@ SHARED_CONSTANT uint no_source = 0xffffffffU;
 SHARED_CONSTANT uint ramp_length = 256U;
 SHARED_CONSTANT uint ramp_steps = 8U;
 
-// Variant bits of darkness.comp.
+// Variant bits (features that are compiled into a shader) of darkness.comp.
 SHARED_CONSTANT uint darkness_has_fade = 1U << 0U;   // strokes fade with the distance from the eye
 SHARED_CONSTANT uint darkness_has_screen = 1U << 1U; // the scene has transparent surfaces
-// The shader handles only the surfaces of one style variant.
+// The shader handles only the surfaces of one style variant (the style of certain materials or objects).
 SHARED_CONSTANT uint darkness_has_variants = 1U << 2U;
-SHARED_CONSTANT uint darkness_keeps_ink = 1U << 3U; // keeps the ink of style variants that were drawn before
+// Keeps the ink of style variants (styles of certain materials or objects) that were drawn before.
+SHARED_CONSTANT uint darkness_keeps_ink = 1U << 3U;
 
-// Variant bit of overrun.comp: the first step of the flooding, in which each pixel is its own source.
+// Variant bit (compiled-in feature) of overrun.comp: the first step of the flooding, in which each pixel is
+// its own source.
 SHARED_CONSTANT uint overrun_is_first = 1U << 0U;
 
-// Variant bits of lines.comp and trace.comp.
+// Variant bits (features that are compiled into a shader) of lines.comp and trace.comp.
 SHARED_CONSTANT uint lines_has_growth = 1U << 0U;  // strokes that appear grow in length
 SHARED_CONSTANT uint lines_has_overrun = 1U << 1U; // strokes run over silhouettes onto blank paper
 // Runs one workgroup for every tile of the page, also for blank tiles.
 SHARED_CONSTANT uint lines_has_all_tiles = 1U << 2U;
 // Strokes along the light follow the strongest lamp at each place.
 SHARED_CONSTANT uint lines_has_local_light = 1U << 3U;
-SHARED_CONSTANT uint lines_has_ink = 1U << 4U; // adds to the ink of style variants that were drawn before
+// Adds to the ink of style variants (styles of certain materials or objects) that were drawn before.
+SHARED_CONSTANT uint lines_has_ink = 1U << 4U;
 // Position of the bits for kinds of stroke, one bit per kind, see stroke_kind.glsl.h.
 SHARED_CONSTANT uint lines_kinds_shift = 8U;
 
-// Variant bits of map.comp.
+// Variant bits (features that are compiled into a shader) of map.comp.
 SHARED_CONSTANT uint map_tone_mask = 3U;
 SHARED_CONSTANT uint map_in_order = 0U;  // a darker tone adds stroke after stroke, by the map's thresholds
 SHARED_CONSTANT uint map_in_blends = 1U; // two neighbouring tones are blended
 SHARED_CONSTANT uint map_in_steps = 2U;  // each pixel shows only the nearer of two tones
 SHARED_CONSTANT uint map_has_overrun = 1U << 2U;
-SHARED_CONSTANT uint map_has_ink = 1U << 3U; // adds to the ink of style variants that were drawn before
+// Adds to the ink of style variants (styles of certain materials or objects) that were drawn before.
+SHARED_CONSTANT uint map_has_ink = 1U << 3U;
 
-// Variant bits of dots.comp.
-SHARED_CONSTANT uint dots_has_ink = 1U << 0U; // adds to the ink of style variants that were drawn before
+// Variant bit (compiled-in feature) of dots.comp: adds to the ink of style variants (styles of certain
+// materials or objects) that were drawn before.
+SHARED_CONSTANT uint dots_has_ink = 1U << 0U;
 
 struct DarknessConstants {
     ToneConstants tone;
     float fade; // share of the darkness that is left at infinite distance; 1 means no fade
     float fade_distance_m;
-    uint style_variant; // number of the style variant whose surfaces are handled
+    // Number of the style variant (the style of certain materials or objects) whose surfaces are handled.
+    uint style_variant;
 };
 
 struct LineConstants {

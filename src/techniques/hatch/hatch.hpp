@@ -149,19 +149,22 @@ struct HatchInputs {
     glm::uvec2 size_px{0};
     /// Style variant of each draw call, as r32ui texels; not set if there is only one variant.
     std::optional<gpu::BufferId> variant_of_draw;
-    std::optional<gpu::BufferId> draws;     ///< buffer of all draws; needed only by dots
-    uint32_t variant = 0;                   ///< number of the style variant whose surfaces are hatched
-    std::optional<gpu::ImageId> ink_before; ///< ink of the style variants that were drawn before
+    std::optional<gpu::BufferId> draws; ///< buffer of all draws; needed only by dots
+    /// Number of the style variant (the style of certain materials or objects) whose surfaces are hatched.
+    uint32_t variant = 0;
+    /// Ink of the style variants (styles of certain materials or objects) that were drawn before.
+    std::optional<gpu::ImageId> ink_before;
 };
 
-/// Style of hatching for the surfaces of one style variant.
+/// Style of hatching for the surfaces of one style variant (the style of certain materials or objects).
 struct HatchVariant {
     HatchStyle style;
     shared::ToneConstants tone;
     std::optional<MapInputs> map; ///< tonal art map; set if the variant's style uses one
 };
 
-/// Returns a copy of `in` for one of several style variants, which draws over `ink_before`.
+/// Returns a copy of `in` for one of several style variants (styles of certain materials or objects), which
+/// draws over `ink_before`.
 [[nodiscard]] HatchInputs inputs_of_variant(const HatchInputs& in, const std::vector<HatchVariant>& variants,
                                             uint32_t number, std::optional<gpu::ImageId> ink_before);
 
@@ -195,7 +198,7 @@ struct Darkness {
 [[nodiscard]] gpu::ImageId add_map(gpu::Graph& graph, const HatchInputs& in, const Darkness& darkness,
                                    const HatchStyle& style);
 
-/// Largest distance in pixels from a pixel to another pixel whose strokes run over into it; 0 if strokes do
+/// Largest distance in pixels from a pixel to another pixel whose strokes extend into it; 0 if strokes do
 /// not run over silhouettes.
 [[nodiscard]] uint32_t reach_px(const HatchStyle& style, float pixels_per_mm);
 
@@ -208,8 +211,8 @@ struct Darkness {
 [[nodiscard]] gpu::ImageId add_dots(gpu::Graph& graph, const HatchInputs& in, const Darkness& darkness,
                                     const HatchStyle& style);
 
-/// Draws the strokes of all style variants. Ignores `tone`, `map` and `variant` of `in`. Cost per variant:
-/// one full-screen dispatch and the variant's strokes.
+/// Draws the strokes of all style variants (styles of certain materials or objects). Ignores `tone`, `map`
+/// and `variant` of `in`. Cost per variant: one full-screen dispatch and the variant's strokes.
 [[nodiscard]] gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in,
                                      const std::vector<HatchVariant>& variants);
 
@@ -218,7 +221,7 @@ struct Darkness {
 /// Variant bits of the shaders that include line_families.glsl, without lines_has_all_tiles.
 [[nodiscard]] uint32_t line_variant(const HatchInputs& in, const HatchStyle& style);
 
-/// Finds for each pixel the nearest pixel whose strokes may run over into it. Returns the draw image
+/// Finds for each pixel the nearest pixel whose strokes may extend into it. Returns the draw image
 /// unchanged if strokes do not run over silhouettes.
 [[nodiscard]] gpu::ImageId add_overrun(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId darkness,
                                        const HatchStyle& style);

@@ -24,7 +24,7 @@ layout(scalar, binding = 6) readonly buffer Ramp
     float ramp[];
 };
 
-// For each pixel: the pixel whose strokes run over into it, see overrun.comp.
+// For each pixel: the pixel whose strokes extend into it, see overrun.comp.
 layout(binding = 7) uniform usampler2D source_image;
 layout(binding = 8, r16f) uniform image2D out_ink;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread finds, for one pixel, the nearest pixel whose strokes may run over into it. The search is jump
+// One thread finds, for one pixel, the nearest pixel whose strokes may extend into it. The search is jump
 // flooding with one step per dispatch, the longest step first. Rong and Tan, "Jump Flooding in GPU with
 // Applications to Voronoi Diagram and Distance Transform", I3D 2006.
 #version 460

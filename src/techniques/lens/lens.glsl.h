@@ -8,7 +8,7 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-// Variant bits of the lens shaders.
+// Variant bits (features that are compiled into a shader) of the lens shaders.
 SHARED_CONSTANT uint lens_has_sky = 1U << 0U;   // the sky's strokes are drawn where no surface is visible
 SHARED_CONSTANT uint lens_wash_only = 1U << 1U; // hatching and lines are not blurred
 SHARED_CONSTANT uint lens_of_page = 1U << 2U;   // the pass makes the first mip level, from the page's pixels

@@ -9,7 +9,7 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-// Variant bits of the motion blur shaders.
+// Variant bits (features that are compiled into a shader) of the motion blur shaders.
 SHARED_CONSTANT uint blur_has_sky = 1U << 0U; // the sky's strokes are drawn where no surface is visible
 SHARED_CONSTANT uint blur_shows_velocity = 1U << 1U;
 SHARED_CONSTANT uint blur_is_stretched = 1U << 2U; // shapes are stretched along their motion

@@ -9,7 +9,8 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-SHARED_CONSTANT uint sky_has_tiles = 1U << 0U; // variant bit of sky.comp: paints only tiles in a list
+// Variant bit (compiled-in feature) of sky.comp: paints only the tiles in a list.
+SHARED_CONSTANT uint sky_has_tiles = 1U << 0U;
 // Variant bit of sky.comp: skips pixels whose visible surface is near.
 SHARED_CONSTANT uint sky_has_depth = 1U << 1U;
 
@@ -31,7 +32,7 @@ struct SkyConstants {
     float far_m;    // only with sky_has_depth: surfaces nearer to the eye than this hide the sky
 };
 
-// Variant bits of clouds.comp.
+// Variant bits (features that are compiled into a shader) of clouds.comp.
 SHARED_CONSTANT uint clouds_have_hatching = 1U << 0U;
 SHARED_CONSTANT uint clouds_have_streaks = 1U << 1U;
 

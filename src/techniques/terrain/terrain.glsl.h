@@ -147,7 +147,9 @@ struct SlabConstants {
     // Cells across per step along a line, times 65536; over the whole side, a whole number of cells.
     int slope;
     int phase; // offset for rounding lines to cells, in cells times 65536
-    int drop;  // fall of the lee's roof per step along a line, in 1/256 slab
+    // Fall of the lee's roof (an imaginary surface that descends downwind from each crest) per step along a
+    // line, in 1/256 slab.
+    int drop;
     int hop_x; // length of a hop along x, in 1/256 cell
     int hop_y;
     int mean;     // height of sand, in slabs, at which hops have the length `hop_x`, `hop_y`
@@ -202,25 +204,29 @@ struct TrailWindow {
 
 struct TrailPress {
     TrailWindow window;
-    // Column of the base (a texel near the stamp), from the window's first texel; places count from the base.
+    // Column of the base texel (a texel near the pressed shape), counted from the window's first texel; all
+    // places count from the base texel.
     int base_x;
     int base_y;
-    int low_x; // first column that the stamp touches, relative to the base
+    int low_x; // first column that the pressed shape touches, counted from the base texel
     int low_y;
     int high_x;
     int high_y;
-    vec2 from; // start of the stamp, in metres from the centre of the base; `to` is its end
+    vec2 from; // start of the pressed bar, in metres from the centre of the base texel; `to` is its end
     vec2 to;
     float from_radius_m;
     float to_radius_m;
     float depth_m;
-    float rim_m; // width of the rim of sand around the stamp
+    float rim_m; // width of the rim of sand around the stamp (the pressed shape)
     float texel_m;
     float steepness; // slope of the edge of the pressed area
-    // Columns by which the window moved; a known stamp changes only texels that are new in the window.
+    // Columns by which the window moved; a shape that was pressed earlier changes only texels that are new in
+    // the window.
     int moved_x;
     int moved_y;
-    uint is_known; // 1: the stamp was pressed earlier and is repeated on new texels, which are level ground
+    // 1: the stamp (a pressed shape) was pressed earlier and is repeated on new texels, which are level
+    // ground.
+    uint is_known;
 };
 
 struct TrailSlump {

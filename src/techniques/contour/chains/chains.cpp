@@ -169,7 +169,8 @@ uint32_t segment_capacity(const LineMesh& mesh, uint32_t suggestive, bool along_
 
 struct Marks {
     gpu::BufferId facing;
-    /// What part of each loose edge is outline; unused if the mesh has no loose edges.
+    /// What part of each loose edge (an edge without a crease or other fixed line) is outline; unused if the
+    /// mesh has no loose edges.
     gpu::BufferId edge_parts;
     gpu::BufferId words;
     gpu::BufferId before;
@@ -177,8 +178,8 @@ struct Marks {
     InlineVector<PageLines, 2> page_lines;
 };
 
-/// Number of words of mark bits for triangles and loose edges. The mark bits of the page's cells follow after
-/// these words.
+/// Number of words of mark bits (1: a line runs through) for triangles and loose edges. The mark bits of the
+/// page's cells follow after these words.
 uint32_t mesh_words(const shared::ChainConstants& constants)
 {
     return (constants.triangle_count + 31) / 32 + (constants.loose_edge_count + 31) / 32 +
@@ -211,9 +212,9 @@ std::optional<gpu::BufferId> add_bends(gpu::Graph& graph, const ChainInputs& in,
     return bends;
 }
 
-/// Number of workgroups of 64 threads that write mark bits for `count` items. Each subgroup writes one word,
-/// for 32 items. A CPU has eight subgroups per workgroup; an empty workgroup costs a CPU as much time as a
-/// full one.
+/// Number of workgroups of 64 threads that write mark bits (1: a line runs through) for `count` items. Each
+/// subgroup writes one word, for 32 items. A CPU has eight subgroups per workgroup; an empty workgroup costs
+/// a CPU as much time as a full one.
 uint32_t mark_groups(uint32_t count, const gpu::ExecutionProfile& execution)
 {
     const uint32_t items = execution.items_per_group();

@@ -45,7 +45,8 @@ SHARED_CONSTANT uint neighbor_smooth_shift = 1U;
 SHARED_CONSTANT uint neighbor_is_inside_out = 16U;
 SHARED_CONSTANT uint neighbor_shell_shift = 5U;
 
-// Variant bits of the chain shaders. The first word of a name is the shader.
+// Variant bits (features that are compiled into a shader) of the chain shaders. The first word of a name is
+// the shader.
 
 // For the shaders mark_*.comp: outlines follow the edges of the mesh and do not cross triangles
 SHARED_CONSTANT uint mark_along_edges = 1U << 0U;
@@ -54,7 +55,8 @@ SHARED_CONSTANT uint emit_has_loose_edges = 1U << 0U;
 // Outlines follow only edges of the mesh and do not cross triangles.
 SHARED_CONSTANT uint emit_along_edges = 1U << 1U;
 
-// Some points of feature lines lie between vertices, and some of their pieces cross triangles
+// Some points of feature lines (creases and other lines fixed to the surface) lie between vertices, and some
+// of their pieces cross triangles.
 SHARED_CONSTANT uint order_features_leave_edges = 1U << 0U;
 
 // The shader makes strokes for hidden lines, not for visible lines.
@@ -75,7 +77,8 @@ SHARED_CONSTANT uint shape_is_even_in_shade = 1U << 8U; // strokes keep their wi
 SHARED_CONSTANT uint shape_is_hidden = 1U << 9U;        // the pass shapes hidden lines
 // The picture of a brush stretches over the whole stroke.
 SHARED_CONSTANT uint shape_stretches = 1U << 10U;
-SHARED_CONSTANT uint shape_has_variants = 1U << 11U; // surfaces have different style variants
+// Surfaces have different style variants (styles of certain materials or objects).
+SHARED_CONSTANT uint shape_has_variants = 1U << 11U;
 SHARED_CONSTANT uint shape_has_inks_by_kind = 1U << 12U;
 
 // Some lines have a brush; the corners of these lines are not mitred.
@@ -83,7 +86,8 @@ SHARED_CONSTANT uint joints_has_brushes = 1U << 0U;
 
 // At least one material sets the ink and width of its outline.
 SHARED_CONSTANT uint ink_layer_has_own_outlines = 1U << 0U;
-// A list of VariantLines is bound: lines depend on the style variant.
+// A list of VariantLines is bound: lines depend on the style variant (the style of certain materials or
+// objects).
 SHARED_CONSTANT uint ink_layer_has_variants = 1U << 1U;
 
 // Formats of chains and of the lists that are converted to chains or made from them.
@@ -120,7 +124,8 @@ SHARED_CONSTANT uint bound_is_corner = 0U; // the outline reaches the end of the
 SHARED_CONSTANT uint bound_in_first = 1U;
 SHARED_CONSTANT uint bound_in_second = 2U;
 
-// Bits that describe where a line crosses a side of the page lattice's cells, see page_cells.glsl.
+// Bits that describe where a line crosses a side of the page lattice (a grid of points on the page), see
+// page_cells.glsl.
 SHARED_CONSTANT uint crossing_is_there = 0x80000000U;
 SHARED_CONSTANT uint crossing_rises = 0x40000000U;
 SHARED_CONSTANT uint crossing_seen_between = 0x20000000U;
@@ -299,7 +304,8 @@ struct ChainConstants {
     uint loose_edge_count;
     // Number of triangles that may have suggestive contours or crests: either 0 or all triangles.
     uint suggestive_count;
-    // Number of words of mark bits for the page; one word has bits for 32 cells of the page lattice.
+    // Number of words of mark bits (1: a line runs through) for the page; one word has bits for 32 cells of
+    // the page lattice (a grid of points on the page).
     uint page_words;
     uint feature_chain_count;
     uint feature_point_count;
@@ -313,12 +319,12 @@ struct ChainConstants {
 
 // The page lattice: a grid of points on the page, between which lines are found. See page_cells.glsl.
 struct CellConstants {
-    uint columns; // number of points per row of the page lattice
+    uint columns; // number of points per row of the page lattice (a grid of points on the page)
     uint rows;
-    uint first_word; // index of the first word of mark bits for this kind of line
-    uint word_count; // total number of words of mark bits
+    uint first_word; // index of the first word of mark bits (1: a line runs through) for this kind of line
+    uint word_count; // total number of words of mark bits (1: a line runs through)
     uint kind;
-    float point_px; // position of a lattice point within its pixel, for x and for y
+    float point_px; // position of a point of the page lattice within its pixel, for x and for y
 };
 
 // Curvature of a surface at a vertex, as in contour::Bending, in units of the object's size. The tangent of
@@ -380,9 +386,10 @@ struct VariantLines {
 SHARED_CONSTANT uint variant_lines_words = 4U * line_kind_count + 1U;
 
 // Number of the ink of a LinePoint, in 16 bits. 0 is the ink of the style, i + 1 the outline ink of material
-// i. If the bit ink_of_variant is set, the ink belongs to a kind of line in a style variant: bits from
-// ink_kind_shift on hold line_kind_count - 1 - kind, lower bits the number of the variant. Where lines of
-// equal coverage overlap, the higher ink number is drawn, so outlines lie over creases.
+// i. If the bit ink_of_variant is set, the ink belongs to a kind of line in a style variant (the style of
+// certain materials or objects): bits from ink_kind_shift on hold line_kind_count - 1 - kind, lower bits the
+// number of the variant. Where lines of equal coverage overlap, the higher ink number is drawn, so outlines
+// lie over creases.
 SHARED_CONSTANT uint ink_of_variant = 0x8000U;
 SHARED_CONSTANT uint ink_kind_shift = 11U;
 SHARED_CONSTANT uint most_ink_variants = 1U << ink_kind_shift;

@@ -29,7 +29,8 @@ struct LineMesh {
     gpu::Buffer neighbors;
     /// The two sides of each loose edge (an edge that may be outline but has no feature line).
     gpu::Buffer loose_edges;
-    /// Number of the loose edge at each side, three per triangle; unused if there are no loose edges.
+    /// Number of the loose edge (an edge without a crease or other fixed line) at each side, three per
+    /// triangle; unused if there are no loose edges.
     gpu::Buffer loose_edge_of_side;
     gpu::Buffer feature_points;
     gpu::Buffer feature_chains;
@@ -39,9 +40,11 @@ struct LineMesh {
     uint32_t loose_edge_count = 0;
     uint32_t feature_point_count = 0;
     uint32_t feature_chain_count = 0;
-    uint32_t bending_count = 0;        ///< number of entries in `bendings`: the number of vertices, or 0
-    uint32_t shell_count = 0;          ///< number of connected surfaces, from EdgeMesh::shell_count
-    bool features_leave_edges = false; ///< some feature lines cross triangles, see FeatureChains::leave_edges
+    uint32_t bending_count = 0; ///< number of entries in `bendings`: the number of vertices, or 0
+    uint32_t shell_count = 0;   ///< number of connected surfaces, from EdgeMesh::shell_count
+    /// Some feature lines (creases and other lines fixed to the surface) cross triangles, see
+    /// FeatureChains::leave_edges.
+    bool features_leave_edges = false;
 };
 
 /// Uploads `mesh` with its feature lines (lines fixed to the surface). Also uploads `bendings` if suggestive
@@ -124,7 +127,8 @@ private:
 /// Largest number of line samples on a page of `size_px`.
 [[nodiscard]] uint32_t sample_capacity(glm::uvec2 size_px);
 
-/// Buffers of outlines and feature lines after they were linked into chains.
+/// Buffers of outlines and feature lines (creases and other lines fixed to the surface) after they were
+/// linked into chains.
 struct Chains {
     shared::ChainConstants constants;
     gpu::BufferId facing; ///< one bit per triangle, set if the triangle faces the eye
@@ -222,7 +226,8 @@ struct ChainInputs {
                                        const ContourStyle& style);
 
 /// Finds outlines (one segment per triangle or edge), suggestive contours if the line mesh has curvature, and
-/// lines on the page. Links all these and the feature lines into chains.
+/// lines on the page. Links all these and the feature lines (creases and other lines fixed to the surface)
+/// into chains.
 ///
 /// Cost    one or two threads per triangle; the rest grows with the number of lines
 /// Source  segments: Hertzmann and Zorin, "Illustrating Smooth Surfaces", 2000; ranking: Wyllie, "The
@@ -239,7 +244,8 @@ struct ChainInputs {
 [[nodiscard]] ChainStrokes add_strokes(gpu::Graph& graph, const ChainSamples& in, gpu::BufferId grid,
                                        glm::uvec2 size_px, LineClass wanted = LineClass::seen);
 
-/// Returns the line widths and inks of a style variant as an entry of ContourInputs::variant_lines.
+/// Returns the line widths and inks of a style variant (the style of certain materials or objects) as an
+/// entry of ContourInputs::variant_lines.
 [[nodiscard]] shared::VariantLines variant_lines_of(const ContourStyle& style, float pixels_per_mm);
 
 /// Links lines into chains and shapes their strokes, but does not ink them. With a `history`, the strokes

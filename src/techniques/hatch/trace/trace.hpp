@@ -17,7 +17,8 @@ namespace estampe::hatch {
 /// Finds the points where the lines that add_hatch() draws pass between neighbouring pixels.
 ///
 /// Writes  the number of crossings, then a shared::Crossing for each, as far as there is room, in any order
-/// Cost    two full-screen dispatches per style variant; some 60 bytes per pixel, more if strokes are finer
+/// Cost    two full-screen dispatches per style variant (the style of certain materials or objects); some 60
+/// bytes per pixel, more if strokes are finer
 ///         than a pixel, at most `most_bytes`
 /// Source  marching squares: Lorensen and Cline, "Marching Cubes", SIGGRAPH 1987
 [[nodiscard]] gpu::BufferId add_trace(gpu::Graph& graph, const HatchInputs& in,

@@ -26,15 +26,16 @@ shared uint kept[2][2];            // one bit per puff that is near some ray; tw
 // The region of cells that may hold centres of puffs near the group's rays. It consists of rows of cells, the
 // nearest row first.
 struct PuffBand {
-    bool is_turned; // true: the rows run along the wind; false: across the wind
-    bool is_narrow; // all rays cross the rows in the same direction
-    int forth;      // direction across the rows in which rays move away from the eye: -1 or 1
+    bool is_turned; // True: the rows of cells run along the wind; false: across the wind.
+    bool is_narrow; // all rays cross the rows of cells in the same direction
+    int forth;      // direction across the rows of cells in which rays move away from the eye: -1 or 1
     int first_row;
     int row_count;
-    int column_count; // largest number of columns in a row
-    vec2 slopes;      // smallest and largest slope of the rays: distance along a row per distance across it
-    vec2 sides;       // smallest and largest extent along the rows, relative to the eye
-    float beyond;     // largest distance along a row between a ray and the centre of a puff near it
+    int column_count; // largest number of cells in a row
+    // Smallest and largest slope of the rays: distance along a row of cells per distance across it.
+    vec2 slopes;
+    vec2 sides;   // smallest and largest extent along the rows of cells, relative to the eye
+    float beyond; // Largest distance along a row of cells between a ray and the centre of a puff near it.
 };
 
 // Converts a place to the band's axes: across the rows, along the rows.

@@ -159,11 +159,11 @@ private:
         switch (word(at::dxgi_format)) {
         case r8_unorm:
             return {};
-        case 28: // R8G8B8A8_UNORM
-        case 29: // R8G8B8A8_UNORM_SRGB
+        case 28: // DXGI format R8G8B8A8_UNORM
+        case 29: // DXGI format R8G8B8A8_UNORM_SRGB
             return {.bytes = 4, .channel = {0, 1, 2}, .alpha = 3U};
-        case 87: // B8G8R8A8_UNORM
-        case 91: // B8G8R8A8_UNORM_SRGB
+        case 87: // DXGI format B8G8R8A8_UNORM
+        case 91: // DXGI format B8G8R8A8_UNORM_SRGB
             return {.bytes = 4, .channel = {2, 1, 0}, .alpha = 3U};
         case 65: // A8_UNORM
             return {.is_coverage = true};

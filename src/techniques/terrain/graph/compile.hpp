@@ -48,7 +48,7 @@ struct Frame {
 
     [[nodiscard]] bool is_warped() const { return warp[0] != shared::height_no_register; }
 
-    /// Rotates the content of the frame from x towards z. Does not change the warp.
+    /// Rotates the content of the coordinate frame from x towards z. Does not change the warp.
     [[nodiscard]] Frame turned(double angle_rad) const
     {
         const glm::dvec2 turn = cosine_and_sine(angle_rad);
@@ -60,7 +60,7 @@ struct Frame {
         return result;
     }
 
-    /// Multiplies the coordinates by `factor`. Does not change the warp.
+    /// Multiplies the coordinates of the frame by `factor`. Does not change the warp.
     [[nodiscard]] Frame scaled(const glm::dvec2& factor) const
     {
         Frame result = *this;
@@ -70,8 +70,8 @@ struct Frame {
         return result;
     }
 
-    /// Moves the content of the frame by two linear functions of time. Uses only the members `t` and
-    /// `constant` of the arguments.
+    /// Moves the content of the coordinate frame by two linear functions of time. Uses only the members `t`
+    /// and `constant` of the arguments.
     [[nodiscard]] Frame moved(const Linear& by_u, const Linear& by_v) const
     {
         Frame result = *this;

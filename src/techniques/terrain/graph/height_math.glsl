@@ -83,7 +83,7 @@ Place place_at(uint place, Real x, Real z)
     return p;
 }
 
-// The coordinates of a leaf, moved by (u, v) in metres of the leaf's coordinate frame.
+// The coordinates of a leaf (such as noise), moved by (u, v) in metres of the leaf's coordinate frame.
 Place place_warped(uint place, Real x, Real z, Real4 u, Real4 v)
 {
     Place p = place_at(place, x, z);
@@ -352,8 +352,9 @@ Real4 row_noise(int cell, Real t, int row, uint seed)
 const Real least_dune = Real(0.25);
 const Real before_rise = Real(0.29);
 
-// Height of dune number `row` in a train of dunes. The dune rises over `windward_m` to its brink, then falls
-// at the angle of repose. Outside of the dune the height is negative, but not below -foot_m.
+// Height of dune number `row` in a train of dunes. The dune rises over `windward_m` to its brink (sharp upper
+// edge), then falls at the angle of repose. Outside of the dune the height is negative, but not below
+// -foot_m.
 Real4 one_dune(Place p, int row, uint first, Real foot_m, Real spacing_m)
 {
     uint seed = uint(height_number(first));
@@ -401,9 +402,9 @@ Real4 one_dune(Place p, int row, uint first, Real foot_m, Real spacing_m)
     return -dual_smooth_max(-dual_mul(crest, rise), -lee, Real(1.5) * repose * spacing_m + Real(1e-9));
 }
 
-// Dunes. The parameters in the program are: seed, height, wavelength, slope of the slip face, length of the
-// rise, meander in wavelengths, variation of height, length of a bend of the crest, width of the rounded
-// foot. One unit of u is a wavelength downwind, one unit of v is a bend of the crest.
+// Dunes. The parameters in the program are: seed, height, wavelength, slope of the slip face (steep lee
+// side), length of the rise, meander in wavelengths, variation of height, length of a bend of the crest,
+// width of the rounded foot. One unit of u is a wavelength downwind, one unit of v is a bend of the crest.
 Real4 leaf_dunes(Place p, uint first, Real spacing_m)
 {
     Real shown = share_shown(p.period_m * Real(0.5), spacing_m);
@@ -415,7 +416,7 @@ Real4 leaf_dunes(Place p, uint first, Real spacing_m)
     p.u.x = p.u.x - whole;
     Real foot_m = height_number(first + 8u);
     Real4 height = dual(Real(0));
-    // Evaluates only dunes whose slip face or windward rise can reach this place.
+    // Evaluates only dunes whose slip face (steep lee side) or windward rise can reach this place.
     Real lee = height_number(first + 1u) * (Real(1) + Real(0.6) * height_number(first + 6u)) /
                (height_number(first + 3u) * height_number(first + 2u));
     Real meander = height_number(first + 5u);

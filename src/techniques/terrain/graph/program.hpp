@@ -32,8 +32,9 @@ struct Linear {
 /// The coordinates in which a leaf of the graph (such as noise or a texture) is evaluated.
 struct PlaceSource {
     Linear u, v;
-    double period_m = 1.0;       ///< shortest length of one unit of the leaf on the ground
-    glm::dvec2 units_per_m{1.0}; ///< units of the leaf per metre of its coordinate frame, along u and v
+    double period_m = 1.0; ///< shortest length of one unit of the leaf (such as noise) on the ground
+    /// Units of the leaf (such as noise) per metre of its coordinate frame, along u and v.
+    glm::dvec2 units_per_m{1.0};
 
     bool operator==(const PlaceSource&) const = default;
 };
@@ -69,8 +70,8 @@ struct Program {
     [[nodiscard]] bool has_form_of(const Program& other) const;
 };
 
-/// The coordinates of a leaf in the format of height_math.glsl: sixteen words, two of which are whole
-/// numbers.
+/// The coordinates of a leaf (such as noise) in the format of height_math.glsl: sixteen words, two of which
+/// are whole numbers.
 struct PlaceWords {
     std::array<double, shared::height_words_a_place> numbers{};
     std::array<int32_t, 2> cells{};

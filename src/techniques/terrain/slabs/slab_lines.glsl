@@ -38,7 +38,8 @@ uint number_of_piece(int line, int piece)
     return uint(line) * slab_pieces + uint(piece);
 }
 
-// Converts a number of slabs to 1/256 slab, the unit of the lee's roof.
+// Converts a number of slabs to 1/256 slab, the unit of the lee's roof (an imaginary surface that descends
+// downwind from each crest).
 int height_of(uint slabs)
 {
     return int(slabs) << 8;

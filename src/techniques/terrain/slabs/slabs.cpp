@@ -51,7 +51,8 @@ double wind_rad(const SlabStyle& style, uint64_t step)
 
 shared::SlabConstants slab_constants(const SlabStyle& style, uint32_t side, uint64_t step)
 {
-    // Limit for the roof's fall per cell, so that the sum over twice the side fits in 32 bits.
+    // Limit for the fall of the lee's roof (an imaginary surface that descends from each crest) per cell, so
+    // that the sum over twice the side fits in 32 bits.
     constexpr int steepest_drop = 1 << 19;
     constexpr int greatest_gain = 1 << 16;
     const double wind = wind_rad(style, step);

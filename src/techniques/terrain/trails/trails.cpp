@@ -26,8 +26,9 @@ constexpr double steps_a_second = 30.0;
 constexpr uint32_t most_steps = 30 * 3600;
 /// Largest number of time steps per dispatch; lavapipe stops a thread after 65535 loop rounds.
 constexpr uint32_t steps_a_dispatch = 16384;
-constexpr int slumps = 8;           ///< number of steps during which sand slumps after a stamp
-constexpr float least_m = 0.001F;   ///< a stamp that has become shallower is forgotten
+/// Number of steps during which sand slumps after a stamp (a pressed shape).
+constexpr int slumps = 8;
+constexpr float least_m = 0.001F;   ///< a stamp (a pressed shape) that has become shallower is forgotten
 constexpr double farthest_m = 1e12; ///< largest distance from the origin at which texels can still be counted
 
 std::vector<float> even_ground(uint32_t side, double extent_m)
@@ -39,7 +40,8 @@ std::vector<float> even_ground(uint32_t side, double extent_m)
     return std::vector<float>(static_cast<size_t>(side) * side);
 }
 
-/// Returns whether the whole stamp was inside the window before the window moved by `moved` texels.
+/// Returns whether the whole stamp (a pressed shape) was inside the window before the window moved by `moved`
+/// texels.
 bool lay_within(const shared::TrailPress& press, glm::i64vec2 moved, uint32_t side)
 {
     const glm::i64vec2 base = moved + glm::i64vec2(press.base_x, press.base_y);
@@ -65,9 +67,9 @@ bool is_usable(const TrailStamp& stamp)
            is_size(stamp.depth_m, 1e-4F) && is_size(stamp.rim_m, 1e-3F);
 }
 
-/// Converts a stamp to texels of a window. A stamp longer than the window is cut a little outside the window.
-/// Places are relative to a texel of the ground near the stamp, so that they do not depend on the window.
-/// Returns none if the stamp touches no texel.
+/// Converts a stamp (a pressed shape) to texels of a window. A stamp longer than the window is cut a little
+/// outside the window. Places are relative to a texel of the ground near the stamp, so that they do not
+/// depend on the window. Returns none if the stamp touches no texel.
 std::optional<shared::TrailPress> press_of(const TrailStamp& stamp, uint32_t side, double texel_m,
                                            glm::i64vec2 first)
 {

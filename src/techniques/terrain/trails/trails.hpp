@@ -52,12 +52,12 @@ public:
     /// std::logic_error.
     TrailField(gpu::Device& device, uint32_t side = 512, double extent_m = 32.0);
 
-    /// Adds stamps that the next add_step() presses into the sand, in their order. Ignores stamps that are
-    /// not finite or longer than 100 m. The field remembers the last most_known() stamps.
+    /// Adds stamps (pressed shapes) that the next add_step() presses into the sand, in their order. Ignores
+    /// stamps that are not finite or longer than 100 m. The field remembers the last most_known() stamps.
     void press(std::span<const TrailStamp> stamps);
 
-    /// Remembers a stamp that was pressed `age_s` seconds ago. The stamp appears only in texels that enter
-    /// the window from now on.
+    /// Remembers a stamp (a pressed shape) that was pressed `age_s` seconds ago. The stamp appears only in
+    /// texels that enter the window from now on.
     void remember(const TrailStamp& stamp, double age_s);
 
     /// Lets time jump by `ticks`. The next add_step() rebuilds all texels from the remembered stamps at their
@@ -174,10 +174,10 @@ private:
 
     TerrainTrails trails_;
     std::vector<TerrainTrack> tracks_;
-    std::vector<TimedStamp> steps_; ///< stamps of all tracks, sorted by time
+    std::vector<TimedStamp> steps_; ///< stamps (pressed shapes) of all tracks, sorted by time
     size_t next_step_ = 0;
-    std::vector<TrailStamp> waiting_;   ///< the program's stamps for the next moment
-    std::vector<TimedStamp> pressed_;   ///< the program's stamps up to the current moment
+    std::vector<TrailStamp> waiting_;   ///< the program's stamps (pressed shapes) for the next moment
+    std::vector<TimedStamp> pressed_;   ///< the program's stamps (pressed shapes) up to the current moment
     std::unique_ptr<TrailField> field_; ///< the window of trails; null until somebody has walked
     bool is_made_afresh_ = false;
     FootprintMoment moment_;

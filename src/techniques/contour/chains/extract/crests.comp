@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread handles one vertex of the terrain. The thread computes how steeply the ground falls along the
-// wind, minus half the slope of a slip face, and the vertex's position along the wind. A dune's brink lies
-// where the first value rises through zero.
+// wind, minus half the slope of a slip face, and the vertex's position along the wind. A dune's brink (sharp
+// upper edge) lies where the first value rises through zero.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -25,8 +25,8 @@ layout(push_constant, scalar) uniform Constants
     CrestConstants constants;
 };
 
-// Half the slope of a slip face; sand slides from a slope of 0.62 on, and windward sides are flatter than
-// 0.3.
+// Half the slope of a slip face (steep lee side); sand slides from a slope of 0.62 on, and windward sides are
+// flatter than 0.3.
 const float half_slip_face = 0.3;
 
 void main()

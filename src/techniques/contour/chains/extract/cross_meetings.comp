@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One thread tests one side of the page lattice: do the two surfaces seen at its ends intersect in between?
-// The shader extends each surface to a plane. The surfaces intersect if each plane is the nearer one at its
-// own end of the side. False lines beside an outline are dropped later, in drop.comp.
+// One thread tests one side of the page lattice (a grid of points on the page): do the two surfaces seen at
+// the ends of the side intersect in between? The shader extends each surface to a plane. The surfaces
+// intersect if each plane is the nearer one at its own end of the side. False lines beside an outline are
+// dropped later, in drop.comp.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -31,7 +32,8 @@ layout(binding = 4) uniform usamplerBuffer neighbor_texels;
 
 layout(scalar, binding = 6) buffer Crossings
 {
-    // Two per lattice point: where a line crosses the side to the right and the side downwards.
+    // Two words per point of the page lattice: where a line crosses the side to the right, and the side
+    // downwards.
     uint crossings[];
 };
 

@@ -25,11 +25,11 @@ layout(scalar, binding = 0) uniform Frame
 
 layout(binding = 3) uniform usamplerBuffer neighbor_texels;
 
-// The two sides of each loose edge (an edge where the shading breaks, without feature line).
+// The two sides of each loose edge (an edge where the shading breaks, without a crease or other fixed line).
 layout(binding = 4) uniform usamplerBuffer loose_edge_texels;
-// Number of the loose edge at each side of a triangle.
+// Number of the loose edge (an edge without a crease or other fixed line) at each side of a triangle.
 layout(binding = 5) uniform usamplerBuffer loose_edge_of_side_texels;
-// The part of each loose edge that is outline, as part_ bits.
+// The part of each loose edge (an edge without a crease or other fixed line) that is outline, as part_ bits.
 layout(binding = 6) uniform usamplerBuffer part_texels;
 
 #define FACING_BINDING 7
@@ -72,7 +72,8 @@ uint segment_or_none(uint item, uint segment_count)
     return segment < segment_count ? segment : no_segment;
 }
 
-// The number of the loose edge to which a triangle's side belongs, or a value for none.
+// The number of the loose edge (an edge without a crease or other fixed line) to which a triangle's side
+// belongs, or a value for none.
 uint loose_edge_at(uint triangle, uint corner)
 {
     return texelFetch(loose_edge_of_side_texels, int(3u * triangle + corner)).x;

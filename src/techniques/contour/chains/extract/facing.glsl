@@ -2,8 +2,9 @@
 #ifndef ESTAMPE_FACING
 #define ESTAMPE_FACING
 
-// Tells which triangles face the eye, after all windings of a shell are made consistent. Requires before
-// inclusion: FACING_BINDING (a buffer with one bit per triangle) and `neighbor_texels`.
+// Tells which triangles face the eye, after all triangles of a shell (connected surface) are given a
+// consistent winding. Requires before inclusion: FACING_BINDING (a buffer with one bit per triangle) and
+// `neighbor_texels`.
 
 #include "techniques/contour/chains/chains.glsl.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A subgroup tests 32 cells of the page lattice and writes one word: a bit is set if a line runs through the
-// cell.
+// A subgroup tests 32 cells of the page lattice (a grid of points on the page) and writes one word: a bit is
+// set if a line runs through the cell.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

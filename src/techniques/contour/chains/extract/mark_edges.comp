@@ -22,7 +22,7 @@ layout(scalar, binding = 0) uniform Frame
 #include "shaders/mesh_texels.glsl"
 #include "techniques/contour/chains/extract/silhouette.glsl"
 
-// The two sides of each loose edge (an edge where the shading breaks, without feature line).
+// The two sides of each loose edge (an edge where the shading breaks, without a crease or other fixed line).
 layout(binding = 3) uniform usamplerBuffer loose_edge_texels;
 
 layout(binding = 4) uniform usamplerBuffer neighbor_texels;
@@ -37,7 +37,9 @@ layout(scalar, binding = 6) buffer Marks
 
 layout(scalar, binding = 7) writeonly buffer Parts
 {
-    uint parts[]; // the part of each loose edge that is outline, as part_ bits
+    // The part of each loose edge (an edge without a crease or other fixed line) that is outline, as part_
+    // bits.
+    uint parts[];
 };
 
 layout(push_constant, scalar) uniform Constants

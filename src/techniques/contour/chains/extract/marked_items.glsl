@@ -30,7 +30,8 @@ uint segment_of(uint item)
     return marks_before(word) + uint(bitCount(marks(word) & ((1u << (item & 31u)) - 1u)));
 }
 
-// The item that contains a segment. `word_count` is the number of words of mark bits.
+// The item (triangle, loose edge or cell of the page) that contains a segment. `word_count` is the number of
+// words of mark bits.
 uint item_of(uint segment, uint word_count)
 {
     uint low = 0u;

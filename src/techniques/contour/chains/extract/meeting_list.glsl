@@ -2,10 +2,10 @@
 #ifndef ESTAMPE_MEETING_LIST
 #define ESTAMPE_MEETING_LIST
 
-// An unordered list of the sides of the page lattice across which two shells (connected surfaces) may
-// intersect. The list follows the arguments of an indirect dispatch with one thread per side. The buffer must
-// be zero at first, except for one row and one layer of workgroups. Requires before inclusion:
-// MEETINGS_BINDING, MEETINGS_ACCESS.
+// An unordered list of the sides of the page lattice (a grid of points on the page) across which two shells
+// (connected surfaces) may intersect. The list follows the arguments of an indirect dispatch with one thread
+// per side. The buffer must be zero at first, except for one row and one layer of workgroups. Requires before
+// inclusion: MEETINGS_BINDING, MEETINGS_ACCESS.
 
 #define MEETINGS_A_GROUP 64u
 

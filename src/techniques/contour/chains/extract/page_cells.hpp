@@ -14,17 +14,20 @@ namespace estampe::contour {
 
 struct ChainInputs;
 
-/// Where the lines of one kind cross the sides of the page lattice, see page_cells.glsl.
+/// Where the lines of one kind cross the sides of the page lattice (a grid of points on the page), see
+/// page_cells.glsl.
 struct PageLines {
     gpu::BufferId crossings;
     uint32_t kind;
-    uint32_t first_word; ///< index of the first word of mark bits for the cells of these lines
+    /// Index of the first word of mark bits (1: a line runs through) for the cells of these lines.
+    uint32_t first_word;
 };
 
-/// Number of words of mark bits that one kind of line needs on a page of `size_px`.
+/// Number of words of mark bits (1: a line runs through) that one kind of line needs on a page of `size_px`.
 [[nodiscard]] uint32_t page_words(glm::uvec2 size_px);
 
-/// Finds lines of the kinds that `in` requests. Their mark bits are stored kind after kind, from word
+/// Finds lines of the kinds that `in` requests. Their mark bits (1: a line runs through) are stored kind
+/// after kind, from word
 /// `first_word` on.
 ///
 /// Cost    one thread for four pixels, per kind of line; for intersections, one more thread where two shells
@@ -33,18 +36,19 @@ struct PageLines {
 [[nodiscard]] InlineVector<PageLines, 2> add_page_lines(gpu::Graph& graph, const ChainInputs& in,
                                                         uint32_t first_word);
 
-/// Writes the mark bits of the cells through which `lines` run.
+/// Writes the mark bits (1: a line runs through) of the cells through which `lines` run.
 [[nodiscard]] gpu::BufferId add_cell_marks(gpu::Graph& graph, const PageLines& lines, glm::uvec2 size_px,
                                            gpu::BufferId marks);
 
-/// Buffers that are needed to convert marked cells of the page lattice to line segments.
+/// Buffers that are needed to convert marked cells of the page lattice (a grid of points on the page) to line
+/// segments.
 struct CellSegments {
     gpu::BufferId marks;
     gpu::BufferId marks_before;
     gpu::BufferId sizes;
     gpu::BufferId segments;
     gpu::BufferId ranks;
-    uint32_t word_count; ///< number of words of mark bits in `marks`
+    uint32_t word_count; ///< number of words of mark bits (1: a line runs through) in `marks`
 };
 
 /// Appends the segments of `lines` to the list of segments, and their ranks to the list of ranks.

@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_PAGE_LINES
 #define ESTAMPE_PAGE_LINES
 
-// Finds the cells of the page lattice through which exactly one line runs. Requires before inclusion:
-// CROSSINGS_BINDING and page_cells.glsl.
+// Finds the cells of the page lattice (a grid of points on the page) through which exactly one line runs.
+// Requires before inclusion: CROSSINGS_BINDING and page_cells.glsl.
 
 layout(binding = CROSSINGS_BINDING) uniform usamplerBuffer crossing_texels;
 

@@ -40,7 +40,7 @@ BendCrossing bend_crossing(uint i, uint j)
     precise float share = clamp(a.x / (a.x - b.x), 0.0, 1.0);
     precise float strength = a.y + share * (b.y - a.y);
     if (is_of_ground(low)) {
-        // Positive across a dune's crest, negative at the foot of its slip face.
+        // Positive across a dune's crest, negative at the foot of its slip face (steep lee side).
         precise float turn = b.x - a.x;
         strength = (b.y < a.y ? -turn : turn) - constants.least_turn;
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread handles one sample. If the sample belonged to the stroke of the previous frame that its new
-// stroke continues, the thread adds the sample's offset along that earlier stroke to the sum of the new
-// stroke.
+// One thread handles one sample of a stroke that continues a stroke of the previous frame. If the sample was
+// on that earlier stroke, the thread adds the sample's offset along the brush to the sum of the new stroke.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

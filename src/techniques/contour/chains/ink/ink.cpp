@@ -108,7 +108,7 @@ float period_mm(const BrushImages& brushes, uint32_t use, const ContourStyle& st
 }
 
 /// Returns the constants of ink_brush.comp. `grid_page_px` is the size of the page that the sample grid
-/// covers.
+/// (which finds samples by position) covers.
 shared::BrushConstants brush_constants(const ContourInputs& in, const ContourStyle& style,
                                        glm::uvec2 grid_page_px)
 {
@@ -198,7 +198,8 @@ gpu::ImageId add_blank_layer(gpu::Graph& graph, const shared::InkConstants& cons
                                  glm::vec4(glm::sqrt(constants.ink_color), 0.0F));
 }
 
-/// Inks strokes. `grid_page_px` is the size of the page that their sample grid covers.
+/// Inks strokes. `grid_page_px` is the size of the page that the sample grid (which finds samples by
+/// position) covers.
 gpu::ImageId add_ink_layer(gpu::Graph& graph, const ContourInputs& in, const ShapedStrokes& shaped,
                            const ContourStyle& style, glm::uvec2 grid_page_px,
                            const std::optional<gpu::ImageId>& under)

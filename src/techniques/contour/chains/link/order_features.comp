@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread stores one point of a feature line at its place in the list of chain points.
+// One thread stores one point of a feature line (a crease or other line fixed to the surface) at its place in
+// the list of chain points.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -94,8 +95,8 @@ vec3 place_of(FeaturePoint point)
     return leave_edges ? mix(place, posed_vertex_at(point.other_vertex).position, point.share) : place;
 }
 
-// Outward normal at a point of a feature line: the normal of its edge, or of the smooth surface if the line
-// crosses a triangle.
+// Outward normal at a point of a feature line (a crease or other line fixed to the surface): the normal of
+// its edge, or of the smooth surface if the line crosses a triangle.
 vec3 normal_at(FeaturePoint point, vec3 place)
 {
     if (leave_edges && (point.side & 3u) == 3u) {

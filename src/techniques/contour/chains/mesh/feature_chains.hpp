@@ -13,7 +13,7 @@
 
 namespace estampe::contour {
 
-/// Which edges of a mesh get feature lines.
+/// Which edges of a mesh get feature lines (creases and other lines fixed to the surface).
 struct FeatureChoice {
     /// Smallest fold of a crease where the shading breaks; a fold with smooth shading needs at least 60
     /// degrees.

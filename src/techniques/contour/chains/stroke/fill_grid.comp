@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread enters one sample into the sample grid, if the sample belongs to a stroke.
+// One thread enters one sample into the sample grid (which finds samples by position), if the sample belongs
+// to a stroke.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -197,12 +197,12 @@ public:
     {
         std::vector<LinePath> joined;
         is_taken_.assign(paths_.size(), false);
-        for (size_t i = 0; i < paths_.size(); ++i) { // first the paths that have a free end
+        for (size_t i = 0; i < paths_.size(); ++i) { // joins the paths that have a free end first
             if (!is_taken_[i] && (!partners_[2 * i] || !partners_[2 * i + 1])) {
                 joined.push_back(walk(partners_[2 * i] ? 2 * i + 1 : 2 * i));
             }
         }
-        for (size_t i = 0; i < paths_.size(); ++i) { // all remaining paths belong to closed rings
+        for (size_t i = 0; i < paths_.size(); ++i) { // joins the remaining paths, which form closed rings
             if (!is_taken_[i]) {
                 joined.push_back(around(i));
             }

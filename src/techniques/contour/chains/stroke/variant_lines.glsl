@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_VARIANT_LINES
 #define ESTAMPE_VARIANT_LINES
 
-// Widths and inks of lines for each style variant, see VariantLines. Requires before inclusion:
-// VARIANT_LINES_BINDING.
+// Widths and inks of lines for each style variant (the style of certain materials or objects), see
+// VariantLines. Requires before inclusion: VARIANT_LINES_BINDING.
 layout(binding = VARIANT_LINES_BINDING) uniform usamplerBuffer variant_line_texels;
 
 uint variant_line_word(uint style_variant, uint word)
@@ -11,8 +11,8 @@ uint variant_line_word(uint style_variant, uint word)
     return texelFetch(variant_line_texels, int(variant_lines_words * style_variant + word)).x;
 }
 
-/// Full width of a kind of line in a style variant: in metres if the kind's bit in `metre_kinds` is set, else
-/// in pixels.
+/// Full width of a kind of line in a style variant (the style of certain materials or objects): in metres if
+/// the kind's bit in `metre_kinds` is set, else in pixels.
 float variant_width_of(uint style_variant, uint kind)
 {
     return uintBitsToFloat(variant_line_word(style_variant, kind));
