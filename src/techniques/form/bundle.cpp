@@ -238,8 +238,8 @@ void Bundle::apply(const Level& level, const Vectors& x, Vectors& out)
     }
 }
 
-/// Whether a level is coarse enough. The coarsest level may stay large if the graph has many parts; its nodes
-/// then have hardly any neighbours.
+/// Whether a level of the multigrid is coarse enough to be the last. It may stay large if the graph has many
+/// parts; its nodes then have hardly any neighbours.
 bool Bundle::is_small(const Level& level)
 {
     return level.size() <= 1000;

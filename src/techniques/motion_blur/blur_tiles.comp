@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread finds the longest displacement in one tile.
+// One thread finds the longest displacement of all pixels in one tile, during half the exposure.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One workgroup finds the longest displacement in one tile, with one thread per pixel. If several pixels have
-// the longest displacement, the first of these pixels is used.
+// One workgroup finds the longest displacement of all pixels in one tile, during half the exposure. Each
+// thread reads one pixel. If several pixels have the longest displacement, the first of these pixels is used.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

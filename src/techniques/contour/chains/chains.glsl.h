@@ -48,7 +48,7 @@ SHARED_CONSTANT uint neighbor_shell_shift = 5U;
 // Variant bits (features that are compiled into a shader) of the chain shaders. The first word of a name is
 // the shader.
 
-// For the shaders mark_*.comp: outlines follow the edges of the mesh and do not cross triangles
+// For the shaders mark_*.comp: outlines follow the edges of the mesh and do not cross triangles.
 SHARED_CONSTANT uint mark_along_edges = 1U << 0U;
 
 SHARED_CONSTANT uint emit_has_loose_edges = 1U << 0U;

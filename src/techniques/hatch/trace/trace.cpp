@@ -176,7 +176,7 @@ private:
     std::vector<Corner> corners_;
 };
 
-/// Adds the pass that finds the crossings of one style variant (the style of certain materials or objects).
+/// Adds the pass that finds the crossings (points where lines pass between pixels) of one style variant.
 gpu::BufferId add_crossings(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style,
                             gpu::BufferId before)
 {

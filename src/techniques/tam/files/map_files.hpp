@@ -69,7 +69,8 @@ struct Manifest {
 /// The layers of a DDS file, each with all mip levels that the file contains, finest first.
 struct DdsImages {
     uint32_t size_px = 0;
-    std::vector<std::vector<Gray8>> level_of_layer; ///< coverage of each texel: black in the file is ink, 255
+    /// Coverage of each texel: 255 (ink) where the file is black.
+    std::vector<std::vector<Gray8>> level_of_layer;
 };
 
 /// Reads an uncompressed DDS file. Its texels are 8-bit luminance or alpha, 24- or 32-bit colour with masks,

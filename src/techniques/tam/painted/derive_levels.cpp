@@ -190,7 +190,7 @@ private:
         return all;
     }
 
-    /// Makes marks fainter than ink if they would add more than the missing ink.
+    /// Makes marks so faint that they do not count as ink, if they would add more ink than is missing.
     void soften(double missing)
     {
         constexpr double faint = 0.45;
