@@ -27,8 +27,9 @@
 namespace estampe::cloth {
 namespace {
 
-constexpr float tear_share = 4.0F;             // small steps in place of tethers, of sheets that may tear
-constexpr float longest_step_s = 1.0F / 30.0F; // longer steps are cut to this
+// Factor on the small steps of sheets that may tear, because they have no tethers.
+constexpr float tear_share = 4.0F;
+constexpr float longest_step_s = 1.0F / 30.0F; // upper limit of a step of the simulation
 
 /// Whether wind keeps all sheets awake. A very weak wind does not, because it moves nothing visibly.
 bool blows(const Surroundings& now)
@@ -36,7 +37,7 @@ bool blows(const Surroundings& now)
     return now.air_kg_m3 > 0.0F && now.wind.speed_m_per_s > shared::cloth_breath_m_per_s;
 }
 
-/// Without where the numbers of its grid begin.
+/// The kind of a solid, without the index of its grid's numbers, which shares the same word.
 uint32_t kind_of(const shared::ClothCollider& solid)
 {
     return solid.kind & ((1U << shared::cloth_kind_bits) - 1);
@@ -52,8 +53,8 @@ bool is_seen(const shared::ClothCollider& solid)
     return kind_of(solid) == shared::cloth_seen;
 }
 
-/// Small steps that limit the stretch to one or two hundredths with default settings: a third of the number
-/// of particles per side, in a sixtieth of a second.
+/// Number of small steps per second that limits the stretch of cloth to one or two hundredths with default
+/// settings: per sixtieth of a second, a third of the number of particles per side.
 float small_steps_per_s(uint32_t particles)
 {
     const float side = std::sqrt(static_cast<float>(particles));
@@ -66,7 +67,7 @@ glm::vec3 direction_of(const wind::WindStyle& wind)
     return {std::cos(from_x_rad), 0.0F, std::sin(from_x_rad)};
 }
 
-/// Whether sheets at rest in `before` would not be in `now`, but for the wind.
+/// Whether sheets that rested in the surroundings `before` would not rest in `now`. The wind is not compared.
 bool are_other(const Surroundings& now, const Surroundings& before)
 {
     return before.gravity_m_s2 != now.gravity_m_s2 || before.effort != now.effort ||
@@ -80,7 +81,8 @@ uint32_t Cloths::small_steps(const Kind& kind, const Surroundings& surroundings)
     const Solver& solver = *kind.solver;
     const bool tears = (kind.variant & shared::cloth_bit_tear) != 0;
     const float share = solver.relaxations > 0
-                            ? static_cast<float>(solver.relaxations) // which have no tethers to make up for
+                            // Relaxations need no extra small steps for missing tethers.
+                            ? static_cast<float>(solver.relaxations)
                             : (tears ? tear_share : 1.0F) / static_cast<float>(std::max(solver.sweeps, 1U));
     const float wanted =
         share * small_steps_per_s(kind.most_particles) * surroundings.effort * surroundings.step_s;
@@ -89,7 +91,8 @@ uint32_t Cloths::small_steps(const Kind& kind, const Surroundings& surroundings)
 
 uint32_t Cloths::most_steps(const Surroundings& surroundings) const
 {
-    constexpr uint32_t most_passes = 240; // leaves room for other techniques' passes
+    // Limit of passes per graph; leaves room for the passes of other techniques.
+    constexpr uint32_t most_passes = 240;
     constexpr uint32_t most_at_once = 120;
     uint32_t passes = 0;
     for (const Kind& kind : kinds_) {
@@ -103,7 +106,7 @@ uint32_t Cloths::most_steps(const Surroundings& surroundings) const
 
 void Cloths::find_met_solids()
 {
-    constexpr float spare_m = 0.1F; // margin for the thickness of sheets
+    constexpr float spare_m = 0.1F; // margin of a sheet's reach for the thickness of sheets
     met_before_.clear();
     met_.clear();
     for (size_t i = 0; i < solids_.size(); ++i) {
@@ -117,7 +120,7 @@ void Cloths::find_met_solids()
         if (is_met) {
             met_before_.push_back(solids_before_[i]);
             met_.push_back(solids_[i]);
-            if (is_seen(solids_[i])) { // which may have been larger
+            if (is_seen(solids_[i])) { // the body may have been larger at the run's beginning
                 met_.back().reach_m = std::max(solids_before_[i].reach_m, solids_[i].reach_m);
             }
         }
@@ -270,7 +273,8 @@ void Cloths::add_small_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, u
     pass.read(handles.pushes);
     pass.sample(gpu::import_whole(graph, "cloth/flows", flow_speeds_), gpu::Format::rgba32f);
     pass.variant(kind.variant).push(shared::ClothMoment{.first_group = kind.first_group});
-    constexpr uint32_t step_us = 20; // of each group, however many there are
+    // Estimated time per step of one small sheet; small sheets run in parallel.
+    constexpr uint32_t step_us = 20;
     pass.estimated_duration_us(count * step_us).dispatch(kind.group_count);
 }
 
@@ -368,8 +372,8 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
     }
     fill_runs(surroundings, count);
     if (!met_.empty()) {
-        // Buffers that the CPU writes may be in host memory, which is slow for the small steps that read them
-        // often.
+        // Copies the buffers that the CPU writes to device memory. They may be in host memory, which is slow
+        // for the small steps that read them often.
         handles.solids = gpu::add_copy_of_start(graph, "cloth/solids", handles.solids,
                                                 2 * met_.size() * sizeof(shared::ClothCollider));
     }
@@ -382,7 +386,7 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
         (wind.speed_m_per_s > 0.0F && (wind.gustiness > 0.0F || wind.turbulence > 0.0F)
              ? shared::cloth_bit_gusts
              : 0U);
-    std::optional<gpu::BufferId> awake; // of large sheets
+    std::optional<gpu::BufferId> awake; // buffer that marks which large sheets are awake
     for (Kind& kind : kinds_) {
         constexpr uint32_t changing = shared::cloth_bit_colliders | shared::cloth_bit_grids |
                                       shared::cloth_bit_seen | shared::cloth_bit_flow |

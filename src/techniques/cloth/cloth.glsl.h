@@ -8,65 +8,81 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-// Bits of the variant of cloth shaders.
-SHARED_CONSTANT uint cloth_bit_grid = 1U;      // sheets are regular grids: neighbours need no lists
-SHARED_CONSTANT uint cloth_bit_colliders = 2U; // there are solids to collide with
-SHARED_CONSTANT uint cloth_bit_last = 8U;      // this pass ends a step or a small step
+// Bits of the specialization constant `variant` of cloth shaders.
+SHARED_CONSTANT uint cloth_bit_grid = 1U;      // the sheets are regular grids, so neighbours need no lists
+SHARED_CONSTANT uint cloth_bit_colliders = 2U; // the cloth collides with solids
+SHARED_CONSTANT uint cloth_bit_last = 8U;      // this pass ends a step or a small step of the cloth solver
 SHARED_CONSTANT uint cloth_bit_gusts = 16U;    // wind speed depends on the place
 SHARED_CONSTANT uint cloth_bit_descent = 64U;  // block descent has already solved the links
 SHARED_CONSTANT uint cloth_bit_self = 128U;    // sheets collide with themselves
-SHARED_CONSTANT uint cloth_bit_flow = 256U;    // a fluid moves the air in some boxes
-SHARED_CONSTANT uint cloth_bit_grids = 32U;    // some solids are grids of heights or distances
+SHARED_CONSTANT uint cloth_bit_flow = 256U;    // a fluid simulation moves the air in some boxes
+SHARED_CONSTANT uint cloth_bit_grids = 32U;    // some solids are grids of heights or of signed distances
 
-SHARED_CONSTANT uint cloth_bit_half_held = 512U; // some particles are only partly held
+// Some particles are only partly held by the object that carries the cloth.
+SHARED_CONSTANT uint cloth_bit_half_held = 512U;
 
-SHARED_CONSTANT uint cloth_bit_seen = 1024U; // some solids are bodies seen from front and back
+// Some solids are deforming bodies, measured from the front and the back.
+SHARED_CONSTANT uint cloth_bit_seen = 1024U;
 
 SHARED_CONSTANT uint cloth_bit_tear = 2048U; // links that become too long are torn
 
-SHARED_CONSTANT uint cloth_bit_roused = 4096U; // wind blows, so no sheet rests in this run
-SHARED_CONSTANT uint cloth_bit_lone = 8192U;   // there is one sheet, and ClothRun contains it
+SHARED_CONSTANT uint cloth_bit_roused = 4096U; // wind blows, so no sheet comes to rest in this run of steps
+SHARED_CONSTANT uint cloth_bit_lone = 8192U;   // only one sheet exists, and ClothRun contains its record
 
-SHARED_CONSTANT uint cloth_group = 64U;         // particles of a sheet are padded to whole workgroups
-SHARED_CONSTANT uint cloth_tile_side = 8U;      // on a grid, workgroups are squares of this side
-SHARED_CONSTANT uint cloth_small_group = 256U;  // threads that share a small sheet
-SHARED_CONSTANT uint cloth_small_sheet = 1024U; // most particles of a small sheet
-SHARED_CONSTANT uint cloth_small_share = 8U;    // most particles of a small sheet per thread
+// Threads per workgroup; each sheet's particles are padded to whole workgroups.
+SHARED_CONSTANT uint cloth_group = 64U;
+// Side of a square workgroup, in particles, for sheets that are regular grids.
+SHARED_CONSTANT uint cloth_tile_side = 8U;
+SHARED_CONSTANT uint cloth_small_group = 256U;  // threads per small sheet on a processor
+SHARED_CONSTANT uint cloth_small_sheet = 1024U; // largest number of particles of a small sheet
+SHARED_CONSTANT uint cloth_small_share = 8U;    // largest number of particles per thread, for a small sheet
 SHARED_CONSTANT uint cloth_wide_group = 1024U;  // threads per small sheet on a GPU; divides cloth_small_sheet
-SHARED_CONSTANT uint cloth_few_sheets = 160U;   // their records fit in the smallest uniform buffer
+// Largest number of sheets in the uniform buffer; fits the smallest uniform buffer of Vulkan.
+SHARED_CONSTANT uint cloth_few_sheets = 160U;
 SHARED_CONSTANT uint cloth_most_tethers = 4U;
-SHARED_CONSTANT uint cloth_met_head = 4U;   // numbers of the ball about a group, before what it may meet
-SHARED_CONSTANT uint cloth_met_words = 32U; // of 32 solids each, at most: of those after it is not asked
+// Number of floats of a group's bounding ball, which precede the bits of nearby solids.
+SHARED_CONSTANT uint cloth_met_head = 4U;
+// Most words of nearby-solid bits per group, 32 solids per word; solids beyond are always tested.
+SHARED_CONSTANT uint cloth_met_words = 32U;
 SHARED_CONSTANT uint cloth_most_flows = 8U;
-SHARED_CONSTANT uint cloth_torn_bits = 64U;  // of each particle of a sheet that may tear, see cloth_torn.glsl
-SHARED_CONSTANT uint cloth_torn_cells = 32U; // on a grid, first of the bits for cells
-SHARED_CONSTANT float cloth_breath_m_per_s = 0.05F; // a slower wind moves nothing visibly
-SHARED_CONSTANT float cloth_rest_s = 0.5F;          // a sheet that has been calm for this time rests
+// Bits of torn links per particle of a sheet that may tear, see cloth_torn.glsl.
+SHARED_CONSTANT uint cloth_torn_bits = 64U;
+// Index of the first torn bit that stands for a grid cell, not a link.
+SHARED_CONSTANT uint cloth_torn_cells = 32U;
+// Wind slower than this moves nothing visibly and is ignored.
+SHARED_CONSTANT float cloth_breath_m_per_s = 0.05F;
+// A sheet comes to rest when all its particles have been calm for this time.
+SHARED_CONSTANT float cloth_rest_s = 0.5F;
 
-// A particle's mass is shared among its links. The share of a near link is this many times that of a far one.
+// A particle's mass is shared among its links. A link to a near particle gets this many times the share of a
+// link to a far one.
 SHARED_CONSTANT float cloth_near_share = 3.0F;
 
-SHARED_CONSTANT uint cloth_plane = 0U; // all space below y = 0
+SHARED_CONSTANT uint cloth_plane = 0U; // kind of solid: all space below y = 0
 SHARED_CONSTANT uint cloth_ellipsoid = 1U;
 SHARED_CONSTANT uint cloth_box = 2U;
-SHARED_CONSTANT uint cloth_cylinder = 3U;  // with its axis along y
-SHARED_CONSTANT uint cloth_capsule = 4U;   // with its axis along y
-SHARED_CONSTANT uint cloth_heights = 5U;   // all below heights on an x, z grid; constant beyond the grid
-SHARED_CONSTANT uint cloth_distances = 6U; // the solid of signed distances on a grid
-SHARED_CONSTANT uint cloth_seen = 7U;      // the space between the front and the back of a body, along z
+SHARED_CONSTANT uint cloth_cylinder = 3U; // kind of solid: cylinder with its axis along y
+SHARED_CONSTANT uint cloth_capsule = 4U;  // kind of solid: capsule with its axis along y
+// Kind of solid: all space below heights on an x, z grid; heights are constant beyond the grid.
+SHARED_CONSTANT uint cloth_heights = 5U;
+SHARED_CONSTANT uint cloth_distances = 6U; // kind of solid: signed distances to a surface, on a grid
+// Kind of solid: the space between the front and the back surface of a body, along z.
+SHARED_CONSTANT uint cloth_seen = 7U;
 SHARED_CONSTANT uint cloth_kind_bits = 3U;
-SHARED_CONSTANT uint cloth_grid_head = 6U;  // words before a grid's numbers: nodes per axis, half its size
-SHARED_CONSTANT uint cloth_seen_head = 1U;  // texels before a body's data: nodes per axis
-SHARED_CONSTANT uint cloth_seen_skirt = 5U; // nodes this far outside a body's outline count as far
-SHARED_CONSTANT float cloth_seen_nowhere_m = 1e3F; // distance from the outline that means: no body
+// Words before a solid's grid numbers: nodes per axis, half the grid's size.
+SHARED_CONSTANT uint cloth_grid_head = 6U;
+SHARED_CONSTANT uint cloth_seen_head = 1U; // texels before a seen body's data: nodes per axis
+// Width, in nodes, of the band outside a body's outline where distances are computed.
+SHARED_CONSTANT uint cloth_seen_skirt = 5U;
+SHARED_CONSTANT float cloth_seen_nowhere_m = 1e3F; // distance from the outline that means: there is no body
 
-// A cloth sheet. Its particles start at index `first`; there are `count`, padded to `stride`. The k-th link
-// of particle i has index first_link + k * stride + i; faces and tethers are indexed likewise.
+// A cloth sheet. Its particles start at index `first`; the sheet has `count` particles, padded to `stride`.
+// The k-th link of particle i has index first_link + k * stride + i; faces and tethers are indexed likewise.
 struct ClothSheet {
     uint first;
     uint count;
     uint stride;
-    uint columns; // of a grid; 0 for other sheets
+    uint columns; // columns of the sheet's regular grid; 0 if the sheet is no grid
     uint rows;
     uint link_width;
     uint first_link;
@@ -74,10 +90,10 @@ struct ClothSheet {
     uint first_face;
     uint tether_width;
     uint first_tether;
-    float spacing_x_m; // spacing of a grid's particles
+    float spacing_x_m; // spacing of particles in a regular grid
     float spacing_y_m;
-    float softness;    // of a grid's links: compliance in m / N of a link of 1 m
-    float bending_n_m; // flexural rigidity, lowered if a step is too long for it
+    float softness;    // compliance of a grid's links, in m / N for a link of 1 m
+    float bending_n_m; // bending stiffness of the cloth, lowered if a step is too long for it
     float fold;
     float mass_kg_m2;
     float drag;
@@ -85,77 +101,80 @@ struct ClothSheet {
     float damping_per_s;
     float friction;
     float thickness_m;
-    float winding; // of a grid: side that its faces look to, 1 or -1
-    float self_m;  // distance for self-collision; 0: none
+    float winding; // side that the faces of a grid look to, 1 or -1
+    float self_m;  // distance that self-collision keeps between particles; 0: no self-collision
     float tear;    // links tear at this multiple of their rest length; 0: never
 };
 
-// A link to a near particle. Its rest length is negative if other particles lie between the two.
+// A link to a nearby particle. Its rest length is negative if other particles lie between the two linked
+// particles.
 struct ClothLink {
     uint other;
     float rest_m;
     float compliance_m_n;
-    float bending; // at flexural rigidity 1: force per metre
+    float bending; // bending force per metre of displacement, at a flexural rigidity of 1
 };
 
-// A box of air, measured in cells of its grid.
+// A box of air whose velocity a fluid simulation gives, measured in cells of the fluid's grid.
 struct ClothFlow {
-    mat4 cells_from_place; // relative to the low corner
+    mat4 cells_from_place; // converts a place to grid cells, relative to the box's low corner
     uvec3 cells;
-    uint first; // index of the first velocity, in the middle of a cell
+    uint first; // index of the box's first velocity; velocities are in the middle of cells
 };
 
-// Parameters of a run of steps, common to all sheets.
+// Parameters of a run of simulation steps, common to all cloth sheets.
 struct ClothRun {
     vec3 gravity_m_s2;
     float step_s;
     uint step_count;
-    uint small_steps; // small steps per step
+    uint small_steps; // small steps per simulation step
     uint collider_count;
-    uint collider_stride; // offset from colliders at the run's beginning to the end; 0: all still
+    // Distance in the collider buffer from the run's beginning to its end; 0: all colliders are still.
+    uint collider_stride;
     vec3 wind_m_per_s;
-    vec3 ahead_m;     // way of the wind beyond its velocity times the time
-    float gustiness;  // share of the wind speed that varies
+    vec3 ahead_m;     // distance that the wind's pattern has moved, in addition to wind velocity times time
+    float gustiness;  // share of the wind speed that varies with gusts
     float gust_m;     // mean distance between gusts
     float turbulence; // speed of eddies, as a share of the wind speed
-    float eddy_m;     // size of eddies
-    float time_s;     // at the beginning of the first step
+    float eddy_m;     // size of eddies in the wind
+    float time_s;     // time at the beginning of the first step
     float air_kg_m3;
     float most_speed_m_per_s;
-    vec3 origin_m;      // origin of cloth positions, in the space of the wind
-    float rest_m_per_s; // slower particles are calm; negative: none is
-    uint roused_steps;  // in the first steps of this number, no sheet rests
-    uint bodies_move;   // bodies deform, besides the motion of their solids
+    vec3 origin_m;      // origin of cloth positions, in the coordinates of the wind
+    float rest_m_per_s; // particles slower than this are calm; negative: no particle is calm
+    uint roused_steps;  // number of steps at the run's beginning in which no sheet rests
+    uint bodies_move;   // 1 if bodies deform in this run, in addition to moving as rigid solids
     uint flow_count;
     ClothFlow flows[cloth_most_flows];
     ClothSheet lone_sheet;
 };
 
-// Position of a pass within a run.
+// Position of a compute pass within a run of cloth steps.
 struct ClothMoment {
     uint step;
     uint small_step;
-    uint first_group; // index into the list of sheets by group
+    uint first_group; // index of the pass's first group in the list of sheets by group
 };
 
-// Parameters of the search for near particles, for the self-collision of a sheet.
+// Parameters of the search for nearby particles, for the self-collision of a sheet.
 struct ClothNearConstants {
     uint first_group;
-    uint cell_mask; // number of cells of the hash table, less 1
-    uint is_search; // 1: particles search; 0: particles enter themselves
+    uint cell_mask; // number of cells of the hash table, minus 1
+    uint is_search; // 1: particles search the hash table; 0: particles enter themselves into the table
     uint step;
 };
 
-// A collider at the beginning or the end of a run: rotated first, then translated.
+// A collider at the beginning or the end of a run. The collider is rotated first, then translated.
 struct ClothCollider {
     vec3 centre_m;
-    uint kind;     // kind; above cloth_kind_bits, the index of its grid's numbers
-    vec4 rotation; // quaternion, with the scalar last
-    vec3 half_m;   // radii of an ellipsoid, half a box or grid, radius, half height and radius of the others
-    float reach_m; // places farther from the centre are outside
+    uint kind;     // kind of solid in the low bits; above cloth_kind_bits, the index of the grid's numbers
+    vec4 rotation; // rotation as a quaternion, with the scalar last
+    // Radii of an ellipsoid, half size of a box or grid, or radius, half height and radius of other solids.
+    vec3 half_m;
+    float reach_m; // distance from the centre beyond which every place is outside
 };
 
-// A body that is seen along its z axis, with the rotation of its solid.
+// A deforming body, measured along its z axis, with the rotation of its solid.
 struct ClothBody {
     vec4 rotation;
     vec3 centre_m;
@@ -163,28 +182,29 @@ struct ClothBody {
     vec3 half_m;
     uint triangle_count;
     uvec2 nodes;
-    uint first; // index of its head
+    uint first; // index of the body's head (nodes per axis) in the texels
 };
 
-// The posed vertex that holds a particle, and how strongly.
+// The posed vertex that holds a particle, and the strength of the hold.
 struct ClothHold {
     uint vertex;
     float share;
 };
 
-SHARED_CONSTANT uint cloth_no_vertex = 0xffffffffU; // marks padding of a workgroup
+SHARED_CONSTANT uint cloth_no_vertex = 0xffffffffU; // vertex number that marks the padding of a workgroup
 
-// A vertex of the drawn mesh.
+// A vertex of the drawn cloth mesh.
 struct ClothVertex {
     uint vertex;
-    uint particle; // index within its sheet; with cloth_on_back on the back
+    uint particle; // index of the particle within its sheet; cloth_on_back is added for a vertex on the back
 };
 
 SHARED_CONSTANT uint cloth_on_back = 0x80000000U;
 
 #ifdef __cplusplus
 static_assert(sizeof(ClothSheet) == 100);
-static_assert(cloth_few_sheets * sizeof(ClothSheet) <= 16384); // as Vulkan has it
+// The smallest uniform buffer that Vulkan guarantees.
+static_assert(cloth_few_sheets * sizeof(ClothSheet) <= 16384);
 static_assert(cloth_small_sheet % cloth_wide_group == 0);
 static_assert(sizeof(ClothLink) == 16);
 static_assert(sizeof(ClothCollider) == 48);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Simulates all cloth sheets on the device, in few dispatches.
+// Simulates all cloth sheets on the GPU with few dispatches.
 
 #include <array>
 #include <optional>
@@ -17,104 +17,108 @@
 
 namespace estampe::cloth {
 
-/// Surroundings of all sheets; they may change from run to run.
+/// Conditions that act on all cloth sheets (wind, air, time step). They may change from run to run.
 struct Surroundings {
-    float step_s = 1.0F / 120.0F; ///< at most a thirtieth of a second
-    double time_s = 0.0;          ///< time at the beginning of the run, for the wind
+    float step_s = 1.0F / 120.0F; ///< time step of the cloth simulation, at most a thirtieth of a second
+    double time_s = 0.0;          ///< time at the beginning of the run; the wind depends on it
     glm::vec3 gravity_m_s2{0.0F, -9.81F, 0.0F};
     float air_kg_m3 = 1.2F;
     wind::WindStyle wind{.speed_m_per_s = 0.0F};
-    double ahead_m = 0.0;       ///< way of the wind beyond its speed times the time
-    glm::dvec3 origin_m{0.0};   ///< origin of cloth positions, in the world
-    float effort = 1.0F;        ///< see ClothStyle
-    float rest_m_per_s = 5e-3F; ///< see ClothStyle::rest_mm_per_s
+    double ahead_m = 0.0;       ///< distance that the wind has moved, in addition to its speed times the time
+    glm::dvec3 origin_m{0.0};   ///< origin of cloth positions, in world coordinates
+    float effort = 1.0F;        ///< factor on the number of small steps, see ClothStyle
+    float rest_m_per_s = 5e-3F; ///< particles slower than this are calm, see ClothStyle::rest_mm_per_s
 };
 
-/// A triangle of a sheet, with vertex numbers of the drawn mesh.
+/// A triangle of a cloth sheet, with vertex numbers of the drawn mesh.
 struct DrawnFace {
     uint32_t triangle = 0;
     glm::uvec3 vertices{0};
     glm::uvec3 particles{0};
 };
 
-/// The drawn vertices of a sheet.
+/// The vertices of the drawn mesh that show one cloth sheet.
 struct DrawnSheet {
     uint32_t first_vertex = 0;
-    std::vector<uint32_t> particle_of_vertex;  ///< particles of the vertices from `first_vertex` on
-    std::optional<uint32_t> first_back_vertex; ///< of the other side, if it has vertices of its own: as many,
-                                               ///< in the same order
-    std::vector<DrawnFace> faces;              ///< only for a sheet that may tear
+    std::vector<uint32_t> particle_of_vertex;  ///< for each drawn vertex from `first_vertex` on: its particle
+    std::optional<uint32_t> first_back_vertex; ///< first vertex of the sheet's back, if the back has vertices
+                                               ///< of its own; same number and order
+    std::vector<DrawnFace> faces; ///< triangles of the drawn sheet; only needed for a sheet that may tear
 };
 
-/// The bits of a drawn face's sides in Cloths::torn().
+/// For each side of a drawn face, the place of its torn bit in Cloths::torn().
 struct BrittleFace {
     uint32_t triangle = 0;
     glm::uvec3 vertices{0};
-    std::array<glm::uvec2, 3> sides{}; ///< particle and bit of each side
+    std::array<glm::uvec2, 3> sides{}; ///< for each side of the face: particle and bit number
 };
 
-/// Whether any side of the face is torn. `torn` is the content of Cloths::torn().
+/// Whether any side of the face is torn. `torn` is the downloaded content of Cloths::torn().
 [[nodiscard]] bool is_torn(const BrittleFace& face, std::span<const glm::uvec2> torn);
 
-/// A box that a sheet does not leave.
+/// A box that a cloth sheet does not leave.
 struct SheetReach {
     glm::vec3 min_m{0.0F};
     glm::vec3 max_m{0.0F};
 };
 
-/// A box of air that a periodic fluid moves.
+/// A box of air whose velocity comes from a periodic fluid simulation.
 struct Flow {
     glm::uvec3 cells{0};
-    glm::mat4 cells_from_place{1.0F}; ///< relative to the low corner; equal scale on all axes
+    glm::mat4 cells_from_place{1.0F}; ///< to grid cells, from the low corner; equal scale on all axes
 };
 
 /// A deforming mesh that sheets collide with, through its front and back surfaces along one axis.
 struct Body {
-    std::vector<glm::uvec3> triangles; ///< indices of posed vertices
-    glm::uvec2 nodes{2};               ///< of its grid, along x and y of its solid
+    std::vector<glm::uvec3> triangles; ///< triangles of the body, as indices of posed vertices
+    glm::uvec2 nodes{2};               ///< nodes of the body's grid, along x and y of its solid
 };
 
-/// Cloth sheets on the device. Equal sheets and runs give bit-identical positions on one device. A sheet
-/// rests once all its particles have been calm for shared::cloth_rest_s: steps do not change it until wind
-/// blows, a particle's holder moves, a solid moves near it, the sheet is moved, or the surroundings change.
+/// Cloth sheets on the GPU. Equal sheets and runs give bit-identical positions on one device. A sheet comes
+/// to rest once all its particles have been calm for shared::cloth_rest_s. Steps do not change a resting
+/// sheet until wind blows, a holder of a particle moves, a solid moves nearby, the sheet is moved, or the
+/// surroundings change.
 class Cloths {
 public:
-    /// Puts sheets at their rest positions, at rest. `drawn` has one entry per sheet, or is empty. Throws
-    /// Error as build_structure() does, and if the sheets do not fit the device.
+    /// Creates sheets in their rest shape, without motion. `drawn` has one entry per sheet, or is empty.
+    /// Throws Error as build_structure() does, and if the sheets do not fit the device.
     Cloths(gpu::Device& device, std::span<const Sheet> sheets, std::span<const DrawnSheet> drawn = {});
 
-    /// Replaces the solvers of all sheets by one; the motion of sheets continues.
+    /// Selects one solver for all sheets. The motion of the sheets continues.
     void set_solver(gpu::Device& device, std::optional<ClothSolver> solver);
 
-    /// Whether each small sheet gets as many threads as a GPU runs at once. The default is true on GPUs.
-    /// Processors are faster with fewer threads. Positions are equal up to rounding.
+    /// Selects whether each small sheet gets as many threads as a GPU runs in parallel. The default is true
+    /// on GPUs; CPU implementations of Vulkan are faster with fewer threads. Positions are equal up to
+    /// rounding.
     void set_wide(const gpu::Device& device, bool is_wide);
 
-    /// Solids at the end of the next run. During the run they move there from their last places, if the
-    /// number of solids is unchanged. Later runs start with these places.
+    /// Sets the solids at the end of the next run. During the run, solids move there from their last places,
+    /// if the number of solids is unchanged. Later runs start with these places.
     void set_solids(gpu::Device& device, std::span<const Solid> solids);
 
-    /// Boxes that sheets do not leave during later runs, so that distant solids cost nothing. Empty: sheets
-    /// may go anywhere.
+    /// Sets boxes that sheets do not leave during later runs, so that distant solids cost nothing. An empty
+    /// list means that sheets may go anywhere.
     void set_reach(std::vector<SheetReach> reach) { reach_ = std::move(reach); }
 
-    /// The grids of all solids of heights and distances, until the next call. Call before set_solids(). Cost:
-    /// one upload.
+    /// Uploads the grids of all solids of heights and distances. They stay valid until the next call. Call
+    /// set_grids() before set_solids(). Cost: one upload.
     void set_grids(gpu::Device& device, std::span<const SolidGrid> grids);
 
-    /// The bodies of all solids of kind `seen`, until the next call. Call before set_solids(). Cost: an
-    /// upload of their triangles.
+    /// Uploads the bodies of all solids of kind `seen`. They stay valid until the next call. Call
+    /// set_bodies() before set_solids(). Cost: an upload of the bodies' triangles.
     void set_bodies(gpu::Device& device, std::span<const Body> bodies);
 
-    /// Boxes of air with the velocities of the last add_flow(), which replace the wind in later runs. Where
-    /// boxes overlap, the last box counts. Throws std::logic_error for more than shared::cloth_most_flows.
+    /// Sets boxes of air with the velocities of the last add_flow(), which replace the wind in later runs.
+    /// Where boxes overlap, the last box counts. Throws std::logic_error for more than
+    /// shared::cloth_most_flows boxes.
     void set_flows(gpu::Device& device, std::span<const Flow> flows);
 
-    /// Targets of held particles at the end of the next run, sheet by sheet. As for solids, particles move
-    /// there during the run.
+    /// Sets the targets of held particles at the end of the next run, sheet by sheet. Particles move there
+    /// from their last targets during the run.
     void set_targets(gpu::Device& device, std::span<const glm::vec3> places_m);
 
-    /// Resources that the passes of one graph share. Create them once per graph, before the passes.
+    /// Graph resources that the cloth passes of one graph share. Create one `Handles` per graph, before the
+    /// passes.
     struct Handles {
         gpu::BufferId places;
         gpu::BufferId places_before;
@@ -130,32 +134,36 @@ public:
 
     [[nodiscard]] Handles import(gpu::Graph& graph);
 
-    /// Passes the velocity of the air in a box, as `fluid` stores it: component by component on the low faces
-    /// of cells, layer by layer. Call once for each box before the next run, and once per graph.
+    /// Adds a pass that copies the air velocity of one box. `velocity` is stored as `fluid` does: component
+    /// by component on the low faces of cells, layer by layer. Call add_flow() for each box before the next
+    /// run, and once per graph.
     void add_flow(gpu::Graph& graph, size_t flow, gpu::ImageId velocity);
 
-    /// Does what set_targets() does, in a pass: targets are the posed positions of the drawn vertices.
+    /// Adds a pass that sets the targets of held particles, like set_targets(), from the posed positions of
+    /// the drawn vertices.
     void add_targets(gpu::Graph& graph, Handles& handles, gpu::BufferId posed_vertices);
 
-    /// Measures the front and the back of all bodies, as posed at the end of the next run, in the places of
-    /// set_solids(). During the run, surfaces change from the last measured ones to these. Cost: two passes
-    /// per body; a thread for each triangle visits the nodes that the triangle covers. Source: Zanuttini,
-    /// "Recherches en rendu non réaliste temps réel", Université Paris 8, 2008, section 7.5.
+    /// Adds passes that measure the front and the back of all bodies, as posed at the end of the next run, in
+    /// the places of set_solids(). During the run, surfaces change from the last measured ones to these.
+    /// Cost: two passes per body; a thread for each triangle visits the nodes that the triangle covers.
+    /// Source: Zanuttini, "Recherches en rendu non réaliste temps réel", Université Paris 8, 2008, section
+    /// 7.5.
     void add_bodies(gpu::Graph& graph, Handles& handles, gpu::BufferId posed_vertices);
 
-    /// Moves whole sheets, by one matrix per sheet, for example when the object that holds a sheet is moved.
-    /// A matrix of zeros resets a sheet: particles go to their targets, at rest, with no link torn.
+    /// Adds a pass that moves whole sheets, by one matrix per sheet, for example when the object that holds a
+    /// sheet is moved. A matrix of zeros resets a sheet: its particles go to their targets, without motion,
+    /// and no link is torn.
     void add_carry(gpu::Graph& graph, Handles& handles, std::span<const glm::mat4> carries);
 
-    /// A run of `steps` steps, once per graph. Throws std::logic_error for no step, or for more than
-    /// most_steps().
+    /// Adds a run of `count` simulation steps, once per graph. Throws std::logic_error for no step, or for
+    /// more than most_steps().
     void add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& surroundings, uint32_t count);
 
-    /// Largest number of steps in one graph, at least one.
+    /// Largest number of simulation steps in one graph, at least one.
     [[nodiscard]] uint32_t most_steps(const Surroundings& surroundings) const;
 
-    /// Makes the next targets and bodies hold from the beginning of their run on. Differences between the
-    /// next run and the last run wake no sheet.
+    /// Makes the next targets and bodies valid from the beginning of their run, without motion from earlier
+    /// ones. Differences between the next run and the last run wake no sheet.
     void forget_before()
     {
         has_targets_ = false;
@@ -164,11 +172,11 @@ public:
         surroundings_.reset();
     }
 
-    /// Stores the positions of sheets for add_vertices_before().
+    /// Adds a copy of the sheets' positions, which add_vertices_before() reads.
     void add_snapshot(gpu::Graph& graph, Handles& handles);
 
-    /// Overwrites positions and normals of the drawn vertices, with the current sheets or with those of the
-    /// last add_snapshot().
+    /// Overwrites positions and normals of the drawn vertices, with the current sheets or with the sheets of
+    /// the last add_snapshot().
     [[nodiscard]] gpu::BufferId add_vertices(gpu::Graph& graph, const Handles& handles,
                                              gpu::BufferId posed_vertices);
     [[nodiscard]] gpu::BufferId add_vertices_before(gpu::Graph& graph, const Handles& handles,
@@ -176,19 +184,19 @@ public:
 
     [[nodiscard]] uint32_t first_of(size_t sheet) const { return records_.at(sheet).first; }
 
-    [[nodiscard]] uint32_t particle_count() const { return particle_count_; } ///< includes padding
+    [[nodiscard]] uint32_t particle_count() const { return particle_count_; } ///< with padding
 
     [[nodiscard]] size_t sheet_count() const { return records_.size(); }
 
     [[nodiscard]] bool may_tear() const { return may_tear_; }
 
-    /// Torn links of sheets that may tear: two words per particle, see cloth_torn.glsl.
+    /// Torn links of sheets that may tear, two words per particle. See cloth_torn.glsl.
     [[nodiscard]] gpu::Buffer& torn() { return torn_; }
 
-    /// Faces of `drawn`, sheet by sheet.
+    /// Breakable faces of the sheets that were passed as `drawn`, sheet by sheet.
     [[nodiscard]] std::span<const BrittleFace> brittle_faces() const { return brittle_faces_; }
 
-    /// The whole state from which the next run continues: positions and inverse masses, velocities, and
+    /// The whole state from which the next run continues: positions with inverse masses, velocities, and
     /// torn() if any sheet may tear.
     [[nodiscard]] std::vector<gpu::Buffer*> state();
 
@@ -198,38 +206,39 @@ public:
 private:
     struct Kind;
 
-    /// One step of large sheets, with the handles that its passes share.
+    /// One simulation step of large sheets, with the graph handles that its passes share.
     struct LargeStep {
         uint32_t number = 0;      ///< index of the step in the run
-        uint32_t small_steps = 1; ///< or number of relaxations
+        uint32_t small_steps = 1; ///< number of small steps in the step, or of relaxations
         gpu::BufferId awake;
         gpu::BufferId began;
         gpu::BufferId met;
     };
 
-    /// Method that moves large sheets through a step, from the places that cloth_push.comp predicts.
+    /// A method (solver) that moves large sheets through a step, from the positions that cloth_push.comp
+    /// predicts.
     struct Solver {
-        uint32_t bits = 0;               ///< bits of the shaders' variant
-        bool takes_small_sheets = false; ///< small sheets run in one dispatch of their own
-        uint32_t sweeps = 0;             ///< Over all colours, per small step; divides the small steps
-        uint32_t relaxations = 0;        ///< Of a whole step, per small step of the usual solver; 0: none
-        bool lowers_rigidity = false;    ///< Lowers bending rigidity where a small step is too long for it
+        uint32_t bits = 0;               ///< bits that the solver adds to the shaders' `variant`
+        bool takes_small_sheets = false; ///< the solver can run small sheets in a dispatch of their own
+        uint32_t sweeps = 0;             ///< sweeps over all colours per small step; divides the small steps
+        uint32_t relaxations = 0;        ///< relaxations of a whole step, per small step of the usual solver
+        bool lowers_rigidity = false;    ///< lowers bending rigidity where a small step is too long for it
         void (Cloths::*add_step)(gpu::Graph&, Handles&, Kind&, const LargeStep&) = nullptr;
     };
 
-    /// The table of all solvers by name.
+    /// Finds a cloth solver by name.
     [[nodiscard]] static const Solver& solver_named(ClothSolver name);
 
-    /// Sheets that one dispatch processes.
+    /// A group of sheets that one dispatch processes.
     struct Kind {
         const Solver* solver = nullptr;
         uint32_t variant = 0;
         bool is_small = false;
         uint32_t first_group = 0;
         uint32_t group_count = 0;
-        uint32_t most_particles = 0;     ///< of the largest sheet
-        std::optional<uint32_t> lone;    ///< set if there is only one sheet and it is large
-        std::vector<glm::uvec2> colours; ///< for sweeps: first group and number of groups
+        uint32_t most_particles = 0;     ///< number of particles of the largest sheet of this kind
+        std::optional<uint32_t> lone;    ///< number of the sheet, if it is the only one and it is large
+        std::vector<glm::uvec2> colours; ///< for sweeps, per colour: first group and number of groups
         gpu::Buffer run;
     };
 
@@ -246,7 +255,7 @@ private:
     [[nodiscard]] uint32_t variant_of(size_t sheet) const;
     [[nodiscard]] bool is_small(size_t sheet) const;
     void append_colours(Kind& kind, std::vector<uint32_t>& groups) const;
-    /// Number of small steps per step, or of relaxations of a whole step.
+    /// Number of small steps per step, or number of relaxations of a whole step.
     [[nodiscard]] uint32_t small_steps(const Kind& kind, const Surroundings& surroundings) const;
     [[nodiscard]] gpu::BufferId add_vertices_at(gpu::Graph& graph, const Handles& handles,
                                                 gpu::BufferId places, gpu::BufferId posed_vertices);
@@ -262,7 +271,7 @@ private:
     [[nodiscard]] uint64_t met_bytes(const Kind& kind) const;
     void add_large_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step,
                           uint32_t small_steps, gpu::BufferId& awake);
-    /// One pass of a step, for a shader of a solver that includes cloth_large.glsl.
+    /// Adds one pass of a cloth step, for a solver's shader that includes cloth_large.glsl.
     void add_pass_of_step(gpu::Graph& graph, Handles& handles, Kind& kind, const LargeStep& step,
                           std::string_view name, const gpu::Shader& shader, uint32_t small_step);
     void add_small_steps(gpu::Graph& graph, Handles& handles, Kind& kind, const LargeStep& step);
@@ -276,39 +285,39 @@ private:
     std::vector<float> bending_rates_s2_;
     std::vector<ClothSolver> solvers_;
     std::optional<ClothSolver> solver_;
-    bool is_wide_ = false; ///< see set_wide()
+    bool is_wide_ = false; ///< each small sheet gets many threads, see set_wide()
     uint32_t particle_count_ = 0;
-    std::vector<float> held_; ///< one per particle
+    std::vector<float> held_; ///< strength of the hold, per particle: 0 free, 1 held
     bool has_half_held_ = false;
     gpu::Buffer sheets_;
     gpu::Buffer links_;
     gpu::Buffer faces_;
     gpu::Buffer tethers_;
-    gpu::Buffer rest_;      ///< rest positions
-    gpu::Buffer near_;      ///< four near particles each, for self-collision
+    gpu::Buffer rest_;      ///< positions of all particles in the sheets' rest shapes
+    gpu::Buffer near_;      ///< for self-collision: four particles that are near each particle
     gpu::Buffer by_colour_; ///< particles of all sheets by colour, each colour padded to whole workgroups
     std::vector<std::vector<glm::uvec2>> colours_; ///< per sheet and colour: first index, and count
     gpu::Buffer holds_;                            ///< one ClothHold per particle
     std::vector<shared::ClothCollider> solids_before_, solids_;
-    std::vector<shared::ClothCollider> met_before_, met_; ///< those of the above that the run may meet
+    std::vector<shared::ClothCollider> met_before_, met_; ///< colliders that sheets may meet in this run
     std::vector<SheetReach> reach_;
     bool rouses_all_ = false;                  ///< a change since the last run wakes all sheets
-    std::optional<Surroundings> surroundings_; ///< of the last run
+    std::optional<Surroundings> surroundings_; ///< surroundings of the last run
     gpu::Buffer colliders_;
     std::vector<shared::ClothFlow> flows_;
     gpu::Buffer flow_speeds_;
-    gpu::Buffer grids_; ///< numbers of all grids, each after its head
+    gpu::Buffer grids_; ///< numbers of all solids' grids, each after its head
     std::vector<uint32_t> first_of_grid_;
-    std::array<gpu::Buffer, 2> targets_; ///< at the beginning and the end of the run
+    std::array<gpu::Buffer, 2> targets_; ///< targets at the run's beginning and end
     bool has_targets_ = true;
     bool targets_move_ = false;
     gpu::Buffer body_triangles_;
-    std::vector<shared::ClothBody> bodies_; ///< without their places
-    std::array<gpu::Buffer, 2> seen_;       ///< of all bodies, at the beginning and the end of the run
+    std::vector<shared::ClothBody> bodies_; ///< deforming bodies, without their current places
+    std::array<gpu::Buffer, 2> seen_;       ///< bodies' surfaces at the run's beginning and end
     bool has_seen_ = false;
     bool bodies_move_ = false;
     gpu::Buffer places_;
-    gpu::Buffer places_before_; ///< positions at the last snapshot
+    gpu::Buffer places_before_; ///< particle positions at the last snapshot
     gpu::Buffer speeds_;
     gpu::Buffer torn_;
     bool may_tear_ = false;
@@ -316,11 +325,12 @@ private:
     gpu::Buffer pushes_;
     std::array<gpu::Buffer, 2> predicted_;
     std::vector<Kind> kinds_;
-    gpu::Buffer sheet_of_group_; ///< of kinds_; all groups of all sheets come first
+    gpu::Buffer sheet_of_group_; ///< for each group of `kinds_`: its sheet; the groups of all sheets together
+                                 ///< come first
     uint32_t all_groups_ = 0;
     gpu::Buffer carries_;
     std::vector<Kind> vertex_kinds_;
-    gpu::Buffer vertices_; ///< of vertex_kinds_, group by group
+    gpu::Buffer vertices_; ///< drawn vertices of `vertex_kinds_`, group by group
     gpu::Buffer sheet_of_vertex_group_;
 };
 

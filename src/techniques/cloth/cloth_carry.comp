@@ -21,12 +21,12 @@ layout(scalar, binding = 13) buffer Speeds
 
 layout(scalar, binding = 14) readonly buffer Carries
 {
-    mat4 carries[]; // one per sheet; all zeros resets the sheet
+    mat4 carries[]; // matrix that moves a sheet, one per sheet; all zeros resets the sheet
 };
 
 layout(scalar, binding = 15) writeonly buffer Torn
 {
-    uvec2 torn_links[]; // see cloth_torn.glsl
+    uvec2 torn_links[]; // torn bits per particle, see cloth_torn.glsl
 };
 
 layout(push_constant, scalar) uniform Constants

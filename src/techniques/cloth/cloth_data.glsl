@@ -2,13 +2,14 @@
 #ifndef ESTAMPE_CLOTH_DATA
 #define ESTAMPE_CLOTH_DATA
 
-// Data that all passes over cloth read. The including shader binds its own data from binding 12 on.
+// Buffers and uniforms that all cloth passes read. The including shader binds its own data from binding 12
+// on.
 
 #include "techniques/cloth/cloth.glsl.h"
 
 layout(constant_id = 0) const uint variant = 0u;
 
-#ifdef CLOTH_FEW_SHEETS // whose numbers threads need not keep
+#ifdef CLOTH_FEW_SHEETS // in a uniform buffer, so that threads need no registers for a sheet's record
 layout(scalar, binding = 0) uniform Sheets
 {
     ClothSheet sheets[cloth_few_sheets];
@@ -25,26 +26,33 @@ layout(scalar, binding = 1) uniform Run
     ClothRun run;
 };
 
-layout(binding = 2) uniform usamplerBuffer link_texels;   // ClothLink
-layout(binding = 3) uniform usamplerBuffer face_texels;   // the two other corners, in order
-layout(binding = 4) uniform usamplerBuffer tether_texels; // held particle, and largest distance from it
+layout(binding = 2) uniform usamplerBuffer link_texels; // ClothLink records of all sheets
+// For each face at a particle: the two other corners, in order.
+layout(binding = 3) uniform usamplerBuffer face_texels;
+// Tethers: the held particle, and the largest distance from it.
+layout(binding = 4) uniform usamplerBuffer tether_texels;
 layout(binding = 5) uniform usamplerBuffer collider_texels;
-layout(binding = 6) uniform samplerBuffer target_before_texels; // targets of held particles at the beginning
-layout(binding = 7) uniform samplerBuffer target_after_texels;  // and the end of a run; w: how strongly held
+// Targets of held particles at the run's beginning.
+layout(binding = 6) uniform samplerBuffer target_before_texels;
+// Targets of held particles at the run's end; w: strength of the hold.
+layout(binding = 7) uniform samplerBuffer target_after_texels;
 
-layout(binding = 9) uniform samplerBuffer grid_texels; // heights or distances, each grid after its head
-layout(binding = 10) uniform usamplerBuffer seen_before_texels; // front and back of bodies at the beginning
+// Solids' grids of heights or distances, each grid after its head.
+layout(binding = 9) uniform samplerBuffer grid_texels;
+// Front and back surfaces of bodies at the run's beginning.
+layout(binding = 10) uniform usamplerBuffer seen_before_texels;
 layout(binding = 11) uniform usamplerBuffer
-    seen_after_texels; // and the end of a run; each body after its head
+    seen_after_texels; // front and back surfaces of bodies at the run's end; each body after its head
 
 layout(scalar, binding = 8) readonly buffer SheetOfGroup
 {
     uint sheet_of_group[];
 };
 
-ClothSheet sheet; // the sheet of this thread
+ClothSheet sheet; // record of the sheet that this thread processes
 
-// With a single sheet these values are uniform across threads, which saves registers.
+// Reads a sheet's record. If only one sheet exists, the record is uniform across threads, which saves
+// registers.
 ClothSheet sheet_at(uint sheet_index)
 {
     if ((variant & cloth_bit_lone) != 0u) {
@@ -53,8 +61,8 @@ ClothSheet sheet_at(uint sheet_index)
     return sheets[sheet_index];
 }
 
-// The particle of a thread; the group of 64 threads starts at particle `first`. On grids, groups are squares,
-// so that the particles of a group are near each other. cloth_no_vertex beyond the sheet.
+// The particle that a thread processes, or cloth_no_vertex beyond the sheet. The group of 64 threads starts
+// at particle `first`. On grids, groups are squares, so that the particles of a group are near each other.
 uint own_particle(uint first)
 {
     uint thread = gl_LocalInvocationID.x;
@@ -67,18 +75,18 @@ uint own_particle(uint first)
     return all(lessThan(at, size)) ? at.y * size.x + at.x : cloth_no_vertex;
 }
 
-// Position of a small step in the run, from 0 to 1.
+// Time of a small step as a share of the run, from 0 to 1.
 float part_of_run(uint step, float steps)
 {
     return (float(step) + steps / float(run.small_steps)) / float(run.step_count);
 }
 
-// Target of a held particle; in w, how strongly the particle is held.
+// Target of a held particle; w is the strength of the hold.
 vec4 target_of(uint local, float part)
 {
     vec4 before = texelFetch(target_before_texels, int(sheet.first + local));
     vec4 after = texelFetch(target_after_texels, int(sheet.first + local));
-    return before + part * (after - before); // a still target stays exact
+    return before + part * (after - before); // exact if the target does not move
 }
 
 float small_step_s()
@@ -86,7 +94,7 @@ float small_step_s()
     return run.step_s / float(run.small_steps);
 }
 
-// Predicted position of a free particle after a small step, or the target of a held one.
+// Predicted position of a free particle after a small step. For a held particle, the target.
 vec3 foreseen(uint local, vec3 place, vec3 speed, vec3 push, float inverse_mass, float part)
 {
     if (inverse_mass == 0.0) {

@@ -19,7 +19,7 @@ uint32_t whole_groups(size_t count)
     return (static_cast<uint32_t>(count) + group - 1) / group;
 }
 
-/// Appends the padded lists of one sheet to those of the other sheets.
+/// Appends one sheet's lists, with padding, to those of the other sheets.
 template <class Item>
 uint32_t append(std::vector<Item>& all, const Lists<Item>& lists, uint32_t count, uint32_t stride)
 {
@@ -177,12 +177,13 @@ bool Cloths::is_small(size_t sheet) const
 {
     return solver_of(sheet).takes_small_sheets && (variant_of(sheet) & ~shared::cloth_bit_grid) == 0 &&
            records_[sheet].count <= shared::cloth_small_sheet &&
-           records_[sheet].columns <= shared::cloth_small_group; // one thread has particles of one column
+           records_[sheet].columns <= shared::cloth_small_group; // a thread's particles belong to one column
 }
 
 void Cloths::group_sheets(gpu::Device& device)
 {
-    std::vector<uint32_t> groups; // pairs of sheet and first particle; for small sheets only the sheet
+    // Pairs of sheet and first particle per group; for small sheets only the sheet.
+    std::vector<uint32_t> groups;
     const auto append_in_order = [&](uint32_t sheet) {
         for (uint32_t first = 0; first < records_[sheet].count; first += shared::cloth_group) {
             groups.insert(groups.end(), {sheet, first});
@@ -200,7 +201,8 @@ void Cloths::group_sheets(gpu::Device& device)
         }
     };
     const auto sheet_count = static_cast<uint32_t>(records_.size());
-    std::map<std::tuple<bool, uint32_t, const Solver*>, std::vector<uint32_t>> alike; // large sheets first
+    // Sheets by (is large, variant, solver); large sheets come first.
+    std::map<std::tuple<bool, uint32_t, const Solver*>, std::vector<uint32_t>> alike;
     for (uint32_t sheet = 0; sheet < sheet_count; ++sheet) {
         append_in_order(sheet);
         alike[{is_small(sheet), variant_of(sheet), &solver_of(sheet)}].push_back(sheet);
@@ -331,7 +333,8 @@ void Cloths::set_solids(gpu::Device& device, std::span<const Solid> solids)
     }
     for (size_t i = 0; i < solids.size(); ++i) {
         turn_alike(solids_before_[i], solids_[i]);
-        if (solids[i].kind == SolidKind::heights) { // another part of the same ground
+        // The grid shows another part of the same ground, so the change is no motion.
+        if (solids[i].kind == SolidKind::heights) {
             solids_before_[i] = solids_[i];
         }
     }

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The cloth settings of a style.
+// The cloth section of a style.
 
 #include "style/parameter.hpp"
 
 namespace estampe::cloth {
 
-/// How sheets collide with skinned bodies.
+/// The method by which cloth collides with skinned bodies.
 enum class ClothBodies : uint8_t { capsules, depth };
 
-/// How cloth is simulated.
+/// Settings of the cloth simulation.
 struct ClothStyle {
     float settle_s = 3.0F;
     float effort = 1.0F;

@@ -22,7 +22,7 @@ vec3 grid_place(ivec2 at, ivec2 size)
     return place_at(uint(there.y * size.x + there.x));
 }
 
-// Sums over the faces around a particle; each face gives the particle its share. Air passes through torn
+// Force of the air on a particle. Each face around the particle gives it a share. Air passes through torn
 // faces.
 vec3 air_force(uint local, vec3 place, vec3 relative)
 {
@@ -36,7 +36,7 @@ vec3 air_force(uint local, vec3 place, vec3 relative)
             if (may_tear && has_bit(torn, cell_bit(way))) {
                 continue;
             }
-            // Beyond the sheet's edge all corners of a face coincide, so the face has no area.
+            // Beyond the sheet's edge, all corners of a face coincide, so the face has no area and no force.
             vec3 x = grid_place(at + ivec2(way.x, 0), size);
             vec3 y = grid_place(at + ivec2(0, way.y), size);
             vec3 far = grid_place(at + way, size);
@@ -52,7 +52,8 @@ vec3 air_force(uint local, vec3 place, vec3 relative)
     return force;
 }
 
-// Acceleration by gravity and air. In one step, air can at most stop a particle relative to the air.
+// Acceleration of a particle by gravity and air. In one step, air can at most stop a particle relative to the
+// air.
 vec3 push_on(uint local, vec3 place, vec3 speed, float inverse_mass, float time_s)
 {
     vec3 relative = wind_at(place, time_s) - speed;

@@ -9,7 +9,8 @@
 
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 
-layout(binding = 0) uniform sampler2DArray velocity; // velocity components on the low faces of cells
+// Velocity of the fluid, one component per layer group, on the low faces of cells.
+layout(binding = 0) uniform sampler2DArray velocity;
 
 layout(scalar, binding = 1) writeonly buffer Flow
 {
@@ -38,7 +39,7 @@ void main()
         return;
     }
     vec3 own = vec3(component_at(ivec3(cell), 0), component_at(ivec3(cell), 1), component_at(ivec3(cell), 2));
-    mat3 cells_from_place = mat3(box.cells_from_place); // rotates, and divides by the size of a cell
+    mat3 cells_from_place = mat3(box.cells_from_place); // the matrix also divides by the size of a cell
     vec3 speed = own * cells_from_place / length(cells_from_place[0]);
     flow[box.first + (cell.z * box.cells.y + cell.y) * box.cells.x + cell.x] = vec4(speed, 0.0);
 }

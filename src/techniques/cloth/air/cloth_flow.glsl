@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_CLOTH_FLOW
 #define ESTAMPE_CLOTH_FLOW
 
-// Velocity of air that a fluid simulates, in boxes.
+// Velocity of air from fluid simulations, in boxes.
 //
 // Requires: uniform samplerBuffer flow_texels, the velocities in the middle of cells, one box after another.
 
@@ -24,7 +24,8 @@ vec3 flow_speed(uint first, ivec3 cells, vec3 at)
     return speed;
 }
 
-// Air velocity at a place. `outside` is the velocity beyond the boxes. The two are blended over two cells.
+// Air velocity at a place. `outside` is the velocity beyond the boxes. At a box's border, both velocities are
+// blended over two cells.
 vec3 in_flows(vec3 place, vec3 outside)
 {
     vec3 speed = outside;

@@ -15,7 +15,7 @@ float corner_value(ivec3 cell, uint seed)
     return 2.0f * unit_float(hash(uint(cell.x) ^ seed, uint(cell.y), uint(cell.z))) - 1.0f;
 }
 
-// Noise in [-1, 1] with one feature per unit, in w; the gradient of the noise in xyz.
+// Noise in [-1, 1] in w, with one bump per unit of length; xyz is the gradient of the noise.
 vec4 noise_and_slope(vec3 place, uint seed)
 {
     ivec3 cell = ivec3(floor(place));
@@ -38,7 +38,8 @@ vec4 noise_and_slope(vec3 place, uint seed)
                 du.z * mix(rise_row.x, rise_row.y, u.y), mix(row.x, row.y, u.y));
 }
 
-// The wind moves gusts and eddies along; eddies also change their shape slowly.
+// Wind velocity at a place and time. The wind moves its gusts and eddies along; eddies also change their
+// shape slowly.
 vec3 open_wind_at(vec3 place, float time_s)
 {
     vec3 wind = run.wind_m_per_s;
@@ -53,8 +54,8 @@ vec3 open_wind_at(vec3 place, float time_s)
     return wind * (1.0f + run.gustiness * gust) + 0.5f * run.turbulence * speed_m_per_s * eddy;
 }
 
-// Force on a face with the area vector `area` by air of the velocity `relative` to the face: pressure along
-// the face's normal, and lift across the flow.
+// Force of air on a cloth face with the area vector `area`. `relative` is the air's velocity relative to the
+// face. The force is pressure along the face's normal, and lift across the flow.
 vec3 force_on(vec3 area, vec3 relative)
 {
     float area_m2 = length(area);

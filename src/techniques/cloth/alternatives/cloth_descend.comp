@@ -13,7 +13,7 @@ layout(local_size_x = 64) in;
 
 layout(scalar, binding = 12) readonly buffer Places
 {
-    vec4 places[]; // position and inverse mass
+    vec4 places[]; // position of each particle, and its inverse mass in w
 };
 
 layout(scalar, binding = 13) readonly buffer Speeds
@@ -31,7 +31,8 @@ layout(scalar, binding = 15) buffer Predicted
     vec4 predicted[];
 };
 
-layout(binding = 16) uniform usamplerBuffer particle_texels; // by colour; each colour is padded to groups
+// Particle numbers by colour; each colour is padded to whole workgroups.
+layout(binding = 16) uniform usamplerBuffer particle_texels;
 
 layout(scalar, binding = 17) readonly buffer Awake
 {
@@ -61,8 +62,8 @@ uvec2 torn_of(uint local)
 vec3 force = vec3(0.0);
 mat3 hessian = mat3(0.0);
 
-// Like link_pull(), with the link's whole stiffness. For compressed springs, the terms that would make the
-// matrix indefinite are omitted.
+// Adds force and stiffness of one link, like link_pull() but with the link's whole stiffness. For compressed
+// springs, the terms that would make the matrix indefinite are omitted.
 void add_link(vec3 towards, float rest_m, bool is_far, float compliance_m_n, float most_n_m)
 {
     float length_m = max(length(towards), 1e-9);
@@ -112,7 +113,7 @@ void add_links_of_lists(uint local, vec3 own, float most_n_m)
     float bending_own = 0.0;
     for (uint k = 0u; k < sheet.link_width; ++k) {
         uvec4 words = link_at(local, k);
-        vec3 link = uintBitsToFloat(words.yzw); // rest length, compliance, bending
+        vec3 link = uintBitsToFloat(words.yzw); // rest length, compliance and bending of the link
         if (link.x != 0.0 && !(may_tear && has_bit(torn, k))) {
             vec3 towards = predicted_at(words.x).xyz - own;
             add_link(towards, abs(link.x), link.x < 0.0, link.y, most_n_m);
@@ -121,7 +122,7 @@ void add_links_of_lists(uint local, vec3 own, float most_n_m)
             bending_own += bending;
         }
     }
-    hessian += mat3(sheet.bending_n_m * max(bending_own, 0.0)); // a tear may leave less than nothing
+    hessian += mat3(sheet.bending_n_m * max(bending_own, 0.0)); // torn links can make the sum negative
 }
 
 void main()
@@ -144,7 +145,7 @@ void main()
     float inertia_n_m = 1.0 / (from.w * small_step_s() * small_step_s());
     force = inertia_n_m * (free - own.xyz);
     hessian = mat3(inertia_n_m);
-    // What is stiffer than that beside its inertia, numbers of this length cannot tell from it.
+    // A float cannot hold a stiffness above this limit and the particle's inertia in one sum.
     float most_n_m = 1e4 * inertia_n_m;
     if ((variant & cloth_bit_grid) != 0u) {
         add_links_of_grid(local, own.xyz, most_n_m);

@@ -11,7 +11,7 @@ layout(local_size_x = 64) in;
 
 #include "techniques/cloth/solver/cloth_large.glsl"
 
-// Like link_pull(). Links a knight's move away are omitted.
+// Displacement by one link, like link_pull(). Links a knight's move away are omitted.
 float relaxed_pull(vec3 towards, float split_masses, float rest_m, bool is_far)
 {
     const float knights_share = 0.8;
@@ -21,7 +21,7 @@ float relaxed_pull(vec3 towards, float split_masses, float rest_m, bool is_far)
     return (length_m - rest_m) / (max(length_m, 1e-9) * give);
 }
 
-// Sums over the 24 neighbours of a particle on the grid.
+// Sum of the displacements by the links to the 24 neighbours of a particle on the grid.
 vec3 relaxed_on_grid(uint local, vec4 own)
 {
     ivec2 size = ivec2(sheet.columns, sheet.rows);
@@ -79,7 +79,7 @@ void main()
     uint particle = sheet.first + local;
     vec4 from = places[particle];
     vec4 own = predicted_at(local);
-    if (from.w > 0.0) { // else it is held, and was foreseen there
+    if (from.w > 0.0) { // a particle without inverse mass is held, and already at its target
         bool is_grid = (variant & cloth_bit_grid) != 0u;
         own.xyz += from.w * (is_grid ? relaxed_on_grid(local, own) : relaxed_by_lists(local, own));
     }

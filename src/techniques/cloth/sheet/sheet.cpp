@@ -20,7 +20,8 @@ Sheet grid_sheet(glm::uvec2 particles, glm::vec3 corner_m, glm::vec3 along_m, gl
             if (x + 1 < particles.x && y + 1 < particles.y) {
                 const uint32_t i = y * particles.x + x;
                 const uint32_t j = i + particles.x;
-                if ((x + y) % 2 == 0) { // alternate diagonals give equal stiffness both ways
+                // Diagonals alternate, so that the sheet is equally stiff along both diagonals.
+                if ((x + y) % 2 == 0) {
                     sheet.triangles.insert(sheet.triangles.end(), {{i, i + 1, j + 1}, {i, j + 1, j}});
                 } else {
                     sheet.triangles.insert(sheet.triangles.end(), {{i, i + 1, j}, {i + 1, j + 1, j}});

@@ -18,7 +18,7 @@
 namespace estampe::cloth {
 namespace {
 
-constexpr size_t most_groups = 16; // of held particles; more groups are merged into one
+constexpr size_t most_groups = 16; // most groups of held particles; more groups are merged into one
 
 using Neighbours = std::span<const std::vector<uint32_t>>;
 
@@ -50,12 +50,12 @@ std::vector<std::vector<uint32_t>> groups_of_held(const Sheet& sheet, Neighbours
     return groups;
 }
 
-/// For each particle, the nearest particle of a group along the sheet.
+/// For each particle of the sheet, finds the nearest particle of a group, measured along the sheet.
 std::vector<Tether> nearest_of(const Sheet& sheet, bool is_flat, Neighbours neighbours,
                                const std::vector<uint32_t>& group)
 {
     constexpr float infinity = std::numeric_limits<float>::infinity();
-    // On a regular sheet, largest ratio of a path along particles to the straight distance.
+    // On a regular sheet, the largest ratio of a path along links to the straight distance.
     constexpr float detour = 1.09F;
     std::vector<Tether> nearest(sheet.rest_m.size(), {.most_m = infinity});
     using Reached = std::pair<float, uint32_t>;
@@ -90,7 +90,7 @@ std::vector<Tether> nearest_of(const Sheet& sheet, bool is_flat, Neighbours neig
     return nearest;
 }
 
-/// Up to four tethers per particle, each to a different connected group of held particles.
+/// Builds up to four tethers per particle, each to a different connected group of held particles.
 Lists<Tether> build_tethers(const Sheet& sheet, const std::optional<GridForm>& grid, Neighbours neighbours)
 {
     const auto groups = groups_of_held(sheet, neighbours);
@@ -103,7 +103,8 @@ Lists<Tether> build_tethers(const Sheet& sheet, const std::optional<GridForm>& g
         const std::vector<Tether> nearest = nearest_of(sheet, grid.has_value(), neighbours, group);
         for (size_t i = 0; i < count; ++i) {
             Tether added = nearest[i];
-            for (uint32_t k = 0; k < lists.width; ++k) { // nearest first
+            // Insertion sort: the nearest held particle comes first.
+            for (uint32_t k = 0; k < lists.width; ++k) {
                 Tether& kept = lists.items[k * count + i];
                 if (added.most_m < kept.most_m) {
                     std::swap(added, kept);
@@ -117,15 +118,16 @@ Lists<Tether> build_tethers(const Sheet& sheet, const std::optional<GridForm>& g
 // Bending: Bergou, Wardetzky, Harmon, Zorin and Grinspun, "A Quadratic Bending Model for Inextensible
 // Surfaces", SGP 2006.
 
-constexpr size_t most_edges = 64;        // largest number at a particle
-constexpr float tether_slack = 1.003F;   // so that tethers and links do not fight
-constexpr float mean_of_fourth = 0.375F; // mean over all directions of the cosine's fourth power
+constexpr size_t most_edges = 64; // largest number of edges at a particle
+// A tether is slightly longer than the sheet between its ends, so that tethers do not work against links.
+constexpr float tether_slack = 1.003F;
+constexpr float mean_of_fourth = 0.375F; // mean of cos^4 over all directions in the plane
 
 struct Pair {
     bool is_far = false;
     float rest_m = 0.0F;
     float bending = 0.0F;
-    std::optional<float> compliance_m_n; ///< if not set, the cloth's compliance is used
+    std::optional<float> compliance_m_n; ///< compliance of the link; empty: the compliance of the cloth
 };
 
 using Pairs = std::map<std::pair<uint32_t, uint32_t>, Pair>;
@@ -188,7 +190,7 @@ std::vector<float> masses_of(const Sheet& sheet, const std::vector<float>& areas
         for (const float area : areas) {
             masses.push_back(sheet.cloth.density_kg_m2 * area);
         }
-        // A particle without faces still needs a mass.
+        // A particle without faces still needs a mass, so every mass is at least a thousandth of the largest.
         const float most = *std::ranges::max_element(masses);
         for (float& mass : masses) {
             mass = std::max(mass, 1e-3F * most);
@@ -208,7 +210,8 @@ float cotangent(const glm::vec3& a, const glm::vec3& b)
     return glm::dot(a, b) / std::max(glm::length(glm::cross(a, b)), 1e-12F);
 }
 
-/// Two triangles with the common edge from 0 to 1; their other corners are 2 and 3.
+/// Adds the bending terms of two triangles that share an edge. `corners` 0 and 1 are the edge's ends, 2 and 3
+/// the opposite corners.
 void add_hinge(Pairs& pairs, const Sheet& sheet, const std::array<uint32_t, 4>& corners)
 {
     const auto place = [&](size_t i) { return sheet.rest_m[corners.at(i)]; };
@@ -232,7 +235,8 @@ void add_hinge(Pairs& pairs, const Sheet& sheet, const std::array<uint32_t, 4>& 
 
 void add_edges(Pairs& pairs, const Sheet& sheet)
 {
-    std::map<std::pair<uint32_t, uint32_t>, std::array<uint32_t, 2>> beside; // per edge
+    // For each edge: the opposite corners of its two triangles.
+    std::map<std::pair<uint32_t, uint32_t>, std::array<uint32_t, 2>> beside;
     const auto join = [&](uint32_t a, uint32_t b) {
         pairs.try_emplace(ordered(a, b), Pair{.rest_m = glm::distance(sheet.rest_m[a], sheet.rest_m[b])});
     };
@@ -277,10 +281,10 @@ std::vector<std::vector<uint32_t>> neighbours_of(size_t count, const Pairs& pair
     return neighbours;
 }
 
-/// Particles straight behind a neighbour.
+/// Adds links to the particles that lie behind a neighbour, in a straight line.
 void add_straight_on(Pairs& pairs, const Sheet& sheet, const std::vector<std::vector<uint32_t>>& neighbours)
 {
-    constexpr float straight = 0.85F; // cosine
+    constexpr float straight = 0.85F; // smallest cosine between two edges that count as a straight line
     for (uint32_t i = 0; i < neighbours.size(); ++i) {
         for (const uint32_t j : neighbours[i]) {
             const glm::vec3 way = sheet.rest_m[j] - sheet.rest_m[i];
@@ -319,7 +323,8 @@ Lists<Item> as_lists(const std::vector<std::vector<Item>>& of_particles,
     return lists;
 }
 
-/// Compliance times force by all links about a particle of so large an area gives the cloth's stretch.
+/// Compliance of one link, chosen so that all `link_count` links about a particle with the area `area_m2`
+/// give the cloth's stretch.
 float softness_of(const Cloth& cloth, float area_m2, uint32_t link_count)
 {
     return mean_of_fourth * static_cast<float>(link_count) / (2.0F * area_m2 * cloth.stretch_n_m);
@@ -369,7 +374,8 @@ void fill_lists(Structure& structure, const Sheet& sheet, const Pairs& pairs, co
 void fill_grid(Structure& structure, const Sheet& sheet)
 {
     const GridForm& grid = *structure.grid;
-    const auto links = [&](uint32_t i, uint32_t reach) { // straight and aslant, so many apart
+    // Number of links of length `reach` in the 8 directions.
+    const auto links = [&](uint32_t i, uint32_t reach) {
         const auto along = [&](uint32_t at, uint32_t size) {
             return (at >= reach ? 1U : 0U) + (at + reach < size ? 1U : 0U);
         };
@@ -403,7 +409,8 @@ std::vector<std::vector<uint32_t>> neighbours_on_grid(const GridForm& grid)
     return neighbours;
 }
 
-/// On a grid also particles three apart each way, because links reach two.
+/// Colours a grid such that no two linked particles share a colour. Links reach two particles, so colours
+/// repeat after three particles each way.
 std::vector<std::vector<uint32_t>> colours_of_grid(const GridForm& grid)
 {
     constexpr uint32_t apart = 3;
@@ -415,7 +422,7 @@ std::vector<std::vector<uint32_t>> colours_of_grid(const GridForm& grid)
     return colours;
 }
 
-/// Each particle gets the first colour that no linked particle has.
+/// Colours particles greedily: each particle gets the first colour that no linked particle has.
 std::vector<std::vector<uint32_t>> colours_of_lists(const Lists<shared::ClothLink>& links, size_t count)
 {
     std::vector<std::vector<uint32_t>> colours;

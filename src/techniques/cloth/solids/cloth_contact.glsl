@@ -25,8 +25,8 @@ vec3 pushed_out(uint kind, vec3 half_m, vec3 place)
 }
 
 // Moves a particle from `from` to `to`, and stops it at the solid's surface or lets it slide along the
-// surface. Both places are in the space of the collider, so the collider may move. `is_stopped` tells whether
-// the result differs from `to`.
+// surface. `from` and `to` are in the coordinates of the collider, so the collider may move. `is_stopped`
+// tells whether the result differs from `to`.
 vec3 stopped(uint kind, vec3 half_m, vec3 from, vec3 to, out bool is_stopped)
 {
     float way_m = distance(from, to);
@@ -48,7 +48,8 @@ vec3 stopped(uint kind, vec3 half_m, vec3 from, vec3 to, out bool is_stopped)
     float along_m = length(along);
     float kept = along_m > 0.0 ? max(1.0 - sheet.friction * depth_m / along_m, 0.0) : 1.0;
     vec3 end = meets ? from + way + (kept - 1.0) * along : to;
-    // The distance to the surface is not exact for heights, distances and bodies.
+    // For heights, distances and bodies the distance to the surface is not exact, so the particle is always
+    // tested.
     bool is_pushed = meets || (variant & (cloth_bit_grids | cloth_bit_seen)) != 0u;
     vec3 beside = is_pushed ? pushed_out(kind, half_m, end) : end;
     is_stopped = meets || beside != end;
@@ -60,7 +61,8 @@ vec4 turn_between(vec4 before, vec4 after, float part)
     return normalize(before + part * (after - before));
 }
 
-// End of a particle's way from `from` to `to` between two parts of a run, after collision with one solid.
+// Moves a particle from `from` to `to` between two times of a run (shares `begin` and `end`), and returns the
+// place after collision with one solid.
 vec3 beside_collider(uint i, vec3 from, vec3 to, float begin, float end)
 {
     int before = 3 * int(i);
@@ -68,8 +70,9 @@ vec3 beside_collider(uint i, vec3 from, vec3 to, float begin, float end)
     vec3 centre_before = uintBitsToFloat(texelFetch(collider_texels, before).xyz);
     uvec4 place_after = texelFetch(collider_texels, after);
     vec3 centre_after = uintBitsToFloat(place_after.xyz);
-    vec4 size = uintBitsToFloat(texelFetch(collider_texels, after + 2)); // exactly 0 for a still solid
-    vec3 centre_way = centre_after - centre_before;                      // 0 of what stands still, to the bit
+    // Exactly 0 for a solid that does not move.
+    vec4 size = uintBitsToFloat(texelFetch(collider_texels, after + 2));
+    vec3 centre_way = centre_after - centre_before; // exactly 0 for a solid that does not move
     vec3 from_there = from - (centre_before + begin * centre_way);
     vec3 centre_m = centre_before + end * centre_way;
     vec3 way = to - centre_m - from_there;
@@ -96,8 +99,9 @@ vec3 beside_collider(uint i, vec3 from, vec3 to, float begin, float end)
     return is_stopped ? centre_m + turned(rotation, own_end) : to;
 }
 
-// Collides with all solids, one after another. While the particle is inside the ball, solids that do not come
-// near the ball are skipped; once the particle leaves the ball, no solid is skipped.
+// Moves a particle with collision against all solids, one after another. While the particle is inside its
+// bounding ball, solids that do not come near the ball are skipped. Once the particle leaves the ball, no
+// solid is skipped.
 vec3 beside_colliders(vec3 from, vec3 to, float begin, float end)
 {
     vec4 ball = met_ball();

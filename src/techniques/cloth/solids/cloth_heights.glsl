@@ -2,7 +2,8 @@
 #ifndef ESTAMPE_CLOTH_HEIGHTS
 #define ESTAMPE_CLOTH_HEIGHTS
 
-// Heights on a grid in x and z, as a solid of cloth_solids.glsl. Unit tests compile this file as C++.
+// A solid of cloth_solids.glsl: all space below heights on a grid in x and z. Unit tests compile this file as
+// C++.
 //
 // Requires: float grid_number(int at), and constants of cloth.glsl.h.
 
@@ -11,20 +12,21 @@ ivec3 grid_nodes(int first)
     return ivec3(grid_number(first), grid_number(first + 1), grid_number(first + 2));
 }
 
-// Converts a place to cells from the first node of a grid with the half sides `half_m`.
+// Converts a place to grid cells, counted from the first node. `half_m` is half the grid's size.
 vec3 in_cells(vec3 place, vec3 half_m, ivec3 nodes)
 {
     return clamp(0.5f + 0.5f * place / half_m, vec3(0.0f), vec3(1.0f)) * vec3(nodes - 1);
 }
 
-// The cell below a place. On the border of two cells, the cell that starts there.
+// The grid cell that contains a place in x and z. A place on the border of two cells belongs to the cell that
+// starts there.
 ivec2 cell_below(vec3 place, vec3 half_m, ivec3 nodes)
 {
     vec3 at = in_cells(place, half_m, nodes);
     return min(ivec2(at.x, at.z), ivec2(nodes.x, nodes.z) - 2);
 }
 
-// Heights of a cell's corners; x varies fastest.
+// Heights at the four corners of a grid cell; x varies fastest.
 vec4 heights_about(int first, ivec3 nodes, ivec2 cell)
 {
     int corner = first + int(cloth_grid_head) + cell.y * nodes.x + cell.x;
@@ -32,7 +34,7 @@ vec4 heights_about(int first, ivec3 nodes, ivec2 cell)
                 grid_number(corner + nodes.x + 1));
 }
 
-// Slope per metre of heights with these differences between neighbouring nodes.
+// Slope of the ground from the height differences between neighbouring nodes.
 vec2 slope_of(vec2 rises, vec3 half_m, ivec3 nodes)
 {
     return rises * vec2(nodes.x - 1, nodes.z - 1) / (2.0f * vec2(half_m.x, half_m.z));
@@ -54,13 +56,13 @@ vec4 heights_at(int first, vec3 half_m, vec3 place)
     return vec4(normal, (place.y - mix(along.x, along.y, f.x)) * normal.y);
 }
 
-// Whether heights are so far below a ball that no way inside the ball reaches them. This holds if
-// heights_at() is more than the longest way plus `near_m` everywhere in the ball. heights_at() depends on the
-// cell below the place, and no part of a cell is higher than its corners or steeper than its sides. So all
-// cells below the ball are tested, if they are few.
+// Whether the ground is so far below a ball that no movement inside the ball reaches it. True if heights_at()
+// is more than the longest movement plus `near_m` everywhere in the ball. heights_at() depends on the cell
+// below the place, and no part of a cell is higher than its corners or steeper than its sides. So all cells
+// below the ball are tested, if they are few.
 bool are_far_below(int first, vec3 half_m, vec4 ball, float near_m)
 {
-    const int most_cells = 8; // along each axis
+    const int most_cells = 8; // largest number of tested cells along each axis
     ivec3 nodes = grid_nodes(first);
     ivec2 low = cell_below(vec3(ball) - ball.w, half_m, nodes);
     ivec2 high = cell_below(vec3(ball) + ball.w, half_m, nodes);

@@ -2,26 +2,26 @@
 #ifndef ESTAMPE_CLOTH_MET
 #define ESTAMPE_CLOTH_MET
 
-// Finds the solids near a group of particles, once for all small steps of a step, so that distant solids cost
-// little.
+// Finds the solids near a group of cloth particles, once for all small steps of a step, so that distant
+// solids cost little.
 
 #include "techniques/cloth/cloth_data.glsl"
 #include "techniques/cloth/solids/cloth_solids.glsl"
 
-// Number of words in a group's record.
+// Number of words in the record of a workgroup: its bounding ball, and the bits of nearby solids.
 uint met_stride()
 {
     return cloth_met_head + min((run.collider_count + 31u) / 32u, cloth_met_words);
 }
 
-// Distance that a particle will hardly exceed in a step.
+// Distance that a particle will hardly move beyond in a step.
 float hardly_beyond_m(vec3 speed, vec3 push)
 {
     const float spare_m = 2e-3;
     return spare_m + 1.1 * run.step_s * (length(speed) + run.step_s * length(push));
 }
 
-// Lower bound of the distance from a place to a simple solid, in the solid's space.
+// Lower bound of the distance from a place to a simple solid, in the solid's coordinates.
 float least_away_m(uint kind, vec3 half_m, vec3 place)
 {
     if (kind == cloth_ellipsoid) {
@@ -30,8 +30,9 @@ float least_away_m(uint kind, vec3 half_m, vec3 place)
     return solid_at(kind, half_m, place).w;
 }
 
-// Whether a solid comes near a ball at any time of a step. Moving solids, distances and bodies are bounded by
-// their reach from the centre; for other solids the distance is computed. Heights do not move.
+// Whether a solid comes near a ball at any time of a step. Moving solids, distance grids and bodies are
+// bounded by a sphere about their centre; for other solids the distance is computed. Height grids do not
+// move.
 bool comes_near(uint i, vec4 ball, uint step)
 {
     int before = 3 * int(i);
@@ -64,7 +65,7 @@ bool comes_near(uint i, vec4 ball, uint step)
     return least_away_m(kind, half_m, place) <= near_m + rounding * length(place);
 }
 
-// Bits of the 32 solids of a word that come near.
+// For 32 solids, one bit each that tells whether the solid comes near the ball.
 uint solids_near(uint word, vec4 ball, uint step)
 {
     uint near = 0u;

@@ -12,7 +12,7 @@
 
 layout(local_size_x = 64) in;
 
-layout(binding = 0) uniform usamplerBuffer triangle_texels; // three posed vertices each
+layout(binding = 0) uniform usamplerBuffer triangle_texels; // three posed vertices per triangle of the body
 
 layout(scalar, binding = 1) readonly buffer PosedVertices
 {
@@ -21,7 +21,7 @@ layout(scalar, binding = 1) readonly buffer PosedVertices
 
 layout(scalar, binding = 2) buffer Ends
 {
-    uint ends[]; // per node: front, then back from behind; 0: empty
+    uint ends[]; // per node: front surface, then back surface (negated); 0: empty
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -29,14 +29,14 @@ layout(push_constant, scalar) uniform Constants
     ClothBody body;
 };
 
-// Maps floats to words above 0 with the order of the floats.
+// Maps floats to integers above 0 that compare in the same order as the floats.
 uint ordered(float number)
 {
     uint bits = floatBitsToUint(number);
     return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
 }
 
-// x and y in nodes from the lowest node; z in metres.
+// Position of a vertex: x and y in nodes from the lowest node, z in metres.
 vec3 corner_at(uint vertex)
 {
     vec3 own = turned_back(body.rotation, posed_vertices[vertex].position - body.centre_m);
@@ -70,7 +70,8 @@ void main()
             vec3 shares =
                 vec3(twice_area(b.xy, c.xy, at), twice_area(c.xy, a.xy, at), twice_area(a.xy, b.xy, at)) /
                 area;
-            const float rounding = 1e-5; // no node is missed between two triangles
+            // Widens triangles by a rounding error, so that no node between two of them is missed.
+            const float rounding = 1e-5;
             if (min(shares.x, min(shares.y, shares.z)) >= -rounding) {
                 float z_m = dot(shares, vec3(a.z, b.z, c.z));
                 uint node = 2u * (uint(y) * body.nodes.x + uint(x));

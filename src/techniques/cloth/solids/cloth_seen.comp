@@ -12,7 +12,7 @@ layout(local_size_x = 64) in;
 
 layout(scalar, binding = 0) readonly buffer Ends
 {
-    uint ends[]; // per node: front, then back from behind; 0: empty
+    uint ends[]; // per node: front surface, then back surface (negated); 0: empty
 };
 
 layout(scalar, binding = 1) writeonly buffer Texels
@@ -53,7 +53,7 @@ void main()
     vec2 texel_m = 2.0 * body.half_m.xy / vec2(nodes - 1);
     float least_m = min(texel_m.x, texel_m.y);
     float nearest_m = (float(skirt) + 0.5) * least_m;
-    uint nearest = cloth_no_vertex; // nearest node on the other side of the outline
+    uint nearest = cloth_no_vertex; // nearest node on the other side of the body's outline
     for (int y = max(at.y - skirt, 0); y <= min(at.y + skirt, nodes.y - 1); ++y) {
         for (int x = max(at.x - skirt, 0); x <= min(at.x + skirt, nodes.x - 1); ++x) {
             uint node = uint(y * nodes.x + x);
@@ -64,7 +64,7 @@ void main()
             }
         }
     }
-    // The outline is half way between the two nodes.
+    // The outline is assumed half way between the node inside and the node outside.
     float outline_m = nearest == cloth_no_vertex ? cloth_seen_nowhere_m : nearest_m - 0.5 * least_m;
     bool has_middle = is_within || nearest != cloth_no_vertex;
     vec2 middle = has_middle ? middle_and_half(is_within ? item : nearest) : vec2(0.0);

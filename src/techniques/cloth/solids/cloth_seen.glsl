@@ -2,13 +2,14 @@
 #ifndef ESTAMPE_CLOTH_SEEN
 #define ESTAMPE_CLOTH_SEEN
 
-// A body between its front and back surfaces, as a solid of cloth_solids.glsl. Texels give its middle along
-// z, half its thickness, and the distance of a place inside its outline in x and y. Zanuttini, "Recherches en
-// rendu non réaliste temps réel", Université Paris 8, 2008, section 7.5.
+// A solid of cloth_solids.glsl: a body between its front and back surfaces. Texels give the body's middle
+// along z, half its thickness, and the distance of a place inside the outline in x and y. Zanuttini,
+// "Recherches en rendu non réaliste temps réel", Université Paris 8, 2008, section 7.5.
 
 #include "techniques/cloth/cloth_data.glsl"
 
-// The current body: its first texels, half its size at the run's beginning, and the time in the run.
+// The body that is being tested: its first texel, half its size at the run's beginning, and the time as a
+// share of the run.
 int body_first = 0;
 vec3 body_half_before_m = vec3(0.0);
 float body_part = 0.0;
@@ -20,13 +21,13 @@ void look_at_body(int first, vec3 half_before_m, float part)
     body_part = part;
 }
 
-// Interpolated values at a place in x and y, with their slopes.
+// Surface of a body at a place in x and y: interpolated values, with their slopes.
 struct Seen {
     vec3 middle_m;
-    vec3 thick_m;  // half the thickness
-    vec3 within_m; // inside the outline; unlimited far inside
+    vec3 thick_m;  // half the body's thickness along z (value and slopes)
+    vec3 within_m; // distance inside the body's outline (value and slopes); unlimited far inside
     float texel_m;
-    bool is_near; // if false, the middle is unknown
+    bool is_near; // if false, the place is too far from the outline to know the body's middle
 };
 
 vec3 seen_texel(bool is_after, int at)
@@ -49,7 +50,7 @@ Seen seen_then(bool is_after, vec2 half_m, vec2 place)
     vec2 at = clamp(0.5 + 0.5 * place / half_m, vec2(0.0), vec2(1.0)) * vec2(nodes - 1);
     ivec2 low = min(ivec2(at), nodes - 2);
     int corner = body_first + int(cloth_seen_head) + low.y * nodes.x + low.x;
-    vec4 numbers[3]; // of the corners
+    vec4 numbers[3]; // the three values of a texel at the four corners of a cell
     float sum_m = 0.0;
     float count = 0.0;
     for (int i = 0; i < 4; ++i) {
@@ -69,7 +70,8 @@ Seen seen_then(bool is_after, vec2 half_m, vec2 place)
                 value_and_slope(numbers[2], f, texel_m), min(texel_m.x, texel_m.y), count > 0.0);
 }
 
-// Values at the run's beginning and end. Where one of the two has no middle, it gets the middle of the other.
+// Interpolated surface at the run's beginning and end. If one of the two has no middle, it gets the middle of
+// the other.
 Seen[2] seen_twice(vec2 half_m, vec2 place)
 {
     Seen before = seen_then(false, body_half_before_m.xy, place);
@@ -82,7 +84,7 @@ Seen[2] seen_twice(vec2 half_m, vec2 place)
 vec4 seen_at(vec3 half_m, vec3 place)
 {
     Seen seen[2] = seen_twice(half_m.xy, place.xy);
-    float most_m = 2.0 * seen[1].texel_m; // larger distances are unknown
+    float most_m = 2.0 * seen[1].texel_m; // distances beyond this are unknown
     if (!seen[0].is_near && !seen[1].is_near) {
         return vec4(0.0, 1.0, 0.0, most_m);
     }
@@ -104,7 +106,8 @@ vec4 seen_at(vec3 half_m, vec3 place)
     return beside_m > above_m ? vec4(aside, min(beside_m, most_m)) : vec4(along_z, min(above_m, most_m));
 }
 
-// Motion along z, between two parts of a run, of the front or back surface that the place is nearer to.
+// Motion along z of the body's front or back surface, whichever is nearer to the place, between two times of
+// a run.
 float surface_way_m(vec3 half_m, vec3 place, float begin, float end)
 {
     Seen seen[2] = seen_twice(half_m.xy, place.xy);

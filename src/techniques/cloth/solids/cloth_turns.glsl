@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_CLOTH_TURNS
 #define ESTAMPE_CLOTH_TURNS
 
-// Rotation by a quaternion with the scalar last.
+// Rotates a vector by a quaternion with the scalar last.
 vec3 turned(vec4 rotation, vec3 v)
 {
     return v + 2.0 * cross(rotation.xyz, cross(rotation.xyz, v) + rotation.w * v);

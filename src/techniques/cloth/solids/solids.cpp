@@ -18,8 +18,8 @@ constexpr uint32_t no_triangle = std::numeric_limits<uint32_t>::max();
 
 using Triangle = std::array<glm::dvec3, 3>;
 
-/// Ericson, "Real-Time Collision Detection", 2005, 5.1.5: whether a corner, a side or the face is nearest to
-/// a place.
+/// Squared distance from a point to a triangle, by finding whether a corner, a side or the face is nearest:
+/// Ericson, "Real-Time Collision Detection", 2005, 5.1.5.
 double squared_distance(const glm::dvec3& p, const Triangle& t)
 {
     const glm::dvec3 ab = t[1] - t[0];
@@ -44,7 +44,7 @@ double squared_distance(const glm::dvec3& p, const Triangle& t)
     return std::min({to_segment(t[0], t[1]), to_segment(t[1], t[2]), to_segment(t[2], t[0])});
 }
 
-/// A grid while its distances are computed. Places are in cells from the first node.
+/// A grid of signed distances while it is computed. Positions are in cells from the first node.
 class Making {
 public:
     Making(const glm::uvec3& nodes, std::vector<Triangle>&& triangles)
@@ -53,7 +53,8 @@ public:
     {
     }
 
-    /// Nodes next to triangles come first; every other node takes the nearest of its neighbours' triangles.
+    /// Computes exact distances at nodes next to triangles first. Every other node tests the nearest
+    /// triangles of its neighbours.
     void find_distances()
     {
         for (uint32_t i = 0; i < triangles_.size(); ++i) {
@@ -70,7 +71,8 @@ public:
         }
     }
 
-    /// Every crossing of a line along an axis switches between inside and outside.
+    /// Finds the nodes inside the mesh: every crossing of a line along an axis switches between inside and
+    /// outside.
     void find_inside()
     {
         for (int axis = 0; axis < 3; ++axis) {
@@ -143,7 +145,7 @@ private:
         }
     }
 
-    /// Each bit of `way` reverses an axis.
+    /// Passes over all nodes once. Each bit of `way` reverses the direction along one axis.
     void sweep(uint32_t way)
     {
         for_box(glm::uvec3(0), nodes_ - 1U, [&](const glm::uvec3& counted) {
@@ -199,7 +201,7 @@ private:
     std::vector<Triangle> triangles_;
     std::vector<uint32_t> nearest_;
     std::vector<double> squared_;
-    std::vector<uint8_t> votes_; ///< number of axes for which the node is inside
+    std::vector<uint8_t> votes_; ///< per node: number of axes whose line says that the node is inside
 };
 
 } // namespace
@@ -299,7 +301,8 @@ bool keeps_sides(SolidKind kind)
     return kind == SolidKind::box || kind == SolidKind::distances || kind == SolidKind::seen;
 }
 
-/// Axes of the ellipsoid that a matrix M makes of a sphere: eigenvectors of M M^T, by Jacobi rotations.
+/// Axes of the ellipsoid that a matrix M makes of a sphere, which are the eigenvectors of M M^T, by Jacobi
+/// rotations.
 struct Axes {
     glm::dmat3 directions{1.0};
     glm::dvec3 lengths{1.0};
@@ -332,7 +335,7 @@ Axes axes_of(const glm::dmat3& matrix)
     return axes;
 }
 
-/// Orthogonalised directions of a matrix's columns, and their lengths.
+/// Directions of a matrix's columns, made orthogonal, and the columns' lengths.
 Axes columns_of(const glm::dmat3& matrix)
 {
     Axes axes;

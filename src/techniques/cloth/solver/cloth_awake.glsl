@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_CLOTH_AWAKE
 #define ESTAMPE_CLOTH_AWAKE
 
-// Whether a sheet moves in a step. Wind keeps all sheets awake, so nothing is tested then.
+// Tells whether a sheet moves in a step. Wind keeps all sheets awake; the test is skipped if wind blows.
 //
-// Requires: uint awake_in[], 1 more than the last step in which each sheet was awake.
+// Requires: uint awake_in[], which is 1 more than the last step in which each sheet was awake.
 
 #include "techniques/cloth/cloth_data.glsl"
 

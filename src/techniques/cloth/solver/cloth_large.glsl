@@ -2,19 +2,19 @@
 #ifndef ESTAMPE_CLOTH_LARGE
 #define ESTAMPE_CLOTH_LARGE
 
-// Inputs and outputs of a pass of a step of large sheets, with one thread per particle.
+// Inputs and outputs of one pass of a large sheet's step, with one thread per particle.
 // Cloths::add_pass_of_step() binds them for the passes of every solver.
 
 #include "techniques/cloth/solids/cloth_met.glsl"
 
 layout(scalar, binding = 12) buffer Places
 {
-    vec4 places[]; // position and inverse mass
+    vec4 places[]; // position of each particle, and its inverse mass in w
 };
 
 layout(scalar, binding = 13) writeonly buffer Speeds
 {
-    vec4 speeds[]; // velocity, and how long each particle has been calm
+    vec4 speeds[]; // velocity of each particle, and the time for which it has been calm in w
 };
 
 layout(scalar, binding = 14) readonly buffer Pushes
@@ -63,7 +63,7 @@ layout(scalar, binding = 19) readonly buffer Began
 
 layout(scalar, binding = 20) readonly buffer Met
 {
-    uint met[]; // per group: its bounding ball, and the solids near it
+    uint met[]; // per workgroup: its bounding ball, and the bits of solids near the ball
 };
 
 layout(binding = 21) uniform usamplerBuffer torn_texels;

@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_CLOTH_LINKS
 #define ESTAMPE_CLOTH_LINKS
 
-// Displacement of a particle by its links. Each link is solved by itself, with the mass at either end shared
+// Displacement of a particle by its links. Each link is solved separately, with the mass at either end shared
 // among all links there; near links get a larger share. The results are added, which preserves momentum and
 // is independent of the order. A link softer than the solver's limit is a spring with exactly its compliance.
 // Macklin et al., "Small Steps in Physics Simulation", SCA 2019; Tonge et al., "Mass Splitting for
@@ -16,12 +16,12 @@
 
 #include "techniques/cloth/solver/cloth_tethers.glsl"
 
-// At 4 / 3 no sheet and no thread oscillates. Grids allow more, because no wave moves all links of a grid at
-// once.
+// Over-relaxation of 4 / 3 lets no sheet and no thread oscillate. Grids allow more, because no wave moves all
+// links of a grid at once.
 const float over_relaxation = (variant & cloth_bit_grid) != 0u ? 1.6 : 4.0 / 3.0;
 
-// Factor on the vector to the other end that gives the displacement, times the inverse mass. `split_masses`
-// is for a far link; `softness` is the compliance divided by the squared time step.
+// Displacement by one link is this factor times the vector to the link's other end, times the inverse mass.
+// `split_masses` is for a far link; `softness` is the compliance divided by the squared time step.
 float link_pull(vec3 towards, float split_masses, float rest_m, bool is_far, float softness)
 {
     float length_m = length(towards);
@@ -34,7 +34,7 @@ float link_pull(vec3 towards, float split_masses, float rest_m, bool is_far, flo
     return excess_m / (max(length_m, 1e-9) * give);
 }
 
-// No branches: missing links have weight 0.
+// Displacement by all links of a particle on a grid. The code has no branches: missing links have weight 0.
 vec3 pull_of_grid(uint local, vec4 own, float inverse_mass, float time_s)
 {
     ivec2 size = ivec2(sheet.columns, sheet.rows);
@@ -73,7 +73,7 @@ vec3 pull_of_lists(uint local, vec4 own, float inverse_mass, float time_s)
     uvec2 torn = may_tear ? torn_of(local) : uvec2(0u);
     for (uint k = 0u; k < sheet.link_width; ++k) {
         uvec4 words = link_at(local, k);
-        vec3 link = uintBitsToFloat(words.yzw); // rest length, compliance, bending
+        vec3 link = uintBitsToFloat(words.yzw); // rest length, compliance and bending of the link
         if (link.x != 0.0 && !(may_tear && has_bit(torn, k))) {
             vec4 other = predicted_at(words.x);
             vec3 to_other = other.xyz - own.xyz;

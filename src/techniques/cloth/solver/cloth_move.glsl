@@ -10,8 +10,8 @@
 #include "techniques/cloth/solids/cloth_contact.glsl"
 #include "techniques/cloth/solver/cloth_links.glsl"
 
-// Self-collision: a particle moves half the missing distance away from each of the nearest four particles
-// that are not near at rest.
+// Self-collision: if another particle is too near, the particle moves half the missing distance away from it.
+// Only the nearest four particles that are not near in the rest shape are tested.
 vec3 kept_from_self(uint local, vec3 place)
 {
     uvec4 others = near_of(local);
@@ -29,7 +29,8 @@ vec3 kept_from_self(uint local, vec3 place)
     return place + sum / max(count, 1.0);
 }
 
-// A partly held particle moves towards its target by its strength per sixtieth of a second.
+// A partly held particle moves towards its target. The strength of the hold is the share of the way per
+// sixtieth of a second.
 vec3 held_a_little(uint local, vec3 place, float part)
 {
     vec4 target = target_of(local, part);
@@ -37,7 +38,7 @@ vec3 held_a_little(uint local, vec3 place, float part)
     return target.w > 0.0 ? mix(target.xyz, place, left) : place;
 }
 
-// Moves a particle from one place to another, as far as its own sheet, its holder and solids allow.
+// Moves a particle from one place to another, as far as self-collision, its holder and solids allow.
 vec3 let_to(uint local, vec3 from, vec3 place, uint step, uint small_step)
 {
     float part = part_of_run(step, float(small_step + 1u));
@@ -57,7 +58,7 @@ vec3 moved(uint local, vec3 from, float inverse_mass, uint step, uint small_step
 {
     vec4 own = own_predicted(local);
     vec3 place = own.xyz;
-    if (inverse_mass == 0.0) { // is held, and was foreseen there
+    if (inverse_mass == 0.0) { // the particle is held, and already at its target
         return place;
     }
     if ((variant & cloth_bit_descent) == 0u) {
@@ -74,8 +75,8 @@ vec3 speed_after(vec3 from, vec3 to)
     return speed_m_per_s > run.most_speed_m_per_s ? speed * (run.most_speed_m_per_s / speed_m_per_s) : speed;
 }
 
-// Time for which a particle has been calm, at the end of a step. The motion in one small step could not be
-// told from rounding errors.
+// Time for which a particle has been calm, at the end of a step. Whole steps are compared, because the motion
+// in one small step is as small as rounding errors.
 float calm_after(float calm_s, vec3 began, vec3 ended)
 {
     bool is_calm = distance(began, ended) <= run.rest_m_per_s * run.step_s;

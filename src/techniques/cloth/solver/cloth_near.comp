@@ -11,12 +11,13 @@ layout(local_size_x = 64) in;
 #include "shaders/hash.glsl"
 #include "techniques/cloth/cloth_data.glsl"
 
-layout(binding = 12) uniform samplerBuffer place_texels; // position and inverse mass
+// Position of each particle, and its inverse mass in w.
+layout(binding = 12) uniform samplerBuffer place_texels;
 layout(binding = 13) uniform samplerBuffer rest_texels;
 
 layout(scalar, binding = 14) buffer Cells
 {
-    uint first_in_cell[]; // particle + 1; 0: none
+    uint first_in_cell[]; // hash table: the first particle in each cell, plus 1; 0: none
 };
 
 layout(scalar, binding = 15) buffer Links
@@ -26,7 +27,7 @@ layout(scalar, binding = 15) buffer Links
 
 layout(scalar, binding = 16) writeonly buffer Near
 {
-    uvec4 near[]; // indices within the sheet
+    uvec4 near[]; // four nearest particles, as indices within the sheet
 };
 
 layout(scalar, binding = 17) readonly buffer Awake
@@ -46,7 +47,8 @@ uint cell_of(ivec3 place)
     return hash(uint(place.x) + 977u * sheet.first, uint(place.y), uint(place.z)) & constants.cell_mask;
 }
 
-// Merges the particles of a cell into the nearest four, in order. Particle numbers order equal distances.
+// Merges the particles of a hash cell into the list of the nearest four. For equal distances, the lower
+// particle number comes first.
 void look_into(uint cell, uint particle, vec3 place, vec3 rest, inout vec4 away_m2, inout uvec4 found)
 {
     float reach_m2 = 4.0 * sheet.self_m * sheet.self_m;
@@ -69,7 +71,8 @@ void look_into(uint cell, uint particle, vec3 place, vec3 rest, inout vec4 away_
             found[i] = is_nearer ? local : found[i];
             own_away_m2 = is_nearer ? moved_m2 : own_away_m2;
             local = is_nearer ? moved : local;
-            if (is_listed) { // cells with an equal hash are visited repeatedly
+            // Skips particles that are listed: cells with an equal hash are visited repeatedly.
+            if (is_listed) {
                 break;
             }
         }

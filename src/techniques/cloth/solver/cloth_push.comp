@@ -8,7 +8,8 @@ layout(local_size_x = 64) in;
 
 #include "techniques/cloth/cloth_data.glsl"
 
-layout(binding = 12) uniform samplerBuffer place_texels; // position and inverse mass
+// Position of each particle, and its inverse mass in w.
+layout(binding = 12) uniform samplerBuffer place_texels;
 
 layout(scalar, binding = 13) readonly buffer Speeds
 {
@@ -17,7 +18,7 @@ layout(scalar, binding = 13) readonly buffer Speeds
 
 layout(scalar, binding = 14) buffer Pushes
 {
-    vec4 pushes[]; // acceleration, and inverse mass times links
+    vec4 pushes[]; // acceleration of each particle; w: inverse mass times the shares of its links
 };
 
 layout(scalar, binding = 15) writeonly buffer Predicted
@@ -32,14 +33,14 @@ layout(scalar, binding = 16) readonly buffer Awake
 
 layout(scalar, binding = 17) writeonly buffer Began
 {
-    vec4 began[]; // position, and how long each particle has been calm
+    vec4 began[]; // position at the step's beginning; w: time for which the particle has been calm
 };
 
 layout(binding = 18) uniform samplerBuffer flow_texels;
 
 layout(scalar, binding = 19) writeonly buffer Met
 {
-    uint met[]; // per group: its bounding ball, and the solids near it
+    uint met[]; // per workgroup: its bounding ball, and the bits of solids near the ball
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -63,7 +64,7 @@ vec3 place_at(uint local)
 #include "techniques/cloth/solver/cloth_awake.glsl"
 #include "techniques/cloth/solids/cloth_met.glsl"
 
-shared uint farthest; // as the bits of a float
+shared uint farthest; // largest distance in the group, as the bits of a float
 shared uint near_solids[cloth_met_words];
 
 uint middle_of_group(uint first)
@@ -76,8 +77,8 @@ uint middle_of_group(uint first)
     return at.y * size.x + at.x;
 }
 
-// Finds the solids that the group's particles may meet in this step. All threads of the group must call it.
-// `beyond_m` is the distance that a particle will hardly exceed.
+// Finds the solids that the group's particles may meet in this step. All threads of the group must call
+// find_solids(). `beyond_m` is the distance that a particle will hardly move beyond.
 void find_solids(uint first, uint local, float beyond_m)
 {
     uint thread = gl_LocalInvocationID.x;

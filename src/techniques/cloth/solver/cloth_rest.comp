@@ -12,12 +12,12 @@ layout(binding = 12) uniform samplerBuffer place_texels;
 
 layout(scalar, binding = 13) buffer Speeds
 {
-    vec4 speeds[]; // velocity, and how long each particle has been calm
+    vec4 speeds[]; // velocity of each particle, and the time for which it has been calm in w
 };
 
 layout(scalar, binding = 14) buffer Awake
 {
-    uint awake_in[]; // step + 1, per sheet; all threads write equal values
+    uint awake_in[]; // last step in which a sheet was awake, plus 1; threads of a sheet write equal values
 };
 
 layout(binding = 15) uniform samplerBuffer flow_texels;

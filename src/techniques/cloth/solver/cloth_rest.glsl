@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_CLOTH_REST
 #define ESTAMPE_CLOTH_REST
 
-// A sheet rests if all its particles have been calm for a while and nothing moves around it.
+// A sheet comes to rest if all its particles have been calm for a while and nothing moves around it.
 //
 // Requires everything that cloth_flow.glsl requires.
 
@@ -33,7 +33,7 @@ bool is_neared(vec3 place)
     return is_near;
 }
 
-// Whether a holder, air or a solid moves a particle, or is about to.
+// Whether a holder, air or a solid moves a particle, or is about to move it.
 bool is_roused(uint local, vec3 place, uint step)
 {
     vec4 before = texelFetch(target_before_texels, int(sheet.first + local));

@@ -14,17 +14,17 @@
 
 layout(scalar, binding = 12) buffer Places
 {
-    vec4 places[]; // position and inverse mass
+    vec4 places[]; // position of each particle, and its inverse mass in w
 };
 
 layout(scalar, binding = 13) buffer Speeds
 {
-    vec4 speeds[]; // velocity, and how long each particle has been calm
+    vec4 speeds[]; // velocity of each particle, and the time for which it has been calm in w
 };
 
 layout(scalar, binding = 14) readonly buffer Pushes
 {
-    vec4 pushes[]; // in w, inverse mass times links; only w is read here
+    vec4 pushes[]; // w: inverse mass times the shares of the links; xyz is not read here
 };
 
 layout(binding = 15) uniform samplerBuffer flow_texels;
@@ -34,15 +34,16 @@ layout(push_constant, scalar) uniform Constants
     ClothMoment moment;
 };
 
-shared vec4 predicted[2][cloth_small_sheet]; // alternately read and written
+// Predicted positions: one half is read while the other is written.
+shared vec4 predicted[2][cloth_small_sheet];
 uint newest = 0u;
-// For each particle of a thread, by slot:
-vec4 froms[most_slots];     // position and inverse mass
+// A thread's particles, by slot:
+vec4 froms[most_slots];     // position of the slot's particle, and its inverse mass in w
 vec4 ways[most_slots];      // acceleration, or a holder's motion per small step; w: share of links
-vec4 began[most_slots];     // position, and how long it had been calm
-float beyond_m[most_slots]; // distance from there that it will hardly exceed in this step
-uvec2 mets[most_slots];     // solids that come near this ball
-uint slot = 0u;             // the current slot
+vec4 began[most_slots];     // position at the step's beginning; w: time for which the particle has been calm
+float beyond_m[most_slots]; // distance from `began` that the particle will hardly move beyond in this step
+uvec2 mets[most_slots];     // bits of the solids that come near the ball of radius `beyond_m` about `began`
+uint slot = 0u;             // slot of the particle that is being processed
 
 vec4 predicted_at(uint local)
 {
@@ -83,7 +84,8 @@ vec4 predicted_beside(uint local, ivec2 way, bool is_there);
 #include "techniques/cloth/solver/cloth_move.glsl"
 #include "techniques/cloth/solver/cloth_rest.glsl"
 
-// Makes written positions visible to all threads, and frees the positions that were read.
+// Makes written positions visible to all threads of the workgroup, and allows overwriting the positions that
+// were read.
 void take_turns()
 {
     barrier();
@@ -91,8 +93,8 @@ void take_turns()
 }
 
 // Loads a particle at the beginning of a step, and marks the sheet as awake if the particle is not at rest.
-// The mark is in the first particle's share of links, which is never negative and unused here, because no
-// shared memory is left.
+// The mark is stored in the first particle's share of links, which is never negative and unused here, because
+// no shared memory is left.
 void look_at(uint local, uint step)
 {
     vec4 place = places[sheet.first + local];
@@ -105,8 +107,8 @@ void look_at(uint local, uint step)
     }
 }
 
-// Loops over slots test their condition at the end: on processors, a loop that tests it at the beginning runs
-// one extra round.
+// Whether the sheet moves in this step. Loops over slots test their condition at the end: on CPU
+// implementations of Vulkan, a loop that tests its condition at the beginning runs one extra round.
 bool is_awake(uint step)
 {
     slot = 0u;

@@ -76,14 +76,14 @@ bool is_torn(ivec2 at, ivec2 way)
     return has_bit(torn_of(local_at(at)), link_bit(way));
 }
 
-// Whether a path of two direct links is torn; `first` is the first link.
+// Whether one of the two direct links of a path is torn. `first` is the path's first link.
 bool is_torn_on_way(ivec2 at, ivec2 first, ivec2 second)
 {
     return is_torn(at, first) || is_torn(at + first, second);
 }
 
-// A link two particles apart tears with either link between them. A link a knight's move away tears when both
-// paths are torn.
+// Torn bits of far links on a grid. A link two particles apart tears with either link between them. A link a
+// knight's move away tears when both paths are torn.
 uvec2 far_torn_on_grid(ivec2 at)
 {
     uvec2 torn = uvec2(0u);
@@ -92,7 +92,7 @@ uvec2 far_torn_on_grid(ivec2 at)
         if (max(abs(way.x), abs(way.y)) < 2 || !is_within(at + way)) {
             continue;
         }
-        ivec2 half_way = way / 2; // for a knight's move, its straight part
+        ivec2 half_way = way / 2; // half of the link; for a knight's move, the straight part of it
         ivec2 left = way - half_way;
         bool is_across = is_torn_on_way(at, half_way, left);
         if (half_way != left) {
@@ -141,7 +141,7 @@ bool is_direct(uint local, uint other)
     return is_found;
 }
 
-// Whether a tear lies between two particles: a common neighbour of both has a torn link to one of them, or to
+// Whether a tear lies between two particles: a common neighbour of them has a torn link to one of them, or to
 // another common neighbour.
 bool is_across_in_lists(uint local, uint other)
 {
@@ -154,7 +154,8 @@ bool is_across_in_lists(uint local, uint other)
         is_across = is_across || has_bit(torn_of(local), k) || is_torn_between(link.x, other);
         uvec2 torn = torn_of(link.x);
         for (uint i = 0u; i < (torn == uvec2(0u) ? 0u : sheet.link_width); ++i) {
-            uvec4 next = link_at(link.x, i); // this pass may have torn far links already
+            // A direct link, because this pass may have torn far links already.
+            uvec4 next = link_at(link.x, i);
             bool is_beside = has_bit(torn, i) && uintBitsToFloat(next.y) > 0.0 && is_direct(next.x, local) &&
                              is_direct(next.x, other);
             is_across = is_across || is_beside;

@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_CLOTH_TETHERS
 #define ESTAMPE_CLOTH_TETHERS
 
-// Bending on a grid, and tethers.
+// Bending stiffness on a grid, and tethers (limits of the distance to held particles).
 //
 // Requires: vec4 predicted_at(uint local), with a position in xyz, and everything that cloth_torn.glsl
 // requires.
@@ -11,8 +11,7 @@
 
 #include "techniques/cloth/solver/cloth_torn.glsl"
 
-// 1 for each particle that exists in a row of a grid, from two places before the particle `at` to two after,
-// else 0.
+// For five neighbouring places in a row of a grid, centred on `at`: 1 if a particle exists there, else 0.
 float[5] there_about(int at, int size)
 {
     float there[5];
@@ -24,8 +23,8 @@ float[5] there_about(int at, int size)
 }
 
 // Bending of a grid as a thin plate in finite differences, without the differences that reach beyond the
-// edge. Returns the coefficient of the vector to the particle x, y places away, in the force at rigidity 1.
-// Adding these terms one by one needs fewer registers than all at once.
+// edge. Returns the coefficient of the vector to the particle x, y places away, in the bending force at
+// rigidity 1. Adding these terms one by one needs fewer registers than all at once.
 float grid_bend_share(int x, int y, float columns[5], float rows[5])
 {
     vec2 spacing = vec2(sheet.spacing_x_m, sheet.spacing_y_m);
@@ -45,7 +44,8 @@ float grid_bend_share(int x, int y, float columns[5], float rows[5])
            twist * along[2 + way] * (across[1] + across[3]);
 }
 
-// Like grid_bend_share(), for a sheet that may tear: torn particles are omitted like those beyond the edge.
+// Coefficient of the bending force like grid_bend_share(), for a sheet that may tear: torn particles are
+// omitted like those beyond the edge.
 float torn_bend_share(int x, int y, float columns[5], float rows[5], uvec2 torn)
 {
     vec2 spacing = vec2(sheet.spacing_x_m, sheet.spacing_y_m);
@@ -69,14 +69,14 @@ float torn_bend_share(int x, int y, float columns[5], float rows[5], uvec2 torn)
     return 2.0 * by_side * (here + there) + twist * along[2 + way] * cells;
 }
 
-// Bending in lists is a sum over hinges: about a tear it is left out, as the rest of a hinge may be gone, and
-// what is left of one has energy of its own.
+// Bending coefficient of a link in a sheet with lists. The bending force is a sum over hinges (two triangles
+// at an edge). Next to a tear it is omitted, because an incomplete hinge would add energy.
 float torn_bending(float bending, uvec2 torn, uint other)
 {
     return may_tear && (torn != uvec2(0u) || torn_of(other) != uvec2(0u)) ? 0.0 : bending;
 }
 
-// Coefficient of the particle's own position in this force.
+// Coefficient of the particle's own position in the bending force.
 float grid_bend_own(ivec2 at, ivec2 size)
 {
     vec2 spacing = vec2(sheet.spacing_x_m, sheet.spacing_y_m);
@@ -98,7 +98,7 @@ float grid_bend_own(ivec2 at, ivec2 size)
 vec3 tethered(uint local, vec3 place)
 {
     uint k = 0u;
-    do { // else processors would run one extra round
+    do { // test at the end, because CPU implementations of Vulkan would run one extra round
         if (k < sheet.tether_width) {
             uvec2 tether = texelFetch(tether_texels, int(sheet.first_tether + k * sheet.stride + local)).xy;
             vec3 held = predicted_at(tether.x).xyz;

@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_CLOTH_TORN
 #define ESTAMPE_CLOTH_TORN
 
-// Torn links of a sheet: 64 bits per particle, one per link. In lists the k-th link has the k-th bit. On a
-// grid link_bit() gives the bit of a link, and the four cells around a particle have bits of their own, set
-// if any link of the cell is torn.
+// Torn links of a cloth sheet: 64 bits per particle, one per link. In lists the k-th link has the k-th bit.
+// On a grid link_bit() gives the bit of a link, and the four cells around a particle have bits of their own,
+// set if any link of the cell is torn.
 //
 // Requires: uvec2 torn_of(uint local).
 
@@ -27,7 +27,7 @@ uint cell_bit(ivec2 way)
     return cloth_torn_cells + (way.x > 0 ? 1u : 0u) + (way.y > 0 ? 2u : 0u);
 }
 
-// 0 if the link is torn, else 1.
+// Weight of a link: 0 if the link is torn, else 1.
 float whole_link(uvec2 torn, int x, int y)
 {
     return may_tear && has_bit(torn, link_bit(ivec2(x, y))) ? 0.0 : 1.0;
@@ -43,7 +43,7 @@ uvec4 link_at(uint local, uint k)
     return texelFetch(link_texels, int(sheet.first_link + k * sheet.stride + local));
 }
 
-// Whether lists contain the direct link between two particles as torn.
+// Whether the direct link between two particles is torn, in a sheet with lists.
 bool is_torn_between(uint local, uint other)
 {
     uvec2 torn = torn_of(local);
