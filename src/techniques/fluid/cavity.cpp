@@ -14,7 +14,7 @@ namespace {
 
 struct Point {
     double place;
-    std::array<double, 3> speeds; ///< at Reynolds numbers 100, 400, 1000
+    std::array<double, 3> speeds; ///< reference speeds at Reynolds numbers 100, 400 and 1000
 };
 
 constexpr double misprint = 1e9;
@@ -51,12 +51,12 @@ constexpr std::array<Point, 15> v_along_x{{{0.9688, {-0.05906, -0.12146, -0.2138
                                            {0.0703, {0.10091, 0.19713, 0.29012}},
                                            {0.0625, {0.09233, 0.18360, 0.27485}}}};
 
-/// One velocity component along a centre line: at both walls and at the nodes between them.
+/// One velocity component along a centre line of the cavity: at both walls and at the nodes between them.
 struct Profile {
     std::vector<double> places;
     std::vector<double> speeds;
 
-    /// Interpolates with the cubic through the four points around `place`.
+    /// Interpolates the profile with the cubic through the four points around `place`.
     [[nodiscard]] double at(double place) const
     {
         const auto above = std::upper_bound(places.begin(), places.end(), place) - places.begin();
@@ -102,7 +102,7 @@ double rms(const Profile& profile, std::span<const Point> points, size_t column)
     return std::sqrt(sum / count);
 }
 
-/// Minimum and maximum, searched on a finer raster than the grid.
+/// Minimum and maximum of a profile, searched on a finer raster than the grid.
 std::pair<double, double> range_of(const Profile& profile)
 {
     constexpr int parts = 4096;

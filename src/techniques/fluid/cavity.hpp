@@ -10,10 +10,11 @@
 
 namespace estampe::fluid {
 
-/// A square of side 1 m whose lid moves at 1 m/s.
+/// The cavity's grid: a square of side 1 m whose upper wall (lid) moves at 1 m/s.
 [[nodiscard]] Grid cavity_grid(uint32_t side_cells);
 
-/// Differences between a simulated cavity and the reference, and extreme speeds; all in metres per second.
+/// Differences between a simulated lid-driven cavity and the reference, and extreme speeds, in metres per
+/// second.
 struct CavityFit {
     double rms_u = 0.0; ///< error of the horizontal speed along the vertical centre line
     double rms_v = 0.0; ///< error of the vertical speed along the horizontal centre line
@@ -22,7 +23,8 @@ struct CavityFit {
     double most_v = 0.0;
 };
 
-/// `velocity` is laid out as in FluidFields. Throws std::logic_error unless `reynolds` is 100, 400 or 1000.
+/// Compares a simulated cavity with the published reference. `velocity` is laid out as in FluidFields. Throws
+/// std::logic_error unless `reynolds` is 100, 400 or 1000.
 [[nodiscard]] CavityFit cavity_fit(const Grid& grid, std::span<const float> velocity, int reynolds);
 
 } // namespace estampe::fluid

@@ -41,11 +41,11 @@ void check_start(const Grid& grid, uint32_t channels, std::span<const float> sta
 
 } // namespace
 
-/// Handles that each step of a graph passes to the next step.
+/// Graph handles that each fluid step passes to the next step.
 struct Fluid::Handles {
     gpu::ImageId velocity;
     gpu::ImageId unprojected;
-    std::vector<gpu::ImageId> quantities; ///< both images of quantities_, or empty
+    std::vector<gpu::ImageId> quantities; ///< both images of quantities_ (double buffer), or empty
     gpu::BufferId shapes;
     gpu::BufferId standing;
     SolverTables tables;
@@ -74,7 +74,8 @@ public:
     }
 
 private:
-    /// The velocity at the start advects itself and all quantities, along the same displacements.
+    /// Adds one step with a single projection. The velocity at the start advects itself and all quantities,
+    /// along equal displacements.
     void add_projected()
     {
         const gpu::ImageId carrier = handles_.velocity;
@@ -86,7 +87,7 @@ private:
         handles_.velocity = projected(forced(diffused(start)), handles_.velocity, false).velocity;
     }
 
-    /// Returns the velocity that advects the quantities.
+    /// Adds one step of advection-reflection. Returns the velocity that advects the quantities.
     [[nodiscard]] gpu::ImageId add_reflected()
     {
         const gpu::ImageId start = diffused(handles_.velocity);
@@ -154,7 +155,7 @@ private:
     {
         ForceStyle forces = style_.forces;
         if (style_.viscosity_m2_s > 0.0F) {
-            forces.acceleration_m_s2 = glm::vec3(0.0F); // applied by add_diffusion() instead
+            forces.acceleration_m_s2 = glm::vec3(0.0F); // add_diffusion() applies the acceleration instead
         }
         const auto weighing = fluid_.channels_ > shared::fluid_temperature
                                   ? std::optional(handles_.quantities[fluid_.newest_quantities_])

@@ -8,47 +8,50 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-// Bits of the shader variants. The first six give the boundary conditions of the axes x, y, z.
-SHARED_CONSTANT uint fluid_bit_periodic = 0x1U;  // shifted left by the axis
-SHARED_CONSTANT uint fluid_bit_free_slip = 0x8U; // shifted left by the axis
+// Bits of the fluid shaders' `variant`. The first six give the boundary conditions of the axes x, y, z.
+SHARED_CONSTANT uint fluid_bit_periodic = 0x1U;  // the axis is periodic; shift left by the axis
+SHARED_CONSTANT uint fluid_bit_free_slip = 0x8U; // fluid slides along the axis' walls; shift left by the axis
 SHARED_CONSTANT uint fluid_bit_volume = 0x40U;
 SHARED_CONSTANT uint fluid_bit_solids = 0x80U;
-// Bits of advection.
-SHARED_CONSTANT uint fluid_bit_scalars = 0x100U; // quantities are advected, not the velocity
-SHARED_CONSTANT uint fluid_bit_cubic = 0x200U;   // Catmull-Rom splines in place of linear weights
-// Bits of forces and matter.
+// Bits of `variant` for advection.
+SHARED_CONSTANT uint fluid_bit_scalars = 0x100U; // the pass advects quantities, not the velocity
+SHARED_CONSTANT uint fluid_bit_cubic = 0x200U;   // Catmull-Rom splines instead of linear interpolation
+// Bits of `variant` for forces and for changes of quantities.
 SHARED_CONSTANT uint fluid_bit_confined = 0x400U;
-SHARED_CONSTANT uint fluid_bit_buoyant = 0x800U; // quantities cause lift and weight
+SHARED_CONSTANT uint fluid_bit_buoyant = 0x800U; // density and temperature cause weight and lift
 SHARED_CONSTANT uint fluid_bit_burning = 0x1000U;
 SHARED_CONSTANT uint fluid_bit_condensing = 0x2000U;
-SHARED_CONSTANT uint fluid_bit_few = 0x800000U;      // no quantities beyond density and temperature
-SHARED_CONSTANT uint fluid_bit_ways = 0x400000U;     // advection: an earlier pass computed displacements
-SHARED_CONSTANT uint fluid_bit_standing = 0x200000U; // solids: some cells are solid permanently
-// Bits of transforms. Without an axis bit they run along x.
+SHARED_CONSTANT uint fluid_bit_few = 0x800000U; // the fluid has no quantities beyond density and temperature
+// Advection reads displacements that an earlier pass computed.
+SHARED_CONSTANT uint fluid_bit_ways = 0x400000U;
+SHARED_CONSTANT uint fluid_bit_standing = 0x200000U; // some cells are solid permanently
+// Bits of `variant` for Fourier and cosine transforms. Without an axis bit, transforms run along x.
 SHARED_CONSTANT uint fluid_bit_along_y = 0x4000U;
 SHARED_CONSTANT uint fluid_bit_along_z = 0x8000U;
 SHARED_CONSTANT uint fluid_bit_long = 0x10000U;     // rows are longer than fluid_transform_pairs
-SHARED_CONSTANT uint fluid_bit_reversed = 0x20000U; // inverse transform
+SHARED_CONSTANT uint fluid_bit_reversed = 0x20000U; // the pass computes the inverse transform
 SHARED_CONSTANT uint fluid_bit_dividing =
-    0x40000U; // forward transform, division by the eigenvalues of the Laplacian, inverse transform
-// Bits of one half sweep in 3D multigrid.
-SHARED_CONSTANT uint fluid_bit_from_zero = 0x80000U;   // the pressure starts at zero
-SHARED_CONSTANT uint fluid_bit_prolonging = 0x100000U; // adds the coarser level's pressure first
+    // The pass does a forward transform, divides by the eigenvalues of the Laplacian, and transforms back.
+    0x40000U;
+// Bits of `variant` for one half sweep of the 3D multigrid solver.
+SHARED_CONSTANT uint fluid_bit_from_zero = 0x80000U; // the pressure starts at zero
+// The sweep first adds the pressure of the coarser level.
+SHARED_CONSTANT uint fluid_bit_prolonging = 0x100000U;
 
-// Channels with a physical effect; later channels are only advected.
+// Indices of the quantities that have a physical effect; quantities with higher indices are only advected.
 SHARED_CONSTANT int fluid_density = 0;
-SHARED_CONSTANT int fluid_temperature = 1; // relative to the surroundings
+SHARED_CONSTANT int fluid_temperature = 1; // temperature relative to the surroundings
 SHARED_CONSTANT int fluid_fuel = 2;
 SHARED_CONSTANT int fluid_vapour = 3;
-SHARED_CONSTANT int fluid_cloud = 4; // condensed water
+SHARED_CONSTANT int fluid_cloud = 4; // condensed water, as in clouds
 
-// Velocities are stored on faces: component i of cell c is on the face between c and its lower neighbour
-// along axis i, in layer i * depth + z of an image array. Quantities are stored at cell centres, channel by
-// channel.
+// A fluid's grid. Velocities are stored on faces: component i of cell c is on the face between c and its
+// lower neighbour along axis i, in layer i * depth + z of an image array. Quantities are stored at cell
+// centres, channel by channel.
 struct FluidGrid {
-    uint width; // cells
+    uint width; // number of cells along x
     uint height;
-    uint depth;     // 1 in 2D
+    uint depth;     // number of cells along z; 1 in 2D
     float texel_x;  // 1 / width
     float texel_y;  // 1 / height
     vec3 lid_speed; // velocity of the wall at the high end of y
@@ -60,60 +63,60 @@ struct FluidAdvect {
     uint channels;
 };
 
-// One stage of diffusion: weights of the states and of their rates of change.
+// One stage of diffusion: weights of the earlier states of the velocity, and of their rates of change.
 struct FluidDiffuse {
     float of_last;
     float of_before_last;
     float of_start;
-    float of_last_rate; // for a Laplacian on cells of size 1
+    float of_last_rate; // weight of a rate of change, for a Laplacian on cells of size 1
     float of_start_rate;
-    vec3 speed_gain; // gain by the uniform force
+    vec3 speed_gain; // gain of speed in the step by the uniform force
 };
 
 struct FluidForces {
-    vec3 speed_gain; // gain by the uniform force
+    vec3 speed_gain; // gain of speed in the step by the uniform force
     float kept;      // factor on the speed after friction
-    float lift;      // gain of y speed per unit of temperature
-    float weight;    // loss of y speed per unit of density
+    float lift;      // gain of vertical speed per unit of temperature
+    float weight;    // loss of vertical speed per unit of density
     float confinement;
     float rim_share; // rate of replacement by outside air next to the faces of an open box
     float rim_cells; // thickness of the layer in which air is replaced
     vec3 outside;    // speed of the outside air
 };
 
-// A rounded box turned about z: all points within `radius_m` of the box. Used for obstacles and sources.
+// A rounded box turned about z, used for obstacles and sources: all points within `radius_m` of the box.
 struct FluidShape {
     vec3 centre_m;
     float radius_m;
     vec3 half_m; // half size of the box along its own axes
     float angle_rad;
-    vec3 speed;     // metres per second
-    float spin;     // radians per second
-    vec4 gain;      // gain of the first four channels, per second
-    vec4 more_gain; // gain of channels five to eight, per second
+    vec3 speed;     // velocity of the shape in metres per second
+    float spin;     // angular speed of the shape in radians per second
+    vec4 gain;      // gain of the first four quantities inside, per second
+    vec4 more_gain; // gain of quantities five to eight inside, per second
     float push;     // rate at which fluid inside approaches the shape's speed, 1 / s
     float least_density;
     float least_vapour;
 };
 
-// Positions of shapes: obstacles first, then sources.
+// A list of moving shapes: obstacles first, then sources.
 struct FluidShapes {
     float cell_m;
-    float age_s; // time since the positions in the buffer were valid
+    float age_s; // time since the shapes' positions in the buffer were valid
     float step_s;
     uint obstacle_count;
     uint count;
     uint channels;
 };
 
-// Constants for mass that is counted in whole units.
+// Constants of a field of mass that is counted in whole units.
 struct FluidMass {
     float cells_per_speed;
     float gain_per_unit; // gain of speed per difference of one unit between neighbours
     uint channels;       // masses per cell; all masses of a cell move along the same paths
 };
 
-// How quantities change in a step, besides advection.
+// Changes of quantities in a step, in addition to advection.
 struct FluidMatter {
     float density_kept;
     float heat_kept;
@@ -121,8 +124,8 @@ struct FluidMatter {
     float ignition; // lowest temperature at which fuel burns
     float heat_of_fuel;
     float smoke_of_fuel;
-    float condensed;         // share of excess vapour that condenses, or of missing vapour that evaporates
-    float saturation;        // vapour that air holds at y = 0 at the temperature of the surroundings
+    float condensed;  // share of excess vapour that condenses, or of missing vapour that evaporates
+    float saturation; // vapour that air holds at the height y = 0, at the temperature of the surroundings
     float saturation_heat;   // growth of the logarithm of saturation per unit of temperature
     float saturation_height; // fall of the logarithm of saturation per metre of height
     float latent_heat;
@@ -131,8 +134,8 @@ struct FluidMatter {
     float outside_vapour; // vapour of the outside air, limited by its saturation
 };
 
-// One level of the multigrid, or of data with the layout of the multigrid; a cell spans 2^level cells of the
-// grid. Buffers store all levels, finest first; this level starts at `first`.
+// One level of the multigrid solver, or of data with the multigrid's layout; a cell spans 2^level cells of
+// the grid. Buffers store all levels, finest first; this level starts at `first`.
 struct FluidLevel {
     uint width;
     uint height;
@@ -147,60 +150,62 @@ struct FluidVolumeLevel {
 };
 
 struct FluidVolumeSweep {
-    uint color; // colour of the cells that are swept
+    uint color; // colour (red or black) of the cells that this half sweep changes
     uint coarse_width;
     uint coarse_height;
 };
 
 struct FluidTile {
     FluidLevel level;
-    FluidLevel coarse; // the next coarser level
-    uint rounds;       // of Jacobi's iteration
+    FluidLevel coarse; // the next coarser level of the multigrid
+    uint rounds;       // number of Jacobi iterations
 };
 
 struct FluidSmall {
     FluidLevel level;
-    uint level_count;  // from this level down to a handful of cells
-    uint level_number; // number of this level; the grid is level 0
+    uint level_count;  // number of levels from this one down to a handful of cells
+    uint level_number; // number of this level; level 0 is the grid itself
     uint width;        // width of the grid in cells
     uint height;
 };
 
 struct FluidWeights {
     uint level_count;
-    uint cell_count; // sum over all levels
+    uint cell_count; // number of cells of all levels together
 };
 
-// A transform along one axis: cosines between walls, sines and cosines where the ends are connected.
+// A transform along one axis: a cosine transform between walls, a Fourier transform on a periodic axis.
 struct FluidTransform {
     uint width;
     uint height;
     uint depth;
-    uint log_length; // of a transformed row
-    uint log_pairs;  // row pairs per workgroup
-    uint log_turn;   // entries of the angle table for a full turn
-    float share;     // factor on the results
+    uint log_length; // logarithm to base 2 of a transformed row's length
+    uint log_pairs;  // logarithm to base 2 of the number of row pairs per workgroup
+    uint log_turn;   // logarithm to base 2 of the angle table's entries for a full turn
+    float share;     // factor on the results of the transform
 };
 
 // Mass is counted in whole units. The weights of the four or eight cells that share a mass add up to exactly
 // fluid_mass_whole.
-SHARED_CONSTANT uint fluid_mass_unit = 65536U; // units per mass of 1; a power of two, so that floats are exact
+SHARED_CONSTANT uint fluid_mass_unit = 65536U; // number of units for a mass of 1
 SHARED_CONSTANT uint fluid_mass_whole = 32768U;
 SHARED_CONSTANT float fluid_most_quantity = 2048.0F; // in whole units; larger quantities are cut to this
 
 SHARED_CONSTANT uint fluid_most_shapes = 64U;
-SHARED_CONSTANT uint fluid_stands_still = 0xffffffffU; // a permanently solid cell, which belongs to no shape
+// Marks a permanently solid cell, which belongs to no shape.
+SHARED_CONSTANT uint fluid_stands_still = 0xffffffffU;
 SHARED_CONSTANT uint fluid_most_channels = 8U;
 
-// Tiles of the fused passes: a workgroup computes a square of cells and loads a halo around it.
+// Tile size of the passes that compute several steps at once: a workgroup computes a square of cells and
+// loads a halo around it.
 SHARED_CONSTANT uint fluid_tile = 32U;
 SHARED_CONSTANT uint fluid_halo = 5U;
-SHARED_CONSTANT uint fluid_most_rounds = 4U; // rounds of Jacobi's iteration per pass
+SHARED_CONSTANT uint fluid_most_rounds = 4U; // most Jacobi iterations per pass
 SHARED_CONSTANT uint fluid_transform_pairs =
     2048U; // complex numbers in a workgroup's memory; longer rows take twice as many
-SHARED_CONSTANT uint fluid_coarsest_cells = 64U; // most cells in the coarsest level of a volume
+SHARED_CONSTANT uint fluid_coarsest_cells = 64U; // most cells in the coarsest level of the 3D multigrid
 SHARED_CONSTANT uint fluid_small_cells =
-    1024U; // a level with at most this many cells, and all coarser levels, are done by one workgroup
+    1024U; // one workgroup computes a level with at most this many cells, and all coarser levels
 
 #ifdef __cplusplus
 static_assert(sizeof(FluidGrid) == 32);

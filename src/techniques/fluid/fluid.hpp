@@ -19,12 +19,12 @@
 namespace estampe::fluid {
 
 enum class Stepping : uint8_t {
-    project, ///< advect, add forces, project
+    project, ///< each step advects, adds forces and projects (removes divergence)
     reflect  ///< advection-reflection: two half steps with the velocity reflected between them; second order,
              ///< twice the cost
 };
 
-/// Settings of a step; every member may change from step to step.
+/// Settings of a fluid step; every member may change from step to step.
 struct FluidStyle {
     float step_s = 1.0F / 120.0F;
     Stepping stepping = Stepping::reflect;
@@ -36,46 +36,46 @@ struct FluidStyle {
     MatterStyle matter;
 };
 
-/// Handles to the fields after the steps that were added to a graph.
+/// Handles to the fluid's fields after the steps that were added to a graph.
 struct FluidFields {
-    gpu::ImageId velocity;    ///< metres per second; layer i * depth + z holds component i, on faces
-    gpu::ImageId unprojected; ///< the input of the last projection, to measure the remaining error with
+    gpu::ImageId velocity; ///< velocity in metres per second; layer i * depth + z holds component i, on faces
+    gpu::ImageId unprojected; ///< the velocity before the last projection, for measuring the remaining error
     Solids solids;
-    /// Layer i * depth + z holds channel i, at cell centres.
+    /// Quantities at cell centres; layer i * depth + z holds channel i.
     std::optional<gpu::ImageId> quantities = {};
     std::optional<gpu::BufferId> mass = {}; ///< of each cell in units of 1 / 65536, if the fluid has a mass
 };
 
-/// A fluid on the device. Deterministic: equal start, style and steps give bit-identical fields on one
-/// device.
+/// A fluid simulation on the GPU. Deterministic: equal start, style and steps give bit-identical fields on
+/// one device.
 class Fluid {
 public:
-    /// `velocity` and `quantities` are laid out as in FluidFields, row by row in each layer; an empty span
-    /// means all zeros. Throws std::logic_error for an invalid grid or a span of the wrong size.
+    /// Creates a fluid. `velocity` and `quantities` are laid out as in FluidFields, row by row in each layer;
+    /// an empty span means all zeros. Throws std::logic_error for an invalid grid or a span of the wrong
+    /// size.
     Fluid(gpu::Device& device, const Grid& grid, uint32_t channels = 0, std::span<const float> velocity = {},
           std::span<const float> quantities = {});
 
-    /// Adds `count` steps; call it once per graph. With Solver::mass the fluid needs a mass, quantities are
-    /// advected by add_conserving_advection(), and steps are not reflected. Throws std::logic_error for more
-    /// than most_steps(), for a step without length, or for a missing mass.
+    /// Adds `count` simulation steps to a graph. Call add_steps() once per graph. Throws std::logic_error for
+    /// more than most_steps() or for a step without length.
     [[nodiscard]] FluidFields add_steps(gpu::Graph& graph, const FluidStyle& style, uint32_t count);
 
-    /// The pressure solver that a step with `style` uses.
+    /// The pressure solver that a simulation step with `style` uses.
     [[nodiscard]] Solver solver_of(const FluidStyle& style) const
     {
         return solver_for(grid_, trusted(style.projection).solver, are_solid());
     }
 
-    /// The number of steps that fit into one graph; at least one.
+    /// The number of simulation steps that fit into one graph, at least one.
     [[nodiscard]] uint32_t most_steps(const FluidStyle& style) const;
 
     /// Checks the spectral solver on a random equation, because some drivers compute its transforms wrongly.
     /// If the residual is above 1e-3, `automatic` uses multigrid from then on. Returns the residual, or 0 if
-    /// the grid has no spectral solver. Call it once before the first step.
+    /// the grid has no spectral solver. Call check_spectral() once before the first step.
     double check_spectral(gpu::Device& device, gpu::Executor& executor);
 
-    /// Sets obstacles and sources from the next step on. They keep moving as steps pass. Throws
-    /// std::logic_error for more than 64 in all.
+    /// Sets obstacles and sources from the next step on. They keep moving with their velocities as steps
+    /// pass. Throws std::logic_error for more than 64 shapes in total.
     void set_shapes(std::span<const Shape> obstacles, std::span<const Source> sources)
     {
         shapes_.set(obstacles, sources);
@@ -110,11 +110,11 @@ private:
     Grid grid_;
     uint32_t channels_;
     gpu::Image velocity_;
-    std::array<gpu::Image, 2> quantities_; ///< double buffer; empty without channels
+    std::array<gpu::Image, 2> quantities_; ///< double buffer of the quantities; empty without channels
     uint32_t newest_quantities_ = 0;
     Shapes shapes_;
-    gpu::Buffer solids_;   ///< one word per cell
-    gpu::Buffer standing_; ///< one word per cell that is solid permanently, or empty
+    gpu::Buffer solids_;   ///< per cell, one word: the obstacle that contains it, or 0
+    gpu::Buffer standing_; ///< per cell, one word: whether it is solid permanently; or empty
     gpu::Buffer angles_;
     std::optional<MassField> mass_;
     bool are_standing_ = false;
@@ -123,14 +123,14 @@ private:
 
 // Access to a fluid's fields on the CPU, for tests and measurements.
 
-/// Leaves the image in the layout that gpu::import_uploaded expects in later graphs.
+/// Leaves an image in the layout that gpu::import_uploaded() expects in later graphs.
 void hand_on(gpu::Graph& graph, gpu::ImageId image);
 
 /// Adds a copy of all layers of `image`, in order, to a buffer. Leaves the image in the layout that
-/// gpu::import_uploaded expects in later graphs.
+/// gpu::import_uploaded() expects in later graphs.
 [[nodiscard]] gpu::BufferId add_layers_copy(gpu::Graph& graph, gpu::ImageId image);
 
-/// Runs `graph` together with a copy of all layers of `image`, and returns that copy.
+/// Runs `graph` with an added copy of all layers of `image`, and returns the copied numbers.
 [[nodiscard]] std::vector<float> run_and_read(gpu::Device& device, gpu::Executor& executor, gpu::Graph& graph,
                                               gpu::ImageId image);
 

@@ -2,10 +2,11 @@
 #ifndef ESTAMPE_FLUID_FIELDS
 #define ESTAMPE_FLUID_FIELDS
 
-// Interpolates velocities and quantities, also across walls. Requires `variant`, and `grid`, a FluidGrid.
-// Samplers repeat; values that were read across a wall are corrected here.
+// Interpolates a fluid's velocities and quantities, also next to walls. Requires `variant`, and `grid`, a
+// FluidGrid. Samplers wrap around at the image's ends; the functions here correct values that were read
+// across a wall.
 
-const int fluid_scalar = 3; // component number of a quantity
+const int fluid_scalar = 3; // "component" number that stands for a quantity instead of a velocity component
 
 bool is_volume()
 {
@@ -32,15 +33,15 @@ bool is_in_grid(ivec3 cell)
     return all(lessThan(cell, fluid_size()));
 }
 
-// Maps an index at most `size` beyond either end into the grid: wrapped on a periodic axis, else clamped.
-// Uses comparisons, because a division by a run-time value takes some twenty instructions.
+// Maps an index at most `size` beyond either end into the grid: wrapped on a periodic axis, else clamped. The
+// code compares instead of dividing, because a division by a run-time value takes some twenty instructions.
 int place_in_grid(int place, int size, bool is_round)
 {
     int turned = place < 0 ? place + size : place >= size ? place - size : place;
     return is_round ? turned : clamp(place, 0, size - 1);
 }
 
-// The cell `steps` along an axis; `steps` is at most the number of cells along it.
+// The cell that is `steps` cells away along an axis; `steps` is at most the number of cells along it.
 ivec3 neighbour(ivec3 cell, int axis, int steps)
 {
     cell[axis] = place_in_grid(cell[axis] + steps, fluid_size()[axis], is_periodic(axis));
@@ -57,7 +58,7 @@ float lid_speed_of(int component)
     return component == 0 ? grid.lid_speed.x : component == 1 ? grid.lid_speed.y : grid.lid_speed.z;
 }
 
-// The value beyond a wall, at the mirror image of the place of `inner`.
+// The value beyond a wall, at the mirror image of the place where `inner` was read.
 vec2 beyond_wall(vec2 inner, int component, int axis, bool is_high)
 {
     if (component == fluid_scalar || (variant & (fluid_bit_free_slip << axis)) != 0u) {
@@ -66,7 +67,8 @@ vec2 beyond_wall(vec2 inner, int component, int axis, bool is_high)
     return (axis == 1 && is_high ? 2.0 * lid_speed_of(component) : 0.0) - inner;
 }
 
-// Corrects two neighbours along an axis if they lie on or beyond a wall; `low` is the first one's index.
+// Corrects the values of two neighbour nodes along an axis if they lie on or beyond a wall; `low` is the
+// first node's index.
 void mend(inout vec2 first, inout vec2 second, int low, int component, int axis)
 {
     if (is_periodic(axis)) {
@@ -82,13 +84,13 @@ void mend(inout vec2 first, inout vec2 second, int low, int component, int axis)
     }
 }
 
-// Whether two neighbours from index `low` need no correction, for any component.
+// Whether two neighbour nodes from index `low` on need no wall correction, for any component.
 bool is_far_from_wall(int low, int axis)
 {
     return is_periodic(axis) || low >= 1 && low < fluid_size()[axis] - 1;
 }
 
-// Four nodes of a layer from `low` on: 00, 10, 01, 11.
+// Values of four nodes of a layer, from `low` on, in the order 00, 10, 01, 11.
 vec4 plane_nodes(sampler2DArray field, int component, ivec2 low, int layer)
 {
     vec2 corner = (vec2(low) + 1.0) * vec2(grid.texel_x, grid.texel_y);
@@ -110,7 +112,7 @@ int layer_of_slice(int slice)
     return place_in_grid(slice, int(grid.depth), is_periodic(2));
 }
 
-// Eight nodes from `low` on; in 2D `far` equals `near`.
+// Values of eight nodes from `low` on; in 2D `far` equals `near`.
 void box_nodes(sampler2DArray field, int component, ivec3 low, int first_layer, out vec4 near, out vec4 far)
 {
     if (!is_volume()) {
@@ -136,7 +138,7 @@ float blend(vec4 nodes, vec2 share)
     return mix(columns.x, columns.y, share.x);
 }
 
-// Linear interpolation at `offset` cells from node `node`.
+// Linear interpolation of a field at `offset` cells from node `node`.
 float sample_linear(sampler2DArray field, int component, ivec3 node, int first_layer, vec3 offset)
 {
     vec3 whole = floor(offset);
@@ -148,7 +150,7 @@ float sample_linear(sampler2DArray field, int component, ivec3 node, int first_l
     return is_volume() ? mix(value, blend(far, share.xy), share.z) : value;
 }
 
-// Minimum and maximum of the nodes around a place.
+// Minimum and maximum of a field's nodes around a place.
 vec2 range_of_nodes(sampler2DArray field, int component, ivec3 node, int first_layer, vec3 offset)
 {
     vec4 near;
@@ -160,7 +162,7 @@ vec2 range_of_nodes(sampler2DArray field, int component, ivec3 node, int first_l
                 max(max(most.x, most.y), max(most.z, most.w)));
 }
 
-// Velocity at `at`, in cells from the low corner of `cell`.
+// Velocity at the place `at`, given in cells from the low corner of `cell`.
 vec3 velocity_at(sampler2DArray velocity, ivec3 cell, vec3 at)
 {
     int depth = int(grid.depth);
@@ -174,7 +176,7 @@ vec3 velocity_at(sampler2DArray velocity, ivec3 cell, vec3 at)
     return speed;
 }
 
-// Clamps a displacement so that the displacement ends inside the walls; on a periodic axis to half the grid.
+// Limits a displacement so that it ends inside the walls; on a periodic axis to half the grid.
 vec3 kept_inside(vec3 way, ivec3 cell, vec3 at)
 {
     vec3 size = vec3(fluid_size());
@@ -186,20 +188,20 @@ vec3 kept_inside(vec3 way, ivec3 cell, vec3 at)
     return is_volume() ? way : vec3(way.xy, 0.0);
 }
 
-// Midpoint rule: the velocity after half a step from `at`, where the velocity is `here`.
+// Velocity after half a step from the place `at` (midpoint rule); `here` is the velocity at the start.
 vec3 velocity_half_way(sampler2DArray velocity, vec3 here, ivec3 cell, vec3 at, float cells_per_speed)
 {
     return velocity_at(velocity, cell, at + kept_inside(0.5 * cells_per_speed * here, cell, at));
 }
 
-// Displacement of fluid that starts at `at`, by the midpoint rule.
+// Displacement of fluid that starts at the place `at`, by the midpoint rule.
 vec3 way_along(sampler2DArray velocity, vec3 here, ivec3 cell, vec3 at, float cells_per_speed)
 {
     vec3 half_way = velocity_half_way(velocity, here, cell, at, cells_per_speed);
     return kept_inside(cells_per_speed * half_way, cell, at);
 }
 
-// Position of a component's node in its cell; z is ignored in 2D.
+// Position of a velocity component's node within its cell; z is ignored in 2D.
 vec3 place_of_node(int component)
 {
     vec3 at = vec3(0.5);
@@ -209,14 +211,14 @@ vec3 place_of_node(int component)
     return at;
 }
 
-// Whether a node of `component` lies on a wall, where the normal speed is zero.
+// Whether a node of `component` lies on a wall, where the velocity along the wall's normal is zero.
 bool is_on_wall(int component, ivec3 cell)
 {
     return component < 3 && !is_periodic(component) && cell[component] == 0;
 }
 
-// Velocity at the node of `component`: its own component as stored, the others averaged from the nodes around
-// it. Equals velocity_at() with fewer texture reads.
+// Velocity at the node of `component`: that component as stored, the other components averaged from the nodes
+// around it. Equals velocity_at() with fewer texture reads.
 vec3 velocity_at_node(sampler2DArray velocity, int component, ivec3 cell)
 {
     vec3 speed = vec3(0.0);
@@ -239,7 +241,7 @@ vec3 velocity_at_node(sampler2DArray velocity, int component, ivec3 cell)
     return speed;
 }
 
-// Velocity at the cell centre: the mean of opposite faces.
+// Velocity at a cell's centre: the mean of opposite faces.
 vec3 velocity_in_middle(sampler2DArray velocity, ivec3 cell)
 {
     vec3 speed = vec3(0.0);

@@ -26,7 +26,7 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/pressure/fluid_tile.glsl"
 
-shared float tile_pressures[2 * fluid_region_cells]; // double buffer: before and after a round
+shared float tile_pressures[2 * fluid_region_cells]; // double buffer: pressures before and after an iteration
 
 void iterate(int from, int to)
 {

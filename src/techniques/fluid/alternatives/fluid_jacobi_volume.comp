@@ -26,7 +26,8 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/fluid_fields.glsl"
 
-// Adds the neighbour's pressure to x, and 1 to y, if the face between the cells is open.
+// If the face between a cell and its neighbour is open, adds the neighbour's pressure to sum.x and 1 to
+// sum.y.
 void add_neighbour(ivec3 cell, int axis, int step, inout vec2 sum)
 {
     int size = fluid_size()[axis];

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Jacobi's iteration for the pressure equation.
+// Jacobi's iteration as a solver of the fluid's pressure equation.
 
 #include "techniques/fluid/pressure/solvers.hpp"
 
 namespace estampe::fluid {
 
-/// Adds `rounds` rounds that start from zero. Cost: one pass per four rounds in 2D, one per round in 3D.
+/// Adds `rounds` Jacobi iterations that start from zero pressure. Cost: one pass per four iterations in 2D,
+/// one per iteration in 3D.
 [[nodiscard]] gpu::BufferId add_jacobi(gpu::Graph& graph, const Grid& grid, const Equation& equation,
                                        uint32_t rounds);
 

@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_FLUID_SHARES
 #define ESTAMPE_FLUID_SHARES
 
-// Distributes the content of a place over the cells around the place, in whole numbers. Include after
-// fluid_fields.glsl, with the same requirements.
+// Distributes a mass over the cells around a place, in whole numbers. Include after fluid_fields.glsl, with
+// the same requirements.
 
 const int fluid_most_sharers = 8;
 
@@ -12,8 +12,8 @@ int sharer_count()
     return is_volume() ? 8 : 4;
 }
 
-// Cells and weights of the place at displacement `way` from the middle of `cell`. The last cell takes the
-// rounding error.
+// Cells and weights that share the mass at displacement `way` from the middle of `cell`. The last cell takes
+// the rounding error.
 void share_out(ivec3 cell, vec3 way, out uint index[fluid_most_sharers], out uint weight[fluid_most_sharers])
 {
     vec3 whole = floor(way);
@@ -39,7 +39,7 @@ void share_out(ivec3 cell, vec3 way, out uint index[fluid_most_sharers], out uin
     }
 }
 
-// `part` / 65536 of `mass`, rounded towards zero. Quantities are signed numbers in two's complement.
+// `part` / 65536 of a mass, rounded down.
 uint part_of(uint mass, uint part)
 {
     bool is_negative = (variant & fluid_bit_scalars) != 0u && int(mass) < 0;

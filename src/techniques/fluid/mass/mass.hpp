@@ -17,15 +17,16 @@ namespace estampe::fluid {
 
 enum class MassAdvection : uint8_t {
     forward,  ///< each cell distributes its mass over the cells around the point where the flow takes it
-    both_ways ///< each cell claims mass from where the flow comes from; claims are scaled down to the
-              ///< existing mass, and unclaimed mass is moved as by `forward`
+    both_ways ///< each cell claims mass from where the flow comes from; claims are limited to the existing
+              ///< mass; unclaimed mass moves as with `forward`
 };
 
-/// Mass of each cell in units of 1 / 65536. The sum is constant to the unit, and no cell is negative; a cell
-/// holds up to 65535. The result does not depend on the order of threads.
+/// A field of mass that a flow moves, in units of 1 / 65536 per cell. The sum is constant to the unit, and no
+/// cell is negative; a cell holds up to 65535. The result does not depend on the order of threads.
 class MassField {
 public:
-    /// `mass` has one number from 0 to 32768 per cell; otherwise std::logic_error is thrown.
+    /// Creates a field of mass. `mass` has one number from 0 to 32768 per cell; otherwise std::logic_error is
+    /// thrown.
     MassField(gpu::Device& device, const Grid& grid, std::span<const float> mass);
 
     [[nodiscard]] gpu::BufferId import(gpu::Graph& graph);

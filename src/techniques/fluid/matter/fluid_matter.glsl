@@ -12,7 +12,7 @@ float gain_of_channel(FluidShape shape, int channel)
     return channel < 4 ? shape.gain[channel] : shape.more_gain[channel - 4];
 }
 
-// Fuel above the ignition temperature turns into heat and smoke.
+// Burns fuel above the ignition temperature, which becomes heat and smoke.
 void burn(inout float amounts[fluid_most_channels])
 {
     float burnt = amounts[fluid_temperature] >= matter.ignition ? matter.burnt * amounts[fluid_fuel] : 0.0;
@@ -27,7 +27,7 @@ float vapour_held(float temperature, float height_m)
            exp(matter.saturation_heat * temperature - matter.saturation_height * height_m);
 }
 
-// Fuel and cloud leave through open ends, and vapour approaches the vapour of the outside air.
+// Exchanges air through open ends: fuel and cloud leave, and vapour approaches the vapour of the outside air.
 void exchange(inout float amounts[fluid_most_channels], float stays, float height_m)
 {
     amounts[fluid_fuel] *= stays;
@@ -46,11 +46,11 @@ void condense(inout float amounts[fluid_most_channels], float height_m)
     amounts[fluid_temperature] += matter.latent_heat * moved;
 }
 
-// Applies all changes of a step. Channels from `most_channels` on do not change.
+// Applies all changes of a cell's quantities in a step. Channels from `most_channels` on do not change.
 void settle(inout float amounts[fluid_most_channels], ivec3 cell)
 {
     vec3 place_m = (vec3(cell) + 0.5) * shapes.cell_m;
-    float least = 0.0; // lowest density
+    float least = 0.0; // lowest density that the sources allow in this cell
     float least_vapour = 0.0;
     for (uint k = shapes.obstacle_count; k < shapes.count; ++k) {
         float cover = cover_of(shape_list[k], place_m);

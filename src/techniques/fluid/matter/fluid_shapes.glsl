@@ -2,15 +2,15 @@
 #ifndef ESTAMPE_FLUID_SHAPES
 #define ESTAMPE_FLUID_SHAPES
 
-// Requires `shape_list`, a buffer of FluidShape, and `shapes`, a FluidShapes. Include after
-// fluid_fields.glsl. In 2D z is ignored.
+// Obstacles and sources of a fluid as distance functions. Requires `shape_list`, a buffer of FluidShape, and
+// `shapes`, a FluidShapes. Include after fluid_fields.glsl. In 2D z is ignored.
 
 vec3 centre_of(FluidShape shape)
 {
     return shape.centre_m + shapes.age_s * shape.speed;
 }
 
-// Distance of a place from a shape; negative inside.
+// Distance of a place from a shape's surface; negative inside.
 float distance_to(FluidShape shape, vec3 place_m)
 {
     float angle = shape.angle_rad + shapes.age_s * shape.spin;

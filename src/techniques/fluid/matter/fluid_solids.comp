@@ -16,7 +16,8 @@ layout(scalar, binding = 0) readonly buffer Shapes
     FluidShape shape_list[];
 };
 
-layout(binding = 1) uniform usamplerBuffer standing; // one word per cell; a single word if all are 0
+// One word per cell: whether it is solid permanently; a single word if no cell is.
+layout(binding = 1) uniform usamplerBuffer standing;
 
 layout(scalar, binding = 2) writeonly buffer Solids
 {

@@ -15,45 +15,47 @@
 
 namespace estampe::fluid {
 
-/// A rounded box turned about z: all points within `radius_m` of the box. Sizes along z only count in 3D.
+/// A rounded box turned about z, used for obstacles and sources: all points within `radius_m` of the box.
+/// Sizes along z only count in 3D.
 struct Shape {
-    glm::vec3 centre_m{0.0F}; ///< from the grid's low corner
+    glm::vec3 centre_m{0.0F}; ///< centre of the shape, from the grid's low corner
     glm::vec3 half_m{0.0F};   ///< half size of the box along its own axes
     float radius_m = 0.0F;
-    float angle_rad = 0.0F; ///< from x towards y
+    float angle_rad = 0.0F; ///< rotation about z, from x towards y
     glm::vec3 velocity_m_per_s{0.0F};
     float spin_rad_s = 0.0F;
 };
 
 [[nodiscard]] Shape disc(glm::vec3 centre_m, float radius_m);
 [[nodiscard]] Shape box(glm::vec3 centre_m, glm::vec3 half_m, float angle_rad = 0.0F);
-/// `length_m` is the distance between the centres of the two round ends.
+/// Makes a capsule. `length_m` is the distance between the centres of its two round ends.
 [[nodiscard]] Shape capsule(glm::vec3 centre_m, float length_m, float radius_m, float angle_rad = 0.0F);
 
-/// A shape that brings quantities into the fluid.
+/// A shape that brings smoke, heat or other quantities into the fluid.
 struct Source {
     Shape shape;
     float push_per_s = 0.0F; ///< rate at which the fluid inside approaches the shape's velocity
-    std::array<float, shared::fluid_most_channels> gain_per_s{}; ///< gain of quantities, channel by channel
+    std::array<float, shared::fluid_most_channels> gain_per_s{}; ///< gain of each quantity per second
     float least_density = 0.0F; ///< lowest density inside after a step, however fast the fluid passes
-    float least_vapour = 0.0F;  ///< lowest vapour inside before condensation
+    float least_vapour = 0.0F;  ///< lowest vapour inside the source, before condensation
 };
 
-/// Obstacles and sources of a fluid on the device.
+/// Obstacles and sources of a fluid on the GPU.
 class Shapes {
 public:
     explicit Shapes(gpu::Device& device);
 
-    /// Throws std::logic_error for more than 64 in all. No graph that reads the shapes may be running.
+    /// Replaces all obstacles and sources. Throws std::logic_error for more than 64 in total. No graph that
+    /// reads the shapes may be running.
     void set(std::span<const Shape> obstacles, std::span<const Source> sources);
 
-    /// Advances the positions of all shapes by `time_s`.
+    /// Moves all shapes along their velocities by `time_s`.
     void advance(float time_s);
 
-    /// Uploads the current positions for the next graph.
+    /// Uploads the shapes' current positions for the next graph.
     [[nodiscard]] gpu::BufferId upload(gpu::Graph& graph);
 
-    /// Constants for the time `age_s` after upload().
+    /// Shader constants of the shapes at the time `age_s` after upload().
     [[nodiscard]] shared::FluidShapes constants(const Grid& grid, float age_s, float step_s,
                                                 uint32_t channels) const;
 
@@ -68,35 +70,37 @@ private:
     uint32_t obstacle_count_ = 0;
 };
 
-/// Writes for each cell which obstacle contains it into `cells`. `standing` has one word per cell,
-/// fluid_stands_still or 0; if no cell is solid permanently, it may be shorter.
+/// Adds a pass that writes for each cell which obstacle contains it into `cells`. `standing` has one word per
+/// cell, fluid_stands_still or 0; if no cell is solid permanently, it may be shorter.
 [[nodiscard]] Solids add_solids(gpu::Graph& graph, const Grid& grid, gpu::BufferId shapes,
                                 const shared::FluidShapes& constants, gpu::BufferId standing,
                                 gpu::BufferId cells);
 
-/// Returns `velocity` with obstacles' velocities on their faces and with the push of sources.
+/// Adds a pass that returns `velocity` with obstacles' velocities on their faces and with the push of
+/// sources.
 [[nodiscard]] gpu::ImageId add_push(gpu::Graph& graph, const Grid& grid, gpu::BufferId shapes,
                                     const shared::FluidShapes& constants, const Solids& solids,
                                     gpu::ImageId velocity);
 
-/// Channels 0 to 4 are density, temperature relative to the surroundings, fuel, vapour and cloud; effects on
-/// channels that the fluid lacks are skipped. Channels from 5 on are free, for example for colours.
+/// Changes of a fluid's quantities besides advection. Channels 0 to 4 are density, temperature relative to
+/// the surroundings, fuel, vapour and cloud; effects on channels that the fluid lacks are skipped. Channels
+/// from 5 on are free, for example for colours.
 struct MatterStyle {
-    float fading_per_s = 0.0F;  ///< decay rate of density
-    float cooling_per_s = 0.0F; ///< decay rate of temperature
+    float fading_per_s = 0.0F;  ///< rate at which density decays
+    float cooling_per_s = 0.0F; ///< rate at which the temperature approaches that of the surroundings
 
-    float burning_per_s = 0.0F; ///< initial share of the fuel that burns at `ignition` or hotter
+    float burning_per_s = 0.0F; ///< share of the fuel that burns per second at `ignition` or hotter
     float ignition = 1.0F;
-    float heat_of_fuel = 1.0F;  ///< temperature per unit of burnt fuel
-    float smoke_of_fuel = 1.0F; ///< density per unit of burnt fuel
+    float heat_of_fuel = 1.0F;  ///< gain of temperature per unit of burnt fuel
+    float smoke_of_fuel = 1.0F; ///< gain of density per unit of burnt fuel
 
-    float condensing_per_s = 0.0F;  ///< initial share of excess vapour that condenses, or of missing vapour
-                                    ///< that evaporates from cloud
-    float saturation = 1.0F;        ///< vapour that air holds at y = 0 at the temperature of the surroundings
-    float saturation_growth = 0.0F; ///< growth of the logarithm of saturation per unit of temperature
+    float condensing_per_s =
+        0.0F; ///< share per second of excess vapour that condenses, or of lacking vapour that cloud gives
+    float saturation = 1.0F;            ///< vapour that air holds at y = 0 at the surroundings' temperature
+    float saturation_growth = 0.0F;     ///< growth of the logarithm of saturation per unit of temperature
     float saturation_fall_per_m = 0.0F; ///< fall of the logarithm of saturation per metre of height, because
                                         ///< the surroundings are colder above
-    float latent_heat = 0.0F;           ///< temperature per unit of condensed vapour
+    float latent_heat = 0.0F;           ///< gain of temperature per unit of condensed vapour
 
     Rim rim; ///< layer where density, heat, fuel and cloud leave, and vapour becomes `outside_vapour`
     float outside_vapour = 0.0F; ///< vapour of the outside air, limited by its saturation
@@ -104,14 +108,14 @@ struct MatterStyle {
     bool operator==(const MatterStyle&) const = default;
 };
 
-/// Returns `quantities` after one step of MatterStyle and of the sources; returns `quantities` itself if
-/// nothing changes them.
+/// Adds a pass that applies one step of MatterStyle and of the sources to `quantities`. Returns `quantities`
+/// itself if nothing changes them.
 [[nodiscard]] gpu::ImageId add_matter(gpu::Graph& graph, const Grid& grid, const MatterStyle& style,
                                       gpu::BufferId shapes, const shared::FluidShapes& constants,
                                       gpu::ImageId quantities);
 
-/// Like add_matter(), but first applies MacCormack's correction to `carried`, and writes the result into
-/// `target`. One pass does both.
+/// Adds a pass like add_matter() that first applies MacCormack's correction (of advection blur) to `carried`,
+/// and writes the result into `target`.
 [[nodiscard]] gpu::ImageId add_corrected_matter(gpu::Graph& graph, const Grid& grid, const MatterStyle& style,
                                                 gpu::BufferId shapes, const shared::FluidShapes& constants,
                                                 const ThereAndBack& carried, gpu::ImageId target);

@@ -13,7 +13,7 @@ layout(constant_id = 0) const uint variant = 0u;
 
 layout(binding = 0) uniform sampler2DArray velocity;
 layout(binding = 1) uniform sampler2DArray field;
-layout(binding = 2) uniform sampler2DArray ways; // only with fluid_bit_ways
+layout(binding = 2) uniform sampler2DArray ways; // displacements of cells, only with fluid_bit_ways
 layout(binding = 3, r32f) writeonly uniform image2DArray out_field;
 
 layout(push_constant, scalar) uniform Constants
@@ -28,7 +28,7 @@ layout(push_constant, scalar) uniform Constants
 
 struct CubicSample {
     float value;
-    vec2 range; // minimum and maximum of the four or eight nearest nodes
+    vec2 range; // minimum and maximum of the four or eight nodes nearest to the sampled place
 };
 
 vec4 cubic_weights(float share)
@@ -51,7 +51,7 @@ vec4 beyond_wall(vec4 inner, int component, int axis, bool is_high)
 }
 
 // Corrects four nodes along an axis, for four rows at once, if some lie on or beyond a wall; `low` is the
-// first one's index. A second node beyond the wall gets the first one's value.
+// first node's index. A second node beyond the wall gets the first one's value.
 void mend_four(inout mat4 nodes, int low, int component, int axis)
 {
     if (are_four_far_from_wall(low, axis)) {
@@ -70,14 +70,14 @@ void mend_four(inout mat4 nodes, int low, int component, int axis)
     nodes[3] = high <= 2 ? nodes[2] : high == 3 ? beyond_wall(nodes[2], component, axis, true) : nodes[3];
 }
 
-// Four nodes from `low` on: 00, 10, 01, 11.
+// Values of four nodes from `low` on, in the order 00, 10, 01, 11.
 vec4 four_nodes(sampler2DArray field, ivec2 low, float layer)
 {
     vec2 corner = (vec2(low) + 1.0) * vec2(grid.texel_x, grid.texel_y);
     return textureGather(field, vec3(corner, layer)).wzxy;
 }
 
-// Sixteen nodes of a layer from `low` on, row by row.
+// Values of sixteen nodes of a layer, from `low` on, row by row.
 mat4 sixteen_nodes(sampler2DArray field, int component, ivec2 low, int layer)
 {
     vec4 near = four_nodes(field, low, float(layer));

@@ -12,7 +12,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const uint variant = 0u;
 
-layout(binding = 0) uniform sampler2DArray curl; // see fluid_curl.comp
+layout(binding = 0) uniform sampler2DArray curl; // curl of the velocity, from fluid_curl.comp
 layout(binding = 1, rgba16f) writeonly uniform image2DArray out_force;
 
 layout(push_constant, scalar) uniform Constants
@@ -37,7 +37,8 @@ void main()
     for (int axis = 0; axis < 3; ++axis) {
         gradient[axis] = curl_at(neighbour(cell, axis, 1)).w - curl_at(neighbour(cell, axis, -1)).w;
     }
-    // Points towards stronger vorticity; at most 1 long.
+    // Vorticity confinement: the force is perpendicular to the curl and to the direction towards stronger
+    // vorticity, which is at most 1 long.
     vec3 force = cross(gradient * inversesqrt(dot(gradient, gradient) + 1e-12), curl_at(cell).xyz);
     imageStore(out_force, cell, vec4(force, 0.0));
 }

@@ -6,8 +6,8 @@
 // equal the original; half of the difference is added, clamped to the range of the source nodes. Requires
 // `field` and `advected`, two sampler2DArray. Include after fluid_fields.glsl, with the same requirements.
 
-// Corrected value of a cell's node of `component`. Its layers start at `first_layer`; `back` and `forth` are
-// its displacements.
+// Value of a cell's node of `component` after MacCormack's correction. Its layers start at `first_layer`;
+// `back` and `forth` are its displacements.
 float corrected(int component, ivec3 cell, int first_layer, vec3 back, vec3 forth)
 {
     ivec3 texel = ivec3(cell.xy, first_layer + cell.z);

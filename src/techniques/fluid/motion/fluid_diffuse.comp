@@ -23,14 +23,14 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/fluid_fields.glsl"
 
-// The sum of a node's neighbours minus their number times the node's value.
+// Laplacian at a node: the sum of the neighbours' values minus their number times the node's value.
 float laplacian(sampler2DArray velocity, int component, ivec3 cell)
 {
     int first_layer = component * int(grid.depth);
     vec4 near;
     vec4 far;
     box_nodes(velocity, component, cell - 1, first_layer, near, far);
-    vec4 lower = is_volume() ? far : near; // the node's own slice
+    vec4 lower = is_volume() ? far : near; // values of the node's own slice
     float below = near.w;
     box_nodes(velocity, component, cell, first_layer, near, far);
     float sum = lower.y + lower.z + near.y + near.z - 4.0 * near.x;

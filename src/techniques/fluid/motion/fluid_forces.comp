@@ -13,7 +13,8 @@ layout(constant_id = 0) const uint variant = 0u;
 
 layout(binding = 0) uniform sampler2DArray velocity;
 layout(binding = 1) uniform sampler2DArray quantities;
-layout(binding = 2) uniform sampler2DArray confining; // only in volumes: the force at cell centres
+// Vorticity confinement force at cell centres, only in 3D.
+layout(binding = 2) uniform sampler2DArray confining;
 layout(binding = 3, r32f) writeonly uniform image2DArray out_velocity;
 
 layout(push_constant, scalar) uniform Constants
@@ -24,8 +25,8 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/fluid_fields.glsl"
 
-// Vorticity confinement in 2D; for volumes see fluid_confine.comp. Source: Steinhoff and Underhill,
-// "Modification of the Euler equations for vorticity confinement", Physics of Fluids 6, 1994.
+// Vorticity confinement in 2D (strengthens small vortices); for 3D see fluid_confine.comp. Source: Steinhoff
+// and Underhill, "Modification of the Euler equations for vorticity confinement", Physics of Fluids 6, 1994.
 
 // Vorticity at the low corner of a cell, for cells of size 1.
 float vorticity_at(ivec2 corner)
@@ -38,13 +39,13 @@ float vorticity_at(ivec2 corner)
     return (up.y - up.x) - (across.z - across.x);
 }
 
-// Points towards stronger vorticity; at most 1 long.
+// Direction towards stronger vorticity, at most 1 long.
 vec2 towards_vortex(vec2 gradient)
 {
     return gradient * inversesqrt(dot(gradient, gradient) + 1e-12);
 }
 
-// Force on the cell's faces towards lower x and lower y, one component per face.
+// Vorticity confinement force on the cell's faces towards lower x and lower y, one component per face.
 vec2 confining_force(ivec3 cell)
 {
     float at[9];
@@ -60,7 +61,7 @@ vec2 confining_force(ivec3 cell)
                 -towards_vortex(on_y).x * 0.5 * (at[4] + at[5]));
 }
 
-// Gain of y speed at the face between a cell and the cell below it.
+// Gain of vertical speed by lift and weight, at the face between a cell and the cell below it.
 float buoyancy(ivec3 cell)
 {
     int depth = int(grid.depth);
@@ -73,7 +74,7 @@ float buoyancy(ivec3 cell)
     return dot(0.5 * (here + there), vec2(-forces.weight, forces.lift));
 }
 
-// Force on the faces of a volume's cell towards its lower neighbours.
+// Vorticity confinement force in 3D, on a cell's faces towards its lower neighbours.
 vec3 confining_force_of_volume(ivec3 cell)
 {
     vec3 here = texelFetch(confining, cell, 0).xyz;

@@ -12,7 +12,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const uint variant = 0u;
 
 layout(binding = 0) uniform sampler2DArray velocity;
-layout(binding = 1, rgba16f) writeonly uniform image2DArray out_ways; // see fluid_ways.glsl
+// Displacements, laid out as in fluid_ways.glsl.
+layout(binding = 1, rgba16f) writeonly uniform image2DArray out_ways;
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -23,8 +24,8 @@ layout(push_constant, scalar) uniform Constants
 #include "techniques/fluid/fluid_fields.glsl"
 
 // The velocity half a step ahead is extrapolated from the velocity half a step back, which saves a texture
-// read and preserves the order of the midpoint rule. If the displacements differ by more than this, in cells,
-// the velocity ahead is sampled.
+// read and preserves the order of the midpoint rule. If the two displacements differ by more than this many
+// cells, the velocity ahead is sampled.
 const float most_bend = 0.25;
 
 void main()

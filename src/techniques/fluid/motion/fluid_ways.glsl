@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_FLUID_WAYS
 #define ESTAMPE_FLUID_WAYS
 
-// Displacements from fluid_ways.comp: the first layers store the backward displacements, one layer per slice,
-// the later layers the forward displacements. Requires `ways`, a sampler2DArray. Include after
+// Displacements that fluid_ways.comp computed: the first layers store the backward displacements, one layer
+// per slice, the later layers the forward displacements. Requires `ways`, a sampler2DArray. Include after
 // fluid_fields.glsl, with the same requirements.
 
 vec3 way_of_cell(ivec3 cell, int first_layer)
@@ -11,8 +11,8 @@ vec3 way_of_cell(ivec3 cell, int first_layer)
     return texelFetch(ways, ivec3(cell.xy, first_layer + cell.z), 0).xyz;
 }
 
-// Displacement of a node of `component`; `own` is the displacement of the node's cell. A face lies between
-// two cells.
+// Displacement of a node of `component`, as the mean of two cells for a face; `own` is the displacement of
+// the node's cell.
 vec3 way_of_node(int component, ivec3 cell, int first_layer, vec3 own)
 {
     return component == fluid_scalar ? own

@@ -103,9 +103,10 @@ gpu::ImageId add_advection(gpu::Graph& graph, const Grid& grid, Advection advect
     return corrected;
 }
 
-// Second-order Runge-Kutta-Legendre scheme: explicit, with a stability limit that grows with the square of
-// the number of stages. Source: Meyer, Balsara and Aslam, "A stabilized Runge-Kutta-Legendre method for
-// explicit super-time-stepping of parabolic and mixed equations", Journal of Computational Physics 257, 2014.
+// Viscous diffusion by the second-order Runge-Kutta-Legendre scheme, which is explicit; its stability limit
+// grows with the square of the number of stages. Source: Meyer, Balsara and Aslam, "A stabilized
+// Runge-Kutta-Legendre method for explicit super-time-stepping of parabolic and mixed equations", Journal of
+// Computational Physics 257, 2014.
 
 namespace {
 
@@ -117,7 +118,8 @@ float b_of(uint32_t j)
     return (n * n + n - 2.0F) / (2.0F * n * (n + 1.0F));
 }
 
-/// Weights of stage `j`. Weights of rates are for the whole time step.
+/// Weights of stage `j` of the Runge-Kutta-Legendre scheme. Weights of rates of change are for the whole time
+/// step.
 shared::FluidDiffuse stage_of(uint32_t j, uint32_t stages)
 {
     const auto s = static_cast<float>(stages);
@@ -175,7 +177,7 @@ gpu::ImageId add_diffusion(gpu::Graph& graph, const Grid& grid, gpu::ImageId vel
 
 namespace {
 
-/// Vorticity confinement force of a volume, at cell centres.
+/// Vorticity confinement force of a 3D fluid, at cell centres.
 gpu::ImageId confining_force(gpu::Graph& graph, const Grid& grid, gpu::ImageId velocity)
 {
     auto curl_pass = graph.compute("fluid/curl", shaders::fluid_curl_comp);

@@ -25,7 +25,7 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/fluid_fields.glsl"
 
-// Divergence of a cell times the cell size.
+// Outflow of a cell: divergence of the velocity times the cell size.
 float outflow_of(sampler2DArray velocity, ivec3 cell)
 {
     int depth = int(grid.depth);

@@ -31,7 +31,7 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/pressure/fluid_tile.glsl"
 
-// Residual of the equation in slot `i`.
+// Residual of the pressure equation at slot `i` of the tile.
 float residual(int i)
 {
     vec4 open = openings(i);

@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_FLUID_GRADIENT
 #define ESTAMPE_FLUID_GRADIENT
 
-// Requires two texel buffers, `pressure` and `solids`. Include after fluid_fields.glsl, with the same
-// requirements.
+// Subtracts the pressure gradient from a velocity. Requires two texel buffers, `pressure` and `solids`.
+// Include after fluid_fields.glsl, with the same requirements.
 
 bool is_solid(uint index)
 {

@@ -24,11 +24,11 @@ layout(push_constant, scalar) uniform Constants
     FluidTransform transform;
 };
 
-// Fast transforms of rows along an axis in shared memory. Two rows of real numbers form one complex row.
-// `angles` holds cosines and sines of fractions of a full turn.
+// Fast Fourier transforms of rows along an axis in shared memory. Two rows of real numbers form one complex
+// row. `angles` holds cosines and sines of fractions of a full turn.
 //
-// Forward transforms decimate in frequency, backward ones in time, both in place. Frequencies are in
-// bit-reversed order, so nothing needs to be sorted.
+// Forward transforms decimate in frequency, backward transforms decimate in time, both in place. Frequencies
+// are in bit-reversed order, so nothing needs to be sorted.
 //
 // An axis with walls uses cosines (DCT-II, Neumann), a periodic axis a real Fourier transform. Both come from
 // the complex transform A(k) of the row. With walls the row is first reordered after Makhoul ("A fast cosine
@@ -89,27 +89,27 @@ vec2 times_i(vec2 a)
     return vec2(-a.y, a.x);
 }
 
-// Cosine and sine of `part` / 2^log_parts of a full turn.
+// Cosine and sine of the angle `part` / 2^log_parts of a full turn.
 vec2 angle(int part, int log_parts)
 {
     return uintBitsToFloat(texelFetch(angles, part << (int(transform.log_turn) - log_parts)).xy);
 }
 
-// Index of frequency `k` of row `row`.
+// Index of frequency `k` of row `row` in shared memory.
 int place_of_frequency(int row, int k)
 {
     int log_length = int(transform.log_length);
     return (row << log_length) + int(bitfieldReverse(uint(k)) >> (32 - log_length));
 }
 
-// Position in the row of the number that enters the transform as its j-th.
+// Position in the row of the j-th number that enters the transform.
 int reordered(int j)
 {
     int n = row_length();
     return !has_walls() ? j : 2 * j < n ? 2 * j : 2 * (n - 1 - j) + 1;
 }
 
-// Rotation that turns A(k) into coefficients k and n - k.
+// Rotation that turns the Fourier coefficient A(k) into the cosine coefficients k and n - k.
 vec2 turn_of(int k)
 {
     return has_walls() ? conjugate(angle(k, int(transform.log_length) + 2)) : vec2(1.0, 0.0);
@@ -181,19 +181,20 @@ void transform_forward()
     }
 }
 
-// Unnormalized: the result is multiplied by the length of the row.
+// Inverse Fourier transform, unnormalized: the result is multiplied by the length of the row.
 void transform_backward()
 {
     int log_quarter = int(transform.log_length) & 1;
     if (log_quarter == 1) {
-        forward_pair(); // its own inverse, up to the factor
+        forward_pair(); // a transform of two numbers is its own inverse, up to the factor
     }
     for (; log_quarter < int(transform.log_length); log_quarter += 2) {
         backward_four(log_quarter);
     }
 }
 
-// Separates A(k) of the two rows from the frequencies of the complex row.
+// Separates the Fourier coefficients A(k) of two real rows from the frequencies of the complex row that they
+// form.
 void untangle(int row, int k, out vec2 first, out vec2 second)
 {
     vec2 here = number_at(place_of_frequency(row, k));
@@ -206,7 +207,7 @@ void untangle(int row, int k, out vec2 first, out vec2 second)
 // along x.
 ivec3 start_of(int pair)
 {
-    // Sides are powers of two.
+    // Sides of the grid are powers of two, so every pair of rows is complete.
     int first = 2 * ((int(gl_WorkGroupID.x) << transform.log_pairs) + pair);
     int side = int(axis_of_rows() == 0 ? transform.height : transform.width);
     int within = first & (side - 1);
@@ -221,7 +222,7 @@ int index_of(ivec3 cell)
     return (cell.z * int(transform.height) + cell.y) * int(transform.width) + cell.x;
 }
 
-// Index of number `number` in a pair's first row, and the distance to that of the second row.
+// Index of number `number` in a pair's first row; the second value is the distance to the second row.
 int place_of_number(int pair, int number)
 {
     ivec3 cell = start_of(pair);
@@ -234,7 +235,8 @@ int to_second_row()
     return axis_of_rows() == 0 ? int(transform.width) : 1;
 }
 
-// Pair, and number within its rows. Neighbouring threads take neighbours along x, so that accesses coalesce.
+// Pair of rows, and the number within its rows, that item `i` processes. Neighbouring threads take neighbours
+// along x, so that memory accesses coalesce.
 ivec2 work_of(int i)
 {
     return axis_of_rows() == 0 ? ivec2(i >> transform.log_length, i & (row_length() - 1))
@@ -263,7 +265,8 @@ void write_rows()
     }
 }
 
-// Coefficients k and n - k come from one frequency; k = 0 and k = n / 2 have no partner.
+// Whether frequency `k` is the first of a pair: coefficients k and n - k come from one frequency; k = 0 and k
+// = n / 2 have no partner.
 bool is_first_of_two(int k)
 {
     return 2 * k <= row_length();
@@ -297,7 +300,7 @@ void write_coefficients()
     }
 }
 
-// A(k) from coefficients k and n - k, which are at `at` and `at_other`.
+// Fourier coefficient A(k) from the coefficients k and n - k, which are stored at `at` and `at_other`.
 vec2 from_coefficients(int k, int at, int at_other)
 {
     bool is_real = k == 0 || 2 * k == row_length() && !has_walls();
@@ -325,7 +328,7 @@ void read_coefficients()
     barrier();
 }
 
-// Eigenvalue of wave k of the second difference along an axis of `cells` cells, negated.
+// Eigenvalue of wave k for the second difference along an axis of `cells` cells, negated.
 float stiffness(int k, uint cells, int axis)
 {
     bool is_periodic = (variant & (fluid_bit_periodic << axis)) != 0u;
@@ -339,14 +342,14 @@ float stiffness_across(ivec3 start)
     return axis_of_rows() == 2 ? sum + stiffness(start.y, transform.height, 1) : sum;
 }
 
-// Factor from a wave of divergence to that of pressure.
+// Factor that turns a wave of divergence into a wave of pressure.
 float pressure_of_wave(float across, int k)
 {
     float all_stiffness = across + stiffness(k, uint(row_length()), axis_of_rows());
     return all_stiffness > 0.0 ? -1.0 / all_stiffness : 0.0;
 }
 
-// A(k) of a row after division of its coefficients k and n - k.
+// Fourier coefficient A(k) of a row after division of its coefficients k and n - k by the eigenvalues.
 vec2 divided(vec2 wave, float across, int k)
 {
     int n = row_length();

@@ -23,20 +23,20 @@ layout(push_constant, scalar) uniform Constants
     FluidSmall small;
 };
 
-const int all_cells = 2 * int(fluid_small_cells); // sum over all levels, for any shape of grid
+const int all_cells = 2 * int(fluid_small_cells); // cells of all levels together, for any shape of grid
 const int thread_count = 256;
 
 shared float cell_pressure[all_cells];
 shared float cell_divergence[all_cells];
 shared uint cell_weights[all_cells];
-shared vec2 sums[thread_count]; // sums of divergence, and of the number of cells with an open face
+shared vec2 sums[thread_count]; // sums per thread of divergence, and of the number of cells with an open face
 
 #include "techniques/fluid/pressure/fluid_extent.glsl"
 
 struct Level {
     ivec2 size;
     int first;
-    int number; // 0 is the grid itself
+    int number; // number of the multigrid level; 0 is the grid itself
 };
 
 Level level_of(int number)
@@ -53,7 +53,7 @@ bool wraps(int axis)
     return (variant & (fluid_bit_periodic << axis)) != 0u;
 }
 
-// Index of a neighbour cell. A missing neighbour has the last index, whose cell has a closed face.
+// Index of a cell's neighbour. A missing neighbour gets the last index, whose cell has a closed face.
 int neighbour(Level level, ivec2 cell)
 {
     bool is_outside_x = cell.x < 0 || cell.x >= level.size.x;
@@ -70,7 +70,7 @@ int neighbour(Level level, ivec2 cell)
     return level.first + cell.y * level.size.x + cell.x;
 }
 
-// Openings of the faces, and pressures of the neighbours: lower x, lower y, higher x, higher y.
+// Openings of a cell's faces, and pressures of its neighbours: lower x, lower y, higher x, higher y.
 void look_around(Level level, ivec2 cell, out vec4 open, out vec4 pressures)
 {
     int right = neighbour(level, cell + ivec2(1, 0));
@@ -88,7 +88,8 @@ int is_at_seam(Level level, ivec2 cell, int axis)
     return wraps(axis) && (level.size[axis] & 1) == 1 && cell[axis] == level.size[axis] - 1 ? 1 : 0;
 }
 
-// No two neighbours have the same colour: red and black alternate, and cells at seams have extra colours.
+// Colour of a cell for Gauss-Seidel sweeps; no two neighbours have the same colour. Red and black alternate,
+// and cells at periodic edges with an odd number of cells have extra colours.
 int color_of(Level level, ivec2 cell)
 {
     return ((cell.x + cell.y) & 1) + 2 * (is_at_seam(level, cell, 0) + is_at_seam(level, cell, 1));
@@ -130,7 +131,7 @@ vec2 nearness_at(Level level, ivec2 cell)
                 nearness(cell.y, level.size.y, level.number, int(small.height)));
 }
 
-// Computes the next level's weights and the sums of residuals.
+// Computes the face weights and the summed residuals of the next coarser level.
 void restrict_to(Level coarse, Level level)
 {
     for (int k = int(gl_LocalInvocationIndex); k < coarse.size.x * coarse.size.y; k += thread_count) {

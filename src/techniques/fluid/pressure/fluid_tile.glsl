@@ -29,7 +29,7 @@ ivec2 tile_origin()
     return ivec2(gl_WorkGroupID.xy) * int(fluid_tile);
 }
 
-// Cell of the level for slot `i` of the region; x is negative if there is none.
+// Cell of the level for slot `i` of the tile's region; x is negative if there is no such cell.
 ivec2 cell_of_slot(int i)
 {
     ivec2 size = level_size();
@@ -52,14 +52,14 @@ void load_equation(int i, ivec2 cell)
     tile_weights[i] = is_there ? texelFetch(weights, int(tile.level.first) + index_in_level(cell)).x : 0u;
 }
 
-// Openings of the faces of slot `i`: towards lower x, lower y, higher x, higher y.
+// Openings of the faces of the cell in slot `i`: towards lower x, lower y, higher x, higher y.
 vec4 openings(int i)
 {
     return vec4(unpackHalf2x16(tile_weights[i]), unpackHalf2x16(tile_weights[i + 1]).x,
                 unpackHalf2x16(tile_weights[i + fluid_region]).y);
 }
 
-// Whether all four neighbours of a slot are in the region.
+// Whether all four neighbours of a slot are in the tile's region.
 bool is_within(int x, int y)
 {
     return x > 0 && y > 0 && x < fluid_region - 1 && y < fluid_region - 1;
@@ -71,7 +71,8 @@ float relaxed(vec4 open, vec4 neighbours, float own_divergence)
     return all_open > 0.0 ? (dot(open, neighbours) - own_divergence) / all_open : 0.0;
 }
 
-// Red-black Gauss-Seidel in a tile: cells of one colour after those of the other, as on a chess board.
+// Red-black Gauss-Seidel in a tile: updates all cells of one colour of a chess board, then those of the
+// other.
 
 shared float tile_pressure[fluid_region_cells];
 

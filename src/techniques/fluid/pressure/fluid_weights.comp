@@ -35,7 +35,7 @@ bool is_open(ivec2 cell)
            texelFetch(solids, cell.y * int(grid.width) + cell.x).x == 0u;
 }
 
-// Number of open faces of the grid among those that make up a coarser cell's face from `cell` on.
+// Number of open faces of the finest grid in a coarser cell's face, from `cell` on.
 float open_faces(ivec2 cell, int axis, int span)
 {
     ivec2 size = fluid_size().xy;

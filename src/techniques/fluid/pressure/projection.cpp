@@ -53,7 +53,8 @@ Projected add_reflection(gpu::Graph& graph, const Grid& grid, const ProjectionIn
 
 ProjectionStyle chosen_style(const Grid& grid, const ProjectionStyle& style, bool has_solids)
 {
-    const uint32_t usual_cycles = grid.is_volume() ? 2 : 3; // 3D cycles have more passes, and a graph has 256
+    // A 3D cycle has more passes, and a graph has at most 256 passes.
+    const uint32_t usual_cycles = grid.is_volume() ? 2 : 3;
     ProjectionStyle chosen = style;
     chosen.solver = solver_for(grid, style.solver, has_solids);
     if (style.projections == 0) {
@@ -187,7 +188,7 @@ Projected add_projection(gpu::Graph& graph, const Grid& grid, const ProjectionSt
 
 namespace {
 
-/// Numbers from -1 to 1 whose sum is zero, up to rounding.
+/// Random numbers from -1 to 1 with the sum zero, up to rounding.
 std::vector<float> random_divergence(uint64_t count)
 {
     std::vector<float> numbers;
@@ -203,7 +204,7 @@ std::vector<float> random_divergence(uint64_t count)
     return numbers;
 }
 
-/// Sum over a cell's neighbours of their pressure minus its own.
+/// Left side of the pressure equation: the sum over a cell's neighbours of their pressure minus the cell's.
 double differences(const Grid& grid, std::span<const float> pressure, glm::ivec3 cell)
 {
     const glm::ivec3 size(grid.cells);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Makes a velocity divergence-free: solves for a pressure, and subtracts its gradient.
+// Makes a velocity divergence-free (projection): solves for a pressure, and subtracts the pressure's
+// gradient.
 
 #include <cstdint>
 #include <string_view>
@@ -25,13 +26,13 @@ enum class Solver : uint8_t {
 struct ProjectionStyle {
     Solver solver = Solver::automatic;
     uint32_t jacobi_rounds = 80;
-    /// Number of projections. Each projection measures the remaining divergence and solves for a pressure
-    /// from zero, which reduces the rounding error of floats; more cycles of one solve would not. 0 selects
-    /// the solver's default: 3 V-cycles in 2D, 2 in 3D, or one solve with another solver.
+    /// Number of projections per step. Each projection measures the remaining divergence and solves for a
+    /// pressure from zero, which reduces the rounding error of floats; more cycles of one solve would not. 0
+    /// selects the solver's default: 3 V-cycles in 2D, 2 in 3D, or one solve with another solver.
     uint32_t projections = 0;
 };
 
-/// One word per cell; 0 means fluid, other values a solid.
+/// Solid cells of the grid, one word per cell: 0 is fluid, other values are a solid.
 struct Solids {
     gpu::BufferId cells;
     bool are_any = false;
@@ -39,20 +40,22 @@ struct Solids {
 
 struct Projected {
     gpu::ImageId velocity;
-    gpu::ImageId reflected; ///< reflected at the projected velocity; `velocity` itself if not requested
+    gpu::ImageId reflected; ///< velocity reflected at the projected one, or `velocity` itself
 };
 
-/// Resolves `automatic` for a grid. Throws std::logic_error if `solver` cannot solve it.
+/// Replaces Solver::automatic by the solver that is used for a grid. Throws std::logic_error if `solver`
+/// cannot solve it.
 [[nodiscard]] Solver solver_for(const Grid& grid, Solver solver, bool has_solids);
 
-/// Data of the solvers that does not depend on the flow.
+/// Data of the pressure solvers that does not depend on the flow.
 struct SolverTables {
     Solids solids;
-    gpu::BufferId weights; ///< from add_weights
-    gpu::BufferId angles;  ///< from upload_angles
+    gpu::BufferId weights; ///< openings of cell faces, from add_weights()
+    gpu::BufferId angles;  ///< cosines and sines for the spectral solver, from upload_angles()
 };
 
-/// Openings of faces on all levels, for the iterative solvers. They depend on walls and obstacles only.
+/// Adds passes that compute the openings of cell faces on all multigrid levels, for the iterative solvers.
+/// The openings depend on walls and obstacles only.
 [[nodiscard]] gpu::BufferId add_weights(gpu::Graph& graph, const Grid& grid, const Solids& solids);
 
 struct ProjectionInput {
@@ -61,26 +64,25 @@ struct ProjectionInput {
     gpu::ImageId target; ///< overwritten with the projected velocity
 };
 
-/// Whether a pass with this name belongs to a projection, or to add_mass_pressure(), which replaces one; does
-/// not include passes of add_weights().
+/// Whether a graph pass with this name belongs to a projection; excludes the passes of add_weights().
 [[nodiscard]] bool is_of_projection(std::string_view pass);
 
 [[nodiscard]] Projected add_projection(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,
                                        const ProjectionInput& input, bool reflects);
 
-/// Number of passes that a projection takes.
+/// Number of graph passes that a projection takes.
 [[nodiscard]] uint32_t passes_of_projection(const Grid& grid, const ProjectionStyle& style, bool has_solids);
 
-/// Solves for the pressure of each cell from the cells' outflow.
+/// Adds passes that solve for the pressure of each cell from the cells' outflow.
 [[nodiscard]] gpu::BufferId add_pressure(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,
                                          gpu::BufferId divergence, const SolverTables& tables);
 
-/// Outflow of each cell in metres per second: divergence times the cell size.
+/// Adds a pass that computes each cell's outflow in metres per second: divergence times the cell size.
 [[nodiscard]] gpu::BufferId add_divergence(gpu::Graph& graph, const Grid& grid, gpu::ImageId velocity,
                                            const Solids& solids, const char* name = "fluid/divergence");
 
-/// Relative residual after one solve of a random divergence without obstacles: root mean squares in double
-/// precision. Costs a solve and a wait; meant for the start of a program.
+/// Relative residual of the pressure solver after one solve of a random divergence without obstacles: root
+/// mean squares in double precision. Costs a solve and a wait; meant for the start of a program.
 [[nodiscard]] double measured_residual(gpu::Device& device, gpu::Executor& executor, const Grid& grid,
                                        const ProjectionStyle& style);
 

@@ -28,7 +28,7 @@ shared::FluidLevel coarser(const shared::FluidLevel& level)
             .first = level.first + cell_count(level)};
 }
 
-/// Number of levels from this one down to four cells or fewer.
+/// Number of multigrid levels from this one down to four cells or fewer.
 uint32_t small_levels_from(const shared::FluidLevel& level)
 {
     constexpr uint32_t few_cells = 4;
@@ -145,7 +145,7 @@ gpu::BufferId add_v_cycle(gpu::Graph& graph, const Grid& grid, const Equation& e
     return VCycle(graph, grid, equation.weights).solve(0, equation.divergence);
 }
 
-// The same multigrid method in 3D, where each half sweep is one pass.
+// The multigrid method in 3D, where each half sweep is one pass.
 
 namespace {
 
@@ -159,7 +159,7 @@ uint32_t cells_of(const shared::FluidVolumeLevel& level)
     return level.width * level.height * level.depth;
 }
 
-/// Levels from the grid down to 4 x 4 x 4 cells or fewer.
+/// Multigrid levels from the grid down to 4 x 4 x 4 cells or fewer.
 std::vector<shared::FluidVolumeLevel> volume_levels(const Grid& grid)
 {
     constexpr uint32_t few = 4;
@@ -194,7 +194,7 @@ public:
     }
 
 private:
-    /// Adds two sweeps; the first half sweep uses `first_bits`.
+    /// Adds two smoothing sweeps of a multigrid level; the first half sweep uses `first_bits`.
     [[nodiscard]] gpu::BufferId swept(size_t level, gpu::BufferId divergence, gpu::BufferId pressure,
                                       gpu::BufferId coarse_pressure, uint32_t first_bits)
     {
@@ -312,7 +312,8 @@ public:
     {
         const uint32_t length = grid_.cells[static_cast<int>(axis)];
         const auto pairs = static_cast<uint32_t>(grid_.cell_count() / length / 2);
-        // Eight pairs side by side read 64 contiguous bytes; more would leave too few workgroups.
+        // Most row pairs per workgroup: eight pairs side by side read 64 contiguous bytes; more would leave
+        // too few workgroups.
         constexpr uint32_t most_at_once = 8;
         const uint32_t at_once =
             std::min(std::clamp(shared::fluid_transform_pairs / length, 1U, pairs), most_at_once);

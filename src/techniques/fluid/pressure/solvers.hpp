@@ -11,8 +11,8 @@
 
 namespace estampe::fluid {
 
-/// The levels of a grid, finest first; each has half the cells of the previous one along each axis. The list
-/// ends with the first level that one workgroup can process together with all coarser ones.
+/// The multigrid levels of a grid, finest first. Each level has half the cells of the previous one along each
+/// axis. The list ends with the first level that one workgroup can process together with all coarser levels.
 [[nodiscard]] std::vector<shared::FluidLevel> levels_of(const Grid& grid);
 
 [[nodiscard]] inline uint32_t cell_count(const shared::FluidLevel& level)
@@ -20,29 +20,32 @@ namespace estampe::fluid {
     return level.width * level.height;
 }
 
-/// The pressure equation: for each cell, the sum over its open faces of the neighbour's pressure minus its
-/// own is the cell's outflow.
+/// The pressure equation: for each cell, the sum over its open faces of the neighbour's pressure minus the
+/// cell's own pressure equals the cell's outflow.
 struct Equation {
     gpu::BufferId divergence;
     Solids solids;
-    gpu::BufferId weights; ///< from add_weights
+    gpu::BufferId weights; ///< openings of cell faces, from add_weights()
 };
 
-/// Adds one V(2,2) cycle from zero in 2D.
+/// Adds one multigrid V(2,2) cycle in 2D that starts from zero pressure.
 [[nodiscard]] gpu::BufferId add_v_cycle(gpu::Graph& graph, const Grid& grid, const Equation& equation);
 
-/// Adds one V(2,2) cycle from zero in 3D; the weights come from add_volume_weights.
+/// Adds one multigrid V(2,2) cycle in 3D that starts from zero pressure. The weights come from
+/// add_volume_weights().
 [[nodiscard]] gpu::BufferId add_volume_cycle(gpu::Graph& graph, const Grid& grid, const Equation& equation);
 [[nodiscard]] gpu::BufferId add_volume_weights(gpu::Graph& graph, const Grid& grid, const Solids& solids);
 [[nodiscard]] uint32_t passes_of_volume_cycle(const Grid& grid);
 
-/// Requires that all sizes are powers of two.
+/// Whether the spectral pressure solver can solve this grid: all sizes must be powers of two.
 [[nodiscard]] bool is_spectral_possible(const Grid& grid);
 
-/// Cosines and sines for the transforms of a grid; a placeholder if the spectral solver is not possible.
+/// Uploads cosines and sines for the transforms of a grid; a placeholder if the spectral solver is not
+/// possible.
 [[nodiscard]] gpu::Buffer upload_angles(gpu::Device& device, const Grid& grid);
 
-/// Solves directly, by transforms along each axis. Requires that there are no obstacles.
+/// Adds the spectral solver, which solves the pressure directly by transforms along each axis. Requires that
+/// there are no obstacles.
 [[nodiscard]] gpu::BufferId add_spectral(gpu::Graph& graph, const Grid& grid, const Equation& equation,
                                          gpu::BufferId angles);
 

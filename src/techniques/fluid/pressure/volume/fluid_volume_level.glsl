@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_FLUID_VOLUME_LEVEL
 #define ESTAMPE_FLUID_VOLUME_LEVEL
 
-// A level of a volume's multigrid. Requires `variant`; `weights`, a texel buffer; and `level`, a
-// FluidVolumeLevel. The equation of a cell is as in fluid_tile.glsl, with six faces.
+// A level of the 3D multigrid. Requires `variant`; `weights`, a texel buffer; and `level`, a
+// FluidVolumeLevel. The pressure equation of a cell is that of fluid_tile.glsl, with six faces.
 
 ivec3 level_size()
 {

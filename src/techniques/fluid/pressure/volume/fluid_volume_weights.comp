@@ -34,7 +34,7 @@ bool is_open(ivec3 cell)
     return (variant & fluid_bit_solids) == 0u || texelFetch(solids, int(fluid_cell_index(cell))).x == 0u;
 }
 
-// Number of open faces of the grid among those that make up a coarser cell's face from `low` on.
+// Number of open faces of the finest grid in a coarser cell's face, from `low` on.
 float open_faces(ivec3 low, int axis, int span)
 {
     if (low[axis] == 0 && !is_periodic(axis)) {
