@@ -9,8 +9,8 @@
 namespace estampe::shadow {
 namespace {
 
-// A light keeps its map size until the wanted size differs by this many doublings. 0.5 is rounding and
-// flickers.
+// A light keeps its map size until the wanted size differs by this many doublings. The value 0.5 would be
+// plain rounding, which flickers.
 constexpr float patience = 0.8F;
 // Factor on the importance of lights that already have a map, so that equal lights do not alternate.
 constexpr float loyalty = 1.25F;
@@ -52,8 +52,8 @@ void Atlas::choose_sizes(std::span<const AtlasRequest> requests, const AtlasBudg
         sizes_[order_.front()] = 0;
         order_.erase(order_.begin());
     }
-    // Halve the largest maps, the least important first, until all maps fit. Then drop the least important
-    // lights.
+    // Halves the largest maps, the least important first, until all maps fit. Maps of the smallest size are
+    // dropped instead, the least important first.
     while (total > budget.texels && !order_.empty()) {
         const size_t largest =
             *std::ranges::max_element(order_, [&](size_t a, size_t b) { return sizes_[a] < sizes_[b]; });
@@ -98,7 +98,7 @@ void Atlas::place(std::span<const AtlasRequest> requests, uint64_t budget_texels
     if (end_texel() <= budget_texels) {
         return;
     }
-    // Free space is fragmented: move all maps together.
+    // The free space is fragmented, so all maps are moved together.
     uint64_t at = 0;
     for (const size_t light : taken_) {
         held_[light].allotment.first_texel = static_cast<uint32_t>(at);
@@ -137,8 +137,8 @@ struct Axes {
     glm::vec3 right, down, along;
 };
 
-/// Axes of a cube's face, as in local_shadow.glsl. Left-handed axes work too, because triangles are drawn
-/// from both sides.
+/// Axes of a face of a cube shadow map, as in local_shadow.glsl. Left-handed axes work too, because triangles
+/// are drawn from both sides.
 Axes face_axes(uint32_t face)
 {
     const auto axis = static_cast<int>(face / 2);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Shadow maps of local lights: how many texels each light gets in the shared buffer, and where these texels
-// are; and the views of the maps. A spot has one view along its beam, an omnidirectional light has six views
-// along the axes.
+// Shadow maps of local lights (lamps and spots): how many texels each light gets in the shared buffer, where
+// these texels are, and the views of the maps. A spot has one view along its beam, an omnidirectional light
+// has six views along the axes.
 
 #include <array>
 #include <cstdint>
@@ -18,16 +18,17 @@ namespace estampe::shadow {
 
 inline constexpr uint32_t smallest_map = 64;
 
-/// The shadow map that a light requests. A light with `map_count` 0 requests none.
+/// The shadow map that a light requests. `map_count` 0 means that the light needs no map.
 struct AtlasRequest {
     uint32_t map_count = 0;
-    float wanted_size = 0.0F; ///< texels per side at which a texel is about as large as a pixel
+    float wanted_size = 0.0F; ///< texels per side at which a texel of the map is about as large as a pixel
     uint32_t largest_size = 512;
-    float importance = 0.0F; ///< priority when texels are scarce; only ratios between lights matter
+    /// Priority of the light when texels are scarce; only ratios between lights matter.
+    float importance = 0.0F;
 };
 
-/// The texels that a light gets. Its maps have `size` texels per side, a power of two, and are stored one
-/// after another. Size 0 means no map.
+/// The texels that a light gets in the shared buffer. The light's maps have `size` texels per side, a power
+/// of two, and are stored one after another. Size 0 means no map.
 struct Allotment {
     uint32_t size = 0;
     uint32_t first_texel = 0;
@@ -36,11 +37,11 @@ struct Allotment {
 
 struct AtlasBudget {
     uint64_t texels = 0;
-    size_t lights = SIZE_MAX; ///< at most this many lights get maps
+    size_t lights = SIZE_MAX; ///< most lights that get shadow maps
 };
 
-/// Divides texels among lights in each frame. A light's size changes only if the wanted size has changed
-/// clearly. The light also keeps its place in the buffer, so that its maps can be reused.
+/// Divides shadow map texels among lights in each frame. A light's size changes only if the wanted size has
+/// changed clearly. A light also keeps its place in the buffer, so that its maps can be reused.
 class Atlas {
 public:
     /// Divides the texel budget among the lights of a frame. A light must keep its index from frame to frame.
@@ -51,7 +52,7 @@ public:
     [[nodiscard]] const std::vector<Allotment>& allot(std::span<const AtlasRequest> requests,
                                                       const AtlasBudget& budget);
 
-    /// Number of texels that the buffer must hold.
+    /// Number of texels that the buffer of all shadow maps must hold.
     [[nodiscard]] uint64_t end_texel() const;
 
 private:
@@ -68,24 +69,26 @@ private:
     void choose_sizes(std::span<const AtlasRequest> requests, const AtlasBudget& budget);
     void place(std::span<const AtlasRequest> requests, uint64_t budget_texels);
 
-    std::vector<Held> held_; ///< by light
-    // Buffers that are reused from frame to frame.
-    std::vector<uint32_t> sizes_; ///< by light
-    std::vector<size_t> order_;   ///< lights in order of importance
+    std::vector<Held> held_; ///< place and size that each light got in the last frame
+    // Work memory that is reused from frame to frame.
+    std::vector<uint32_t> sizes_; ///< size of each light's maps
+    std::vector<size_t> order_;   ///< indices of lights in order of importance
     std::vector<Held> held_before_;
-    std::vector<size_t> taken_; ///< lights that have a place, in order of places
+    std::vector<size_t> taken_; ///< indices of lights with a place in the buffer, in order of places
     std::vector<size_t> waiting_;
     std::vector<Allotment> allotted_;
 };
 
-/// Everything about a local light that its shadow maps depend on, in anchor space.
+/// All properties of a local light that its shadow maps depend on, in anchor space.
 struct LocalLight {
     glm::vec3 position{0.0F};
-    float range_m = 1.0F;           ///< objects farther away are neither lit nor drawn into the maps
-    glm::vec3 beam{0.0F, 0.0F, -1}; ///< unit vector; only for spots
-    glm::vec3 side{1.0F, 0.0F, 0};  ///< unit vector perpendicular to the beam, along two sides of a pyramid
-    float half_angle_rad = 0.0F;    ///< half angle of a spot's cone or pyramid; 0 is an omnidirectional light
-    uint32_t casters = ~0U;         ///< object groups that cast shadows in this light
+    /// Radius of the light; objects farther away are neither lit nor drawn into the maps.
+    float range_m = 1.0F;
+    glm::vec3 beam{0.0F, 0.0F, -1}; ///< direction of a spot's beam, a unit vector
+    /// Unit vector perpendicular to a spot's beam, along two sides of the map's pyramid.
+    glm::vec3 side{1.0F, 0.0F, 0};
+    float half_angle_rad = 0.0F; ///< half angle of a spot's cone or pyramid; 0 for an omnidirectional light
+    uint32_t casters = ~0U;      ///< bits of the object groups that cast shadows in this light
 
     /// Whether the light needs six maps: it is omnidirectional, or a spot too wide for one map.
     [[nodiscard]] bool is_cube() const;
@@ -95,21 +98,22 @@ struct LocalLight {
     bool operator==(const LocalLight&) const = default;
 };
 
-/// Width in texels of the margin around each map, so that lookups near its border find neighbours.
+/// Width in texels of the margin around each map, so that lookups near its border find neighbour texels.
 inline constexpr uint32_t rim_texels = 2;
 
-/// Record for shader lookups: the maps have `size` texels per side and start at `first_texel`. `radius_m` is
-/// the radius of the luminous sphere.
+/// Makes the record for shader lookups. The maps have `size` texels per side and start at `first_texel`.
+/// `radius_m` is the radius of the luminous sphere.
 [[nodiscard]] shared::LocalShadow local_shadow(const LocalLight& light, uint32_t size, uint32_t first_texel,
                                                float radius_m = 0.0F);
 
-/// The view of one map. In clip space y points down and z is reversed: 1 at the near plane, 0 at infinity.
+/// The view of one local shadow map. In clip space y points down and z is reversed: 1 at the near plane, 0 at
+/// infinity.
 struct LocalView {
     glm::mat4 clip_from_anchor{1.0F};
     uint32_t first_texel = 0;
 };
 
-/// The views of the maps of `light`, in the order in which `shadow` stores them.
+/// The views of all shadow maps of `light`, in the order in which `shadow` stores them.
 [[nodiscard]] std::vector<LocalView> local_views(const LocalLight& light, const shared::LocalShadow& shadow);
 
 } // namespace estampe::shadow

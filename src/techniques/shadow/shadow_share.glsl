@@ -7,7 +7,7 @@
 // constants has_edges, has_stroke_edges, has_wave_edges, has_soft_sun and has_soft_lamps.
 //
 // Shadow edges have teeth, as illustrators draw them. The lookup point is moved along the surface, back and
-// forth across a coordinate v that is fixed to the world. The edge thus breaks up into strokes that stay in
+// forth across a coordinate v that is fixed to the world. So the edge breaks up into strokes that stay in
 // place when the eye moves. After Zanuttini, "Recherches en rendu non realiste temps reel", 2008, who moves
 // the point along the world's axes. Amplitude and density are measured on the page. Where v follows the
 // hatching lines, each tooth is the end of a stroke.
@@ -19,28 +19,28 @@
 #include "techniques/shadow/local/local_shadow.glsl"
 #include "techniques/shadow/sun/sun_shadow.glsl"
 
-// Distance in metres on the surface per pixel of the page, in x and in y.
+// Metres on the surface per pixel of the page, in x and in y.
 struct PageRates {
     vec3 dx;
     vec3 dy;
 };
 
-// A family of teeth at a pixel.
+// A family of teeth of a shadow edge, at a pixel.
 struct Teeth {
-    LineField field; // only v is used
-    vec3 step_m;     // one pixel of the page along the teeth
+    LineField field; // the coordinate v across the teeth, and its change per pixel
+    vec3 step_m;     // distance along the teeth that is one pixel on the page
     uint seed;
 };
 
-// Two points at which the light is looked up, instead of at the surface point.
+// Two points near the surface point, at which the light is looked up instead.
 struct EdgePoints {
     vec3 first;
     vec3 second;
-    float lean; // 0: the mean of both points; positive: the darker point; negative: the lighter point
+    float lean; // how to combine the light at both points: 0 mean, positive the darker, negative the lighter
 };
 
-// Intersection of the view ray at `at_px` with the plane through `point`; limited at grazing angles. `depth`
-// is that of `point`.
+// Intersection of the view ray at `at_px` with the plane through `point`, limited at grazing angles. `depth`
+// is the depth of `point`.
 vec3 on_plane(FrameGlobals frame, vec2 at_px, float depth, vec3 point, vec3 normal)
 {
     vec3 beside = anchor_at(frame, at_px, depth);
@@ -71,13 +71,13 @@ Teeth teeth_across(float v, vec2 v_rate, PageRates rates, bool wraps, uint seed)
     return teeth;
 }
 
-// Teeth along parallel planes that cut the world into slices.
+// Shadow edge teeth along parallel planes that cut the world into slices.
 Teeth wave_teeth(vec3 axis, vec3 point, PageRates rates, uint seed)
 {
     return teeth_across(dot(axis, point), vec2(dot(axis, rates.dx), dot(axis, rates.dy)), rates, false, seed);
 }
 
-// Teeth that are ends of the strokes of the hatching's first layer.
+// Shadow edge teeth that are the ends of the strokes of the hatching's first layer.
 Teeth stroke_teeth(EdgeProfile profile, uint kind, vec3 coordinate, Footprint f, vec3 normal, PageRates rates)
 {
     StrokeAxes axes = StrokeAxes(profile.flat_axis, profile.flat_axis, profile.flat_axis, profile.wind,
@@ -89,14 +89,15 @@ Teeth stroke_teeth(EdgeProfile profile, uint kind, vec3 coordinate, Footprint f,
                         kind == strokes_form, hash(profile.seed * 64u + family));
 }
 
-// Teeth get wider with the penumbra.
+// Displacement of a shadow edge by its teeth. Teeth get wider with the penumbra.
 float edge_tooth(Teeth teeth, EdgeProfile profile, float penumbra_px)
 {
     return tooth(teeth.field, teeth.seed, profile.width_px + penumbra_px / 8.0, profile.darkness,
                  profile.variety);
 }
 
-// On the lit side, strokes extend past the edge. On the dark side, they leave gaps of light.
+// Lookup points for teeth that are stroke ends. On the lit side, strokes extend past the shadow edge; on the
+// dark side, they leave gaps of light.
 EdgePoints stroke_edge(Teeth teeth, EdgeProfile profile, vec3 point, float penumbra_px)
 {
     float lean = edge_tooth(teeth, profile, penumbra_px);
@@ -104,7 +105,7 @@ EdgePoints stroke_edge(Teeth teeth, EdgeProfile profile, vec3 point, float penum
     return EdgePoints(point + shift, point - shift, lean);
 }
 
-// Takes one sample along each of two axes, and returns their mean.
+// Lookup points for wave teeth: one sample along each of two axes, whose mean is used.
 EdgePoints wave_edge(Teeth first, Teeth second, EdgeProfile profile, vec3 point, float penumbra_px)
 {
     float reach_px = profile.amplitude_px + 0.5f * penumbra_px;
@@ -112,12 +113,12 @@ EdgePoints wave_edge(Teeth first, Teeth second, EdgeProfile profile, vec3 point,
                       point + second.step_m * (reach_px * edge_tooth(second, profile, penumbra_px)), 0.0f);
 }
 
-// Data of a pixel for the edges of all lights' shadows.
+// Data of a pixel that the shadow edges of all lights share.
 struct Edge {
     Teeth first;
-    Teeth second;   // waves only
-    Teeth third;    // waves of lamps only
-    float m_per_px; // on a surface that faces the eye
+    Teeth second;   // second family of teeth, only for waves
+    Teeth third;    // third family of teeth, only for waves of lamps
+    float m_per_px; // metres per pixel on a surface that faces the eye
 };
 
 EdgePoints edge_points(Edge edge, EdgeProfile profile, bool is_waves, vec3 point, float penumbra_m)
@@ -127,7 +128,7 @@ EdgePoints edge_points(Edge edge, EdgeProfile profile, bool is_waves, vec3 point
                     : stroke_edge(edge.first, profile, point, penumbra_px);
 }
 
-// A third lookup point, for omnidirectional lights.
+// A third lookup point with wave teeth, for omnidirectional lights.
 vec3 third_wave_point(Edge edge, EdgeProfile profile, vec3 point, float penumbra_m)
 {
     float penumbra_px = penumbra_m / max(edge.m_per_px, 1e-20);
@@ -135,14 +136,14 @@ vec3 third_wave_point(Edge edge, EdgeProfile profile, vec3 point, float penumbra
     return point + edge.third.step_m * (reach_px * edge_tooth(edge.third, profile, penumbra_px));
 }
 
-// A point that was moved into shadow is raised towards the light. Otherwise the plane in which the point
+// Raises a lookup point that was moved into shadow towards the light. Otherwise the plane in which the point
 // moves could cut into a curved or folded surface, which would then shadow itself.
 vec3 raised(vec3 moved, EdgePoints points, vec3 point, vec3 towards_light)
 {
     return points.lean < 0.0f ? moved : moved + towards_light * (0.7f * distance(moved, point));
 }
 
-// Combines the light at the edge's two points.
+// Combines the light at the two lookup points of a shadow edge.
 float edge_blend(EdgePoints points, float first, float second)
 {
     return points.lean > 0.0f   ? min(first, second)
@@ -186,7 +187,7 @@ float sun_share(vec3 point, vec3 normal, vec3 towards_sun, Edge edge)
     return edge_blend(points, first, second);
 }
 
-// Uses only the share `part` of the light's radius.
+// Share of a lamp that arrives at a lookup point. Only the share `part` of the lamp's radius is used.
 float local_lookup(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal, Penumbra penumbra,
                    float part)
 {
@@ -195,7 +196,7 @@ float local_lookup(LocalShadow shadow, vec3 light_position, vec3 point, vec3 nor
                           : local_visibility(shadow, light_position, point, normal);
 }
 
-// Share of a lamp or spot that arrives at a point.
+// Share of a lamp or spot that arrives at a surface point, with toothed shadow edges.
 float local_share(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal, Edge edge)
 {
     Penumbra penumbra = Penumbra(0.0, 0.0);

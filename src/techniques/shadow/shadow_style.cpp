@@ -67,7 +67,7 @@ const style::Table<ShadowStyle>& shadow_table()
 
 namespace {
 
-/// Normal of a slanted plane; its slices cut both floors and walls.
+/// Normal of a slanted plane with this bearing. Slices along such planes cut both floors and walls.
 glm::vec3 slanted(float bearing_deg)
 {
     const float bearing = glm::radians(bearing_deg);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Style of shadows and of their edges, and the shader data that it determines.
+// Style of shadows and of their edges, and the shader data that follows from it.
 
 #include <optional>
 #include <span>
@@ -14,7 +14,8 @@ namespace estampe::shadow {
 
 enum class Edge : uint8_t { plain, strokes, waves };
 
-/// Kind of shadow map for the sun.
+/// Kind of the sun's shadow map: a single map of everything, a clipmap, a single level that fades, or a
+/// perspective map.
 enum class SunMapKind : uint8_t { automatic, whole, clipmap, faded, warped };
 
 struct ShadowStyle {
@@ -34,27 +35,28 @@ struct ShadowStyle {
 
 [[nodiscard]] const style::Table<ShadowStyle>& shadow_table();
 
-/// The hatching's first layer, if lines are hatched.
+/// Properties of the hatching's first layer, if lines are hatched. Shadow edges follow this layer.
 struct HatchedLines {
     float width_mm = 0.3F;
-    float darkness = 0.5F; ///< darkness of the lines themselves in full shadow
+    float darkness = 0.5F; ///< darkness of the hatching lines themselves in full shadow
     uint32_t seed = 1;
-    glm::vec2 flat_axis{0.0F, 1.0F}; ///< across the strokes, in UV space and on the page
-    glm::vec2 wind{0.0F, 1.0F};      ///< horizontal direction x, z
+    glm::vec2 flat_axis{0.0F, 1.0F}; ///< direction across the strokes, in UV space and on the page
+    glm::vec2 wind{0.0F, 1.0F};      ///< horizontal direction of the wind (x, z)
     glm::vec2 ground_wind{1.0F, 0.0F};
     glm::vec3 towards_light{0.0F, 1.0F, 0.0F};
-    bool has_directions = false; ///< some strokes follow height, wind, light or slope
+    /// Some strokes follow height, wind, light or slope, instead of UV coordinates.
+    bool has_directions = false;
 };
 
-/// The teeth that `style` asks for, on a page of `pixels_per_mm`.
+/// Computes the teeth of shadow edges that `style` asks for, on a page of `pixels_per_mm`.
 [[nodiscard]] shared::EdgeProfile edge_profile(const ShadowStyle& style,
                                                const std::optional<HatchedLines>& lines, float pixels_per_mm);
 
-/// Variant bits of the lighting shader (shaders/light_variant.glsl.h) that the style needs. The code that
+/// Bits of the lighting shader's `variant` (shaders/light_variant.glsl.h) that the style needs. The code that
 /// fits the sun's map adds the bits for clipmaps and perspective maps.
 [[nodiscard]] uint32_t shadow_variant(const ShadowStyle& style, const std::optional<HatchedLines>& lines);
 
-/// Variant bits that these lamps and spots need in addition.
+/// Bits of the lighting shader's `variant` that the given lamps and spots need in addition.
 [[nodiscard]] uint32_t lamps_variant(std::span<const shared::LocalShadow> lamps);
 
 } // namespace estampe::shadow

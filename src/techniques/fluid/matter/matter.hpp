@@ -94,8 +94,8 @@ struct MatterStyle {
     float heat_of_fuel = 1.0F;  ///< gain of temperature per unit of burnt fuel
     float smoke_of_fuel = 1.0F; ///< gain of density per unit of burnt fuel
 
-    float condensing_per_s =
-        0.0F; ///< share per second of excess vapour that condenses, or of lacking vapour that cloud gives
+    /// Share per second of excess vapour that condenses, or of lacking vapour that evaporates from cloud.
+    float condensing_per_s = 0.0F;
     float saturation = 1.0F;            ///< vapour that air holds at y = 0 at the surroundings' temperature
     float saturation_growth = 0.0F;     ///< growth of the logarithm of saturation per unit of temperature
     float saturation_fall_per_m = 0.0F; ///< fall of the logarithm of saturation per metre of height, because

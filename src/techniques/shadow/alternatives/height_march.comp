@@ -9,7 +9,7 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0) uniform sampler2D height_image; // linear
+layout(binding = 0) uniform sampler2D height_image; // heights, sampled with linear filtering
 layout(binding = 1, r16f) writeonly uniform image2D out_visibility;
 
 layout(push_constant, scalar) uniform Constants

@@ -16,7 +16,7 @@ layout(push_constant, scalar) uniform Constants
     MarchConstants march;
 };
 
-// 1: blurs vertically; 0: horizontally.
+// Direction of the blur: 1 vertical, 0 horizontal.
 layout(constant_id = 0) const uint variant = 0u;
 
 void main()

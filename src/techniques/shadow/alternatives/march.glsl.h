@@ -7,11 +7,11 @@ namespace estampe::shared {
 #endif
 
 struct MarchConstants {
-    uvec2 size;    // in texels
-    vec2 sunwards; // one step, in texels
+    uvec2 size;    // size of the height field in texels
+    vec2 sunwards; // one step of the ray towards the sun, in texels
     float rise_m;  // rise of the ray per step
     uint step_count;
-    uint blur_radius; // in texels
+    uint blur_radius; // radius of the blur in texels
     float blur_falloff;
 };
 

@@ -5,8 +5,8 @@
 
 namespace estampe::shadow {
 
-/// A simpler add_height_shadow(): one ray to the sun's centre per texel, then a blur of the same width
-/// everywhere.
+/// A simpler alternative to add_height_shadow(): one ray to the sun's centre per texel, then a blur of equal
+/// width everywhere.
 ///
 /// Throws  std::logic_error for more than one field
 /// Cost    three dispatches; up to `march_steps` samples per lit texel

@@ -9,10 +9,10 @@
 namespace estampe::shadow {
 namespace {
 
-/// Points p with dot(normal, p) + offset >= 0 are inside.
+/// A plane with an inside: points p with dot(normal, p) + offset >= 0.
 using Plane = glm::dvec4;
 
-/// The eye's frustum: sides and near plane.
+/// Planes of the eye's frustum: its sides and the near plane.
 std::vector<Plane> planes_of(const shared::FrameGlobals& eye)
 {
     const glm::dmat4 rows = glm::transpose(glm::dmat4(eye.clip_from_anchor));
@@ -53,7 +53,8 @@ std::vector<glm::dvec3> corners_of(std::vector<Plane> planes)
     return corners;
 }
 
-/// The volume in which shadows can fall: the casters' box, extended along the sun, above the floor.
+/// Planes around the volume in which shadows can fall: the casters' box, extended along the sun, above the
+/// floor.
 std::vector<Plane> planes_of(const SunMapScene& scene, const SunView& view)
 {
     const glm::dmat4 rows = glm::transpose(glm::dmat4(view.clip_from_anchor));
@@ -104,7 +105,7 @@ SunView warped_view(const SunMapScene& scene)
         along.extend(glm::dot(point, down));
         away.extend(glm::dot(point - glm::dvec3(eye.eye_anchor), forward));
     }
-    // This near distance equalizes the error along the eye's direction at both ends (Wimmer et al.).
+    // This near distance makes the error along the eye's direction equal at both ends (Wimmer et al.).
     const double depth_m = std::max(along.high - along.low, 1e-6);
     const double seen_m = std::clamp(scene.nearest_m, std::max(away.low, 0.0), std::max(away.high, 0.0));
     const double near_m = (seen_m + std::sqrt(seen_m * std::max(away.high, 0.0))) / sine;

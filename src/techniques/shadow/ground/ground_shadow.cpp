@@ -14,7 +14,7 @@
 namespace estampe::shadow {
 namespace {
 
-constexpr double texels_beside = 3.0; // margin around lookups, for interpolation and rounding
+constexpr double texels_beside = 3.0; // margin in texels around lookups, for interpolation and rounding
 
 } // namespace
 
@@ -51,13 +51,13 @@ shared::FieldSector seen_sector(const GroundSight& sight, const GroundLevels& le
         const glm::dvec3 way = glm::dvec3(far) - far.w * eye;
         return glm::dvec2(way.x, way.z) / glm::length(way);
     };
-    constexpr double beside = 1.01; // margin around the page
+    constexpr double beside = 1.01; // margin around the page, as a factor
     const glm::dvec2 middle = way_to(0, 0);
     const double level = glm::length(middle);
     if (level < 0.1) {
         return {};
     }
-    // Lateral distance of the page's corners per unit of distance ahead.
+    // Directions to the page's corners, as lateral distance per unit of distance ahead.
     const glm::dvec2 ahead = middle / level;
     const glm::dvec2 aside(-ahead.y, ahead.x);
     double least = std::numeric_limits<double>::infinity();
@@ -71,8 +71,8 @@ shared::FieldSector seen_sector(const GroundSight& sight, const GroundLevels& le
         least = std::min(least, share);
         most = std::max(most, share);
     }
-    // A point above the ground looks up the ground where the point's shadow falls, on the side away from the
-    // sun.
+    // A point above the ground looks up the ground at the place where its shadow falls, on the side away from
+    // the sun.
     const glm::dvec2 shadow_m = -sight.relief_m / std::max(sight.towards_sun.y, 0.01) *
                                 glm::dvec2(sight.towards_sun.x, sight.towards_sun.z);
     shared::FieldSector sector{};
@@ -95,7 +95,7 @@ shared::FieldSector sunward_of(const shared::FieldSector& sector, const glm::dve
 {
     shared::FieldSector sunward = sector;
     for (int line = 0; line < 2; ++line) {
-        // The line does not limit the texels in the sun's direction.
+        // The sun's direction crosses this line, so it does not limit the texels.
         const bool leaves = glm::dot(sector.sides[line], glm::vec2(towards_sun.x, towards_sun.z)) < 0.0F;
         sunward.sides[line] = leaves ? glm::vec2(0.0F) : sector.sides[line];
         for (glm::vec2& offset : sunward.offsets) {

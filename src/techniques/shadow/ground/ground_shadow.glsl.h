@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_GROUND_SHADOW_GLSL_H
 #define ESTAMPE_GROUND_SHADOW_GLSL_H
-// Fields of heights and horizons around the eye. Each field is four times as coarse as the previous field.
+// Fields of the ground's heights and horizons around the eye. Each field is four times as coarse as the
+// previous field.
 #ifdef __cplusplus
 #include "shaders/field_sector.glsl.h"
 namespace estampe::shared {
@@ -11,16 +12,17 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint ground_levels = 5U;
 
-// One field, in anchor space; origin_m is the centre of its first texel.
+// One field of ground heights, in anchor space; origin_m is the centre of its first texel.
 struct GroundLevel {
     vec2 origin_m;
     float texel_m;
 };
 
-// The third coordinate of the dispatch selects the field.
+// Constants for copying new fields into the kept ones. The third coordinate of the dispatch selects the
+// field.
 struct GroundKeepConstants {
     uint size;
-    uint level[5]; // level number of each field
+    uint level[5]; // level number of each field; level 0 is the finest
     FieldSector wanted;
 };
 
@@ -28,7 +30,7 @@ struct GroundShareConstants {
     GroundLevel levels[5];
     vec3 towards_sun;
     float radius_rad;
-    uint size; // texels per side
+    uint size; // texels per side of a field
 };
 
 #ifdef __cplusplus

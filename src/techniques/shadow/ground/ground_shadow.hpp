@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The sun's shadow of an endless ground on itself and on objects on the ground: height fields around the eye,
-// with the horizon of each texel in the sun's direction.
+// The shadow of an endless ground on itself and on objects on the ground, in sunlight: height fields around
+// the eye, with the horizon of each texel in the sun's direction.
 
 #include <array>
 
@@ -12,50 +12,54 @@
 
 namespace estampe::shadow {
 
-/// Position and texel size of all fields.
+/// Position and texel size of all ground fields.
 using GroundLevels = std::array<shared::GroundLevel, shared::ground_levels>;
 
-/// Fields of `size` texels per side around an eye. The finest field has texels of `texel_m`; each next field
-/// is four times as coarse. Fields are shifted towards the sun, because shadows come from there. Fields
-/// follow the eye in steps of 16 texels.
+/// Places ground fields of `size` texels per side around an eye. The finest field has texels of `texel_m`;
+/// each next field is four times as coarse. Fields are shifted towards the sun, because shadows come from
+/// there. Fields follow the eye in steps of 16 texels.
 [[nodiscard]] GroundLevels ground_levels_about(const glm::dvec2& eye_m, const glm::dvec2& anchor_m,
                                                const glm::dvec3& towards_sun, uint32_t size, double texel_m);
 
 using LevelNumbers = InlineVector<uint32_t, shared::ground_levels>;
 
-/// The part of the ground and of objects on it that is visible.
+/// Describes which part of the ground and of the objects on it is visible.
 struct GroundSight {
-    glm::mat4 clip_from_anchor{1.0F}; ///< in parallel projection all of the ground counts as visible
+    /// Projection of the page; in parallel projection, all of the ground counts as visible.
+    glm::mat4 clip_from_anchor{1.0F};
     glm::dvec3 towards_sun{0.0, 1.0, 0.0};
-    double relief_m = 0.0; ///< from the lowest ground to the highest visible object
+    double relief_m = 0.0; ///< height from the lowest ground to the highest visible object
 };
 
-/// The texels of fields `numbers` that lookups for visible points can reach: a sector between two lines near
-/// the eye. If the eye looks steeply up or down, all texels.
+/// The texels of ground fields `numbers` that lookups for visible points can reach: a sector between two
+/// lines near the eye. If the eye looks steeply up or down, the sector contains all texels.
 [[nodiscard]] shared::FieldSector seen_sector(const GroundSight& sight, const GroundLevels& levels,
                                               const LevelNumbers& numbers);
 
-/// The texels whose heights determine the horizons of `sector`.
+/// The texels whose heights determine the horizons of `sector`, towards the sun.
 [[nodiscard]] shared::FieldSector sunward_of(const shared::FieldSector& sector,
                                              const glm::dvec3& towards_sun);
 
 struct GroundFields {
-    gpu::ImageId height; ///< r32f, metres above the anchor: stacked squares, one per entry of `numbers`
+    gpu::ImageId height; ///< r32f, metres above the anchor: stacked square fields, one per entry of `numbers`
     LevelNumbers numbers;
-    const GroundLevels& levels; ///< all levels
+    const GroundLevels& levels; ///< position and texel size of all fields, not only of `numbers`
     uint32_t size = 0;
-    HeightMethod method = HeightMethod::sweep; ///< must not be the march
-    shared::FieldSector wanted{};              ///< pyramid only; texels outside are left unchanged
-    float sun_radius_rad = 0.0F;               ///< determines how far from the sun horizons must be exact
+    /// Method of the horizons; HeightMethod::march is not possible.
+    HeightMethod method = HeightMethod::sweep;
+    /// For the pyramid method: texels to compute; texels outside are left unchanged.
+    shared::FieldSector wanted{};
+    /// Radius of the sun; determines how far from the sun horizons must be exact.
+    float sun_radius_rad = 0.0F;
 };
 
-/// Updates some fields of `kept`, which has one word per texel, level by level. Cost: add_height_horizon()
-/// and one small dispatch.
+/// Adds passes that compute heights and horizons of some ground fields and store them in `kept`, which has
+/// one word per texel, level by level. Cost: add_height_horizon() and one small dispatch.
 [[nodiscard]] gpu::BufferId add_ground_fields(gpu::Graph& graph, const GroundFields& fields,
                                               const glm::dvec3& towards_sun, gpu::BufferId kept);
 
 struct GroundShareInputs {
-    gpu::BufferId frame; ///< holds FrameGlobals
+    gpu::BufferId frame; ///< buffer with a FrameGlobals record
     gpu::ImageId depth;
     gpu::BufferId kept;
     GroundLevels levels;
@@ -65,7 +69,8 @@ struct GroundShareInputs {
     glm::uvec2 size_px{0};
 };
 
-/// Share of the sun's disc that the ground leaves visible at each pixel, r16f; 1 where no surface is.
+/// Adds a pass that computes the share of the sun's disc that the ground leaves visible at each pixel, r16f;
+/// 1 where no surface is.
 ///
 /// Cost    one full-screen dispatch, twelve texels per pixel
 /// Source  Timonen and Westerholm, "Scalable Height Field Self-Shadowing", Eurographics 2010

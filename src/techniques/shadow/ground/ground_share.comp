@@ -16,7 +16,7 @@ layout(scalar, binding = 0) uniform Frame
 };
 
 layout(binding = 1) uniform sampler2D depth_image;
-layout(binding = 2) uniform usamplerBuffer kept; // see ground_keep.comp
+layout(binding = 2) uniform usamplerBuffer kept; // kept ground fields, in the format of ground_keep.comp
 layout(binding = 3, r16f) writeonly uniform image2D out_share;
 
 layout(push_constant, scalar) uniform Constants
@@ -30,8 +30,8 @@ vec2 kept_at(uint level, ivec2 texel)
     return unpackHalf2x16(texelFetch(kept, int(first) + texel.y * int(constants.size) + texel.x).x);
 }
 
-// Interpolated height and horizon from the finest level that contains the place. Outside all levels there is
-// no horizon.
+// Interpolated height and horizon of the ground, from the finest field that contains the place. Outside all
+// fields there is no horizon.
 vec2 ground_at(vec2 place)
 {
     int chosen = -1;
@@ -62,7 +62,7 @@ void main()
     vec3 point = anchor_at(frame, vec2(pixel) + 0.5, max(depth, 1e-9));
     vec3 sun = constants.towards_sun;
     vec2 ground = ground_at(point.xz);
-    // A point above the ground is lit like the ground point that its sun ray, extended downwards, meets.
+    // A point above the ground is lit like the ground point at which its sun ray, extended downwards, ends.
     vec2 back_per_m = sun.xz / max(sun.y, 0.01);
     float above = max(point.y - ground.x - 0.1, 0.0);
     int tries = above > 0.0 && depth > 0.0 ? 2 : 0;

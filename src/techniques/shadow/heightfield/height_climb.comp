@@ -18,13 +18,13 @@ layout(push_constant, scalar) uniform Constants
     PyramidConstants pyramid;
 };
 
-// 1: writes the horizon's height above the sun; 0: writes the sun's visibility.
+// 1: the shader writes the horizon's height above the sun; 0: the sun's visibility.
 layout(constant_id = 0) const uint variant = 0u;
 
 #include "shaders/sun_disc.glsl"
 #include "techniques/shadow/heightfield/height_pyramid.glsl"
 
-// Height interpolated between four texels; `place` is in texels.
+// Height of the ground, interpolated between four texels; `place` is in texels.
 float height_at(vec2 place)
 {
     ivec2 cell = clamp(ivec2(floor(place)), ivec2(0), ivec2(pyramid.cells) - 1);
@@ -39,13 +39,13 @@ float height_at(vec2 place)
 
 float horizon_slope(ivec2 texel)
 {
-    const float past_the_edge = 1e-3; // in texels: steps into the next cell
+    const float past_the_edge = 1e-3; // small distance in texels that leads into the next cell
     float texel_m = pyramid.texel_m[gl_GlobalInvocationID.z];
     float from_m = texelFetch(height_image, place_of_texel(texel), 0).x;
     float best = pyramid.slopes.x;
     float along = 0.0;
     uint level = 0u;
-    // The bound exceeds the number of steps of the longest walk over the largest field.
+    // The loop's bound is larger than the number of steps of the longest walk over the largest field.
     for (uint i = 0u; i < 60000u && best < pyramid.slopes.y; ++i) {
         vec2 place = vec2(texel) + (along + past_the_edge) * pyramid.sunwards;
         ivec2 cell = ivec2(floor(place / float(1u << level)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Shared by all methods of height-field shadows.
+// Functions that all methods of height-field shadows share.
 
 #include "techniques/shadow/heightfield/height_shadow.hpp"
 
@@ -18,10 +18,11 @@ struct HeightFields {
     shared::SunConstants sun;
 };
 
-/// Checks `in`; throws std::logic_error in the cases that add_height_shadow() documents.
+/// Checks the inputs of a height-field shadow. Throws std::logic_error in the cases that add_height_shadow()
+/// documents.
 [[nodiscard]] HeightFields height_fields_of(const gpu::Graph& graph, const HeightShadowInputs& in);
 
-/// An r16f image as large as all fields together.
+/// Creates an r16f image as large as all height fields together.
 [[nodiscard]] gpu::ImageId height_result(gpu::Graph& graph, const char* name, const HeightFields& fields);
 
 } // namespace estampe::shadow

@@ -2,29 +2,30 @@
 #ifndef ESTAMPE_SWEEP_LINES
 #define ESTAMPE_SWEEP_LINES
 
-// Positions where the lines of a sweep cross the field, see height_shadow.glsl.h. Integer arithmetic gives
-// identical positions in all shaders. Applies to this thread's field. Needs `sweep`, a SweepConstants, and
-// height_image.
+// Positions where the lines of a height-field sweep cross the field, see height_shadow.glsl.h. Integer
+// arithmetic gives identical positions in all shaders. The functions apply to this thread's field. Requires
+// `sweep`, a SweepConstants, and height_image.
 
-// Number of steps in the field.
+// Number of steps of the sweep over the field.
 uint step_total()
 {
     return sweep.steps_along_y != 0u ? sweep.size.y : sweep.size.x;
 }
 
-// Number of texels per step.
+// Number of texels of the field across a step.
 int texels_across()
 {
     return int(sweep.steps_along_y != 0u ? sweep.size.x : sweep.size.y);
 }
 
-// Whole part of the lateral offset of lines at a step.
+// Whole part of the distance, in texels, that the sweep's lines have moved sideways at a step.
 int moved_across(uint step)
 {
     return (sweep.slope * int(step)) >> 16;
 }
 
-// Fractional part of the lateral offset: line c of the step is at c - 1 + fraction texels.
+// Fractional part of the distance that the sweep's lines have moved sideways: line c of the step is at c - 1
+// + fraction texels.
 float fraction_across(uint step)
 {
     return float((sweep.slope * int(step)) & 0xffff) / 65536.0;
@@ -47,7 +48,7 @@ float height_of_texel(uint step, int across)
     return texelFetch(height_image, place_of_texel(texel), 0).x;
 }
 
-// Height where line `c` crosses a step.
+// Height of the ground where line `c` of the sweep crosses a step.
 float height_of_line(uint step, int c)
 {
     return mix(height_of_texel(step, c - 1), height_of_texel(step, c), fraction_across(step));

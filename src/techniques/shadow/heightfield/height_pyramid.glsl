@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_HEIGHT_PYRAMID
 #define ESTAMPE_HEIGHT_PYRAMID
 
-// Positions of a level's cells and of texels in this thread's field; see height_shadow.glsl.h.
+// Positions of a pyramid level's cells and of texels in this thread's height field; see height_shadow.glsl.h.
 
 ivec2 cells_of_level(uint level)
 {

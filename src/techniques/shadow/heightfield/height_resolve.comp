@@ -22,16 +22,16 @@ layout(push_constant, scalar) uniform Constants
 {
     SweepConstants sweep;
     SunConstants sun;
-    float texel_m[5]; // texel size of each field
+    float texel_m[5]; // texel size of each height field
 };
 
-// 1: writes the horizon's height above the sun; 0: writes the sun's visibility.
+// 1: the shader writes the horizon's height above the sun; 0: the sun's visibility.
 layout(constant_id = 0) const uint variant = 0u;
 
 #include "shaders/sun_disc.glsl"
 #include "techniques/shadow/heightfield/height_lines.glsl"
 
-// Slope from line `c` of a step to its horizon; never negative.
+// Slope from line `c` of a sweep's step up to its horizon; never negative.
 float horizon_slope(uint step, int c)
 {
     uint seen = seen_step[cell_of(step, c)];

@@ -44,11 +44,11 @@ gpu::ImageId height_result(gpu::Graph& graph, const char* name, const HeightFiel
 
 namespace {
 
-/// What is written per texel.
+/// The number that is written per texel: the sun's visibility, or the horizon's height above the sun.
 enum class Written : uint32_t { visibility, horizon };
 
-/// Limits the number of loop rounds per line, including rounds that pop its hull, because lavapipe stops a
-/// thread after 65535 rounds.
+/// Most loop rounds per line in one dispatch, including rounds that pop the line's hull, because lavapipe
+/// stops a thread after 65535 rounds.
 constexpr uint32_t steps_a_dispatch = 2048;
 
 shared::SweepConstants sweep_constants(const HeightFields& fields)

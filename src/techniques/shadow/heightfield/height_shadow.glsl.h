@@ -10,20 +10,20 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint height_no_step = 0xffffffffU;
 
-// Fields of equal size that are computed together are stacked vertically in every image and buffer. The third
-// coordinate of a dispatch selects the field.
+// Most height fields that are computed together. They have equal size and are stacked vertically in every
+// image and buffer. The third coordinate of a dispatch selects the field.
 SHARED_CONSTANT uint height_fields_most = 5U;
 
-// Lines that run away from the sun, one texel per step along one side of the field. Step t is a row or
-// column, counted from the sun's side. At step t every line has moved sideways by slope * t, so all lines
-// cross the row at one common fraction of a texel. The number of lines across a step is the field's number of
-// texels plus one.
+// Constants of a sweep along lines that run away from the sun, one texel per step along one side of the
+// field. Step t is a row or column, counted from the sun's side. At step t every line has moved sideways by
+// slope * t, so all lines cross the row at one common fraction of a texel. The number of lines across a step
+// is the field's number of texels plus one.
 struct SweepConstants {
     uvec2 size;         // size of a field in texels
-    uint steps_along_y; // 1: steps are rows; 0: steps are columns
-    uint from_far_end;  // 1: the sun is on the side of the largest coordinate
-    int slope;          // texels sideways per step, times 65536
-    float step_texels;  // length of a step along a line
+    uint steps_along_y; // 1: steps of the sweep are rows; 0: steps are columns
+    uint from_far_end;  // 1: the sweep starts at the largest coordinate, because the sun is on that side
+    int slope;          // texels that a line moves sideways per step, times 65536
+    float step_texels;  // length of a step along a line, in texels
     uint first_step;
     uint end_step;
 };
@@ -37,19 +37,19 @@ struct SunConstants {
 struct ResolveConstants {
     SweepConstants sweep;
     SunConstants sun;
-    float texel_m[5]; // texel size of each field
+    float texel_m[5]; // texel size of each height field
 };
 
 // Pyramid of maximum heights in one image. A cell of level 0 covers the square between four texels. Level 1
 // is to the right of level 0, and each further level k is below level k - 1. The next field starts `rows`
 // further down.
 struct PyramidConstants {
-    uvec2 cells;      // number of cells of level 0
-    uint level;       // level to compute, or the topmost level
-    uint rows;        // a power of two
-    float texel_m[5]; // texel size of each field
-    vec2 sunwards;    // unit vector, in texels
-    vec2 slopes;      // range of horizon slopes that affect the result
+    uvec2 cells;      // number of pyramid cells of level 0
+    uint level;       // pyramid level to compute, or the topmost level
+    uint rows;        // rows of the image per field, a power of two
+    float texel_m[5]; // texel size of each height field
+    vec2 sunwards;    // direction towards the sun, a unit vector in texels
+    vec2 slopes;      // lowest and highest horizon slope that affect the result
     SunConstants sun;
     FieldSector wanted; // texels whose result is needed
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The sun's shadow of a height field on itself, with the penumbra of a sun disc. The shadow is exact at any
-// distance, where a shadow map would have too few texels.
+// The shadow of a height field on itself in sunlight, with the penumbra of a sun disc. The shadow is exact at
+// any distance, where a shadow map would have too few texels.
 
 #include <glm/glm.hpp>
 
@@ -13,7 +13,7 @@
 namespace estampe::shadow {
 
 enum class HeightMethod : uint8_t {
-    sweep,   ///< steps along lines away from the sun; constant cost per texel over the whole field
+    sweep,   ///< walks along lines away from the sun; constant cost per texel over the whole field
     pyramid, ///< searches from each texel towards the sun, over a pyramid of maximum heights
     march    ///< traces a ray from each texel to the sun's centre, then blurs
 };
@@ -24,19 +24,22 @@ struct HeightShadowStyle {
     float march_blur_texels = 2.0F;
 };
 
-/// Distance between two texels, for each of the fields that are computed together.
+/// Distance between two texels in metres, for each of the fields that are computed together.
 using FieldTexels = InlineVector<float, shared::height_fields_most>;
 
 struct HeightShadowInputs {
-    gpu::ImageId height;             ///< r32f or r16f, metres; fields of equal size, stacked vertically
-    FieldTexels texel_m;             ///< texel size of each field
-    glm::dvec3 towards_sun;          ///< unit vector; x along the field's rows, y up, z down its columns
+    /// r32f or r16f image of heights in metres; fields of equal size are stacked vertically.
+    gpu::ImageId height;
+    FieldTexels texel_m; ///< texel size of each height field
+    /// Unit vector towards the sun; x along the field's rows, y up, z down its columns.
+    glm::dvec3 towards_sun;
     double sun_radius_rad = 0.00465; ///< half the angular diameter of the sun; above 0
-    shared::FieldSector wanted{};    ///< only for pyramid: texels outside are not written
+    shared::FieldSector wanted{}; ///< only for the pyramid method: texels to compute; others are not written
 };
 
-/// Share of the sun's disc that each texel sees: 1 all of the disc, 0 none. The ground is linear between
-/// texels. Beyond the field the ground is flat and low, so a sun below the horizon lights nothing.
+/// Adds passes that compute the share of the sun's disc that each texel sees: 1 all of the disc, 0 none. The
+/// ground is linear between texels. Beyond the field the ground is flat and low, so a sun below the horizon
+/// lights nothing.
 ///
 /// Writes  r16f of the size of `height`
 /// Throws  std::logic_error for fields of less than 2 x 2 or more than 16384 x 16384 texels, for no
@@ -51,11 +54,11 @@ struct HeightShadowInputs {
 [[nodiscard]] gpu::ImageId add_height_shadow(gpu::Graph& graph, const HeightShadowInputs& in,
                                              const HeightShadowStyle& style = {});
 
-/// Height of the horizon above the sun's centre in radians, negative below: r16f, most precise near 0. To
-/// draw shadow edges finer than texels, sample it with linear filtering, divide by the sun's radius, and pass
-/// it to `share_of_disc` of shaders/sun_disc.glsl. Supports sweep and pyramid; march has no horizon and
-/// throws std::logic_error. With pyramid the values are limited to 0.15 rad or 16 sun radii from the sun's
-/// centre. Costs as much as add_height_shadow().
+/// Adds passes that compute the height of the horizon above the sun's centre in radians, negative below:
+/// r16f, most precise near 0. To draw shadow edges finer than texels, sample it with linear filtering, divide
+/// by the sun's radius, and pass it to `share_of_disc` of shaders/sun_disc.glsl. Supports sweep and pyramid;
+/// march has no horizon and throws std::logic_error. With pyramid the values are limited to 0.15 rad or 16
+/// sun radii from the sun's centre. Costs as much as add_height_shadow().
 [[nodiscard]] gpu::ImageId add_height_horizon(gpu::Graph& graph, const HeightShadowInputs& in,
                                               const HeightShadowStyle& style = {});
 

@@ -8,16 +8,16 @@
 #include "shaders/sun_disc.glsl"
 #include "techniques/shadow/shadow.glsl.h"
 
-// A point in a map's coordinates.
+// The position of a point in a local shadow map.
 struct MapPlace {
     vec3 right; // axes of the map
     vec3 down;
-    vec2 texel;    // texel centres are at whole numbers
-    float along_m; // distance from the light along the map's axis
+    vec2 texel;    // position in texels; texel centres are at whole numbers
+    float along_m; // distance of the point from the light along the map's axis
     uint first_texel;
 };
 
-// The map that covers direction `from_light`, and the point's position in it.
+// Finds the map that covers the direction `from_light`, and the point's position in this map.
 MapPlace map_place(LocalShadow shadow, vec3 from_light)
 {
     MapPlace place;
@@ -42,7 +42,7 @@ MapPlace map_place(LocalShadow shadow, vec3 from_light)
     return place;
 }
 
-// Size of a texel at distance 1 from the light.
+// Size of a shadow map texel at distance 1 from the light.
 float texel_width(LocalShadow shadow)
 {
     return 2.0 / (shadow.scale * float(shadow.size));
@@ -54,17 +54,18 @@ float local_depth_at(LocalShadow shadow, uint first_texel, ivec2 texel)
     return texelFetch(local_maps, int(first_texel + uint(inside.y) * shadow.size + uint(inside.x))).x;
 }
 
-// Distance by which a receiver is lifted along its normal. All texels of a lookup are at most one texel away
-// from the receiver in either direction. Over these texels the depth of the receiver's plane varies by at
-// most what a lift of texel * (|n.right| + |n.down|) compensates. The rest allows for rounding and smoothed
-// normals.
+// Distance by which a point is lifted along its normal before a shadow map lookup, so that its own surface
+// does not shadow it. All texels of a lookup are at most one texel away from the point in either direction.
+// Over these texels the depth of the surface's plane varies by at most what a lift of texel * (|n.right| +
+// |n.down|) compensates. The rest allows for rounding and smoothed normals.
 float lift_m(MapPlace place, LocalShadow shadow, vec3 normal)
 {
     float texel_m = texel_width(shadow) * max(place.along_m, 0.0);
     return texel_m * (0.3 + 1.25 * (abs(dot(normal, place.right)) + abs(dot(normal, place.down))));
 }
 
-// Four comparisons around a place in a map, blended bilinearly (Reeves et al. 1987). 1 outside the map.
+// Share of light at a place in a shadow map: four depth comparisons, blended bilinearly (Reeves et al. 1987).
+// 1 outside the map.
 float compare_at(LocalShadow shadow, MapPlace place)
 {
     float last = float(shadow.size - 1u);
@@ -84,9 +85,9 @@ float compare_at(LocalShadow shadow, MapPlace place)
     return mix(mix(lit.x, lit.y, f.x), mix(lit.z, lit.w, f.x), f.y);
 }
 
-// Position in the map of a point that is lifted off its plane. The lift goes towards the light, so that texel
-// and shadow stay in place, but at most a fifth of the way to the light. The rest of the lift goes along the
-// normal.
+// Position in the shadow map of a point that is lifted off its surface. The lift goes towards the light, so
+// that texel and shadow stay in place, but at most a fifth of the way to the light. The rest of the lift goes
+// along the normal.
 MapPlace lifted_place(LocalShadow shadow, vec3 from_light, vec3 normal)
 {
     float lift = lift_m(map_place(shadow, from_light), shadow, normal);
@@ -103,8 +104,9 @@ float local_visibility(LocalShadow shadow, vec3 light_position, vec3 point, vec3
     return compare_at(shadow, lifted_place(shadow, point - light_position, normal));
 }
 
-// A disc around a receiver, perpendicular to the light's direction. A tap compares with the receiver's plane,
-// but never farther from the light than the disc: an object behind the disc cannot block the light.
+// A disc around a point in shadow lookups, perpendicular to the light's direction. A tap (one texel read)
+// compares with the surface's plane, but never farther from the light than the disc: an object behind the
+// disc cannot block the light.
 struct LampDisc {
     vec3 from_light;
     vec3 right;
@@ -119,21 +121,22 @@ LampDisc lamp_disc(vec3 from_light, vec3 normal)
     return LampDisc(from_light, right, cross(along, right), normal);
 }
 
-// Factor by which the receiver's plane is nearer to the light than the disc at `on_disc`.
+// Factor by which the surface's plane is nearer to the light than the disc, at the place `on_disc`.
 float nearer_by(LampDisc disc, vec3 on_disc)
 {
     float height = min(dot(disc.normal, disc.from_light), -1e-9);
     return height / min(dot(disc.normal, on_disc), height);
 }
 
-// Result of one tap: distance of the blocker as a share of the distance from light to disc, and whether the
-// blocker is in front of the receiver's plane.
+// Result of one texel read: distance of the blocker as a share of the distance from light to disc, and
+// whether the blocker is in front of the surface's plane.
 struct Blocker {
     float share;
     bool blocks;
 };
 
-// `aside` is a place on the disc. The texel read is the nearest to a place `shift` texels beside `aside`.
+// Reads the blocker at the place `aside` on the disc. The texel read is the nearest to a place `shift` texels
+// beside `aside`.
 Blocker blocker_at(LocalShadow shadow, LampDisc disc, vec2 aside, vec2 shift)
 {
     vec3 on_disc = disc.from_light + disc.right * aside.x + disc.down * aside.y;
@@ -145,22 +148,23 @@ Blocker blocker_at(LocalShadow shadow, LampDisc disc, vec2 aside, vec2 shift)
                   all(lessThan(texel, vec2(shadow.size)));
     float depth = local_depth_at(shadow, place.first_texel, ivec2(texel));
     float blocker_m = shadow.near_m / max(depth, 1e-9);
-    // Lifts towards the light, as in lifted_place().
+    // The point is lifted towards the light, as in lifted_place().
     float height_m = max(-dot(disc.normal, receiver), max(-dot(disc.normal, disc.from_light), 1e-9));
     float lifted_m = place.along_m * (1.0 - lift_m(place, shadow, disc.normal) / height_m);
     return Blocker(clamp(blocker_m / max(place.along_m, 1e-9) * factor, 1e-6, 0.99999),
                    inside && depth > 0.0 && blocker_m < lifted_m * (1.0 - 0.5 * texel_width(shadow)));
 }
 
-// Half widths in metres, on the disc, of penumbrae that contain the point or are next to the point; 0 if
-// there are no such penumbrae.
+// Half widths in metres of penumbrae (soft shadow edges) that contain the point or are next to it; 0 if there
+// are none.
 struct Penumbra {
     float mean_m;
     float widest_m;
 };
 
-// Searches for blockers of some part of the light (Fernando, "Percentage-Closer Soft Shadows", 2005). Misses
-// blockers whose distance from the light's centre is less than twice the light's radius.
+// Estimates the penumbra at a point: searches for blockers of some part of the light (Fernando,
+// "Percentage-Closer Soft Shadows", 2005). Misses blockers whose distance from the light's centre is less
+// than twice the light's radius.
 Penumbra local_penumbra(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal)
 {
     const uint most_taps = 40u;
@@ -173,21 +177,22 @@ Penumbra local_penumbra(LocalShadow shadow, vec3 light_position, vec3 point, vec
     float found = 0.0;
     float widest_m = 0.0;
     for (uint i = 0u; i < count; ++i) {
-        // Taps are dense around the centre, where far blockers appear.
+        // Texel reads are dense around the centre, where far blockers appear.
         vec2 aside = reach_m * spiral(i, most_taps, 4.0);
         Blocker blocker = blocker_at(shadow, disc, aside, vec2(0.0));
         float half_breadth_m = shadow.radius_m * (1.0 / blocker.share - 1.0);
         bool counts = blocker.blocks && length(aside) <= half_breadth_m + texel_m;
         sum += counts ? half_breadth_m : 0.0;
         found += counts ? 1.0 : 0.0;
-        // Also counts blockers a bit farther out, because the search may have missed parts between taps.
+        // Blockers a bit farther out count too, because the search may have missed parts between two reads.
         bool is_near = blocker.blocks && length(aside) <= 2.0 * half_breadth_m + texel_m;
         widest_m = is_near ? max(widest_m, half_breadth_m) : widest_m;
     }
     return Penumbra(sum / max(found, 1.0), widest_m);
 }
 
-// Mask of the light's rings, all of equal area, within a radius; 1 is the light's own radius.
+// Bit mask of the light's rings within a radius. All rings have equal area; radius 1 is the light's own
+// radius.
 uint rings_within(float radius)
 {
     uint count = uint(32.0 * min(radius * radius, 1.0) + 0.5);
@@ -196,18 +201,18 @@ uint rings_within(float radius)
 
 const uint lamp_directions = 24u;
 
-// Rings of the light that are hidden along one direction from its centre. A blocker at share s of the
-// distance, seen through a place on the disc, hides the opposite side of the light, at s / (1 - s) times the
-// place's distance from the centre. A continuous blocker between two places hides everything between the two
-// points. After Guennebaud, Barthe and Paulin, "Real-Time Soft Shadow Mapping by Backprojection", 2006; bit
-// masks after Schwarz and Stamminger, "Bitmask Soft Shadows", 2007.
+// Rings of a light that are hidden along one direction from its centre. A blocker at share s of the distance,
+// seen through a place on the disc, hides the opposite side of the light, at s / (1 - s) times the place's
+// distance from the centre. A continuous blocker between two places hides everything between the two points.
+// After Guennebaud, Barthe and Paulin, "Real-Time Soft Shadow Mapping by Backprojection", 2006; bit masks
+// after Schwarz and Stamminger, "Bitmask Soft Shadows", 2007.
 uint hidden_rings(LocalShadow shadow, LampDisc disc, float radius_m, float widest_m, uint direction)
 {
     const uint count = 6u;
     float k = float(direction);
     float angle = 6.2831853 / float(lamp_directions) * (k + 0.5);
     vec2 way = vec2(cos(angle), sin(angle));
-    // Each direction gets its own offsets of taps and texels.
+    // Each direction gets its own offsets of the read places and texels.
     float first = fract(0.61803399 * k);
     vec2 shift = fract(k * vec2(0.7548777, 0.5698403)) - 0.5;
     float inner_m = 0.0;
@@ -218,7 +223,7 @@ uint hidden_rings(LocalShadow shadow, LampDisc disc, float radius_m, float wides
         vec2 part = (vec2(float(i), float(i) + 0.5) + first) / float(count);
         vec2 away_m = widest_m * part * sqrt(part);
         Blocker blocker = blocker_at(shadow, disc, way * away_m.x, shift);
-        // The edge where hiding starts may be lower by a texel.
+        // The height of the edge where a blocker starts is uncertain by a texel.
         float height = 1.0 - blocker.share;
         float least_height = max(height - texel_width(shadow), 1e-6);
         float inner = blocker.share * inner_m / (least_height * radius_m);
@@ -233,12 +238,14 @@ uint hidden_rings(LocalShadow shadow, LampDisc disc, float radius_m, float wides
     return rings;
 }
 
-// Share that arrives of a light of `radius_m`; `widest_m` is the half width of penumbrae on the disc.
+// Share of a spherical light of `radius_m` that arrives at a point; `widest_m` is the half width of penumbrae
+// on the disc.
 float local_soft_visibility(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal, float radius_m,
                             float widest_m)
 {
     LampDisc disc = lamp_disc(point - light_position, normal);
-    // A margin, because taps may have missed the widest penumbra; at least one texel.
+    // The reach has a margin, because the search may have missed the widest penumbra. It is at least one
+    // texel.
     float reach_m = max(1.1 * widest_m, texel_width(shadow) * length(disc.from_light));
     uint directions = widest_m > 0.0 ? lamp_directions : 0u;
     uint hidden = 0u;

@@ -39,7 +39,7 @@ void main()
     for (uint i = 0u; i < square_tile_rounds; ++i) {
         uvec2 place = texel_of_round(i);
         uint drawn = square.first_texel + (place.y << side_log2 | place.x);
-        // A level wraps its texels modulo its size.
+        // A clipmap level stores texels modulo its size.
         uvec2 at = (square.low + place) & ((1u << level_log2) - 1u);
         uint texel = (((square.sizes >> 16) << level_log2 | at.y) << level_log2) | at.x;
         map[texel / 4u] = max(picture[drawn / 4u], still[texel / 4u]);

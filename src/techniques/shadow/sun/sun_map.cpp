@@ -32,7 +32,7 @@ SunView sun_view(const Bounds& casters, const glm::dvec3& anchor, const glm::dve
         seen.extend(glm::dvec3(-0.5));
         seen.extend(glm::dvec3(0.5));
     }
-    // A margin of two texels keeps the casters' own outline inside; no side may be empty.
+    // Two texels of margin keep the casters' outline inside the map. No side may have the length zero.
     const glm::dvec3 extent = glm::max(seen.max - seen.min, glm::dvec3(1e-3 * std::max(seen.radius(), 1e-6)));
     const double rim = 1.0 + 4.0 / static_cast<double>(size);
     const glm::dvec3 half = 0.5 * rim * extent;
@@ -70,14 +70,16 @@ shared::SunShadow sun_shadow(const SunView& view, uint32_t size, const ShadowSty
 
 namespace {
 
-constexpr uint32_t steps_a_window = 16; // side of a window divided by the step by which the window moves
+// Side of a clipmap level's window divided by the step by which the window moves.
+constexpr uint32_t steps_a_window = 16;
 
 double texel_m(const Clipmap& clipmap, uint32_t level)
 {
     return std::ldexp(clipmap.finest_m, static_cast<int>(level));
 }
 
-/// The strip that is uncovered when the window at `low` has moved by `by`; its breadth is a power of two.
+/// The strip of texels that a level must draw after its window has moved by `by` to `low`; the strip's width
+/// is a power of two.
 Piece strip(uint32_t level, glm::ivec2 low, uint32_t size, int axis, int by)
 {
     const uint32_t breadth = std::min(std::bit_ceil(static_cast<uint32_t>(std::abs(by))), size);
@@ -87,7 +89,7 @@ Piece strip(uint32_t level, glm::ivec2 low, uint32_t size, int axis, int by)
     return piece;
 }
 
-/// Range of a level's texels in which a place is seen, with two texels of margin; may be infinite.
+/// Range of a level's texels in which a box is seen, with two texels of margin; may be infinite.
 std::pair<glm::dvec2, glm::dvec2> span_of(const Clipmap& clipmap, uint32_t level, const Bounds& place)
 {
     constexpr double beside_texels = 2.0;
@@ -106,7 +108,7 @@ std::pair<glm::dvec2, glm::dvec2> span_of(const Clipmap& clipmap, uint32_t level
     return {low - beside_texels, high + beside_texels};
 }
 
-/// The square of a window that contains the texels from `low` to `high`.
+/// The square of a level's window that contains the texels from `low` to `high`.
 Piece square_in(const Clipmap& clipmap, uint32_t level, const glm::ivec2& window, glm::ivec2 low,
                 const glm::ivec2& high)
 {
@@ -117,13 +119,13 @@ Piece square_in(const Clipmap& clipmap, uint32_t level, const glm::ivec2& window
     return {.level = level, .low = glm::min(low, last), .size = glm::uvec2(side)};
 }
 
-/// Texel of a level at which the picture of a square starts; the picture wraps around its size.
+/// Texel of a level at which the picture of a square starts. The picture wraps around at its size.
 glm::ivec2 picture_low(const Clipmap& clipmap, const Piece& square)
 {
     return square.size.x == clipmap.size ? glm::ivec2(0) : square.low;
 }
 
-/// One bit per tile of a square's picture.
+/// Marks tiles of a square's picture, one bit per tile.
 class TileMarks {
 public:
     TileMarks(const Clipmap& clipmap, const Piece& square)
@@ -163,7 +165,7 @@ public:
 private:
     static constexpr auto side = static_cast<int>(shared::square_tile_texels);
 
-    /// Tile of a texel before wrapping.
+    /// Tile that contains a texel, before wrapping around the picture's size.
     [[nodiscard]] glm::ivec2 tile_of(const glm::ivec2& texel) const
     {
         return glm::ivec2(glm::floor(glm::dvec2(texel - picture_low_) / static_cast<double>(side)));
@@ -172,8 +174,8 @@ private:
     glm::ivec2 low_;
     glm::ivec2 end_;
     glm::ivec2 picture_low_;
-    int last_;                        ///< last tile of a row
-    std::array<uint64_t, 64> rows_{}; ///< one bit per tile, large enough for the largest level
+    int last_;                        ///< number of the last tile of a row
+    std::array<uint64_t, 64> rows_{}; ///< rows of one bit per tile, large enough for the largest level
 };
 
 } // namespace
@@ -181,7 +183,7 @@ private:
 Clipmap fit_clipmap(const SunView& view, uint32_t size, double finest_m, double radius_m)
 {
     Clipmap clipmap{.view = view, .size = size};
-    // Least number of texels that a window covers on each side of the eye.
+    // Least number of texels that a level's window covers on each side of the eye.
     const double covered_texels = static_cast<double>(size) * (0.5 - 1.0 / steps_a_window) - 2.0;
     const double coarsest_m = std::max(2.0 * radius_m / covered_texels, 1e-9);
     int finest = static_cast<int>(std::floor(std::log2(std::max(finest_m, 1e-9))));
@@ -195,7 +197,8 @@ Clipmap fit_clipmap(const SunView& view, uint32_t size, double finest_m, double 
 Windows windows_about(const Clipmap& clipmap, const glm::dvec3& eye_anchor)
 {
     const double step = static_cast<double>(clipmap.size) / steps_a_window;
-    // If the eye is far from all casters, the windows surround the nearest point of their box.
+    // If the eye is far from all casters, the windows surround the point of the casters' box that is nearest
+    // to the eye.
     const glm::dvec2 half_m = 0.5 * glm::dvec2(clipmap.view.extent_m);
     const glm::dvec2 middle_m = -half_m * glm::dvec2(clipmap.view.clip_from_anchor[3]);
     const glm::dvec2 eye = glm::clamp(glm::dvec2(glm::dot(eye_anchor, glm::dvec3(clipmap.view.right)),
@@ -282,7 +285,8 @@ void list_tiles(const Clipmap& clipmap, std::span<const Piece> squares, std::spa
 
 std::vector<PieceHome> homes(const Clipmap& clipmap, const Piece& piece)
 {
-    // A level wraps around like a torus; the mask of a power of two also handles negative coordinates.
+    // A level wraps around like a torus. The bit mask of its size, a power of two, also handles negative
+    // coordinates.
     const glm::uvec2 first = glm::uvec2(piece.low) & (clipmap.size - 1U);
     const glm::uvec2 until_rim = glm::min(piece.size, clipmap.size - first);
     std::vector<PieceHome> parts;
@@ -302,7 +306,7 @@ std::vector<PieceHome> homes(const Clipmap& clipmap, const Piece& piece)
 
 glm::mat4 clip_from_sun(const Piece& piece)
 {
-    // Powers of two and whole texels keep floats exact.
+    // Powers of two and whole texels keep floats exact, so the drawn texels do not depend on the piece.
     const double scale = std::ldexp(1.0, -static_cast<int>(piece.level));
     glm::dmat4 clip(1.0);
     for (int axis = 0; axis < 2; ++axis) {
@@ -329,10 +333,11 @@ shared::SunShadow sun_shadow(const Clipmap& clipmap, const Windows& windows, flo
 
 namespace {
 
-/// A clipmap replaces a single map whose texels are larger than this many pixels near the eye.
+/// A clipmap replaces the single shadow map if texels of the single map are larger than this many pixels near
+/// the eye.
 constexpr double coarse_texel_px = 48.0;
 
-/// Side of a level: a power of two such that `levels` of them fit into `most_bytes`.
+/// Side of a clipmap level in texels: a power of two such that `levels` of them fit into `most_bytes`.
 uint32_t level_size(uint32_t wanted, uint32_t levels, uint64_t most_bytes)
 {
     uint32_t size = std::clamp(std::bit_ceil(wanted), 64U, 4096U);

@@ -10,10 +10,10 @@
 #include "shaders/sun_disc.glsl"
 #include "techniques/shadow/shadow.glsl.h"
 
-// A position in the map, and the plane of the surface there.
+// A position in the sun's shadow map, and the plane of the surface there.
 struct SunPlace {
-    vec2 texel;  // texel centres are at whole numbers
-    float depth; // clip z; negative beyond the farthest caster
+    vec2 texel;  // position in texels; texel centres are at whole numbers
+    float depth; // clip z of the point; negative beyond the farthest caster
     float bias;
     vec2 gradient; // change of depth per texel in the surface's plane
     float texel_m;
@@ -22,7 +22,7 @@ struct SunPlace {
     bool inside;
 };
 
-// Depth at a texel. Outside the map, whose border is empty, there is no caster.
+// Depth of the sun's map at a texel. Outside the map, and on its border, there is no caster.
 float sun_depth_at(ivec2 texel, uint level)
 {
     if (has_sun_levels) {
@@ -33,15 +33,15 @@ float sun_depth_at(ivec2 texel, uint level)
     ivec2 inside = clamp(texel, ivec2(0), ivec2(sun_shadow.size) - 1);
     float depth = texelFetch(sun_map, inside.y * int(sun_shadow.size) + inside.x).x;
     if (has_sun_warp) {
-        // The depths of a row were all divided by one common w.
+        // In a perspective map, the depths of a row were all divided by one common w.
         float y = (2.0 * float(inside.y) + 1.0) / float(sun_shadow.size) - 1.0;
         depth *= sun_shadow.warp.y / (sun_shadow.warp.x - y);
     }
     return depth;
 }
 
-// The finest level of a clipmap that is not finer than the page at `point` and whose window contains the
-// point with a margin of `margin_m`; the number of levels if there is none.
+// The finest level of the sun's clipmap that is not finer than the page's pixels at `point` and whose window
+// contains the point with a margin of `margin_m`; the number of levels if there is none.
 uint sun_level(vec3 point, float margin_m)
 {
     float away = frame.is_orthographic != 0u ? 1.0 : dot(point - frame.eye_anchor, frame.view_forward);
@@ -63,7 +63,7 @@ uint sun_level(vec3 point, float margin_m)
     return uint(level);
 }
 
-// Share of the shadow that remains at a point near the edge of the last level.
+// Share of the sun's shadow that remains at a point near the edge of the last clipmap level.
 float sun_fade(vec3 point)
 {
     vec3 way = point - frame.eye_anchor;
@@ -72,7 +72,8 @@ float sun_fade(vec3 point)
     return 1.0 - sun_shadow.fade * smoothstep(0.3, 0.42, max(away.x, away.y) / reach);
 }
 
-// `lift` raises the point along the normal, in texels; the lift is proportional to the surface's slant.
+// Position of a surface point in the sun's shadow map. `lift` raises the point along the normal, in texels;
+// the lift is proportional to the surface's slant.
 SunPlace sun_place(vec3 point, vec3 normal, vec3 towards_sun, float lift, float margin_m)
 {
     SunPlace place;
@@ -108,8 +109,8 @@ SunPlace sun_place(vec3 point, vec3 normal, vec3 towards_sun, float lift, float 
     return place;
 }
 
-// Share of light around `texel` for a receiver at `depth`: four comparisons, blended bilinearly (Reeves et
-// al. 1987). Texels without a caster hold zero.
+// Share of sunlight around `texel` for a surface point at `depth`: four depth comparisons, blended bilinearly
+// (Reeves et al. 1987). Texels without a caster hold zero.
 float sun_compare(SunPlace place, vec2 texel, float depth, vec2 gradient)
 {
     ivec2 corner = ivec2(floor(texel));
@@ -122,7 +123,7 @@ float sun_compare(SunPlace place, vec2 texel, float depth, vec2 gradient)
     return mix(mix(lit.x, lit.y, f.x), mix(lit.z, lit.w, f.x), f.y);
 }
 
-// Share of a point-like sun that arrives.
+// Share of a point-like sun that arrives at a surface point.
 float sun_visibility(vec3 point, vec3 normal, vec3 towards_sun)
 {
     SunPlace place = sun_place(point, normal, towards_sun, 1.8, 0.0);
@@ -130,21 +131,23 @@ float sun_visibility(vec3 point, vec3 normal, vec3 towards_sun)
     return has_sun_levels ? mix(1.0, share, sun_fade(point)) : share;
 }
 
-// Outside a map of all casters there is no shadow. Outside other maps the shadow is unknown.
+// Whether a place in the map gives a valid answer. Outside a map of all casters there is no shadow; outside
+// other maps the shadow is unknown.
 bool place_counts(SunPlace place)
 {
     return (!has_sun_levels && !has_sun_warp) || place.inside;
 }
 
-// Largest lateral distance of a caster that can block part of the sun.
+// Largest lateral distance at which a caster can block part of the sun's disc.
 float sun_reach_m(vec3 point)
 {
     float depth = (sun_shadow.clip_from_anchor * vec4(point, 1.0)).z;
     return max(1.0 - depth, 0.0) * sun_shadow.depth_m * sun_shadow.sun_slope;
 }
 
-// Half width in metres, perpendicular to the sun, of the penumbra at `point`. Computed from the mean distance
-// of blockers of some part of the sun (Fernando, "Percentage-Closer Soft Shadows", 2005). 0 without blockers.
+// Half width in metres, perpendicular to the sun, of the penumbra at `point`. It is computed from the mean
+// distance of blockers of some part of the sun (Fernando, "Percentage-Closer Soft Shadows", 2005). 0 without
+// blockers.
 float sun_penumbra_m(vec3 point, vec3 normal, vec3 towards_sun)
 {
     const uint count = 48u;
@@ -166,7 +169,8 @@ float sun_penumbra_m(vec3 point, vec3 normal, vec3 towards_sun)
     return place_counts(place) && found > 0.0 ? sum / found * sun_shadow.sun_slope : 0.0;
 }
 
-// Share of the sun that arrives at a point, averaged over a disc of `radius_m` perpendicular to the sun.
+// Share of the sun that arrives at a surface point, averaged over a disc of `radius_m` perpendicular to the
+// sun.
 float sun_soft_visibility(vec3 point, vec3 normal, vec3 towards_sun, float radius_m)
 {
     const uint count = 48u;
