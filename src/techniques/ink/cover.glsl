@@ -2,17 +2,17 @@
 #ifndef ESTAMPE_INK_COVER
 #define ESTAMPE_INK_COVER
 
-// The appearance of ink on the page. Requires before inclusion: `globals`.
+// The appearance of flowing ink on the page. Requires before inclusion: `globals`.
 
-const float dry_cover = 0.5; // factor on the coverage of wet ink
+const float dry_cover = 0.5; // coverage of dry ink as a share of the coverage of wet ink
 
-// Darkens the edges of ink: drying water carries pigment to the edge of a wash.
+// Darkens the edges of an ink area, because drying water carries pigment to the edge of a wash.
 float edged(float body)
 {
     return body * mix(1.0, 4.0 * body * (1.0 - body), globals.edge);
 }
 
-// x: coverage of the page before the budget limits it; y: density.
+// x: coverage of the page by ink, before the budget limits it; y: density of the ink.
 vec2 ink_cover(vec2 wet_and_dry)
 {
     vec2 body = smoothstep(vec2(globals.thin), vec2(globals.full), wet_and_dry);
@@ -21,7 +21,7 @@ vec2 ink_cover(vec2 wet_and_dry)
     return vec2(1.0 - (1.0 - wet) * (1.0 - dry), max(body.x, dry_cover * body.y));
 }
 
-// Number of pixels of the page that are measured: one of four.
+// Size of the grid of pixels where ink coverage is measured, one of four pixels.
 uvec2 measured_size()
 {
     return (globals.measured_px + 1u) / 2u;

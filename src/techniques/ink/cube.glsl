@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_INK_CUBE
 #define ESTAMPE_INK_CUBE
 
-// A cube map around the eye. Faces in order: +x, -x, +y, -y, +z, -z. `at` runs from -1 to 1 over a face, and
-// beyond that range in the face's gutters.
+// A cube map of ink around the eye. The order of faces is +x, -x, +y, -y, +z, -z. `at` runs from -1 to 1 over
+// a face, and beyond that range in the face's gutters (extra cells beyond its edges).
 
 struct FacePlace {
     uint face;

@@ -2,18 +2,18 @@
 #ifndef ESTAMPE_INK_FRONT
 #define ESTAMPE_INK_FRONT
 
-// Finds the foreground object next to a pixel, because half of an outline's width is outside the object's
-// edge. Requires before inclusion: `globals`, `depth_image`.
+// Finds the foreground object next to a pixel, because half of an outline's width is drawn outside the
+// object's edge. Requires before inclusion: `globals`, `depth_image`.
 
-const float is_nearer = 1.02; // a pixel nearer by this factor belongs to another object
+const float is_nearer = 1.02; // a pixel that is nearer by this factor belongs to another object
 
 ivec2 pixel_at(vec2 page_px)
 {
     return clamp(ivec2(floor(page_px)), ivec2(0), ivec2(globals.page_px) - 1);
 }
 
-// The nearest of the eight places at distance `away_px` around a pixel, or the pixel itself if none of them
-// is nearer.
+// The nearest to the eye of eight places at distance `away_px` around a pixel, or the pixel itself if none of
+// them is nearer.
 vec2 front_place(vec2 page_px, float away_px)
 {
     vec2 front_px = page_px;
@@ -32,7 +32,7 @@ vec2 front_place(vec2 page_px, float away_px)
     return front_px;
 }
 
-// About half the width of a line.
+// About half the width of a contour line, in pixels.
 float line_reach_px()
 {
     return max(0.5 * globals.px_per_mm, 1.5);

@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_INK_GRID
 #define ESTAMPE_INK_GRID
 
-// The grid of ink cells: where cells lie on the page, and how ink is interpolated. A cell stores wet ink in
-// its lower 16 bits and dry ink in its upper 16 bits. Requires before inclusion: `globals`, `state_texels`,
-// `is_around`.
+// The grid of flowing ink: where its cells lie on the page, and how ink is interpolated. A cell stores wet
+// ink in its lower 16 bits and dry ink in its upper 16 bits. Requires before inclusion: `globals`,
+// `state_texels`, `is_around`.
 
 #include "techniques/ink/cube.glsl"
 
@@ -30,7 +30,7 @@ vec2 unpacked_ink(uint cell)
     return vec2(wet_ink(cell), dry_ink(cell));
 }
 
-// The faces of the cube lie below each other in the grid.
+// Rows of the grid per face of the cube around the eye; the faces are stored one below the other.
 uint rows_of_face()
 {
     return globals.face_side + 2u * ink_gutter;
@@ -44,7 +44,7 @@ vec3 direction_of_cell(ivec2 cell)
     return normalize(face_direction(face, 2.0 * within / float(globals.face_side) - 1.0));
 }
 
-// Returns cells from the upper left corner of the grid.
+// The cell of the ink grid in a direction from the eye, counted from the grid's upper left corner.
 vec2 grid_place_of_direction(vec3 direction)
 {
     FacePlace place = face_place(direction);
@@ -62,14 +62,14 @@ vec2 page_place_of_grid(vec2 grid)
     return (grid - globals.margin_cells) / globals.cells_per_px;
 }
 
-// Weights of six cells in a row for a place that lies `f` beyond the third: Lagrange interpolation. With only
-// four cells, a thin thread of ink is blurred away within a hundred steps.
+// Weights of six ink cells in a row for a place `f` cells beyond the third cell, by Lagrange interpolation.
+// With only four cells, a thin thread of ink is blurred away within a hundred steps.
 struct Weights {
     vec3 first;
     vec3 last;
 };
 
-// Cells outside the grid get weight 0: they hold no ink.
+// Interpolation weights; cells outside the grid get weight 0, because they hold no ink.
 Weights weights_of(float f, int third, int count)
 {
     vec3 first = vec3(-(f + 1.0) * f / 120.0, (f + 2.0) * f / 24.0, -(f + 2.0) * (f + 1.0) / 12.0) *
@@ -77,7 +77,8 @@ Weights weights_of(float f, int third, int count)
     vec3 last =
         vec3((f - 2.0) * (f - 3.0) / 12.0, -(f - 1.0) * (f - 3.0) / 24.0, (f - 1.0) * (f - 2.0) / 120.0) *
         ((f + 2.0) * (f + 1.0) * f);
-    // Unsigned wrap-around makes cells before the first fail the test below.
+    // Indices of cells before the first wrap around to large unsigned numbers, so the comparison below
+    // excludes them.
     uvec3 cells = uvec3(third + ivec3(-2, -1, 0));
     uvec3 more = uvec3(third + ivec3(1, 2, 3));
     return Weights(first * vec3(lessThan(cells, uvec3(uint(count)))),
@@ -90,7 +91,7 @@ uint cell_at(ivec2 cell)
     return texelFetch(state_texels, nearest.y * int(globals.grid_size.x) + nearest.x).x;
 }
 
-// Wet and dry ink, interpolated bilinearly.
+// Wet and dry ink at a place of the grid, interpolated bilinearly.
 vec2 ink_between(vec2 grid)
 {
     vec2 at = grid - 0.5;

@@ -24,7 +24,7 @@ constexpr float most_cells = 4e6F;
 constexpr uint32_t unmeasured = 2;
 constexpr uint32_t steps_between_measures = 4;
 
-/// Share that is left after `seconds`. After `life_s`, 1/e is left, about a third.
+/// Share of the ink that is left after `seconds`. After `life_s`, 1/e is left, about a third.
 float left_after(double seconds, float life_s)
 {
     return static_cast<float>(std::exp(-seconds / static_cast<double>(life_s)));
@@ -37,7 +37,7 @@ uint32_t source_of(Source source)
                                       : shared::ink_from_strokes;
 }
 
-/// Sets the waves and the wind.
+/// Sets the waves and the wind that move the ink.
 void set_flow(shared::InkGlobals& globals, const InkStyle& style, const Page& page, const View& view,
               const Waves& waves)
 {
@@ -115,7 +115,7 @@ shared::InkStep step_of(const InkStyle& style, const Waves& waves, const std::ve
 uint32_t first_variant_of(const InkStyle& style, const Grid& grid, const Time& time, const View& view)
 {
     if (grid.face_side > 0) {
-        return 0; // cells around the eye have fixed directions in the world
+        return 0; // ink cells around the eye have fixed directions in the world, so no motion moves them
     }
     const bool is_on_surface = style.follow == Follow::surface;
     const bool has_motion = view.has_motion && (is_on_surface || style.drag > 0.0F);
@@ -126,7 +126,8 @@ uint32_t first_variant_of(const InkStyle& style, const Grid& grid, const Time& t
            (is_on_surface ? shared::ink_keeps_depth : 0U);
 }
 
-/// The step shader reads rows four cells at a time; the extra cells lie beyond the page's right edge.
+/// Rounds a number of cells up to a multiple of four, because the step shader reads rows four cells at a
+/// time. The extra cells lie beyond the page's right edge.
 uint32_t whole_fours(uint32_t cells)
 {
     return (cells + 3) / 4 * 4;
@@ -188,7 +189,7 @@ Plan plan_of(const InkStyle& style, const Page& page, const Time& time, const Vi
                    (!flat_zones.empty() ? shared::ink_has_zones : 0U) |
                    (style.follow == Follow::surface ? shared::ink_spots_on_things : 0U);
     plan.first_variant = first_variant_of(style, plan.grid, time, view);
-    // If only the camera or the scene moved, one step of zero duration moves the ink.
+    // If only the camera or the scene moved, one step of zero duration moves the ink with them.
     const bool is_moved = (plan.first_variant & shared::ink_is_moved) != 0;
     const uint32_t count = std::max(time.steps, is_moved ? 1U : 0U);
     const double seconds = count > 0 ? (time.to_s - time.from_s) / count : 0.0;
@@ -240,7 +241,7 @@ void add_stream(Plan& plan, std::vector<float> stream)
 
 namespace {
 
-constexpr uint64_t sums_bytes = 16; // the smallest size of a buffer
+constexpr uint64_t sums_bytes = 16; // smallest size of the buffer of sums
 
 template <class T>
 gpu::Buffer mapped_buffer(gpu::Device& device, const char* name, std::span<const T> items)
@@ -256,7 +257,7 @@ gpu::Buffer mapped_buffer(gpu::Device& device, const char* name, std::span<const
 std::array<uint64_t, 3> Memory::kept_bytes(const Grid& grid)
 {
     const uint64_t count = grid.cell_count();
-    // Cells around the eye need no depths.
+    // Ink in a cube around the eye stores no depths.
     return {sizeof(uint32_t) * count, sizeof(float) * (grid.face_side > 0 ? 4 : count), sums_bytes};
 }
 
@@ -335,7 +336,7 @@ void Memory::recall(gpu::Device& device, const Kept& kept, std::array<gpu::Buffe
     time_s_ = kept.time_s;
 }
 
-/// The passes of one picture, and their results.
+/// The ink passes of one picture, and their results.
 class Passes {
 public:
     Passes(gpu::Graph& graph, Memory& memory, const Plan& plan)
@@ -394,7 +395,7 @@ private:
         return source;
     }
 
-    /// Around the eye the step shader computes the flow cell by cell instead.
+    /// For ink in a cube around the eye, the step shader computes the flow cell by cell instead.
     gpu::BufferId add_stream(const shared::InkStep& step)
     {
         const gpu::BufferId map = gpu::import_whole(graph_, "ink/flow map", memory_.map_);

@@ -10,71 +10,72 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint ink_wave_count = 6U;
 SHARED_CONSTANT uint most_ink_zones = 8U;
-SHARED_CONSTANT uint ink_map_side = 64U;     // nodes of a flow map's stream function, each way
-SHARED_CONSTANT uint ink_node_cells = 4U;    // cells between two nodes of the stream function
-SHARED_CONSTANT uint ink_gutter = 3U;        // cells of a cube face beyond each edge
-SHARED_CONSTANT uint ink_strip = 8U;         // cells of a column per thread, on CPUs
-SHARED_CONSTANT uint ink_block = 8U;         // pixels per thread of the measuring pass
-SHARED_CONSTANT float ink_measured = 255.0F; // count for one fully covered cell
+SHARED_CONSTANT uint ink_map_side = 64U;     // nodes per side of a flow map's stream function
+SHARED_CONSTANT uint ink_node_cells = 4U;    // cells of ink between two nodes of the stream function
+SHARED_CONSTANT uint ink_gutter = 3U;        // extra cells of a cube face beyond each edge
+SHARED_CONSTANT uint ink_strip = 8U;         // cells of a column that one thread processes, on CPUs
+SHARED_CONSTANT uint ink_block = 8U;         // pixels per thread of the pass that measures ink coverage
+SHARED_CONSTANT float ink_measured = 255.0F; // count that stands for one cell fully covered by ink
 
-// Variant bits of the shaders.
-SHARED_CONSTANT uint ink_is_around = 1U << 0U;   // the grid is a cube around the eye
-SHARED_CONSTANT uint ink_has_map = 1U << 1U;     // a flow map drives the ink
-SHARED_CONSTANT uint ink_has_zones = 1U << 2U;   // objects drive the ink
+// Bits of the ink shaders' `variant`.
+SHARED_CONSTANT uint ink_is_around = 1U << 0U;   // the ink grid is a cube around the eye
+SHARED_CONSTANT uint ink_has_map = 1U << 1U;     // a flow map (a picture of velocities) drives the ink
+SHARED_CONSTANT uint ink_has_zones = 1U << 2U;   // zones around objects drive the ink
 SHARED_CONSTANT uint ink_is_moved = 1U << 3U;    // the camera or the scene has moved since the last picture
 SHARED_CONSTANT uint ink_on_surface = 1U << 4U;  // ink lies at the depth of the visible surfaces
-SHARED_CONSTANT uint ink_has_motion = 1U << 5U;  // some objects moved
-SHARED_CONSTANT uint ink_keeps_depth = 1U << 6U; // stores depths for the next picture
+SHARED_CONSTANT uint ink_has_motion = 1U << 5U;  // some objects moved since the last picture
+SHARED_CONSTANT uint ink_keeps_depth = 1U << 6U; // the step stores surface depths for the next picture
 SHARED_CONSTANT uint ink_has_mask = 1U << 7U;    // only some objects give ink
-SHARED_CONSTANT uint ink_spots_on_things = 1U << 8U; // spots stay on the objects instead of the page
-SHARED_CONSTANT uint ink_from_strokes = 1U << 9U;    // dark strokes give ink
-SHARED_CONSTANT uint ink_from_light = 1U << 10U;     // bright places give ink; with neither bit, all objects
-SHARED_CONSTANT uint ink_in_strips = 1U << 11U;      // for CPUs: one thread per strip of cells
+SHARED_CONSTANT uint ink_spots_on_things = 1U << 8U; // spots of ink stay on the objects instead of the page
+SHARED_CONSTANT uint ink_from_strokes = 1U << 9U;    // dark hatching strokes give ink
+// Bright places give ink; with neither this bit nor ink_from_strokes, all objects give ink.
+SHARED_CONSTANT uint ink_from_light = 1U << 10U;
+SHARED_CONSTANT uint ink_in_strips = 1U << 11U; // for CPUs: one thread processes a strip of cells
 
-// One term of the stream function: amplitude * sin(2 pi (dot(wave, place) + phase)).
+// One wave of the ink's stream function: amplitude * sin(2 pi (dot(wave, place) + phase)).
 struct InkWave {
-    vec3 wave;       // turns per millimetre; around the eye, turns per radian
+    vec3 wave;       // direction and turns per millimetre of the wave; around the eye, turns per radian
     float amplitude; // square millimetres per second; around the eye, square radians per second
 };
 
 // A round area where an object drives the ink, and may give ink.
 struct InkZone {
-    vec2 middle_mm; // on the page
+    vec2 middle_mm; // middle of the zone on the page
     float radius_mm;
-    float amount; // factor on the ink that the drawing gives here
+    float amount; // factor on the ink that the drawing gives in the zone
     vec2 velocity_mm_per_s;
-    float turn_rad_s; // rotation about the middle, clockwise on the page
+    float turn_rad_s; // rotation of the flow about the zone's middle, clockwise on the page
     float gives;      // ink that the zone itself emits, 0 to 1
 };
 
-// Constants of all steps of a picture.
+// Constants of all ink steps of a picture.
 struct InkGlobals {
-    mat4 before_from_clip; // from this picture's clip space to the page of the picture before
+    mat4 before_from_clip; // from this picture's clip space to the page of the previous picture
     vec3 wind_axis;        // rotation of the wind around the eye, in radians per second
     uint face_side;        // cells per side of a cube face without gutters
     InkWave waves[ink_wave_count];
     InkZone zones[most_ink_zones];
     uint zone_count;
-    uvec2 grid_size;   // in cells
-    uvec2 page_px;     // the whole page
-    uvec2 measured_px; // size of the page on which the covered area is measured
-    vec2 margin_cells; // cells of the grid beyond the page's left and upper edge
+    uvec2 grid_size;   // number of cells along x and y
+    uvec2 page_px;     // size of the whole page in pixels
+    uvec2 measured_px; // size of the page on which ink coverage is measured
+    vec2 margin_cells; // number of cells beyond the page's left and upper edge
     float cells_per_px;
     float mm_per_cell;
     float px_per_mm;
     vec2 wind_mm_per_s;
-    float plane_depth; // reversed depth of the ink, unless it lies on surfaces
+    float plane_depth; // reversed depth of the plane that ink lies on, unless it lies on surfaces
     float drag;        // share of the objects' own motion that ink follows
     float map_mm_per_s;
     vec2 page_mm;
-    // The part of the page where ink may start: inside the page's margin.
+    // The rectangle of the page where ink may start: inside the page's margin.
     vec2 window_min_px;
     vec2 window_max_px;
     float threshold;
     float spot_mm;
     float spacing_mm;
     uint seed;
-    // The appearance of ink.
+    // The appearance of flowing ink.
     float thin; // ink below this amount is invisible
     float full; // ink above this amount has full opacity
     float opacity;
@@ -82,28 +83,28 @@ struct InkGlobals {
     float budget;
     vec3 color;
     vec3 thin_color;
-    vec2 clip_min_px; // no ink beyond this rectangle
+    vec2 clip_min_px; // upper left corner of the rectangle outside which no ink is drawn
     vec2 clip_max_px;
 };
 
-// Constants of one step.
+// Constants of one ink step.
 struct InkStep {
-    float phases[ink_wave_count];       // in turns
-    float zone_streams[most_ink_zones]; // the stream function in the middle of each zone
+    float phases[ink_wave_count];       // phases of the waves, in turns
+    float zone_streams[most_ink_zones]; // value of the stream function in the middle of each zone
     float seconds;
     float left;       // share of the wet ink that stays wet
     float stain_left; // share of the dry ink that stays
     float soak;       // share of the wet ink that dries into the paper
-    float given;      // share of the missing ink that a spot adds
-    float keeps;      // 1: ink existed before this step; 0: none did
-    uint sum_before;  // index of the sum that belongs to the ink before this step
-    uint sum_now;     // index of the sum for the ink after this step; 2: not measured
+    float given;      // share of the missing ink that a spot adds in this step
+    float keeps;      // 1: ink existed before this step; 0: there was no ink
+    uint sum_before;  // index of the coverage sum of the ink before this step
+    uint sum_now;     // index of the coverage sum of the ink after this step; 2: not measured
 };
 
-// The time, in lives of a spot.
+// The current time, in lifetimes of an ink spot.
 struct InkSpots {
-    float share; // elapsed share of the current life, for a spot without delay
-    uint round;  // number of complete lives before the current life
+    float share; // elapsed share of the current lifetime, for a spot without delay
+    uint round;  // number of complete lifetimes before the current one
 };
 
 struct InkSums {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Ink that flows out of the drawing over the page. A prescribed flow advects the ink, without an equation of
-// motion to solve, and the ink is stored from picture to picture.
+// Ink that flows out of the drawing over the page. A prescribed flow moves the ink, so no equation of motion
+// is solved. The ink is kept from picture to picture.
 
 #include <array>
 #include <optional>
@@ -20,22 +20,23 @@ namespace estampe::ink {
 struct Page {
     glm::uvec2 size_px{0};
     float pixels_per_mm = 1.0F;
-    glm::vec2 window_min_mm{0.0F}; ///< the rectangle inside the page's margin
+    glm::vec2 window_min_mm{0.0F}; ///< upper left corner of the rectangle inside the page's margin
     glm::vec2 window_max_mm{0.0F};
-    /// Angle of one millimetre in the middle of the page; 0 in parallel projection, which has no cube around
-    /// the eye.
+    /// Angle of one millimetre in the middle of the page; 0 in parallel projection, where ink in a cube
+    /// around the eye is not possible.
     float rad_per_mm = 0.0F;
 
     [[nodiscard]] glm::vec2 size_mm() const { return glm::vec2(size_px) / pixels_per_mm; }
 };
 
-/// Cells of ink: over the page and a margin, or on the six faces of a cube, one below the other.
+/// The grid of ink cells: over the page and a margin, or on the six faces of a cube around the eye, one below
+/// the other.
 struct Grid {
     glm::uvec2 size{0};
     glm::vec2 margin_cells{0.0F};
     float cells_per_px = 1.0F;
-    float mm_per_cell = 1.0F; ///< on a cube, in the middle of a face
-    uint32_t face_side = 0;   ///< cells per side of a face without its gutters; 0: no cube
+    float mm_per_cell = 1.0F; ///< size of a cell; on a cube, in the middle of a face
+    uint32_t face_side = 0;   ///< cells per side of a cube face without its gutters; 0: the grid is no cube
 
     [[nodiscard]] uint64_t cell_count() const { return uint64_t{size.x} * size.y; }
 
@@ -44,40 +45,43 @@ struct Grid {
 
 [[nodiscard]] Grid grid_of(const InkStyle& style, const Page& page);
 
-/// The time that the ink flows for in one picture.
+/// The time for which ink flows in one picture.
 struct Time {
-    double from_s = 0.0; ///< time of the ink that is kept
+    double from_s = 0.0; ///< time of the kept ink
     double to_s = 0.0;
     uint32_t steps = 0;   ///< number of equal steps from `from_s` to `to_s`
-    bool is_fresh = true; ///< no ink is kept yet
+    bool is_fresh = true; ///< no ink is kept yet, so ink starts new
 };
 
-/// Steps of at most the length that the style asks for. Ink starts again, `age_s` ago, if there is no
-/// `before_s`, or if the time since then is negative or more than a second; the steps are then longer if
-/// there would be more than about a hundred.
+/// Divides the time since the last picture into steps of at most the length that the style asks for. Ink
+/// starts new, `age_s` ago, if there is no `before_s`, or if the time since then is negative or more than a
+/// second. The steps are longer if there would be more than about a hundred.
 [[nodiscard]] Time time_of(const InkStyle& style, double time_s, std::optional<double> before_s);
 
 /// The camera, and its motion since the last picture.
 struct View {
-    glm::mat4 before_from_clip{1.0F}; ///< from this picture's clip space to the last picture's, unjittered
-    bool is_moved = false;            ///< `before_from_clip` is not the identity
-    bool has_motion = false;          ///< some objects moved
-    float plane_depth = 0.0F;         ///< reversed depth of a plane in front of the eye, for Follow::advance
+    /// From this picture's clip space to the last picture's, without jitter.
+    glm::mat4 before_from_clip{1.0F};
+    bool is_moved = false;    ///< `before_from_clip` is not the identity
+    bool has_motion = false;  ///< some objects moved since the last picture
+    float plane_depth = 0.0F; ///< reversed depth of a plane in front of the eye, for Follow::advance
     glm::vec3 forward{0.0F, 0.0F, -1.0F};
     glm::vec3 up{0.0F, 1.0F, 0.0F};
 };
 
-/// Everything that one picture does with the ink.
+/// All decisions about the ink of one picture: grid, steps and constants.
 struct Plan {
     Grid grid;
     Time time;
     shared::InkGlobals globals;
     std::vector<shared::InkStep> steps;
-    shared::InkSpots spots; ///< at the picture's time, the same for all steps
-    uint32_t variant = 0;   ///< of all passes; the first step also has the bits of `first_variant`
+    shared::InkSpots spots; ///< spots at the picture's time, equal for all steps
+    /// Bits for the shaders of all passes; the first step also has the bits of `first_variant`.
+    uint32_t variant = 0;
     uint32_t first_variant = 0;
-    std::vector<uint32_t> mask; ///< one per draw call: whether it gives ink; empty: all do
-    /// A further stream function, at the nodes of a flow map, in square millimetres per second. Empty: none.
+    std::vector<uint32_t> mask; ///< per draw call: whether it gives ink; empty: all draw calls do
+    /// A further stream function, at the nodes of a flow map, in square millimetres per second. Empty: there
+    /// is none.
     std::vector<float> stream;
 };
 
@@ -85,31 +89,32 @@ struct Plan {
                            const std::vector<shared::InkZone>& zones);
 
 /// Adds a stream function to the flow of a plan: `shared::ink_map_side` nodes each way over the page, in
-/// square millimetres per second. Has no effect around the eye.
+/// square millimetres per second. Has no effect on ink in a cube around the eye.
 void add_stream(Plan& plan, std::vector<float> stream);
 
-/// A plan that shows the ink of `plan` on the same page at another resolution, without further steps.
+/// Makes a plan that shows the ink of `plan` on the page at another resolution, without further steps.
 [[nodiscard]] Plan shown_on(const Plan& plan, const Page& page);
 
 /// The ink that is kept from picture to picture.
 class Memory {
 public:
-    /// Allocates what the plan needs. Forgets the ink of another grid, so a plan for a new grid must start
-    /// fresh. Throws Error when memory runs out, or when `flow_map` of the style cannot be read.
+    /// Allocates the buffers that the plan needs. Discards kept ink of another grid, so a plan for a new grid
+    /// must start with no ink. Throws Error when memory runs out, or when `flow_map` of the style cannot be
+    /// read.
     void ensure(gpu::Device& device, const InkStyle& style, const Plan& plan);
 
-    /// Prepares to show the kept ink on the page of `plan`, whose grid must be the same.
+    /// Prepares to show the kept ink on the page of `plan`, whose grid must be unchanged.
     void show(gpu::Device& device, const Plan& plan);
 
-    /// Whether ink of this grid is kept, so that a plan can continue from it.
+    /// Whether ink of this grid is kept, so that a plan can continue from this ink.
     [[nodiscard]] bool holds(const Grid& grid) const { return time_s_ && grid == grid_; }
 
-    /// The time of the kept ink; none if no ink is kept.
+    /// The time of the kept ink; empty if no ink is kept.
     [[nodiscard]] std::optional<double> time_s() const { return time_s_; }
 
     void forget() { time_s_.reset(); }
 
-    /// Call this when the steps of `plan` have been drawn.
+    /// Call end_picture() when the steps of `plan` have been drawn.
     void end_picture(const Plan& plan);
 
     /// Describes the ink that the next picture continues from.
@@ -120,10 +125,10 @@ public:
     };
 
     [[nodiscard]] std::optional<Kept> kept() const;
-    /// Buffers of cells, depths and sums that are kept.
+    /// Buffers that are kept between pictures: cells, depths and sums.
     [[nodiscard]] std::array<gpu::Buffer*, 3> kept_buffers();
     void recall(gpu::Device& device, const Kept& kept, std::array<gpu::Buffer, 3> buffers);
-    /// Bytes of each of the kept buffers.
+    /// Size in bytes of each kept buffer.
     [[nodiscard]] static std::array<uint64_t, 3> kept_bytes(const Grid& grid);
 
 private:
@@ -133,13 +138,14 @@ private:
 
     Grid grid_;
     std::optional<double> time_s_;
-    std::array<gpu::Buffer, 2> cells_; ///< 16 bits of wet ink and 16 bits of dry ink per cell
+    /// Double buffer of cells: 16 bits of wet ink and 16 bits of dry ink per cell.
+    std::array<gpu::Buffer, 2> cells_;
     std::array<gpu::Buffer, 2> depths_;
     gpu::Buffer sums_;
     gpu::Buffer globals_;
     gpu::Buffer mask_;
     gpu::Buffer map_;
-    std::vector<float> map_stream_; ///< the stream function of the flow map's picture
+    std::vector<float> map_stream_; ///< stream function that fits the picture of the flow map
     bool holds_picture_ = false;    ///< `map_` holds `map_stream_` and nothing else
     std::string map_file_;
     glm::vec2 map_page_mm_{0.0F};
@@ -148,20 +154,20 @@ private:
     uint32_t sum_now_ = 0;
 };
 
-/// The images that give ink.
+/// The images that give ink, or on which ink lies.
 struct Inputs {
-    gpu::BufferId frame;                ///< FrameGlobals
-    gpu::ImageId hatch;                 ///< r16f: ink of strokes
-    gpu::ImageId lines;                 ///< rgba8, coverage in alpha
-    gpu::ImageId light;                 ///< rgba16f, brightness in alpha
-    gpu::ImageId draw;                  ///< r32ui, draw call and flags
-    gpu::ImageId depth;                 ///< r32f, reversed
-    gpu::ImageId coordinate;            ///< rgba32f, surface coordinate of strokes
-    gpu::ImageId footprint;             ///< rgba32ui, see shaders/surface_images.glsl
-    std::optional<gpu::ImageId> motion; ///< required if the plan's view has motion
+    gpu::BufferId frame;                ///< buffer with a FrameGlobals record
+    gpu::ImageId hatch;                 ///< r16f: ink of the hatching strokes
+    gpu::ImageId lines;                 ///< rgba8: contour lines, coverage in alpha
+    gpu::ImageId light;                 ///< rgba16f: light on surfaces, brightness in alpha
+    gpu::ImageId draw;                  ///< r32ui: draw call and flags per pixel
+    gpu::ImageId depth;                 ///< r32f: reversed depth
+    gpu::ImageId coordinate;            ///< rgba32f: surface coordinate of hatching strokes
+    gpu::ImageId footprint;             ///< rgba32ui: pixel footprint, see shaders/surface_images.glsl
+    std::optional<gpu::ImageId> motion; ///< motion of surfaces; required if the plan's view has motion
 };
 
-/// The ink that a picture shows.
+/// The flowing ink that a picture shows.
 struct Flowing {
     gpu::BufferId globals;
     gpu::BufferId cells;
@@ -170,7 +176,7 @@ struct Flowing {
     uint32_t variant = 0;
 };
 
-/// Adds the steps of the plan.
+/// Adds the ink steps of the plan.
 ///
 /// Cost    one dispatch over the grid for the sources; one per step, with 16 texel reads and twelve sines per
 ///         cell, 32 texel reads if something moved; one over a quarter of the page per step, or every four
@@ -178,10 +184,10 @@ struct Flowing {
 /// Source  Zanuttini, "Recherches en rendu non realiste temps reel", Universite Paris 8, 2008, section 6.5
 [[nodiscard]] Flowing add_steps(gpu::Graph& graph, Memory& memory, const Plan& plan, const Inputs& in);
 
-/// Shows the kept ink without a step, for a further sample of the same picture.
+/// Shows the kept ink without a step, for a further sample of one picture.
 [[nodiscard]] Flowing add_standing(gpu::Graph& graph, Memory& memory, const Plan& plan);
 
-/// Draws the ink as an rgba8 layer: square roots of the linear colour, coverage in alpha. Cost: one
+/// Draws the flowing ink as an rgba8 layer: square roots of the linear colour, coverage in alpha. Cost: one
 /// full-screen dispatch with four texel reads per pixel.
 [[nodiscard]] gpu::ImageId add_layer(gpu::Graph& graph, const Flowing& ink, gpu::BufferId frame,
                                      glm::uvec2 size_px);

@@ -26,15 +26,16 @@ layout(binding = 2) uniform sampler2D hatch_image;
 layout(binding = 3) uniform sampler2D line_image;
 layout(binding = 4) uniform sampler2D light_image;
 layout(binding = 5) uniform usampler2D draw_image;
-layout(binding = 6) uniform usamplerBuffer mask_texels;  // one per draw call, for ink_has_mask
-layout(binding = 7) uniform usamplerBuffer state_texels; // used by grid.glsl
-layout(binding = 8) uniform sampler2D coordinate_image;  // for ink_spots_on_things
-layout(binding = 9) uniform usampler2D footprint_image;  // for ink_spots_on_things
-layout(binding = 10) uniform sampler2D depth_image;      // for ink_spots_on_things
+// One word per draw call: whether it gives ink; for ink_has_mask.
+layout(binding = 6) uniform usamplerBuffer mask_texels;
+layout(binding = 7) uniform usamplerBuffer state_texels; // cells of ink, used by grid.glsl
+layout(binding = 8) uniform sampler2D coordinate_image;  // surface coordinates, for ink_spots_on_things
+layout(binding = 9) uniform usampler2D footprint_image;  // pixel footprints, for ink_spots_on_things
+layout(binding = 10) uniform sampler2D depth_image;      // depths, for ink_spots_on_things
 
 layout(scalar, binding = 11) writeonly buffer Source
 {
-    uint source[]; // one word per cell
+    uint source[]; // ink that the drawing gives, one word per cell
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -60,14 +61,14 @@ const int strip = (variant & ink_in_strips) != 0u ? int(ink_strip) : 1;
 #include "shaders/hash.glsl"
 
 // A spot at a place. x: the share of its ink that the spot gives, 0 to 1; y: the spot's rank, 0 to 1. When
-// the ink nears its budget, spots of high rank give none.
+// the covered area nears its budget, spots of high rank give no ink.
 vec2 no_spot()
 {
     return vec2(0.0, 1.0);
 }
 
-// The spot of a lattice cell. `within` is the place in the cell, 0 to 1. `normal` is the surface's normal: a
-// spot above or below the surface is projected onto it.
+// The ink spot of a lattice cell. `within` is the place in the cell, 0 to 1. `normal` is the surface's
+// normal: a spot above or below the surface is projected onto it.
 vec2 spot_of_cell(uint id, vec3 within, vec3 normal)
 {
     float lives = life.share + unit_float(id);
@@ -81,7 +82,7 @@ vec2 spot_of_cell(uint id, vec3 within, vec3 normal)
     return vec2(gives * min(1.0, 5.0 * min(swell, 1.0 - swell)), unit_float(hash(own ^ 5u)));
 }
 
-// The spot at a place on the page.
+// The ink spot at a place of the page.
 vec2 spot_on_page(vec2 place_mm)
 {
     vec2 at = place_mm / globals.spacing_mm;
@@ -90,12 +91,13 @@ vec2 spot_on_page(vec2 place_mm)
                         vec3(0.0, 0.0, 1.0));
 }
 
-// The spot on an object, at a surface coordinate of strokes with this footprint per pixel: spots stay on the
-// object as it and the camera move. Their size on the page matches the style within a factor of 1.4.
+// The ink spot on an object, at a surface coordinate of hatching strokes with this footprint per pixel. Spots
+// stay on the object when the object or the camera moves. Their size on the page matches the style within a
+// factor of 1.4.
 vec2 spot_on_thing(vec3 coordinate, Footprint footprint, float px_per_mm, uint thing)
 {
     vec3 across = cross(footprint.dx, footprint.dy);
-    float area = length(across); // area of a pixel's footprint
+    float area = length(across); // area of a pixel's footprint in surface coordinates
     if (!(area > 0.0)) {
         return no_spot();
     }
@@ -115,7 +117,7 @@ vec2 page_place_of_cell(ivec2 cell)
     return clip.w > 0.0 ? (0.5 * clip.xy / clip.w + 0.5) * vec2(globals.page_px) : vec2(-1.0);
 }
 
-// Strength of the source at a place: dark strokes, bright light, or any object.
+// Strength of the ink source at a place: dark strokes, bright light, or any object.
 float drawn_at(vec2 page_px)
 {
     uint word = texelFetch(draw_image, pixel_at(page_px), 0).x;
@@ -162,15 +164,15 @@ vec2 spot_seen_at(ivec2 pixel)
                          draw_of(word));
 }
 
-// Position in the lattice, on the page or on the cube. A cell in a face's gutter uses the position on the
-// neighbouring face.
+// Position of a cell in the lattice of spots, on the page or on the cube. A cell in a face's gutter uses the
+// position on the neighbouring face.
 vec2 lattice_place_mm(ivec2 cell)
 {
     vec2 grid = is_around ? grid_place_of_direction(direction_of_cell(cell)) : vec2(cell) + 0.5;
     return (grid - globals.margin_cells) * globals.mm_per_cell;
 }
 
-// Ink that the drawing gives at a place of the page, before spots.
+// Ink that the drawing gives at a place of the page, before spots modulate it.
 float given_at(vec2 page_px)
 {
     float given = drawn_at(page_px);
@@ -198,8 +200,8 @@ vec2 spot_at(ivec2 cell, vec2 page_px)
                         : spot_on_page(lattice_place_mm(cell));
 }
 
-// Most cells give no ink and need no spot: on CPUs each thread jumps from one giving cell of its strip to the
-// next.
+// Most cells give no ink and need no spot. So on CPUs each thread jumps from one ink-giving cell of its strip
+// to the next.
 void main()
 {
     ivec2 first = ivec2(gl_GlobalInvocationID.xy) * ivec2(1, strip);

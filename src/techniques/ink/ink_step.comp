@@ -17,12 +17,16 @@ layout(scalar, binding = 0) uniform Ink
 };
 
 layout(binding = 1) uniform usamplerBuffer state_texels;
-layout(binding = 2) uniform usamplerBuffer fours_of_state; // state_texels, with four cells per texel
-layout(binding = 3) uniform usamplerBuffer source_texels; // ink given, and the rank of the spot that gives it
-layout(binding = 4) uniform samplerBuffer stream_texels;  // for ink on the page
-layout(binding = 5) uniform sampler2D depth_image;        // for ink_on_surface and ink_keeps_depth
-layout(binding = 6) uniform samplerBuffer depth_before_texels; // for ink_on_surface
-layout(binding = 7) uniform sampler2D motion_image;            // for ink_has_motion
+// Cells of ink like state_texels, with four cells per texel.
+layout(binding = 2) uniform usamplerBuffer fours_of_state;
+// Ink that the drawing gives per cell, and the rank of the spot that gives it.
+layout(binding = 3) uniform usamplerBuffer source_texels;
+layout(binding = 4) uniform samplerBuffer stream_texels; // stream function at nodes, for ink on the page
+// Depths of surfaces, for ink_on_surface and ink_keeps_depth.
+layout(binding = 5) uniform sampler2D depth_image;
+// Depths of surfaces in the last picture, for ink_on_surface.
+layout(binding = 6) uniform samplerBuffer depth_before_texels;
+layout(binding = 7) uniform sampler2D motion_image; // motion of surfaces, for ink_has_motion
 
 layout(scalar, binding = 8) buffer Sums
 {
@@ -36,7 +40,7 @@ layout(scalar, binding = 9) writeonly buffer State
 
 layout(scalar, binding = 10) writeonly buffer Depth
 {
-    float depth_now[]; // for ink_keeps_depth
+    float depth_now[]; // depths that the next picture will use, for ink_keeps_depth
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -56,7 +60,7 @@ const bool keeps_depth = (variant & ink_keeps_depth) != 0u;
 #include "techniques/ink/grid.glsl"
 #include "techniques/ink/cover.glsl"
 
-// Weights of nine cells, of which six in a row, from index `past` (0 to 3) on, are not zero.
+// Interpolation weights of nine cells in a row. Six of them, from index `past` (0 to 3) on, are not zero.
 struct NineWeights {
     vec4 first;
     vec4 next;
@@ -75,7 +79,8 @@ NineWeights moved(Weights weights, int past)
                        is_two ? next.z : 0.0);
 }
 
-// x: wet, y: dry. Rows are read four cells at a time; cells of weight 0 may belong to another row.
+// Ink at a place of the grid; x: wet, y: dry. Rows are read four cells at a time; cells of weight 0 may
+// belong to another row.
 vec2 ink_at(vec2 grid)
 {
     vec2 at = grid - 0.5;
@@ -106,7 +111,8 @@ vec2 ink_at(vec2 grid)
     return clamp(sum, 0.0, 1.0);
 }
 
-// Around the eye: the place that ink came from, by the velocity half-way back.
+// For ink in a cube around the eye: the direction from which ink flows to `direction` in a step, by the
+// velocity half-way back.
 vec3 direction_before(vec3 direction, int not_negative)
 {
     vec3 drift = vec3(0.0);
@@ -125,7 +131,7 @@ vec3 direction_before(vec3 direction, int not_negative)
 // Where a visible point was in the last picture.
 struct Before {
     vec2 page_px;
-    float depth; // reversed; negative behind the eye
+    float depth; // reversed depth in the last picture; negative behind the eye
 };
 
 Before own_before(vec2 page_px)
@@ -144,8 +150,8 @@ Before own_before(vec2 page_px)
     return Before(before_px, depth_before);
 }
 
-// Ink next to an object moves with the object, less so with distance. Otherwise it would tear where the
-// background moves differently.
+// Position of a place in the last picture. Ink next to an object moves with the object, less so with
+// distance; otherwise the ink would tear where the background moves differently.
 Before before_at(vec2 page_px)
 {
     const float halo_mm = 5.0;
@@ -178,8 +184,9 @@ float was_seen(Before before)
     return before.depth < 0.0 || is_hidden ? 0.0 : 1.0;
 }
 
-// Average ink given along the step's path, which ends at `grid`: a spot then gives a thread and not a row of
-// beads. When the ink nears its budget fewer spots give, each at full strength.
+// Average ink given along the path of the ink in this step, which ends at `grid`: so a spot gives a thread
+// and not a row of beads. When the covered area nears its budget, fewer spots give ink, each at full
+// strength.
 float given_along(vec2 grid, vec2 path)
 {
     const int stops = 4;

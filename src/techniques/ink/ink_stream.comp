@@ -14,8 +14,8 @@ layout(scalar, binding = 0) uniform Ink
     InkGlobals globals;
 };
 
-layout(binding = 1) uniform samplerBuffer map_texels;    // for ink_has_map
-layout(binding = 2) uniform samplerBuffer stream_texels; // used by carried.glsl
+layout(binding = 1) uniform samplerBuffer map_texels;    // stream function of the flow map, for ink_has_map
+layout(binding = 2) uniform samplerBuffer stream_texels; // stream function at nodes, used by carried.glsl
 
 layout(scalar, binding = 3) writeonly buffer Nodes
 {

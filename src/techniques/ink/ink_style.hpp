@@ -8,13 +8,13 @@
 
 namespace estampe::ink {
 
-/// What flowing ink is attached to when the camera moves.
+/// The frame that flowing ink is attached to when the camera moves.
 enum class Follow : uint8_t {
     page,
     turn,    ///< the background at infinity, which turns with the camera
     advance, ///< a plane in front of the eye, which grows as the camera advances
-    around,  ///< a cube around the eye
-    surface  ///< the surface that it was given on
+    around,  ///< the world's directions: ink lies on a cube around the eye
+    surface  ///< the surface on which the ink was given
 };
 
 enum class Source : uint8_t { strokes, light, things };
@@ -22,9 +22,9 @@ enum class Source : uint8_t { strokes, light, things };
 /// How the pressure of simulated water is computed.
 enum class Solver : uint8_t { automatic, multigrid, jacobi, mass };
 
-/// How an object without a mesh acts on flowing ink near the object.
+/// The flow of ink in a zone around an object that has no mesh.
 struct ZoneStyle {
-    float blow_mm_per_s = 0.0F; ///< along the object's -z
+    float blow_mm_per_s = 0.0F; ///< speed of the flow along the object's -z axis
     float turn_deg_per_s = 0.0F;
     float give = 0.0F;
     float amount = 1.0F;
@@ -51,7 +51,7 @@ struct InkStyle {
     std::string flow_map;
     float flow_mm_per_s = 15.0F;
     float drag = 0.5F;
-    ZoneStyle zone; ///< the default of each zone
+    ZoneStyle zone; ///< default settings of every zone
     float life_s = 3.0F;
     float soak = 0.15F;
     float stain_s = 8.0F;

@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_INK_PAGE
 #define ESTAMPE_INK_PAGE
 
-// Requires before inclusion: `frame`, and grid.glsl.
+// Wet and dry ink at places of the page. Requires before inclusion: `frame`, and grid.glsl.
 
 // Wet and dry ink at a place of the page.
 vec2 ink_on_page(vec2 page_px)

@@ -6,9 +6,10 @@
 
 layout(binding = BEHIND_BINDING) uniform usamplerBuffer peeled;
 
-// Variant for pictures of every second pixel. Depths of such pictures are not bit-identical to those of the
-// full picture. Beside an edge such a picture may see the peeled surface again. A tolerance from the
-// surface's slope excludes triangles that face the eye, as the peeled surface does.
+// Depth peeling test for pictures of every second pixel: whether a triangle lies behind the surface that is
+// peeled away. Depths of such pictures are not bit-identical to those of the full picture, so the peeled
+// surface could appear again beside an edge. For triangles that face the eye, the test needs a tolerance from
+// the surface's slope.
 bool lies_clearly_behind(uint index, float depth, float change, uint triangle, bool faces_eye)
 {
     uvec2 word = texelFetch(peeled, int(index)).xy;

@@ -22,7 +22,7 @@ layout(binding = MASK_BINDING + 5) uniform sampler2DArray texture_class_2;
 layout(binding = MASK_BINDING + 6) uniform sampler2DArray texture_class_3;
 layout(binding = MASK_BINDING + 7) uniform sampler2DArray texture_class_4;
 
-// One bit for each size class that holds textures.
+// One bit for each class of texture sizes that holds textures.
 layout(constant_id = 0) const uint variant = 31u;
 #define TEXTURE_CLASSES variant
 

@@ -69,15 +69,15 @@ void bind_masks(gpu::Pass& pass, const RasterInputs& in)
 
 namespace {
 
-/// Shader variant bits that select the pixels a peel draws, see draws_second.
+/// Bits of `variant` that select the pixels to draw in depth peeling at half resolution, see draws_second.
 uint32_t second_bits(const View& view)
 {
     return view.second_from ? shared::draws_second | view.second_from->x << 1U | view.second_from->y << 2U
                             : 0U;
 }
 
-/// Shader variant for drawing a batch. Shaders for depth peeling can test masks; the variant turns that off
-/// if the batch has none.
+/// Bits of `variant` for drawing a batch. Shaders for depth peeling can test alpha masks; a bit turns that
+/// off if the batch has no masks.
 uint32_t mask_variant(const RasterInputs& in, const Batch& batch, const View& view)
 {
     if (batch.masked) {
@@ -106,13 +106,13 @@ Stages stages(bool depth_only, bool masked, bool behind)
                   : Stages{shaders::small_ids_comp, shaders::bin_ids_comp, shaders::tile_ids_comp};
 }
 
-/// New counters for a batch; they must be cleared.
+/// Creates counters for a batch; they must be cleared before use.
 gpu::BufferId new_counters(gpu::Graph& graph, const gpu::Name& name)
 {
     return graph.buffer(name + "/counters", {.size_bytes = (sizeof(shared::RasterCounters) + 15) / 16 * 16});
 }
 
-/// Clears `target` and `counters`, and updates both handles.
+/// Clears the buffers `target` and `counters`, and updates their handles.
 void add_clear_of_both(gpu::Graph& graph, const gpu::Name& name, gpu::BufferId& target,
                        gpu::BufferId& counters)
 {
@@ -200,9 +200,9 @@ gpu::BufferId draw_by_compute(gpu::Graph& graph, const gpu::Name& name, const Ra
 
 namespace {
 
-/// The images that the batches draw into, one after another.
+/// The images into which the hardware path draws all batches, one after another.
 struct Attachments {
-    gpu::ImageId words; ///< not used if only depth is wanted
+    gpu::ImageId words; ///< numbers of triangles; not used if only depth is wanted
     gpu::ImageId depth;
 };
 
@@ -223,7 +223,8 @@ gpu::Pass begin_draw(gpu::Graph& graph, const gpu::Name& name, bool masked, bool
                         masked ? shaders::draw_masked_frag : shaders::draw_ids_frag);
 }
 
-/// Clip space of the picture that is drawn: the centre of its pixel i is that of pixel 2 i + second_from.
+/// Projection of the picture that is drawn. In depth peeling at half resolution, the centre of pixel i is
+/// that of pixel 2 i + second_from of the full picture.
 glm::mat4 drawn_clip(const View& view)
 {
     if (!view.second_from) {
@@ -251,7 +252,7 @@ shared::DrawConstants constants_of(const Batch& batch, const View& view)
             .second = second_bits(view)};
 }
 
-/// The triangles of a batch that may be visible.
+/// The triangles of a batch that remain after culling, because they may be visible.
 struct Culled {
     gpu::BufferId listed;
     gpu::BufferId arguments;
@@ -278,7 +279,7 @@ Culled add_cull(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in
     return {listed, arguments};
 }
 
-/// Begins a pass that draws from a list of triangles.
+/// Begins a hardware draw from a list of triangles.
 gpu::Pass begin_listed_draw(gpu::Graph& graph, const gpu::Name& name, bool depth_only, bool tests_sides,
                             bool behind)
 {
@@ -339,7 +340,7 @@ void add_whole_batch(gpu::Graph& graph, const gpu::Name& name, const RasterInput
     pass.push(constants_of(batch, view)).draw(3 * batch.triangle_count);
 }
 
-/// Copies parts of an image, row by row, into a buffer with rows of `row_texels`.
+/// Copies rectangles of an image, row by row, into a buffer with rows of `row_texels`.
 gpu::BufferId add_copy(gpu::Graph& graph, const gpu::Name& name, gpu::ImageId from, VkImageAspectFlags aspect,
                        std::span<const DepthPart> parts, uint32_t row_texels, gpu::BufferId target)
 {
@@ -360,7 +361,7 @@ gpu::BufferId add_copy(gpu::Graph& graph, const gpu::Name& name, gpu::ImageId fr
     auto copy = graph.custom(name + "/copy");
     copy.touch(from, gpu::Access::transfer_read);
     const gpu::BufferId to = copy.touch_write(target, gpu::Access::transfer_write);
-    if (parts.size() == 1) { // the usual case, which needs no list and does not allocate
+    if (parts.size() == 1) { // the usual case; needs no list of parts and allocates no memory
         copy.execute([from, to, record, region = region_of(parts.front())](gpu::Recorder& recorder) {
             record(recorder, from, to, {&region, 1});
         });
@@ -426,7 +427,7 @@ struct Mesh {
     std::vector<glm::uvec4> triangles;
 };
 
-/// A wavy sheet over the whole page, in clip space.
+/// Adds a wavy sheet over the whole page to the test scene, in clip space.
 void add_sheet(Mesh& mesh, float depth, bool faces_the_eye)
 {
     const auto first = static_cast<uint32_t>(mesh.vertices.size());
@@ -462,7 +463,7 @@ double total_ms(const std::vector<PassTiming>& timings)
 
 RasterPath measure_paths(gpu::Device& device, gpu::Executor& executor)
 {
-    Mesh mesh; // a body's front side, and its back side behind it
+    Mesh mesh; // test scene: the front side of a body, and its back side behind it
     add_sheet(mesh, 0.7F, true);
     add_sheet(mesh, 0.3F, false);
     gpu::Buffer vertices = gpu::upload_buffer(device, "measured vertices", mesh.vertices);
@@ -482,7 +483,7 @@ RasterPath measure_paths(gpu::Device& device, gpu::Executor& executor)
     for (int round = 0; round <= rounds; ++round) {
         const double hardware_now_ms = draw_ms(RasterPath::hardware);
         const double compute_now_ms = draw_ms(RasterPath::compute);
-        if (round > 0) { // the first round warms up
+        if (round > 0) { // the first round is a warm-up and is not measured
             hardware_ms = std::min(hardware_ms, hardware_now_ms);
             compute_ms = std::min(compute_ms, compute_now_ms);
         }

@@ -13,18 +13,19 @@
 
 namespace estampe::raster {
 
-/// Most pairs of large triangle and tile that are listed for one batch.
+/// Most pairs of large triangle and tile in the list of one batch.
 inline constexpr uint64_t most_tiles = 1ULL << 18U;
-/// llvmpipe silently ends a thread's loops after 65535 rounds in all; a tile takes 65 rounds.
+/// Most tiles that one workgroup draws. llvmpipe silently ends a thread's loops after 65535 rounds in all; a
+/// tile takes 65 rounds.
 inline constexpr uint32_t most_tiles_a_group = 1000;
 
-/// Fills `buffer` with zeros; its size must be a multiple of 16 bytes.
+/// Adds a pass that fills `buffer` with zeros. The buffer's size must be a multiple of 16 bytes.
 [[nodiscard]] gpu::BufferId add_clear(gpu::Graph& graph, const gpu::Name& name, gpu::BufferId buffer);
 
 /// Binds the resources of alpha masks, eight bindings, in the order of mask.glsl.
 void bind_masks(gpu::Pass& pass, const RasterInputs& in);
 
-/// Draws the non-empty batches into `target`: 64 bits per pixel, or 32 if `depth_only`.
+/// Draws the non-empty batches into `target` with the compute path: 64 bits per pixel, or 32 if `depth_only`.
 [[nodiscard]] gpu::BufferId draw_by_compute(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
                                             std::span<const Batch> batches, const View& view,
                                             gpu::BufferId target, bool depth_only);
@@ -36,12 +37,12 @@ void bind_masks(gpu::Pass& pass, const RasterInputs& in);
                                                    const View& view, const std::vector<DepthPart>& parts,
                                                    uint32_t row_texels, gpu::BufferId map);
 
-/// The path that can be chosen without measuring: `wanted` unless it is automatic; hardware where compute is
-/// impossible, and on CPU devices, where hardware starts faster and the answer must not change. Empty on
-/// other GPUs. Throws Error if the device does not support `wanted`.
+/// The raster path that can be chosen without measuring: `wanted` unless it is automatic; hardware where
+/// compute is impossible, and on CPU devices, where hardware starts faster and the answer must not change.
+/// Empty on other GPUs. Throws Error if the device does not support `wanted`.
 [[nodiscard]] std::optional<RasterPath> settled_path(const DeviceInfo& device, RasterPath wanted);
 
-/// The path to draw with, never automatic: settled_path(), or else measure_paths().
+/// Chooses the raster path to draw with, never automatic: settled_path(), or else measure_paths().
 [[nodiscard]] RasterPath choose_path(gpu::Device& device, gpu::Executor& executor, RasterPath wanted);
 
 struct PageWork {
@@ -50,16 +51,16 @@ struct PageWork {
     bool has_masks = false; ///< some triangles have alpha masks or are transparent
 };
 
-/// The paths of a picture for the requested path `wanted` and choose_path()'s result `chosen`. Both are
-/// `chosen`, with one exception. On a CPU device with `automatic`, a page with at least one triangle per
-/// eight pixels is drawn by compute: all cores draw small triangles, while the driver sets triangles up on
-/// one core. With masks the path is always hardware, because compiling the many masked shaders would delay
-/// the first picture.
+/// Chooses the raster paths of a picture for the requested path `wanted` and choose_path()'s result `chosen`.
+/// Both paths are `chosen`, with one exception. On a CPU device with `automatic`, a page with at least one
+/// triangle per eight pixels is drawn by compute: all cores draw small triangles, while the driver sets
+/// triangles up on one core. With masks the path is always hardware, because compiling the many masked
+/// shaders would delay the first picture.
 [[nodiscard]] Paths paths_of(const DeviceInfo& device, RasterPath wanted, RasterPath chosen,
                              const PageWork& work);
 
-/// Measures which path draws a small test scene faster. Returns compute unless hardware is faster by a fifth,
-/// so that the answer is stable near a tie.
+/// Measures which raster path draws a small test scene faster. Returns compute unless hardware is faster by a
+/// fifth, so that the answer is stable near a tie.
 ///
 /// Cost    the pipelines of both paths, and four frames each of 0.1 to 1 ms
 [[nodiscard]] RasterPath measure_paths(gpu::Device& device, gpu::Executor& executor);

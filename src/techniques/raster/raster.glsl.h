@@ -10,13 +10,14 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint cluster_triangles = 64U;
 SHARED_CONSTANT uint raster_tile_px = 64U;
-// Bits of shader variants, above those of the texture classes.
+// Bits of the raster shaders' `variant`, above the bits of the texture classes.
 SHARED_CONSTANT uint draw_tests_sides = 1U << 5U;
 SHARED_CONSTANT uint draw_has_no_masks = 1U << 6U; // disables masks in shaders that could test them
-SHARED_CONSTANT uint draw_lists_tiles = 1U << 7U;  // each thread lists the tiles of a triangle with few
-SHARED_CONSTANT uint bounds_by_thread = 1U;        // one thread finds the bounding box of a whole cluster
-SHARED_CONSTANT uint cull_drops_backs = 1U;        // culls back faces from the list of triangles to draw
-// Depth peeling at half resolution draws only every second pixel in x and y; the two bits above this one give
+// Each thread lists the tiles of a triangle that touches few tiles.
+SHARED_CONSTANT uint draw_lists_tiles = 1U << 7U;
+SHARED_CONSTANT uint bounds_by_thread = 1U; // one thread finds the bounding box of a whole cluster
+SHARED_CONSTANT uint cull_drops_backs = 1U; // culls back faces from the list of triangles to draw
+// Depth peeling at half resolution draws only every second pixel in x and y. The two bits above this bit give
 // the first pixel.
 SHARED_CONSTANT uint draws_second = 1U;
 
@@ -29,8 +30,8 @@ struct RasterConstants {
     uint large_capacity;
     uint tile_capacity;
     uint cull_back_faces;
-    uint small_area_px; // one thread draws a triangle whole if its bounding box has at most this many pixels
-    uint second;        // peeling at half resolution, see draws_second
+    uint small_area_px; // one thread draws a whole triangle if its bounding box has at most this many pixels
+    uint second;        // pixels to draw in depth peeling at half resolution, see draws_second
 };
 
 // One of many square depth maps that are drawn together.
@@ -38,14 +39,14 @@ struct RasterView {
     mat4 clip_from_anchor;
     vec3 eye_anchor;
     float reach_m;    // objects farther from the eye are skipped
-    uint first_texel; // position in the buffer of all maps; rows are contiguous
+    uint first_texel; // first texel in the buffer of all maps; the map's rows are contiguous
     uint size_px;
-    uvec2 origin_px; // position in the image of the hardware path
-    uint groups;     // draws the batches that share a bit with this mask
-    uvec2 turn_px;   // compute only: position of the first texel; the map wraps around at its ends
+    uvec2 origin_px; // position of the view's square in the image of the hardware path
+    uint groups;     // bits of object groups; a batch is drawn if it shares a bit
+    uvec2 turn_px;   // compute path only: position of the map's first texel; the map wraps around at its ends
 };
 
-// Bounding box of 64 consecutive triangles of the list, in anchor space.
+// Bounding box, in anchor space, of a cluster of 64 consecutive triangles of the list.
 struct ClusterBounds {
     vec3 low;
     vec3 high;
@@ -60,11 +61,11 @@ struct ViewsConstants {
     uint large_capacity;
     uint tile_capacity;
     uint small_area_px;
-    uint groups;    // groups of the batch
+    uint groups;    // bits of the batch's object groups
     uvec2 image_px; // hardware only: size of the image that holds all views
 };
 
-// A cluster that a view may show; one instance of the hardware path's draw call.
+// A cluster of triangles that a view may show; one instance of the hardware path's draw call.
 struct ClusterInView {
     uint cluster;
     uint view;
@@ -73,14 +74,15 @@ struct ClusterInView {
 // A triangle that is too large for one thread. Clipping can split a triangle into part 0 and part 1.
 struct LargeTriangle {
     uint triangle;
-    uint part_and_view; // part in bit 0, view above; view 0 if there is only one
+    uint part_and_view; // triangle's part (after clipping) in bit 0, view above; view 0 if there is only one
 };
 
 // A tile of the picture that a large triangle touches.
 struct TriangleTile {
     uint triangle;
-    uint part_and_tile; // part in bit 31. Single view: tile row in bits 15-29, column in 0-14. Many views:
-                        // view in bits 16-30, row in 8-15, column in 0-7
+    // triangle's part (after clipping) in bit 31. Single view: tile row in bits 15-29, column in 0-14. Many
+    // views: view in bits 16-30, row in 8-15, column in 0-7.
+    uint part_and_tile;
 };
 
 // Lengths of the lists of LargeTriangle and of TriangleTile.
@@ -104,8 +106,8 @@ struct DrawConstants {
     uvec2 size_px;
     uint first_triangle;
     uint triangle_count;
-    uint peeled_width_px; // width of the picture that is peeled
-    uint second;          // peeling at half resolution, see draws_second
+    uint peeled_width_px; // width of the visibility buffer that is peeled
+    uint second;          // pixels to draw in depth peeling at half resolution, see draws_second
 };
 
 #ifdef __cplusplus

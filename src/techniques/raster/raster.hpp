@@ -20,10 +20,10 @@
 
 namespace estampe::raster {
 
-/// The raster paths to draw with; never automatic.
+/// The raster paths (compute or hardware) to draw with; never automatic.
 struct Paths {
-    RasterPath page = RasterPath::compute; ///< for the view from the eye
-    RasterPath maps = RasterPath::compute; ///< for shadow maps, and for depth peeling at half resolution
+    RasterPath page = RasterPath::compute; ///< path for the picture that the eye sees
+    RasterPath maps = RasterPath::compute; ///< path for shadow maps, and for depth peeling at half resolution
 
     friend bool operator==(const Paths&, const Paths&) = default;
 };
@@ -39,7 +39,7 @@ struct RasterInputs {
     uint32_t texture_classes = 0; ///< one bit for each texture class that is not empty
 };
 
-/// Inputs for batches without masks; placeholders stand in for the masks' data.
+/// Makes inputs for batches without alpha masks; placeholders stand in for the masks' data.
 [[nodiscard]] RasterInputs unmasked_inputs(gpu::Graph& graph, gpu::BufferId triangles,
                                            gpu::BufferId posed_vertices);
 
@@ -48,23 +48,24 @@ struct Batch {
     uint32_t first_triangle = 0;
     uint32_t triangle_count = 0;
     bool masked = false;
-    bool plain = false;    ///< promises no two-sided or mirrored triangles; speeds up hardware
-    uint32_t groups = ~0U; ///< many views: draws into the views that share a bit
+    bool plain = false;    ///< no triangles are two-sided or mirrored; speeds up the hardware path
+    uint32_t groups = ~0U; ///< with many views: bits of object groups; views that share a bit show the batch
 };
 
-/// Distribution of work. Affects speed only, not the picture.
+/// Distribution of raster work on the device. Affects speed only, not the picture.
 struct Tuning {
-    uint32_t small_area_px = 128;   ///< largest bounding box of a triangle that one thread draws whole
-    uint32_t list_groups = 4096;    ///< workgroups that share a list whose length only the device knows
-    bool threads_list_tiles = true; ///< each thread lists the tiles of its triangle; else workgroups do, one
-                                    ///< triangle after another
-    /// Batches with at least this many triangles are culled before hardware draws them.
+    uint32_t small_area_px = 128; ///< bounding box, in pixels, up to which one thread draws a whole triangle
+    /// Workgroups that share a list of unknown length (only the device knows it).
+    uint32_t list_groups = 4096;
+    bool threads_list_tiles = true; ///< each thread lists the tiles of its triangle; if false, whole
+                                    ///< workgroups do, one triangle after another
+    /// The hardware path culls batches with at least this many triangles before it draws them.
     uint32_t culled_from = 8192;
-    /// Batches with at least this many triangles are culled by clusters before compute draws them, if the
-    /// clusters' boxes are known. On a GPU, culling smaller batches costs as much as it saves.
+    /// The compute path culls batches with at least this many triangles by clusters before it draws them, if
+    /// the clusters' boxes are known. On a GPU, culling smaller batches costs as much as it saves.
     uint32_t clusters_from = 2'000'000;
-    /// One thread finds the bounding box of a whole cluster; otherwise a workgroup does, with one thread per
-    /// triangle. Barriers in workgroups are slow on CPU devices.
+    /// If true, one thread finds the bounding box of a whole cluster. Otherwise a workgroup does, with one
+    /// thread per triangle. Barriers in workgroups are slow on CPU devices.
     bool threads_bound_clusters = false;
 };
 
@@ -72,30 +73,30 @@ struct Tuning {
 [[nodiscard]] Tuning tuning_of(const gpu::ExecutionProfile& execution);
 
 struct View {
-    glm::mat4 clip_from_anchor{1.0F}; ///< reversed z, y down
+    glm::mat4 clip_from_anchor{1.0F}; ///< projection of the view; reversed z, y down
     glm::uvec2 size_px{0};
     bool cull_back_faces = true;           ///< culls back faces of triangles that are not two-sided
-    RasterPath path = RasterPath::compute; ///< never automatic
+    RasterPath path = RasterPath::compute; ///< raster path for the view; never automatic
     Tuning tuning;
-    /// Depth peeling: a visibility buffer of the same size. Draws only surfaces behind it; at equal depths,
-    /// triangles with a lower number. Used for identities.
+    /// Depth peeling: the visibility buffer of the surface to peel away, of equal size. Only surfaces behind
+    /// it are drawn; at equal depths, only triangles with a lower number.
     std::optional<gpu::BufferId> behind = std::nullopt;
     /// Draws only every second pixel in x and y, starting with this one, 0 or 1. Requires `behind`, which has
     /// twice the size of the picture.
     std::optional<glm::uvec2> second_from = std::nullopt;
 
     std::optional<gpu::BufferId> cluster_bounds =
-        std::nullopt; ///< boxes of all triangles, see add_cluster_bounds()
+        std::nullopt; ///< boxes of all clusters, from add_cluster_bounds()
 
-    /// Size of the picture that is drawn.
+    /// Size of the picture that is drawn; half the view's size in depth peeling at half resolution.
     [[nodiscard]] glm::uvec2 drawn_px() const
     {
         return second_from ? glm::max((size_px - *second_from + 1U) / 2U, glm::uvec2(1)) : size_px;
     }
 };
 
-/// Draws a visibility buffer of 64-bit words, row by row: reversed depth in the high half, triangle in the
-/// low half; 0 if nothing is visible.
+/// Draws a visibility buffer of 64-bit words, row by row: reversed depth in the high half, triangle number in
+/// the low half; 0 if nothing is visible.
 ///
 /// Cost    compute: a clear of the picture, and three dispatches and a small clear per batch; hardware: a
 ///         draw call per batch and a copy; time grows with triangles and covered pixels
@@ -105,7 +106,7 @@ struct View {
 [[nodiscard]] gpu::BufferId add_visibility(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
                                            std::span<const Batch> batches, const View& view);
 
-/// Depth peeling: visibility buffers of the nearest surface, the surface behind it, and so on. Returns
+/// Depth peeling: draws visibility buffers of the nearest surface, the surface behind it, and so on. Returns
 /// `count` buffers, at least one. Costs as much as `count` pictures.
 ///
 /// Source  Everitt, "Interactive Order-Independent Transparency", 2001
@@ -113,9 +114,9 @@ struct View {
                                                     const RasterInputs& in, std::span<const Batch> batches,
                                                     View view, uint32_t count);
 
-/// Lists the tiles of 8 x 8 pixels in which a visibility buffer of `size_px` sees a surface, see
-/// shaders/tiles.glsl.h. On CPU devices empty pixels cost as much as covered pixels. Cost: a small clear and
-/// a dispatch with one thread per tile.
+/// Lists the tiles of 8 x 8 pixels in which a visibility buffer of `size_px` shows a surface, see
+/// shaders/tiles.glsl.h. Passes that use the list skip empty tiles, which cost as much as covered ones on CPU
+/// devices. Cost: a small clear and a dispatch with one thread per tile.
 [[nodiscard]] gpu::BufferId add_seen_tiles(gpu::Graph& graph, const gpu::Name& name, gpu::BufferId visibility,
                                            glm::uvec2 size_px);
 
@@ -123,7 +124,7 @@ struct View {
 [[nodiscard]] gpu::BufferId add_depth(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
                                       std::span<const Batch> batches, const View& view, gpu::BufferId target);
 
-/// A rectangle of a depth picture, and the texel of a map at which its first row begins.
+/// A rectangle of a depth picture, and the texel of a map at which the rectangle's first row begins.
 struct DepthPart {
     glm::uvec2 from_px{0};
     glm::uvec2 size_px{0};
@@ -137,12 +138,12 @@ struct DepthPart {
                                             const std::vector<DepthPart>& parts, uint32_t row_texels,
                                             gpu::BufferId map);
 
-// Clusters of 64 consecutive triangles with bounding boxes, by which a view skips what it cannot show.
+// Clusters of 64 consecutive triangles with bounding boxes. A view skips the clusters that it cannot show.
 
-/// Size in bytes of the bounding boxes of all clusters of a list of `triangle_count` triangles.
+/// Size in bytes of the bounding boxes of all clusters in a list of `triangle_count` triangles.
 [[nodiscard]] uint64_t cluster_bounds_bytes(uint64_t triangle_count);
 
-/// Computes the boxes again after vertices have moved.
+/// Adds a pass that computes the clusters' bounding boxes. Needed again after vertices have moved.
 ///
 /// Writes  `bounds`: ClusterBounds, of cluster_bounds_bytes()
 /// Cost    one dispatch: a thread per triangle, or per cluster with Tuning::threads_bound_clusters
@@ -150,14 +151,14 @@ struct DepthPart {
                                                uint32_t triangle_count, gpu::BufferId bounds,
                                                const Tuning& tuning = {});
 
-/// Cache of a scene's cluster boxes while the scene is static.
+/// Keeps the bounding boxes of a scene's clusters as long as the scene is static.
 class ClusterBoxes {
 public:
-    /// To be called after vertices have moved or triangles have changed.
+    /// Discards the boxes. To be called after vertices have moved or triangles have changed.
     void forget() { are_found_ = false; }
 
-    /// Computes the boxes if they are not known. Costs nothing if they are, otherwise as
-    /// add_cluster_bounds().
+    /// Computes the clusters' boxes if they are not known, which costs as much as add_cluster_bounds(). Costs
+    /// nothing if they are known.
     [[nodiscard]] gpu::BufferId add(gpu::Graph& graph, gpu::Device& device, const RasterInputs& in,
                                     uint32_t triangle_count, const Tuning& tuning = {});
 
@@ -166,9 +167,9 @@ private:
     bool are_found_ = false;
 };
 
-/// Lists the clusters of a batch that the page may show, one workgroup per cluster, in the format of
-/// shaders/tiles.glsl.h. Empty if `view` does not need the list (see Tuning::clusters_from), for depth
-/// peeling, and for masked batches.
+/// Adds a pass that lists the clusters of a batch that the page may show, one workgroup per cluster, in the
+/// format of shaders/tiles.glsl.h. Empty if `view` does not need the list (see Tuning::clusters_from), for
+/// depth peeling, and for masked batches.
 [[nodiscard]] std::optional<gpu::BufferId> add_seen_clusters(gpu::Graph& graph, const gpu::Name& name,
                                                              const Batch& batch, const View& view,
                                                              const shared::RasterConstants& constants);

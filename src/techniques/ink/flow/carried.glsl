@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_INK_CARRIED
 #define ESTAMPE_INK_CARRIED
 
-// Displacement of ink in the flow of a stream function that is stored at nodes. Requires before inclusion:
-// `globals`, `stream_texels`.
+// Displacement of ink by a stream function that is stored at nodes. Requires before inclusion: `globals`,
+// `stream_texels`.
 
 #include "techniques/ink/flow/spline.glsl"
 
@@ -12,16 +12,16 @@ uint nodes_across(uint cells)
     return cells / ink_node_cells + 4u;
 }
 
-// Displacement, in cells, of the ink that arrives at `grid` after `seconds`: along its path to second order.
-// The texels hold square node distances per second.
+// Displacement, in cells, of the ink that arrives at `grid` after `seconds`, to second order. The texels hold
+// the stream function in square node distances per second.
 vec2 carried_cells(vec2 grid, float seconds)
 {
-    vec2 at = grid / float(ink_node_cells) + 1.0f; // one node lies beyond the edge
+    vec2 at = grid / float(ink_node_cells) + 1.0f; // plus 1, because one node lies beyond the edge
     vec2 node = floor(at + 0.5f);
     vec2 f = at - node;
     int across = int(nodes_across(globals.grid_size.x));
     int first = (int(node.y) - 1) * across + int(node.x) - 1;
-    vec3 slope = vec3(0.0f); // derivatives of psi along x, along y, and mixed
+    vec3 slope = vec3(0.0f); // derivatives of the stream function along x, along y, and mixed
     vec2 bend = vec2(0.0f);
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {

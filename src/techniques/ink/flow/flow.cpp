@@ -12,7 +12,7 @@
 namespace estampe::ink {
 namespace {
 
-/// A random number, 0 to 1, for each combination of the arguments.
+/// A pseudo-random number, 0 to 1, for each combination of seed, wave and number.
 double random(int seed, size_t wave, int number)
 {
     Hash hash;
@@ -22,7 +22,7 @@ double random(int seed, size_t wave, int number)
     return static_cast<double>(hash.value() >> 11U) * 0x1p-53;
 }
 
-/// A plane wave whose amplitude is not scaled yet.
+/// A plane wave of the ink's stream function, before its amplitude is scaled.
 struct PlaneWave {
     double angle_rad = 0.0;
     double turns_per_mm = 1.0;
@@ -31,7 +31,8 @@ struct PlaneWave {
     double turns_per_s = 0.0;
 };
 
-/// Waves come in three sizes, two crossing waves of each: smaller waves flow slower and change sooner.
+/// One of the ink's waves. Waves come in three sizes, with two crossing waves of each size; smaller waves
+/// flow slower and change sooner.
 PlaneWave plane_wave(const InkStyle& style, size_t i)
 {
     constexpr double golden_turn = 0.618034;
@@ -54,7 +55,7 @@ PlaneWave plane_wave(const InkStyle& style, size_t i)
 std::array<PlaneWave, shared::ink_wave_count> plane_waves(const InkStyle& style)
 {
     std::array<PlaneWave, shared::ink_wave_count> waves;
-    double square = 0.0; // mean square of the velocity
+    double square = 0.0; // mean square of the velocity of all waves
     for (size_t i = 0; i < waves.size(); ++i) {
         waves.at(i) = plane_wave(style, i);
         const double speed = 2.0 * std::numbers::pi * waves.at(i).amplitude * waves.at(i).turns_per_mm;
@@ -128,7 +129,7 @@ glm::vec2 wind_mm_per_s(const InkStyle& style)
     return style.wind_mm_per_s * glm::vec2(std::cos(angle), -std::sin(angle));
 }
 
-// Flow maps: pictures of velocities, and the stream functions fitted to them.
+// Flow maps (pictures of velocities), and the stream functions that are fitted to them.
 
 std::vector<glm::vec2> read_flow(const std::string& path)
 {
@@ -149,8 +150,8 @@ std::vector<glm::vec2> read_flow(const std::string& path)
 
 namespace {
 
-/// Least squares by conjugate gradients: fits the differences of psi along the grid's edges to the wanted
-/// velocities.
+/// Fits the differences of the stream function psi along the grid's edges to the wanted velocities: least
+/// squares by conjugate gradients.
 class StreamSolver {
 public:
     StreamSolver(const std::vector<glm::vec2>& velocities, glm::dvec2 step_mm) : step_mm_(step_mm)

@@ -12,21 +12,22 @@ float wind_stream(vec2 place_mm, vec2 wind_mm_per_s)
 
 const float rad_per_turn = 6.2831853f;
 
-// `wave` in turns per millimetre, `phase` in turns.
+// Stream function of one wave. `wave` is in turns per millimetre, `phase` in turns.
 float wave_stream(vec2 wave, float amplitude, float phase, vec2 place_mm)
 {
     return amplitude * sin(rad_per_turn * (dot(wave, place_mm) + phase));
 }
 
-// Weight of a zone's own flow at a squared distance of `square` radii squared from its middle: 1 up to half
-// the radius, 0 beyond the radius.
+// Weight of a zone's own flow at a place. `square` is the squared distance from the zone's middle, in squared
+// radii; the weight is 1 up to half the radius, 0 beyond the radius.
 float zone_share(float square)
 {
     return 1.0f - smoothstep(0.25f, 1.0f, square);
 }
 
-// Inside a zone its own flow replaces the surrounding flow. The blend mixes stream functions, not velocities,
-// so it stays free of divergence. `in_middle` is the outer stream function in the zone's middle.
+// Stream function inside a zone, where the zone's own flow replaces the surrounding flow. The blend mixes
+// stream functions, not velocities, so the flow stays free of divergence. `in_middle` is the outer stream
+// function in the zone's middle.
 float in_zone(float outer, vec2 from_middle_mm, float radius_mm, vec2 velocity_mm_per_s, float turn_rad_s,
               float in_middle)
 {
@@ -35,7 +36,8 @@ float in_zone(float outer, vec2 from_middle_mm, float radius_mm, vec2 velocity_m
     return mix(outer, inner, zone_share(square_mm / (radius_mm * radius_mm)));
 }
 
-// On the unit sphere around the eye the velocity is cross(direction, gradient).
+// Gradient of a wave's stream function in a direction from the eye. On the unit sphere around the eye the
+// velocity is cross(direction, gradient).
 vec3 wave_gradient(vec3 wave, float amplitude, float phase, vec3 direction)
 {
     return wave * (rad_per_turn * amplitude * cos(rad_per_turn * (dot(wave, direction) + phase)));

@@ -12,19 +12,19 @@
 
 namespace estampe::ink {
 
-/// One wave of the stream function, and its motion.
+/// One wave of the ink's stream function, and its motion.
 struct Wave {
     shared::InkWave wave;
-    double phase = 0.0; ///< in turns, at time 0
+    double phase = 0.0; ///< phase in turns at time 0
     double turns_per_s = 0.0;
 };
 
 using Waves = std::array<Wave, shared::ink_wave_count>;
 
-/// Waves on the page; their root mean square velocity is `swirl_mm_per_s`.
+/// Makes the waves of ink on the page. Their root mean square velocity is `swirl_mm_per_s`.
 [[nodiscard]] Waves page_waves(const InkStyle& style);
 
-/// Waves on the unit sphere around the eye, where one radian spans `mm_per_rad` of the page.
+/// Makes the waves of ink on the unit sphere around the eye, where one radian spans `mm_per_rad` of the page.
 [[nodiscard]] Waves sphere_waves(const InkStyle& style, float mm_per_rad);
 
 /// Phase of each wave at `time_s`, in turns, 0 to 1.
@@ -34,16 +34,16 @@ using Waves = std::array<Wave, shared::ink_wave_count>;
 [[nodiscard]] float stream_at(const Waves& waves, const std::array<float, shared::ink_wave_count>& phases,
                               glm::vec2 wind_mm_per_s, glm::vec2 place_mm);
 
-/// The wind of the style, in mm/s to the right and down.
+/// The style's wind that moves ink, in mm/s to the right and down.
 [[nodiscard]] glm::vec2 wind_mm_per_s(const InkStyle& style);
 
-/// Reads the velocities of a flow map, `shared::ink_map_side` each way, row by row: red is the speed to the
-/// right, green the speed down, and half of each channel is no flow. Throws Error naming the file if it is no
-/// picture.
+/// Reads the velocities of a flow map picture, `shared::ink_map_side` each way, row by row: red is the speed
+/// to the right, green the speed down, and half of each channel is no flow. Throws Error naming the file if
+/// it is no picture.
 [[nodiscard]] std::vector<glm::vec2> read_flow(const std::string& path);
 
-/// Fits a stream function, at the nodes of the velocities, whose flow on a page of that size is nearest to
-/// `velocities`. The divergent part of the velocities is lost. Cost: some milliseconds.
+/// Fits a stream function at the nodes of `velocities`, so that its flow on a page of `page_mm` is nearest to
+/// them. The divergent part of the velocities is lost. Cost: some milliseconds.
 [[nodiscard]] std::vector<float> stream_of_flow(const std::vector<glm::vec2>& velocities, glm::vec2 page_mm);
 
 } // namespace estampe::ink

@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_INK_FLOW_MAP
 #define ESTAMPE_INK_FLOW_MAP
 
-// The stream function of a flow map, whose nodes are spread over the page. Requires before inclusion:
-// flow.glsl, `globals`, `map_texels`.
+// The stream function of a flow map (picture of velocities), whose nodes are spread over the page. Requires
+// before inclusion: flow.glsl, `globals`, `map_texels`.
 
 #include "techniques/ink/flow/spline.glsl"
 

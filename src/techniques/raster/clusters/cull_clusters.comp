@@ -22,8 +22,8 @@ layout(push_constant, scalar) uniform Constants
     RasterConstants constants;
 };
 
-shared uint listed; // number of clusters that this group lists
-shared uint first;  // index of the first of them in the list
+shared uint listed; // number of clusters that this workgroup adds to the list
+shared uint first;  // index in the list of the workgroup's first cluster
 
 void main()
 {

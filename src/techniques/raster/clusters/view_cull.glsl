@@ -6,17 +6,18 @@
 
 #include "techniques/raster/raster.glsl.h"
 
-// Whether some corner of the box lies on the side where dot(plane, (p, 1)) >= 0.
+// Whether some corner of the box lies on the inner side of a plane, where dot(plane, (p, 1)) >= 0.
 bool reaches_side(vec3 centre, vec3 half_size, vec4 plane)
 {
     return dot(plane.xyz, centre) + plane.w + dot(abs(plane.xyz), half_size) >= 0.0;
 }
 
-// False only if the box is entirely outside a side plane or the near plane of the view.
+// Whether a view may show a cluster's box. False only if the box is entirely outside a side plane or the near
+// plane of the view.
 bool may_show(ClusterBounds bounds, mat4 clip_from_anchor)
 {
     vec3 centre = 0.5 * (bounds.low + bounds.high);
-    // Slightly more than half, to allow for rounding.
+    // The box is enlarged slightly, to allow for rounding.
     vec3 half_size = 0.50001 * (bounds.high - bounds.low) + 1e-6 * abs(centre);
     mat4 rows = transpose(clip_from_anchor);
     return reaches_side(centre, half_size, rows[3] + rows[0]) &&
@@ -26,7 +27,8 @@ bool may_show(ClusterBounds bounds, mat4 clip_from_anchor)
            reaches_side(centre, half_size, rows[3] - rows[2]);
 }
 
-// As above, for one of many views: also false if the view skips the batch or the box is beyond its reach.
+// Whether one of many views may show a cluster's box. Also false if the view skips the batch, or if the box
+// is beyond the view's reach.
 bool may_show(ClusterBounds bounds, uint groups, RasterView view)
 {
     if ((view.groups & groups) == 0u) {

@@ -4,12 +4,12 @@
 
 #include "techniques/raster/raster.glsl.h"
 
-// Rasterisation in compute: exact integer edge functions on positions snapped to 1/256 pixel with the
+// Rasterisation in compute shaders: exact integer edge functions on positions snapped to 1/256 pixel with the
 // top-left rule, so that triangles with a shared edge never overlap and never leave a gap. The winner of a
-// pixel is the largest 64-bit value (reversed depth in the high half, triangle in the low half), which does
-// not depend on the order of execution.
+// pixel is the largest 64-bit value (reversed depth in the high half, triangle number in the low half), which
+// does not depend on the order of execution.
 
-const int tile_px = int(raster_tile_px); // signed, for arithmetic with positions
+const int tile_px = int(raster_tile_px); // signed integer, for arithmetic with positions
 
 #define MESH_TEXELS_BINDING 0
 #include "shaders/mesh_texels.glsl"
@@ -64,7 +64,7 @@ layout(push_constant, scalar) uniform Constants
 #define PICTURE_PX constants.size_px
 #endif
 
-// Encoding of views and tiles in the lists of LargeTriangle and TriangleTile.
+// Encoding of views and tiles in the records LargeTriangle and TriangleTile.
 #ifdef RASTER_VIEWS
 void select_view(uint index)
 {
@@ -105,12 +105,13 @@ ivec2 place_of_tile(uint part_and_tile)
 #endif
 
 const float subpixels = 256.0;
-const float guard_px = 2097152.0; // 2^21: differences of such positions fit 32 bits, edge functions 64 bits
+// 2^21 pixels: differences of such positions fit 32 bits, edge functions fit 64 bits.
+const float guard_px = 2097152.0;
 
 // A triangle on the page: positions in 1/256 pixel, y down, ordered so that its area is positive.
 struct PageTriangle {
     ivec2 p[3];
-    vec3 depth; // reversed, at the corners
+    vec3 depth; // reversed depth at the three corners
 };
 
 struct ClippedTriangle {
@@ -118,8 +119,8 @@ struct ClippedTriangle {
     int count;
 };
 
-// Clips against the near plane (w - z >= 0). New corners are always computed from the inside outwards, so
-// that both triangles of a shared edge get identical bits.
+// Clips a triangle against the near plane (w - z >= 0). New corners are always computed from the inside
+// outwards, so that both triangles of a shared edge get identical bits.
 ClippedTriangle clip_near(vec4 a, vec4 b, vec4 c)
 {
     vec4 corner[3] = vec4[3](a, b, c);
@@ -174,7 +175,8 @@ ivec2 snap(vec4 clip)
     return ivec2(round(clamp(px, vec2(-guard_px), vec2(guard_px)) * subpixels));
 }
 
-// False if the triangle is degenerate, culled as a back face, or outside the picture.
+// Projects a triangle to the page. False if the triangle is degenerate, culled as a back face, or outside the
+// picture.
 bool to_page(vec4 a, vec4 b, vec4 c, uint flags, out PageTriangle t)
 {
     t.p[0] = snap(a);
@@ -213,7 +215,7 @@ bool page_part(ClippedTriangle clipped, uint part, uint flags, out PageTriangle 
     return to_page(clipped.clip[0], clipped.clip[1 + part], clipped.clip[2 + part], flags, t);
 }
 
-// First and last pixel, inclusive, whose centres may be covered; empty if high < low.
+// First and last pixel, inclusive, whose centres the triangle may cover; empty if high < low.
 void pixel_bounds(PageTriangle t, out ivec2 low, out ivec2 high)
 {
     ivec2 smallest = min(min(t.p[0], t.p[1]), t.p[2]);
@@ -222,7 +224,7 @@ void pixel_bounds(PageTriangle t, out ivec2 low, out ivec2 high)
     high = min((largest - 128) >> 8, ivec2(PICTURE_PX) - 1);
 }
 
-// 0 for edges that own the pixel centres exactly on them (top and left edges), else -1.
+// 0 for an edge that owns the pixel centres exactly on it (a top or left edge), else -1.
 int owns_its_pixels(ivec2 from, ivec2 to)
 {
     ivec2 d = to - from;
@@ -242,7 +244,7 @@ int owns_its_pixels(ivec2 from, ivec2 to)
 #include "techniques/raster/behind.glsl"
 #endif
 
-// Depth peeling may draw only every second pixel in x and y.
+// Depth peeling at half resolution draws only every second pixel in x and y.
 #ifdef RASTER_BEHIND
 #define DRAWN_SECOND constants.second
 #else
@@ -254,7 +256,7 @@ int drawn_step()
     return DRAWN_SECOND == 0u ? 1 : 2;
 }
 
-// The first pixel in x and y that is drawn, from `low` on.
+// The first pixel in x and y that depth peeling at half resolution draws, from `low` on.
 ivec2 first_drawn(ivec2 low)
 {
     ivec2 first = ivec2(DRAWN_SECOND >> 1, DRAWN_SECOND >> 2);
@@ -294,8 +296,8 @@ void write_pixel(ivec2 pixel, float depth, uint triangle)
 #endif
 }
 
-// Depth at edge functions `edges`. All code paths must give identical bits, because the picture's first pixel
-// decides which code path draws a triangle.
+// Depth of a triangle at the edge functions `edges`. All code paths must give identical bits, because the
+// picture's first pixel decides which code path draws a triangle.
 float depth_of(vec3 edges, float inverse_area, vec3 depth)
 {
     precise vec3 weights = edges * inverse_area;
@@ -303,7 +305,7 @@ float depth_of(vec3 edges, float inverse_area, vec3 depth)
     return sum;
 }
 
-// Fills the part of a triangle inside [low, high]; triangles of at most 64 pixels per side, in 32-bit
+// Fills the part of a triangle inside [low, high], for triangles of at most 64 pixels per side, in 32-bit
 // arithmetic.
 void fill_small(PageTriangle t, ivec2 low, ivec2 high, uint triangle)
 {
@@ -333,7 +335,8 @@ void fill_small(PageTriangle t, ivec2 low, ivec2 high, uint triangle)
     }
 }
 
-// One edge of a large triangle: value at a pixel's centre, and increments to the right and down, in 64 bits.
+// One edge of a large triangle: its edge function at a pixel's centre, and the increments to the right and
+// down, in 64 bits.
 struct LargeEdge {
     int64_t value;
     int64_t right;
@@ -353,7 +356,7 @@ LargeEdge large_edge(ivec2 from, ivec2 to, ivec2 pixel)
     return edge;
 }
 
-// Fills pixels of one column of a tile, `apart` rows apart, down to row `last`.
+// Fills a triangle's pixels in one column of a tile, in steps of `apart` rows, down to row `last`.
 void fill_column(PageTriangle t, ivec2 top, int last, int apart, uint triangle)
 {
     LargeEdge e0 = large_edge(t.p[1], t.p[2], top);
@@ -374,7 +377,7 @@ void fill_column(PageTriangle t, ivec2 top, int last, int apart, uint triangle)
     }
 }
 
-// Whether some pixel centre of the tile may be inside all three edges.
+// Whether some pixel centre of a tile may be inside all three edges of a triangle.
 bool touches(PageTriangle t, ivec2 low, ivec2 high)
 {
     for (int i = 0; i < 3; ++i) {
@@ -390,8 +393,8 @@ bool touches(PageTriangle t, ivec2 low, ivec2 high)
     return true;
 }
 
-// Lists a tile if the triangle, whose bounds are `low` to `high`, touches it. If the list is full, the thread
-// draws the tile itself, which is slow but complete.
+// Adds a tile to the list if the triangle, whose bounds are `low` to `high`, touches the tile. If the list is
+// full, the thread draws the tile itself, which is slow but leaves nothing out.
 void list_tile(PageTriangle t, ivec2 low, ivec2 high, ivec2 tile, uint part, uint view_index, uint triangle)
 {
     ivec2 tile_low = max(low, tile * tile_px);
@@ -410,14 +413,14 @@ void list_tile(PageTriangle t, ivec2 low, ivec2 high, ivec2 tile, uint part, uin
     }
 }
 
-// One thread draws one small triangle, lists the tiles of a triangle that touches few tiles, or lists a large
-// triangle.
+// First pass over the triangles: one thread draws one small triangle, lists the tiles of a triangle that
+// touches few tiles, or puts a large triangle into a list.
 
 #ifndef RASTER_MASKED
 layout(constant_id = 0) const uint variant = 0u;
 #endif
 
-const int small_side_px = 63; // edge functions of such triangles fit 32 bits
+const int small_side_px = 63; // triangles up to this side in pixels have edge functions that fit 32 bits
 const int most_tiles_a_thread = 4;
 
 void draw_part(ClippedTriangle clipped, uint part, uint view_index, uint triangle, uint flags)
@@ -452,8 +455,8 @@ void draw_part(ClippedTriangle clipped, uint part, uint view_index, uint triangl
         return;
     }
 #ifdef RASTER_VIEWS
-    // A list for all triangles in all views would be too long. Triangles that do not fit are drawn here,
-    // which is slow but complete.
+    // A list for all triangles in all views would be too long. The thread draws triangles that do not fit
+    // into it, which is slow but leaves nothing out.
     for (int x = low.x; x <= high.x; ++x) {
         fill_column(t, ivec2(x, low.y), high.y, 1, triangle);
     }

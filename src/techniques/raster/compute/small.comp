@@ -16,10 +16,11 @@ layout(local_size_x = cluster_triangles) in;
 
 layout(scalar, binding = 6) readonly buffer Clusters
 {
-    uint clusters[]; // list in the format of tiles.glsl.h: one workgroup per cluster
+    uint clusters[]; // list of clusters in the format of tiles.glsl.h: one workgroup per cluster
 };
 
-// Number within the batch; beyond its end if there is no triangle for this thread.
+// Number of this thread's triangle within the batch; beyond the batch's end if there is no triangle for this
+// thread.
 uint triangle_of_thread()
 {
     uint number = gl_WorkGroupID.y * tile_list_groups + gl_WorkGroupID.x;

@@ -27,7 +27,7 @@ void main()
         pixel_bounds(t, low, high);
         low = max(low, corner);
         high = min(high, corner + tile_px - 1);
-        // The narrower the covered part, the more threads share a column.
+        // The fewer columns of the tile the triangle covers, the more threads share a column.
         int drawn = drawn_step();
         ivec2 first = first_drawn(low);
         int width_bits = findMSB(max((high.x - first.x) / drawn, 0)) + 1;

@@ -12,7 +12,7 @@ layout(location = 1) flat out uint triangle_flags;
 
 layout(constant_id = 0) const uint variant = 0u;
 
-invariant gl_Position; // pipelines must agree on depth bit by bit, for depth peeling
+invariant gl_Position; // depth must be bit-identical in all pipelines, for depth peeling
 
 void draw_corner(uint triangle, uint corner)
 {
@@ -25,7 +25,7 @@ void draw_corner(uint triangle, uint corner)
 }
 
 #ifdef LISTED_BINDING
-layout(binding = LISTED_BINDING) uniform usamplerBuffer listed; // numbers within the batch
+layout(binding = LISTED_BINDING) uniform usamplerBuffer listed; // triangle numbers within the batch
 
 void main()
 {

@@ -17,12 +17,12 @@ layout(scalar, binding = 0) readonly buffer Kept
 
 layout(scalar, binding = 1) writeonly buffer Listed
 {
-    uint listed[]; // numbers within the batch
+    uint listed[]; // numbers within the batch of the triangles to draw
 };
 
 layout(scalar, binding = 2) writeonly buffer Arguments
 {
-    uint arguments[]; // VkDrawIndirectCommand
+    uint arguments[]; // a VkDrawIndirectCommand
 };
 
 layout(push_constant, scalar) uniform Constants

@@ -17,7 +17,8 @@ layout(scalar, binding = 2) writeonly buffer Kept
 
 layout(constant_id = 0) const uint variant = 0u;
 
-const float snapped_px = 1.0 / 64.0; // rasterisers move corners by less than this
+// Hardware rasterisers move corners by less than this when they snap them.
+const float snapped_px = 1.0 / 64.0;
 
 vec2 place_px(vec4 clip)
 {
@@ -34,8 +35,8 @@ vec2 double_area(vec2 p, vec2 q, vec2 r)
     return u.x * v.y - u.y * v.x + vec2(-moved, moved);
 }
 
-// False if all corners are outside one side of the page or the near plane, if no pixel centre is in the
-// triangle's bounding box, or if it is a culled back face.
+// Whether a triangle may be visible. False if all corners are outside one side of the page or the near plane,
+// if no pixel centre is in the triangle's bounding box, or if it is a culled back face.
 bool may_be_seen(vec4 a, vec4 b, vec4 c, uint flags)
 {
     vec3 x = vec3(a.x, b.x, c.x);
@@ -47,7 +48,7 @@ bool may_be_seen(vec4 a, vec4 b, vec4 c, uint flags)
         return false;
     }
     if (any(greaterThan(z, w)) || any(lessThanEqual(w, vec3(0.0)))) {
-        return true; // crosses the near plane
+        return true; // the triangle crosses the near plane
     }
     vec2 p = place_px(a);
     vec2 q = place_px(b);

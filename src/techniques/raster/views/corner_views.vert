@@ -20,7 +20,8 @@ void main()
     view_drawn = item.view;
     if (triangle < constants.first_triangle ||
         triangle >= constants.first_triangle + constants.triangle_count) {
-        gl_Position = vec4(0.0, 0.0, 2.0, 1.0); // outside the near plane: not drawn
+        // A corner outside the near plane, so that the triangle is not drawn.
+        gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
         for (int i = 0; i < 4; ++i) {
             gl_ClipDistance[i] = -1.0;
         }

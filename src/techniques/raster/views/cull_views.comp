@@ -24,7 +24,7 @@ layout(scalar, binding = 2) writeonly buffer List
     ClusterInView list[];
 };
 
-// Arguments of the indirect draw call.
+// Arguments of the hardware path's indirect draw call.
 layout(scalar, binding = 3) buffer Arguments
 {
     uint vertex_count;

@@ -25,11 +25,11 @@ namespace estampe::raster {
 namespace {
 
 constexpr uint64_t most_large = 1ULL << 19U;
-/// All clipmap levels of a sun together need more tiles than a page. Tiles that do not fit into the list are
-/// drawn by single threads.
+/// Most tiles in the list of large triangles' tiles. All clipmap levels of a sun together need more tiles
+/// than a page. Single threads draw tiles that do not fit into the list.
 constexpr uint64_t most_tiles_of_views = 1ULL << 20U;
 constexpr uint32_t most_pixels_a_thread = 32768;
-// Most pairs of cluster and view that are listed for one batch.
+// Most pairs of cluster and view in the list of one batch.
 constexpr uint64_t most_pairs = 1ULL << 22U;
 
 uint32_t largest_side(const DepthViews& views)
@@ -107,7 +107,8 @@ gpu::BufferId compute_batch(gpu::Graph& graph, const gpu::Name& name, const Rast
     return target;
 }
 
-/// Lists the clusters that the views of `constants` may show, and draws them.
+/// Lists the clusters of a batch that the views of `constants` may show, and draws them with the hardware
+/// path.
 gpu::ImageId hardware_batch(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
                             const Batch& batch, const DepthViews& views,
                             const shared::ViewsConstants& constants, gpu::ImageId depth)
@@ -136,7 +137,7 @@ gpu::ImageId hardware_batch(gpu::Graph& graph, const gpu::Name& name, const Rast
     return depth;
 }
 
-/// Copies each view from its square of the image to its texels.
+/// Copies each view from its square of the hardware path's image to its texels in the buffer.
 auto copy_views(gpu::ImageId from, gpu::BufferId to, const std::vector<shared::RasterView>& views)
 {
     std::vector<VkBufferImageCopy> regions;
@@ -196,7 +197,7 @@ void place_views(std::vector<shared::RasterView>& views)
         area_px += static_cast<double>(view.size_px) * view.size_px;
     }
     const auto width = std::bit_ceil(static_cast<uint32_t>(std::sqrt(area_px)));
-    // Rows of squares, largest first, so that each row is as high as its first square.
+    // Places the views' squares in rows, largest first, so that each row is as high as its first square.
     glm::uvec2 at(0);
     uint32_t row_height = 0;
     for (const size_t index : order) {

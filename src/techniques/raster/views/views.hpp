@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Draws many depth maps at once, as local lights need them: all views in one set of dispatches or one draw
+// Draws many depth maps together, as local lights need them: all views in one set of dispatches or one draw
 // call, and only the triangles that a view may show.
 
 #include <optional>
@@ -12,29 +12,31 @@
 
 namespace estampe::raster {
 
-/// Tiles of views in the format of shaders/tiles.glsl.h. View sizes must be multiples of the tile size.
+/// Tiles of depth views that must be drawn, in the format of shaders/tiles.glsl.h. View sizes must be
+/// multiples of the tile size.
 struct ViewTiles {
     gpu::BufferId list;
-    uint32_t count = 0; ///< 1 to 65535
+    uint32_t count = 0; ///< number of tiles in the list, 1 to 65535
 };
 
-/// The views to draw, on CPU and GPU. Sizes are multiples of 2 and at most 16384 texels, first texels
+/// The depth views to draw, on CPU and GPU. Sizes are multiples of 2 and at most 16384 texels, first texels
 /// multiples of 4; maps do not overlap. At most 32768 views. Only compute supports RasterView::turn_px.
 struct DepthViews {
-    const std::vector<shared::RasterView>& list; ///< after place_views()
-    gpu::BufferId records;                       ///< copy of `list` on the device
-    gpu::BufferId bounds;                        ///< boxes of the triangles, from add_cluster_bounds()
-    RasterPath path = RasterPath::compute;       ///< never automatic
+    const std::vector<shared::RasterView>& list; ///< all views; place_views() must have placed them
+    gpu::BufferId records;                       ///< copy of `list` in a device buffer
+    gpu::BufferId bounds;                  ///< boxes of the triangles' clusters, from add_cluster_bounds()
+    RasterPath path = RasterPath::compute; ///< raster path for the views; never automatic
     Tuning tuning;
-    /// Tiles that will be read. Compute clears nothing outside them and draws there over the old content.
+    /// Tiles of the views that will be read later. The compute path clears nothing outside these tiles and
+    /// draws there over the old content.
     std::optional<ViewTiles> tiles = std::nullopt;
 };
 
-/// Assigns each view its own square in the image of the hardware path (`origin_px`). Must be called before
-/// the views are uploaded. Cost: a sort.
+/// Gives each view its own square in the image of the hardware path (`origin_px`). Must be called before the
+/// views are uploaded. Cost: a sort.
 void place_views(std::vector<shared::RasterView>& views);
 
-/// Draws the depth of each view into its square of `target`, like add_depth(). Texels outside all views stay
+/// Draws the depth of each view into its texels of `target`, like add_depth(). Texels outside all views stay
 /// unchanged. Draws both sides of triangles.
 ///
 /// Cost    compute: a clear of the views or of their tiles, and three dispatches and a small clear per batch,
@@ -45,9 +47,9 @@ void place_views(std::vector<shared::RasterView>& views);
                                             std::span<const Batch> batches, const DepthViews& views,
                                             gpu::BufferId target);
 
-/// Merges the views of `source` into the texels of `target` at the same positions. Each texel keeps the
-/// nearer depth, bit-identical to drawing everything into one map. Both buffers hold the bits of depths of at
-/// most 1.
+/// Merges the views of `source` into the texels of `target` at equal positions. Each texel keeps the nearer
+/// depth, bit-identical to drawing everything into one map. Both buffers hold the bits of depths of at most
+/// 1.
 ///
 /// Cost    one dispatch; three accesses per texel
 [[nodiscard]] gpu::BufferId add_merged_views(gpu::Graph& graph, const gpu::Name& name,
