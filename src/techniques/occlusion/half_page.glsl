@@ -2,30 +2,31 @@
 #ifndef ESTAMPE_HALF_PAGE
 #define ESTAMPE_HALF_PAGE
 
-// The half page has every second pixel in x and y. Depth planes tell whether two pixels are on one surface.
-// Define before: `frame`, a FrameGlobals, and `constants` with `from_half`.
+// The half page, which has every second pixel in x and y, and depth planes, which tell whether two pixels are
+// on one surface. Define before: `frame`, a FrameGlobals, and `constants` with `from_half`.
 
 #include "shaders/camera.glsl"
 
-// The pixel of the current tile that a half-page pixel stands for.
+// The pixel of the current tile that a half-page pixel (one of every second pixel) stands for.
 ivec2 whole_pixel(ivec2 half_pixel)
 {
     return min(2 * (half_pixel + ivec2(constants.from_half)) - ivec2(frame.tile_from_px),
                ivec2(frame.size_px) - 1);
 }
 
-// Predicts reversed depth around a pixel on a flat surface: it is linear over the page on a plane.
+// A plane that predicts reversed depth around a pixel of a flat surface, where reversed depth is linear over
+// the page.
 struct DepthPlane {
     float depth;
-    vec2 slope;      // per pixel
-    float tolerance; // in reversed depth
+    vec2 slope;      // change of reversed depth per pixel
+    float tolerance; // largest deviation from the plane, in reversed depth
 };
 
 DepthPlane depth_plane(ivec2 pixel, float depth, vec3 normal, float tolerance_m)
 {
     vec3 point = anchor_at(frame, vec2(pixel) + 0.5, depth);
     vec4 plane = vec4(normal, -dot(normal, point)) * frame.anchor_from_clip;
-    // The slope of an edge-on plane is undefined. The depth is then taken as constant.
+    // The slope of an edge-on plane is undefined, so the depth is then taken as constant.
     float facing = abs(plane.z) > 1e-12 ? 1.0 / plane.z : 0.0;
     vec4 nearer = frame.clip_from_anchor * vec4(point - frame.view_forward * tolerance_m, 1.0);
     vec4 farther = frame.clip_from_anchor * vec4(point + frame.view_forward * tolerance_m, 1.0);
@@ -34,7 +35,7 @@ DepthPlane depth_plane(ivec2 pixel, float depth, vec3 normal, float tolerance_m)
                       max(max(tolerance, depth - farther.z / farther.w), 1e-12));
 }
 
-// 1 if `depth` at this offset is on the plane. Falls to 0 at a distance of `tolerance` from the plane.
+// Whether `depth` at this offset is on the plane: 1 on it, falling to 0 at a distance of `tolerance`.
 float on_plane(DepthPlane plane, vec2 offset_px, float depth)
 {
     float off = abs(depth - plane.depth - dot(plane.slope, offset_px)) / plane.tolerance;

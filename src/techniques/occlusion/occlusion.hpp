@@ -2,7 +2,7 @@
 #pragma once
 
 // Ambient occlusion: one interface to every method that a style may choose. The default is the horizon
-// method; the others are in alternatives/.
+// method; the other methods are in alternatives/.
 
 #include <memory>
 #include <optional>
@@ -16,11 +16,11 @@
 
 namespace estampe::occlusion {
 
-/// The method of computing occlusion: from depth on the page; between discs at all vertices; from these discs
-/// per pixel or per texel; or by depth darkening.
+/// The method of computing ambient occlusion: from depth on the page (horizon); between discs at all vertices
+/// (discs); from these discs per pixel (splats) or per texel (uv); or by depth darkening (unsharp).
 enum class Method : uint8_t { horizon, discs, splats, uv, unsharp };
 
-/// What occlusion darkens: ambient light, all light, or nothing but its own layer.
+/// What ambient occlusion darkens: ambient light, all light, or nothing but its own layer.
 enum class Feeds : uint8_t { ambient, tone, layer };
 
 struct OcclusionStyle {
@@ -37,11 +37,11 @@ struct OcclusionStyle {
 
 [[nodiscard]] const style::Table<OcclusionStyle>& occlusion_table();
 
-/// A map that covers all surfaces, as the shaders read it.
+/// A map (texture) that covers all surfaces, as the shaders read it.
 struct SurfaceMap {
-    gpu::BufferId texels;  ///< see shaders/surface_map.glsl
-    gpu::BufferId corners; ///< see shaders/map_corners.glsl
-    uint32_t size = 0;     ///< texels per side
+    gpu::BufferId texels;  ///< texels of the map, see shaders/surface_map.glsl
+    gpu::BufferId corners; ///< corners of triangles in the map, see shaders/map_corners.glsl
+    uint32_t size = 0;     ///< texels per side of the map
 };
 
 /// The scene's posed surfaces, for methods in which invisible surfaces also occlude.
@@ -49,45 +49,45 @@ struct PosedSurfaces {
     gpu::BufferId visibility;
     gpu::BufferId triangles;
     gpu::BufferId posed_vertices;
-    std::optional<SurfaceMap> map; ///< has map_texels() per side; none if the style's method needs no map
+    std::optional<SurfaceMap> map; ///< map with map_texels() per side; empty if the style's method needs none
 };
 
 struct OcclusionInputs {
-    gpu::BufferId frame; ///< FrameGlobals
+    gpu::BufferId frame; ///< buffer with a FrameGlobals record
     gpu::ImageId depth;
     gpu::ImageId normal;
-    std::optional<PosedSurfaces> surfaces; ///< none if the style's method uses only the page
-    float radius_m = 1.0F;                 ///< from radius_of()
+    std::optional<PosedSurfaces> surfaces; ///< posed surfaces; empty if the style's method uses only the page
+    float radius_m = 1.0F;                 ///< radius within which surfaces occlude, from radius_of()
     float pixels_per_mm = 1.0F;
     glm::uvec2 size_px{0};
-    glm::uvec2 from_px{0}; ///< first pixel of the current tile on the page
+    glm::uvec2 from_px{0}; ///< position of the current tile's first pixel on the page
 };
 
 /// Ambient occlusion per pixel.
 struct AmbientOcclusion {
     gpu::ImageId visibility; ///< r16f: share of ambient light that arrives; 1 on the background
-    /// rgba16f: light that occluders reflect, as a share of ambient light.
+    /// rgba16f: light that occluding surfaces reflect, as a share of ambient light.
     std::optional<gpu::ImageId> bounced;
 };
 
-/// The style's radius, or the default for a scene of this radius.
+/// The occlusion radius of the style, or the default for a scene of this radius.
 [[nodiscard]] float radius_of(const OcclusionStyle& style, float scene_radius_m);
 
-/// How many pixels beyond the page a pixel's occlusion depends on.
+/// Distance in pixels from which other surfaces affect a pixel's occlusion, also from beyond the page.
 [[nodiscard]] uint32_t reach_px(const OcclusionStyle& style, float pixels_per_mm);
 
-/// Texels per side of the occlusion map; none if the style's method needs no map.
+/// Texels per side of the occlusion map; empty if the style's method needs no map.
 [[nodiscard]] std::optional<uint32_t> map_texels(const OcclusionStyle& style);
 
-/// The occluding surfaces in the rest pose, for methods that use all surfaces.
+/// The surfaces in the rest pose that occlude, for methods that use all surfaces.
 struct OccluderMesh {
-    std::span<const glm::vec3> places; ///< all posed vertices, in units of `unit_m`
+    std::span<const glm::vec3> places; ///< positions of all posed vertices, in units of `unit_m`
     float unit_m = 1.0F;
-    std::vector<glm::uvec4> triangles;      ///< the first three numbers are vertex indices
-    std::vector<glm::vec3> color_of_vertex; ///< linear
+    std::vector<glm::uvec4> triangles;      ///< triangles; the first three numbers are vertex indices
+    std::vector<glm::vec3> color_of_vertex; ///< linear colour of each vertex
 };
 
-/// Results that a method keeps from frame to frame; methods on the page keep none.
+/// Results that an occlusion method keeps from frame to frame; methods on the page keep none.
 class Memory {
 public:
     Memory();
@@ -100,16 +100,16 @@ public:
     /// Whether the style's method needs set_surfaces() first.
     [[nodiscard]] bool lacks_surfaces(const OcclusionStyle& style) const;
 
-    /// Takes over the occluding surfaces. Cost: n log n in vertices.
+    /// Copies the surfaces that occlude. Cost: n log n in vertices.
     void set_surfaces(gpu::Device& device, const OccluderMesh& surfaces);
 
-    /// Allocates memory for the style's method.
+    /// Allocates memory for the occlusion method of the style.
     void ensure(gpu::Device& device, const OcclusionStyle& style);
 
-    /// Call this when the scene has other surfaces.
+    /// Discards the surfaces. Call forget_surfaces() when the scene has other surfaces.
     void forget_surfaces();
 
-    /// Call this when surfaces have moved: discards the results for the posed surfaces.
+    /// Discards the results for the posed surfaces. Call forget_pose() when surfaces have moved.
     void forget_pose();
 
 private:
@@ -119,14 +119,15 @@ private:
     std::unique_ptr<Kept> kept_;
 };
 
-/// Computes occlusion by the style's method; none if no surface occludes.
+/// Adds passes that compute occlusion by the style's method; empty if no surface occludes.
 ///
 /// Writes  images of the tile's size
 /// Cost    that of the method: see add_horizon(), and alternatives/
 [[nodiscard]] std::optional<AmbientOcclusion>
 add_occlusion(gpu::Graph& graph, Memory& memory, const OcclusionInputs& in, const OcclusionStyle& style);
 
-/// Computes occlusion from the visible surfaces around each pixel: the default method.
+/// Adds passes that compute occlusion from the visible surfaces around each pixel, which is the default
+/// method.
 ///
 /// Cost    four dispatches, all but the last over every second pixel each way: 20 depths, twice 4 neighbours,
 ///         then 4 at every pixel
@@ -136,8 +137,8 @@ add_occlusion(gpu::Graph& graph, Memory& memory, const OcclusionInputs& in, cons
 [[nodiscard]] AmbientOcclusion add_horizon(gpu::Graph& graph, const OcclusionInputs& in,
                                            const OcclusionStyle& style);
 
-/// Every second pixel of the page each way: pixel `i` is page pixel 2 * (from_half + i), independent of
-/// tiles.
+/// The half page, with every second pixel of the page each way: pixel `i` is page pixel 2 * (from_half + i),
+/// independent of tiles.
 struct HalfPage {
     glm::uvec2 from_half{0};
     glm::uvec2 half_px{1};

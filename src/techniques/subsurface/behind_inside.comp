@@ -33,11 +33,13 @@ layout(binding = 8) uniform usamplerBuffer inside_1;
 layout(binding = 9) uniform usamplerBuffer inside_2;
 layout(binding = 10) uniform usamplerBuffer inside_3;
 
-layout(binding = 11) uniform sampler2D color_image; // square roots of linear colour
+// Colours of visible surfaces, as square roots of linear colour.
+layout(binding = 11) uniform sampler2D color_image;
 
-// Transmittance; standard deviation of the blur on the page.
+// Transmittance of the clear bodies; in alpha, the standard deviation of the background's blur on the page.
 layout(binding = 12, rgba32f) writeonly uniform image2D out_clear;
-layout(binding = 13, r16f) writeonly uniform image2D out_share; // visible share of the background
+// Visible share of the background behind clear bodies.
+layout(binding = 13, r16f) writeonly uniform image2D out_share;
 
 uvec2 inside_at(int layer, int index)
 {
@@ -61,7 +63,7 @@ void main()
     float end_depth = seen_depth(texelFetch(background, index).xy);
     vec3 absorbed = vec3(0.0);
     float blur_m = 0.0;
-    uint entered = 0u; // variant of the body that the ray is in, plus 1; 0 outside
+    uint entered = 0u; // parameter set of the body that the ray is in, plus 1; 0 outside all bodies
     float entered_depth = 0.0;
     float before_depth = 2.0;
     float pixel_m = 1.0;
@@ -69,7 +71,7 @@ void main()
     int layers = share > 0.0 ? 4 : 1;
     do {
         uvec2 seen = inside_at(i, index);
-        // A placeholder for a missing layer repeats the last layer's buffer.
+        // The layer may be missing; then its buffer is a copy of the last layer's buffer.
         bool is_there = share > 0.0 && sees_triangle(seen) && seen_depth(seen) < before_depth;
         float depth = is_there ? seen_depth(seen) : end_depth;
         bool is_behind = depth <= end_depth;
@@ -86,7 +88,7 @@ void main()
         if (i == 0) {
             pixel_m = pixel_size_m(frame, there);
         }
-        // A second entry without an exit is a thin sheet.
+        // If a ray enters again without an exit, the surface is a thin sheet.
         uint left = goes_out ? entered - 1u : style_variant;
         float inside_m = goes_in ? scatter_of(left).a
                                  : distance(there, anchor_at(frame, middle_px, max(entered_depth, 1e-9)));

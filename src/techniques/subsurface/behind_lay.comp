@@ -21,7 +21,7 @@ layout(binding = 8, rgba16f) uniform image2D wash;
 
 layout(push_constant) uniform Constants
 {
-    float most_px; // largest standard deviation
+    float most_px; // largest standard deviation of the background's blur
 }
 
 constants;
@@ -36,8 +36,8 @@ vec3 level_at(int level, vec2 place)
                         : textureLod(level_5, place, 0.0).rgb;
 }
 
-// A cubic B-spline of sixteen texels from four bilinear lookups: Sigg and Hadwiger, "Fast Third-Order Texture
-// Filtering", GPU Gems 2, 2005.
+// The background at a level, by a cubic B-spline of sixteen texels from four bilinear lookups: Sigg and
+// Hadwiger, "Fast Third-Order Texture Filtering", GPU Gems 2, 2005.
 vec3 smooth_at(int level, vec2 pixel, vec2 size_px)
 {
     vec2 texels = ceil(size_px / float(1 << level));
@@ -62,7 +62,7 @@ vec3 smooth_at(int level, vec2 pixel, vec2 size_px)
     return sum;
 }
 
-// Standard deviation on the page of a level's halvings and of the spline.
+// Standard deviation, in pixels of the page, of the blur that a level's halvings and the spline make.
 float deviation_of(int level)
 {
     float side = float(1 << level);
@@ -83,7 +83,8 @@ void main()
     vec4 clear = texelFetch(clear_image, pixel, 0);
     float wanted_px = min(clear.a, constants.most_px);
     vec2 middle_px = vec2(pixel) + 0.5;
-    // Interpolates two levels by variance; the unblurred background counts as the finest level.
+    // Two levels of the background are interpolated by their variance; the unblurred background counts as the
+    // finest level.
     int upper = 0;
     while (upper < int(behind_levels) - 1 && deviation_of(upper) < wanted_px) {
         ++upper;

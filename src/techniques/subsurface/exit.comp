@@ -23,7 +23,8 @@ layout(binding = 1) uniform usampler2D draw_image;
 layout(binding = 2) uniform sampler2D depth_image;
 layout(binding = 3) uniform usampler2D normal_image;
 
-layout(binding = 4) uniform usamplerBuffer behind_texels; // visibility buffer of the next surfaces behind
+// Visibility buffer of the next surfaces behind the visible ones.
+layout(binding = 4) uniform usamplerBuffer behind_texels;
 
 #define MESH_TEXELS_BINDING 5
 #include "shaders/mesh_texels.glsl"
@@ -35,7 +36,8 @@ layout(constant_id = 0) const uint variant = 0u;
 
 layout(binding = 9, r32ui) writeonly uniform uimage2D out_draw;
 layout(binding = 10, r32f) writeonly uniform image2D out_depth;
-layout(binding = 11, rg32ui) writeonly uniform uimage2D out_normal; // normals that point away from the eye
+// Normals on the far side of bodies, which point away from the eye.
+layout(binding = 11, rg32ui) writeonly uniform uimage2D out_normal;
 
 #define TILE_LIST_BINDING 12
 #include "shaders/tile_list_fill.glsl"
@@ -47,12 +49,15 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/subsurface/scatter.glsl"
 
-// Below this share, even white light sixteen times as bright changes no pixel.
+// Smallest share of transmitted light that counts. Below it, even white light sixteen times as bright changes
+// no pixel.
 const float least_through = 1.0 / 4096.0;
 
-shared uint shining_tiles; // one bit per tile of the workgroup's four, which lie below each other
+// One bit per tile: light passes through; a workgroup has four tiles, one below the other.
+shared uint shining_tiles;
 
-// Lists the tiles of a column whose bits are set, at least one; bit 0 is the first tile.
+// Adds to the tile list the tiles of a column whose bits are set in `rows`, at least one; bit 0 is the first
+// tile.
 void list_rows(uvec2 first, uint rows)
 {
     uint number = list_room(uint(bitCount(rows)));

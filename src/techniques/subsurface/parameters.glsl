@@ -9,7 +9,7 @@
 layout(binding = PARAMETERS_BINDING) uniform samplerBuffer parameter_texels;
 layout(binding = PARAMETERS_BINDING + 1) uniform usamplerBuffer variant_of_draw;
 
-// Whether the pixel's surface scatters light below it; the ground and the background do not.
+// Whether the pixel's surface scatters light below itself; the ground and the background do not.
 bool takes_light_in(uint word)
 {
     return !is_paper(word) && (word & DRAW_UNLIT) == 0u;
@@ -20,19 +20,20 @@ uint style_variant_of(uint word)
     return HAS_VARIANTS && takes_light_in(word) ? texelFetch(variant_of_draw, int(draw_of(word))).x : 0u;
 }
 
-// Absorption, and the share of transmitted light in alpha.
+// Absorption of a material per metre; the share of transmitted light in alpha.
 vec4 light_through(uint style_variant)
 {
     return texelFetch(parameter_texels, int(3u * style_variant));
 }
 
-// Scattering distance of each colour, and the thickness of sheets in alpha.
+// Scattering distance of each colour in a material; the thickness of sheets in alpha.
 vec4 scatter_of(uint style_variant)
 {
     return texelFetch(parameter_texels, int(3u * style_variant + 1u));
 }
 
-// x: visible share of the background; y: its blur; z: tint by the surface's own colour.
+// Appearance of the background behind a clear material. x: visible share of the background; y: its blur; z:
+// tint by the surface's own colour.
 vec3 behind_of(uint style_variant)
 {
     return texelFetch(parameter_texels, int(3u * style_variant + 2u)).xyz;

@@ -2,7 +2,8 @@
 #ifndef ESTAMPE_PROFILE
 #define ESTAMPE_PROFILE
 
-// Burley's diffusion profile as a mixture of Gaussians, and the widths of a map's blur levels, in texels.
+// Burley's diffusion profile (spread of light below a surface) as a mixture of Gaussians, and the widths of a
+// map's blur levels, in texels.
 
 // The error function within 1.5e-4, after Winitzki.
 vec3 error_function(vec3 x)
@@ -11,15 +12,16 @@ vec3 error_function(vec3 x)
     return sqrt(1.0 - exp(-squared * (1.27324 + 0.147 * squared) / (1.0 + 0.147 * squared)));
 }
 
-// Share of Gaussians with a deviation of at most `deviation`. Burley's profile is a mixture of Gaussians
-// whose deviations follow half-normal distributions: a quarter of width d and three quarters of width 3 d.
+// Share of the Gaussians in Burley's profile with a deviation of at most `deviation`. The profile is a
+// mixture of Gaussians whose deviations follow half-normal distributions: a quarter of width d and three
+// quarters of width 3 d.
 vec3 share_below(float deviation, vec3 spread)
 {
     vec3 x = 0.70711 * deviation / max(spread, 1e-4);
     return 0.25 * error_function(x) + 0.75 * error_function(x / 3.0);
 }
 
-// Variance that bilinear interpolation adds.
+// Variance that bilinear interpolation adds to a blur, in squared texels.
 const float between_texels_variance = 0.25;
 
 // Standard deviation of a blur level; level -1 is the map itself.
@@ -29,13 +31,14 @@ float deviation_tx(int level)
     return sqrt(blurred + between_texels_variance);
 }
 
-// Gaussians of a larger deviation read the map. Smaller Gaussians use the light on the page.
+// Gaussians of the profile with a larger deviation read the map. Smaller Gaussians use the light on the page.
 float kept_below_tx()
 {
     return 0.5 * deviation_tx(-1);
 }
 
-// Gaussians of a larger deviation read this level. Smaller Gaussians read the previous level.
+// Gaussians of the profile with a larger deviation read this blur level. Smaller Gaussians read the previous
+// level.
 float level_from_tx(int level)
 {
     return sqrt(deviation_tx(level - 1) * deviation_tx(level));

@@ -2,14 +2,16 @@
 #ifndef ESTAMPE_SCATTER
 #define ESTAMPE_SCATTER
 
-// Length of the view ray inside a body, the half page on which light spreads, and Burley's profile as a
-// mixture of its blur levels. Define before: `frame`, a FrameGlobals, and `constants`, ScatterConstants.
+// Length of the view ray inside a body, the half page (every second pixel) on which light spreads, and
+// Burley's profile as a mixture of its blur levels. Define before: `frame`, a FrameGlobals, and `constants`,
+// ScatterConstants.
 
 #include "shaders/camera.glsl"
 #include "techniques/subsurface/profile.glsl"
 #include "techniques/subsurface/subsurface.glsl.h"
 
-// A body without a far side, whose far depth then equals its near depth, is a sheet.
+// Thickness of a body along the view ray. A body without a far side, whose far depth equals its near depth,
+// is a sheet.
 float thickness_m(vec2 middle_px, float near_side, float far_side, float sheet_m)
 {
     vec3 front = anchor_at(frame, middle_px, max(near_side, 1e-9));
@@ -17,17 +19,17 @@ float thickness_m(vec2 middle_px, float near_side, float far_side, float sheet_m
     return far_side == near_side ? sheet_m : distance(front, back);
 }
 
-// Variance of the blur that resampling to the half page and back adds.
+// Variance of the blur that resampling to the half page (every second pixel) and back adds.
 const float half_page_variance_px2 = 0.85;
 
-const float nowhere_m = 1e30; // distance of pixels whose surface scatters no light
+const float nowhere_m = 1e30; // distance that marks pixels whose surface scatters no light
 
-// Kinds of light transport in a pixel; both may apply.
+// Kinds of light transport in a pixel; several may apply. This one: none.
 const float takes_nothing = 0.0;
-const float takes_light_through = 1.0; // light arrives from the far side
-const float takes_light_about = 2.0;   // light spreads below the surface
+const float takes_light_through = 1.0; // kind of light transport: light arrives from the body's far side
+const float takes_light_about = 2.0;   // kind of light transport: light spreads below the surface
 
-// Squares of the page that receive any light are listed by the first tile in each.
+// Tiles per side of a square of the page. A square that receives light is listed by the first tile in it.
 const uint tiles_a_side = scatter_square_px / 8u;
 
 uvec2 squares_of(uvec2 size_px)
@@ -35,7 +37,7 @@ uvec2 squares_of(uvec2 size_px)
     return (size_px + scatter_square_px - 1u) / scatter_square_px;
 }
 
-// The pixel of the current tile that a half-page pixel stands for.
+// The pixel of the current tile that a half-page pixel (one of every second pixel) stands for.
 ivec2 whole_pixel(ivec2 half_pixel)
 {
     return min(2 * (half_pixel + ivec2(constants.from_half)) - ivec2(frame.tile_from_px),
@@ -47,9 +49,9 @@ bool is_on_half_page(ivec2 half_pixel)
     return all(greaterThanEqual(half_pixel, ivec2(0))) && all(lessThan(uvec2(half_pixel), constants.half_px));
 }
 
-// Number of workgroups of a blur. A workgroup processes a tile of pixels that are as far apart as the blur's
-// taps, so that all taps are in the tile except for two pixels at each side. Interleaved tiles have
-// consecutive numbers.
+// Tile side of the blur's workgroups. A workgroup processes pixels that are as far apart as the blur's taps,
+// so that all taps are in the tile except for two pixels at each side. Interleaved tiles have consecutive
+// numbers.
 const uint blur_tile_side = 16u;
 
 uvec2 blur_groups(uint level)
@@ -58,67 +60,69 @@ uvec2 blur_groups(uint level)
     return (constants.half_px + tile_px - 1u) / tile_px << level;
 }
 
-// Distance of a point along the view.
+// Distance of a point from the eye along the view direction.
 float ahead_m(vec3 point)
 {
     return dot(point - frame.eye_anchor, frame.view_forward);
 }
 
-// Distance along the view of the visible surface at a place of the page.
+// Distance along the view direction of the visible surface at a place of the page.
 float ahead_at(vec2 position_px, float depth, bool in_perspective)
 {
     float held = max(depth, 1e-9);
     return in_perspective ? frame.near_m / held : ahead_m(anchor_at(frame, position_px, held));
 }
 
-// Size of a page pixel at a distance along the view.
+// Size in metres of a page pixel at a distance along the view direction.
 float pixel_m_at(float ahead)
 {
     return frame.pixel_m * (frame.is_orthographic != 0u ? 1.0 : ahead);
 }
 
-// Rounds to half floats, so that shares computed from them in different passes sum to one.
+// Rounds numbers to half floats, so that shares computed from them in different passes sum to one.
 vec3 in_halves(vec3 numbers)
 {
     return vec3(unpackHalf2x16(packHalf2x16(numbers.xy)),
                 unpackHalf2x16(packHalf2x16(vec2(numbers.z, 0.0))).x);
 }
 
-// Scattering distance of each colour, in pixels of the page.
+// Scattering distance of each colour of light, in pixels of the page.
 vec3 spread_px_of(vec3 scatter_m, float pixel_m)
 {
     return in_halves(min(scatter_m / pixel_m, vec3(constants.most_px)));
 }
 
-// Standard deviation of a blur level of the half page, in pixels of the page; level -1 is the half page
-// itself.
+// Standard deviation of a blur level of the half page (every second pixel), in pixels of the page; level -1
+// is the unblurred half page.
 float deviation_px(int level)
 {
     float blurred = 4.0 * (exp2(2.0 * float(level + 1)) - 1.0) / 3.0;
     return sqrt(blurred + half_page_variance_px2);
 }
 
-// Gaussians of a larger deviation read the half page. Smaller Gaussians use the light on the page.
+// Gaussians of the profile with a larger deviation read the half page. Smaller Gaussians use the light on the
+// full page.
 float kept_below_px()
 {
     return 0.5 * deviation_px(-1);
 }
 
-// Gaussians of a larger deviation read this level. Smaller Gaussians read the previous level.
+// Gaussians of the profile with a larger deviation read this blur level. Smaller Gaussians read the previous
+// level.
 float level_from_px(int level)
 {
     return sqrt(deviation_px(level - 1) * deviation_px(level));
 }
 
-// Factor on squared distances along the view in the weight of a tap; the deviation in the scene equals the
-// taps' distance. 0 for pixels that scatter no light.
+// Factor on squared distances along the view in the weight of a blur tap; the deviation in the scene equals
+// the taps' distance. 0 for pixels that scatter no light.
 float falloff_at(vec4 own, int apart)
 {
     float deviation_m = 2.0 * float(apart) * pixel_m_at(own.w);
     return own.w < nowhere_m ? -0.5 / max(deviation_m * deviation_m, 1e-12) : 0.0;
 }
 
-// Change of a pixel's light by another pixel, one or two steps away; 0 if one of them scatters no light.
+// Change of a pixel's light by another pixel, one or two blur steps away; 0 if one of them scatters no light.
 vec3 change_by(vec4 own, vec4 other, int steps, float falloff)
 {
     float off = min(abs(other.w - own.w), 1e15);
@@ -126,7 +130,8 @@ vec3 change_by(vec4 own, vec4 other, int steps, float falloff)
     return (steps == 2 ? 0.0625 : 0.25) * near * (other.rgb - own.rgb);
 }
 
-// Beyond this multiple of d is a thousandth of a pixel's light, which is invisible.
+// Beyond this multiple of the scattering distance d, less than a thousandth of a pixel's light is left, which
+// is invisible.
 const float held_deviations = 9.6;
 
 bool holds_all(float deviation, float spread_px)
@@ -134,14 +139,15 @@ bool holds_all(float deviation, float spread_px)
     return held_deviations * spread_px <= deviation;
 }
 
-// Share of a pixel's light with deviations up to `deviation`; 1 if almost nothing is left.
+// Share of a pixel's scattered light in Gaussians with deviations up to `deviation`; 1 if almost nothing is
+// left.
 vec3 share_up_to(float deviation, vec3 spread_px)
 {
     return mix(share_below(deviation, spread_px), vec3(1.0),
                lessThanEqual(held_deviations * spread_px, vec3(deviation)));
 }
 
-// Share of a pixel's light that is read from a blur level.
+// Share of a pixel's scattered light that is read from a blur level.
 vec3 share_of_level(int level, vec3 spread_px)
 {
     vec3 until = constants.is_last != 0u ? vec3(1.0) : share_up_to(level_from_px(level + 1), spread_px);

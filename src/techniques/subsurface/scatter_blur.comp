@@ -19,7 +19,7 @@ layout(scalar, binding = 0) uniform Frame
 layout(binding = 1) uniform sampler2D spread_image;
 layout(binding = 2) uniform sampler2D light_image;
 layout(binding = 3, rgba32f) writeonly uniform image2D out_light;
-layout(binding = 4, rgba32f) uniform image2D sum_image; // sum of the levels before, then with this one
+layout(binding = 4, rgba32f) uniform image2D sum_image; // sum of the blur levels; this pass adds its level
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -40,8 +40,8 @@ void main()
     vec4 own = texelFetch(light_image, half_pixel, 0);
     int apart = 1 << constants.level;
     float by = falloff_at(own, apart);
-    // Mesa replaces a vector chosen by a specialization constant with its default value, so it is computed
-    // here.
+    // Computed at run time, because Mesa replaces a vector that a specialization constant selects with the
+    // constant's default.
     int upright = is_upright ? 1 : 0;
     ivec2 along = apart * ivec2(1 - upright, upright);
     int taps = by < 0.0 ? 4 : 1;

@@ -19,7 +19,7 @@ layout(scalar, binding = 0) uniform Frame
 layout(binding = 1) uniform sampler2D spread_image;
 layout(binding = 2) uniform sampler2D light_image;
 layout(binding = 3, rgba32f) writeonly uniform image2D out_light;
-layout(binding = 4, rgba32f) uniform image2D sum_image; // sum of the levels before, then with this one
+layout(binding = 4, rgba32f) uniform image2D sum_image; // sum of the blur levels; this pass adds its level
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -29,14 +29,14 @@ layout(push_constant, scalar) uniform Constants
 #include "techniques/subsurface/scatter.glsl"
 
 const int side = int(blur_tile_side);
-const int beside = 2; // taps to each side
+const int beside = 2; // taps of the blur to each side
 const int wide = side + 2 * beside;
-const int in_rows = wide * wide; // start of the light that has spread along rows, after the input
+const int in_rows = wide * wide; // index in `held` of the light that has been blurred along rows
 
-shared vec4 held[wide * wide + side * wide]; // light, and distance along the view
+shared vec4 held[wide * wide + side * wide]; // light in rgb, distance along the view in alpha
 
-// Change of a pixel's light, stored at `at`. The pixel's neighbours are `stride` apart in shared memory, and
-// `along` apart on the half page.
+// Change of a pixel's light, stored at index `at`, by its neighbours. They are `stride` apart in shared
+// memory, and `along` apart on the half page.
 vec3 change_along(int at, int stride, ivec2 half_pixel, ivec2 along)
 {
     vec4 own = held[at];
@@ -59,7 +59,7 @@ void main()
     int thread = int(gl_LocalInvocationIndex);
     ivec2 local = ivec2(gl_LocalInvocationID.xy);
     ivec2 half_pixel = first + apart * local;
-    // These reads start early, because the shader needs their results last.
+    // These texel reads start early, because their results are needed last.
     vec3 spread_px = texelFetch(spread_image, min(half_pixel, last_of_page), 0).rgb;
     vec4 sum = imageLoad(sum_image, min(half_pixel, last_of_page));
     for (int i = thread; i < wide * wide; i += side * side) {

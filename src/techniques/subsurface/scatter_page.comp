@@ -42,13 +42,14 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/subsurface/scatter.glsl"
 
-const float most_light = 65504.0; // largest half float
-// Lets a feature too thin for the half page take transmitted light from its neighbours.
+const float most_light = 65504.0; // largest number that a half float can hold
+// Least weight of a half-page sample, so that a feature too thin for the half page takes transmitted light
+// from its neighbours.
 const float least_near = 1e-4;
 
 void main()
 {
-    // A square in the list twice would get its light twice.
+    // If a square were twice in the list, it would get its light twice.
     ivec2 pixel =
         has_listed_tile() ? ivec2(listed_from_px() + gl_LocalInvocationID.xy) : ivec2(frame.size_px);
     if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
@@ -65,7 +66,7 @@ void main()
     bool is_shone_through = shines && takes && light_through(style_variant).a > 0.0;
     float tolerance_m = max(4.0 * pixel_m, max(max(scatter_m.x, scatter_m.y), scatter_m.z));
     float per_variance = -0.5 / max(tolerance_m * tolerance_m, 1e-12);
-    // Half-page pixels lie at the middle of four page pixels; transmitted light was computed at the first of
+    // Half-page pixels lie at the middle of four page pixels. Transmitted light was computed at the first of
     // the four.
     uvec2 on_page = uvec2(pixel) + frame.tile_from_px;
     vec2 place = 0.5 * vec2(on_page) - 0.25 - vec2(constants.from_half);

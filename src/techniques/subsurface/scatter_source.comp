@@ -27,17 +27,18 @@ const bool spreads = (variant & subsurface_spreads) != 0u;
 const bool looks_less = (variant & subsurface_looks_less) != 0u;
 const bool in_perspective = (variant & subsurface_in_perspective) != 0u;
 
-// Images of the far side, on the half page.
-layout(binding = 6) uniform usampler2D far_draw_image; // 0 where no light is transmitted
+// Images of the bodies' far side, on the half page (every second pixel).
+layout(binding = 6) uniform usampler2D far_draw_image; // draw call + 1; 0 where no light is transmitted
 layout(binding = 7) uniform sampler2D far_depth_image;
 layout(binding = 8) uniform sampler2D far_light_image;
 
-layout(binding = 9, rgba32f) writeonly uniform image2D out_light; // light, and distance along the view
-// Scattering distance per colour, on the page.
+// Light in rgb, distance along the view in alpha.
+layout(binding = 9, rgba32f) writeonly uniform image2D out_light;
+// Scattering distance per colour, in pixels of the page.
 layout(binding = 10, rgba16f) writeonly uniform image2D out_spread;
-// Sum of blurs so far; distance along the view.
+// Sum of the blur levels so far in rgb; distance along the view in alpha.
 layout(binding = 11, rgba32f) writeonly uniform image2D out_sum;
-// Light; takes_... constant of scatter.glsl.
+// Transmitted light in rgb; in alpha, the kinds of light transport (takes_... constants of scatter.glsl).
 layout(binding = 12, rgba16f) writeonly uniform image2D out_through;
 
 layout(push_constant, scalar) uniform Constants
@@ -50,37 +51,38 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/subsurface/scatter.glsl"
 
-const float most_light = 65504.0; // largest half float
+const float most_light = 65504.0; // largest number that a half float can hold
 
-shared uint widest_of_group; // scattering distance on the page, as float bits
-shared uint reached_about;   // one bit for each square around this workgroup, and for its own
-shared uint newly_reached;   // number of squares that this workgroup lists
-shared uint first_listed;    // index of its first square in the list
+shared uint widest_of_group; // largest scattering distance in the workgroup, on the page, as float bits
+// One bit for each square around this workgroup and in it: the square receives light.
+shared uint reached_about;
+shared uint newly_reached; // number of squares that this workgroup lists
+shared uint first_listed;  // index in the list of the workgroup's first square
 
-// A workgroup has four squares, one below the other; with a border of one square there are 3 x 6.
+// A workgroup has four squares, one below the other. With a border of one square there are 3 x 6 squares.
 const uint squares_across = 3u;
 const uint squares_about = 18u;
 
-// Squares whose page pixels read this half-page pixel, possibly also neighbouring squares.
+// Bits of the squares whose page pixels read this half-page pixel; neighbouring squares may do so too.
 uint squares_that_look(uvec2 local)
 {
     uvec2 within = local % 8u;
     uint columns = 2u | (within.x == 0u ? 1u : 0u) | (within.x == 7u ? 4u : 0u);
-    uint row = squares_across * (local.y / 8u); // row of the square above
+    uint row = squares_across * (local.y / 8u); // row of the square above this pixel's square
     uint about = columns << (row + squares_across);
     about |= within.y == 0u ? columns << row : 0u;
     return about | (within.y == 7u ? columns << (row + 2u * squares_across) : 0u);
 }
 
-// Position of a square around the workgroup.
+// Position on the page of a square in or around the workgroup.
 ivec2 square_about(uint about)
 {
     ivec2 own = ivec2(gl_WorkGroupID.xy) * ivec2(1, 4);
     return own + ivec2(about % squares_across, about / squares_across) - 1;
 }
 
-// Data behind the tile list: dispatch sizes of the blurs, four words each, then one flag per square that is
-// listed.
+// Index of the words behind the tile list: dispatch sizes of the blurs, four words each, then one flag per
+// square that is listed.
 uint needs_word(uint level)
 {
     uvec2 squares = squares_of(frame.size_px);
@@ -136,7 +138,8 @@ void main()
         vec3 spread_px = spread_px_of(scatter_m.rgb, pixel_m_at(ahead));
         float widest = max(max(spread_px.r, spread_px.g), spread_px.b);
         bool scatters = !holds_all(kept_below_px(), widest);
-        // Averages neighbouring pixels, so that the edge of a shadow does not jump between half-page pixels.
+        // The light of neighbouring pixels is averaged, so that the edge of a shadow does not jump between
+        // half-page pixels.
         vec4 sum = vec4(0.0);
         int i = 0;
         int corners = scatters || !looks_less ? 4 : 1;
@@ -163,8 +166,8 @@ void main()
         imageStore(out_through, half_pixel, vec4(through, takes));
     }
     barrier();
-    // One thread per blur level requests the level's dispatch, unless another workgroup already did. Atomics
-    // on one address are slow, because they are serialized.
+    // One thread per blur level requests the dispatch of its level, unless another workgroup already did.
+    // Atomics on one address are slow, because they are serialized.
     uint item = gl_LocalInvocationIndex;
     uint need = needs_word(item);
     if (item < uint(constants.level) &&

@@ -78,14 +78,14 @@ namespace {
 /// Tangent of the angle by which glass of roughness 1 scatters the background, at a refractive index of 1.5.
 constexpr float rough_blur = 0.5F;
 
-/// How many pixels beyond the page light spreads from with `levels` blurs.
+/// Distance in pixels from which light reaches a pixel with `levels` blur levels.
 uint32_t reach_of_levels(uint32_t levels)
 {
     constexpr uint32_t neighbours_px = 4;
     return 4U * ((1U << levels) - 1U) + neighbours_px;
 }
 
-/// Number of blur levels within the style's reach.
+/// Number of blur levels that the style's reach allows.
 uint32_t levels_within(float reach_mm, float pixels_per_mm)
 {
     uint32_t levels = 1;
@@ -96,7 +96,7 @@ uint32_t levels_within(float reach_mm, float pixels_per_mm)
     return levels;
 }
 
-/// Largest scattering distance d whose profile fits in `levels` blurs.
+/// Largest scattering distance d whose diffusion profile fits in `levels` blur levels.
 float most_spread_px(uint32_t levels)
 {
     const double blurred = 4.0 * (std::exp2(2.0 * levels) - 1.0) / 3.0;
@@ -108,7 +108,8 @@ float widest(const SubsurfaceStyle& style)
     return std::max({style.scatter_color.x, style.scatter_color.y, style.scatter_color.z});
 }
 
-/// Binds the parameter sets and each draw call's set; returns the variant bit for several sets.
+/// Binds the parameter sets and the set number of each draw call. Returns the bit of `variant` for several
+/// sets.
 uint32_t bind_variants(gpu::Pass& pass, const SubsurfaceInputs& in)
 {
     pass.sample(in.parameters, gpu::Format::rgba32f);
@@ -116,14 +117,14 @@ uint32_t bind_variants(gpu::Pass& pass, const SubsurfaceInputs& in)
     return in.variant_of_draw ? shared::subsurface_has_variants : 0U;
 }
 
-/// Variant bits for the device's reading strategy and the projection.
+/// Bits of `variant` for the device's way of reading neighbours, and for the projection.
 uint32_t looking(const SubsurfaceInputs& in)
 {
     return (in.execution.looks_only_where_needed() ? shared::subsurface_looks_less : 0U) |
            (in.in_perspective ? shared::subsurface_in_perspective : 0U);
 }
 
-/// Constants for `levels` blurs.
+/// Shader constants for `levels` blur levels.
 shared::ScatterConstants constants_of(const SubsurfaceInputs& in, uint32_t levels)
 {
     return {.from_half = (in.from_px + 1U) / 2U,
@@ -133,16 +134,17 @@ shared::ScatterConstants constants_of(const SubsurfaceInputs& in, uint32_t level
             .is_last = 0U};
 }
 
-/// Light of the half page, the share that stays in place, and the dispatch sizes of the blurs.
+/// Outputs of the source pass: light of the half page, the share that stays in place, and the dispatch sizes
+/// of the blurs.
 struct Source {
     gpu::ImageId light;
     gpu::ImageId spread;
     gpu::ImageId sum;
     gpu::BufferId needs;
-    uint64_t needs_bytes; ///< offset of the dispatch sizes in `needs`
+    uint64_t needs_bytes; ///< offset in bytes of the dispatch sizes in the buffer `needs`
 };
 
-/// Adds one blur, or one direction of it, and returns the blurred light. `constants` select the blur.
+/// Adds one blur, or one direction of a blur, and returns the blurred light. `constants` select the blur.
 gpu::ImageId add_blur(gpu::Pass pass, gpu::Graph& graph, const SubsurfaceInputs& in,
                       const shared::ScatterConstants& constants, Source& source)
 {
@@ -156,7 +158,7 @@ gpu::ImageId add_blur(gpu::Pass pass, gpu::Graph& graph, const SubsurfaceInputs&
     return blurred;
 }
 
-/// The sum of a source's blurs. `constants.level` is the largest number of blurs.
+/// Adds all blurs of a source and returns their sum. `constants.level` is the largest number of blurs.
 gpu::ImageId add_blurs(gpu::Graph& graph, const SubsurfaceInputs& in, shared::ScatterConstants constants,
                        Source source)
 {
@@ -203,11 +205,11 @@ SubsurfaceStyle seen_through(SubsurfaceStyle style, const Material& material, fl
     const Transmission& seen = *material.transmission;
     style.enabled = true;
     style.scatter_m = 0.0F;
-    style.strength = 0.0F; // `behind` already shows transmitted light
+    style.strength = 0.0F; // `behind` already shows transmitted light, so none is added
     style.depth_m = seen.attenuation_m;
     style.tint = glm::mix(glm::vec3(1.0F), seen.attenuation_color, color_share);
     style.sheet_m = seen.thickness_m;
-    style.behind = seen.share * (1.0F - material.metallic); // metals are opaque
+    style.behind = seen.share * (1.0F - material.metallic); // metals are opaque, so they show no background
     style.behind_blur = rough_blur * material.roughness * material.roughness;
     style.behind_tint = color_share;
     return style;
@@ -268,7 +270,7 @@ gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::Ima
     const shared::ScatterConstants constants = constants_of(in, levels);
     const glm::uvec2 across = (in.size_px + shared::scatter_square_px - 1U) / shared::scatter_square_px;
     const uint64_t squares = uint64_t{across.x} * across.y;
-    // Behind the list are the blurs' dispatch sizes, and flags of listed squares.
+    // The buffer of squares holds the list, then the blurs' dispatch sizes, then flags of listed squares.
     const gpu::BufferId none_listed = gpu::add_empty_group_list(graph, "subsurface/squares", squares,
                                                                 4U * shared::most_scatter_levels + squares);
     const uint32_t variant = (through ? shared::subsurface_shines : 0U) |
@@ -301,7 +303,8 @@ gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::Ima
 
 namespace {
 
-/// The background at full size, half size, quarter size and so on.
+/// Adds passes that halve the background repeatedly. Returns it at full size, half size, quarter size and so
+/// on.
 std::vector<gpu::ImageId> add_halves(gpu::Graph& graph, const BehindInputs& in)
 {
     std::vector<gpu::ImageId> levels{in.painted};
@@ -355,7 +358,7 @@ gpu::ImageId add_behind(gpu::Graph& graph, const BehindInputs& in, gpu::ImageId 
 
 namespace {
 
-/// Largest scattering distance d, in texels, whose profile fits in `levels` blurs.
+/// Largest scattering distance d, in texels, whose diffusion profile fits in `levels` blur levels.
 float most_spread_tx(uint32_t levels)
 {
     return 0.25F * static_cast<float>(std::sqrt((std::exp2(2.0 * levels) - 1.0) / 3.0));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Subsurface scattering: light is transmitted from the far side, and spreads below the surface, on the page
-// or in a map that covers all surfaces. Also draws the background of thick clear bodies.
+// Subsurface scattering: light is transmitted from a body's far side, and spreads below its surface, on the
+// page or in a map that covers all surfaces. Also draws the background of thick clear bodies.
 
 #include <optional>
 #include <vector>
@@ -16,7 +16,8 @@
 
 namespace estampe::subsurface {
 
-/// Where light spreads: between pixels of the page, or between texels of a map that covers all surfaces.
+/// Where subsurface light spreads: between pixels of the page, or between texels of a map that covers all
+/// surfaces.
 enum class Space : uint8_t { page, texture };
 
 struct SubsurfaceStyle {
@@ -29,7 +30,8 @@ struct SubsurfaceStyle {
     float sheet_m = 0.0F;
     float behind = 0.0F;
     float behind_blur = 0.5F;
-    float behind_tint = 0.0F; ///< how far the surface's own colour tints; for the file's transmission
+    /// Strength of the tint by the surface's own colour, for the file's transmission.
+    float behind_tint = 0.0F;
     bool transmission = true;
     float reach_mm = 20.0F;
     Space space = Space::page;
@@ -38,44 +40,46 @@ struct SubsurfaceStyle {
 
 [[nodiscard]] const style::Table<SubsurfaceStyle>& subsurface_table();
 
-/// Converts a style to shader parameters.
+/// Converts the subsurface section of a style to shader parameters.
 [[nodiscard]] shared::SubsurfaceParameters parameters_of(const SubsurfaceStyle& style);
 
-/// The style for a material with transmission. `color_share` is the share of the material's colours that the
-/// picture paints; at 0 the body does not tint the background.
+/// The subsurface style for a material with transmission. `color_share` is the share of the material's
+/// colours that the picture paints; at 0 the body does not tint the background.
 [[nodiscard]] SubsurfaceStyle seen_through(SubsurfaceStyle style, const Material& material,
                                            float color_share);
 
-/// Whether light is transmitted (shines), or spreads (scatters).
+/// Whether the style transmits light from a body's far side.
 [[nodiscard]] bool shines(const SubsurfaceStyle& style);
 [[nodiscard]] bool scatters(const SubsurfaceStyle& style);
 
-/// Whether the background is visible through the body.
+/// Whether the background is visible through bodies of this style.
 [[nodiscard]] bool is_clear(const SubsurfaceStyle& style);
 
-/// Whether lines behind the body are drawn: at least half of the background must be visible. Lines do not
+/// Whether lines behind a clear body are drawn: at least half of the background must be visible. Lines do not
 /// fade, so a nearly opaque body hides them.
 [[nodiscard]] bool shows_lines(const SubsurfaceStyle& style);
 
-/// The distance in pixels beyond the page on which a pixel depends.
+/// The distance in pixels from which light reaches a pixel, also from beyond the page.
 [[nodiscard]] uint32_t reach_px(const SubsurfaceStyle& style, float pixels_per_mm);
 
 /// The visible surfaces, and their subsurface parameters.
 struct SubsurfaceInputs {
-    gpu::BufferId frame; ///< FrameGlobals
+    gpu::BufferId frame; ///< buffer with a FrameGlobals record
     gpu::ImageId draw;
     gpu::ImageId depth;
     gpu::ImageId normal;
-    gpu::BufferId parameters;                     ///< SubsurfaceParameters, one per parameter set
-    std::optional<gpu::BufferId> variant_of_draw; ///< set of each draw call; none if there is one set
+    gpu::BufferId parameters; ///< SubsurfaceParameters records, one per parameter set
+    /// Parameter set of each draw call; empty if there is one set.
+    std::optional<gpu::BufferId> variant_of_draw;
     float reach_mm = 20.0F;
     float pixels_per_mm = 1.0F;
     glm::uvec2 size_px{0};
-    glm::uvec2 from_px{0}; ///< first pixel of the current tile on the page
+    glm::uvec2 from_px{0}; ///< position of the current tile's first pixel on the page
     gpu::ExecutionProfile execution;
-    bool in_perspective = false; ///< perspective projection: depth alone gives the distance along the view
+    /// The projection is perspective: depth alone gives the distance along the view.
+    bool in_perspective = false;
 
-    /// The half page: first pixel of the tile at even page positions, and the number of half-page pixels.
+    /// Offset (0 or 1) of the tile's first pixel that has an even page position, where the half page begins.
     [[nodiscard]] glm::uvec2 second_from() const { return from_px & 1U; }
 
     [[nodiscard]] glm::uvec2 half_px() const
@@ -84,28 +88,29 @@ struct SubsurfaceInputs {
     }
 };
 
-/// The far side of visible bodies as a surface to light, on the half page.
+/// The far side of visible bodies as a surface to light, on the half page (every second pixel).
 struct FarSide {
-    gpu::ImageId draw;   ///< r32ui: draw + 1, 0 where almost no light is transmitted
-    gpu::ImageId depth;  ///< r32f: reversed depth
-    gpu::ImageId normal; ///< rg32ui: away from the eye, stored twice
-    gpu::BufferId tiles; ///< tiles with transmitted light, see shaders/tiles.glsl.h
+    gpu::ImageId draw;   ///< r32ui: draw call + 1, or 0 where almost no light is transmitted
+    gpu::ImageId depth;  ///< r32f: reversed depth of the far side
+    gpu::ImageId normal; ///< rg32ui: normal away from the eye, stored twice
+    gpu::BufferId tiles; ///< list of tiles with transmitted light, see shaders/tiles.glsl.h
 };
 
-/// Finds where the view ray leaves each visible body. `behind` is the visibility buffer of the next
-/// scattering surfaces behind the visible ones, on the half page. Cost: one dispatch over the half page.
+/// Adds a pass that finds where the view ray leaves each visible body. `behind` is the visibility buffer of
+/// the next scattering surfaces behind the visible ones, on the half page. Cost: one dispatch over the half
+/// page.
 [[nodiscard]] FarSide add_far_side(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::BufferId behind,
                                    gpu::BufferId triangles, gpu::BufferId posed_vertices);
 
-/// Light on the far side.
+/// The far side of bodies, and the light on it.
 struct Through {
     FarSide far_side;
     gpu::ImageId light;
 };
 
-/// Spreads `light`, with transmitted light from the far side, below the surface; if `spreads` is false it
-/// only adds the transmitted light. Returns the new version of `light`. Transmission follows the Beer-Lambert
-/// law.
+/// Adds passes that spread `light`, with transmitted light from the far side, below the surface; if `spreads`
+/// is false they only add the transmitted light. Returns the new version of `light`. Transmission follows the
+/// Beer-Lambert law.
 ///
 /// Cost    one dispatch over the half page, then one over the squares that receive light. Spreading adds one
 ///         dispatch (two on a CPU) over the half page per doubling of the scattering distance on the page, up
@@ -119,23 +124,24 @@ struct Through {
                                        const std::optional<Through>& through = std::nullopt,
                                        bool spreads = true);
 
-/// Surfaces of clear bodies per pixel: front and back of two bodies, one behind the other.
+/// Surfaces of clear bodies per pixel: front and back of up to two bodies, one behind the other.
 inline constexpr uint32_t inside_layers = 4;
 
 struct BehindInputs {
     SubsurfaceInputs common;
-    gpu::BufferId visibility;          ///< all solid surfaces
-    std::vector<gpu::BufferId> inside; ///< clear bodies only, nearest first, at most `inside_layers`
-    gpu::BufferId background;          ///< visibility buffer of all solid surfaces but clear bodies
+    gpu::BufferId visibility; ///< visibility buffer of all solid surfaces
+    /// Visibility buffers of clear bodies only, nearest first, at most `inside_layers`.
+    std::vector<gpu::BufferId> inside;
+    gpu::BufferId background; ///< visibility buffer of all solid surfaces except clear bodies
     gpu::BufferId triangles;
     gpu::BufferId posed_vertices;
-    gpu::ImageId color;   ///< rgba8: visible surface, square root of linear colour
-    gpu::ImageId painted; ///< rgba16f: paint of the background
+    gpu::ImageId color;   ///< rgba8: colour of the visible surface, as square root of linear colour
+    gpu::ImageId painted; ///< rgba16f: the painted background
 };
 
-/// Blends the background into `wash` where clear bodies are visible, and returns the new version. Absorption
-/// (Beer-Lambert law) and blur are summed along the path through all bodies; then the background is blurred
-/// once.
+/// Adds passes that blend the background into `wash` where clear bodies are visible, and returns the new
+/// version. Absorption (Beer-Lambert law) and blur are summed along the path through all bodies; then the
+/// background is blurred once.
 ///
 /// Cost    one full-screen dispatch, one per halving of the background, and one full-screen dispatch with 16
 ///         texel reads per pixel of a body
@@ -151,36 +157,39 @@ struct TextureInputs {
     gpu::BufferId posed_vertices;
     gpu::BufferId draws;
     gpu::BufferId materials;
-    gpu::BufferId parameters;                     ///< SubsurfaceParameters, one per parameter set
-    std::optional<gpu::BufferId> variant_of_draw; ///< set of each draw call; none if there is one set
-    uint32_t size = 0;                            ///< texels per side
-    float most_spread_tx = 1.0F;                  ///< largest scattering distance of all colours and sets
+    gpu::BufferId parameters; ///< SubsurfaceParameters records, one per parameter set
+    /// Parameter set of each draw call; empty if there is one set.
+    std::optional<gpu::BufferId> variant_of_draw;
+    uint32_t size = 0;           ///< texels per side of the map
+    float most_spread_tx = 1.0F; ///< largest scattering distance of all colours and parameter sets
 };
 
-/// The map's texels as surfaces to light; all images have the map's size.
+/// The map's texels as surfaces to light. All images have the map's size.
 struct TextureSurface {
-    gpu::ImageId draw;   ///< r32ui: like Surface::draw, 0 for unused texels
-    gpu::ImageId normal; ///< rg32ui
-    gpu::ImageId points; ///< rgba32f: xyz position in anchor space, w size of a texel in that space
+    gpu::ImageId draw;   ///< r32ui: draw call as in Surface::draw; 0 for unused texels
+    gpu::ImageId normal; ///< rg32ui: packed normal, stored twice
+    gpu::ImageId points; ///< rgba32f: xyz position in anchor space, w size of a texel there
 };
 
-/// Places the map's texels on the posed surfaces. Cost: one dispatch over the map.
+/// Adds a pass that finds the position and normal of each map texel on the posed surfaces. Cost: one dispatch
+/// over the map.
 [[nodiscard]] TextureSurface add_texture_surface(gpu::Graph& graph, const TextureInputs& in);
 
-/// Light after spreading in the map.
+/// Light after it has spread between the map's texels.
 struct TextureLight {
     gpu::ImageId spread; ///< rgba32f: scattering distance per colour, in texels
-    gpu::ImageId sum;    ///< rgba32f: light scattered from other texels; alpha 1 where the surface scatters
+    gpu::ImageId sum; ///< rgba32f: light scattered from other texels; alpha is 1 where the surface scatters
 };
 
-/// Spreads `light`, which falls on the map's texels, between texels. Uses the profile of add_scatter().
+/// Adds passes that spread `light`, which falls on the map's texels, between texels. They use the diffusion
+/// profile of add_scatter().
 ///
 /// Cost    two dispatches per doubling of the reach in texels, and one more, over the map
 /// Source  d'Eon, Luebke and Enderton, "Efficient Rendering of Human Skin", 2007, and as add_scatter()
 [[nodiscard]] TextureLight add_texture_scatter(gpu::Graph& graph, const TextureInputs& in,
                                                const TextureSurface& surface, gpu::ImageId light);
 
-/// Adds the map's spread light to the share of the page's `light` that stays in place. Returns the new
+/// Adds the map's spread light to the page's `light`, of which a share stays in place. Returns the new
 /// version of `light`. Cost: one full-screen dispatch.
 [[nodiscard]] gpu::ImageId add_texture_page(gpu::Graph& graph, const TextureInputs& in,
                                             const TextureLight& spread, gpu::BufferId frame,

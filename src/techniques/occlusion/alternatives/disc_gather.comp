@@ -15,7 +15,7 @@ layout(binding = 0) uniform usamplerBuffer posed_vertices;
 
 layout(scalar, binding = 1) readonly buffer Vertices
 {
-    uvec2 vertices[]; // vertex index, and the bits of the area in square metres
+    uvec2 vertices[]; // for each disc: vertex index, and the bits of the area in square metres
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -32,12 +32,12 @@ const bool bounces = (variant & discs_bounce) != 0u;
 
 layout(scalar, binding = 4) writeonly buffer Open
 {
-    float open[]; // per vertex: 1 minus the occlusion
+    float open[]; // per vertex: visibility, which is 1 minus the occlusion
 };
 
 layout(scalar, binding = 5) writeonly buffer Bounced
 {
-    vec4 bounced[]; // per vertex
+    vec4 bounced[]; // per vertex: light that discs bounce onto it
 };
 
 void main()

@@ -15,7 +15,7 @@ layout(binding = 0) uniform usamplerBuffer posed_vertices;
 
 layout(scalar, binding = 1) readonly buffer Vertices
 {
-    uvec2 vertices[]; // vertex index, and the bits of the area in square metres
+    uvec2 vertices[]; // for each disc: vertex index, and the bits of the area in square metres
 };
 
 layout(scalar, binding = 2) writeonly buffer Discs

@@ -24,7 +24,8 @@ layout(scalar, binding = 0) uniform Frame
 #define MAP_CORNERS_BINDING 4
 #include "shaders/map_corners.glsl"
 
-layout(binding = 5) uniform samplerBuffer found_texels; // written by disc_map_gather.comp
+// Occlusion per texel of the map, from disc_map_gather.comp.
+layout(binding = 5) uniform samplerBuffer found_texels;
 layout(binding = 6, r16f) writeonly uniform image2D out_open;
 layout(binding = 7, rgba16f) writeonly uniform image2D out_bounced;
 
@@ -40,7 +41,7 @@ constants;
 layout(constant_id = 0) const uint variant = 0u;
 const bool bounces = (variant & discs_bounce) != 0u;
 
-// Bounced light, and visibility in alpha. Places without texels are unoccluded.
+// Bounced light at a place of the map, and visibility in alpha. Places without texels are unoccluded.
 vec4 found_at(vec2 place)
 {
     vec2 from = place - 0.5;

@@ -34,7 +34,7 @@ layout(push_constant) uniform Constants
 {
     float strength;
     float bleeding;
-    uint vertex_count; // vertices that have discs; the ground's vertices follow
+    uint vertex_count; // number of vertices that have discs; the ground's vertices follow
 }
 
 constants;

@@ -18,7 +18,7 @@ Disc disc_at(uint disc)
     return Disc(a.xyz, a.w, b.xyz, b.w);
 }
 
-// Index of a level's first node.
+// Index of the first node of a level in the tree of discs.
 uint first_of(uint level)
 {
     uint first = 0u;
@@ -28,8 +28,8 @@ uint first_of(uint level)
     return first;
 }
 
-// Projected area of a node towards the unit vector `way`: exact for one disc and for coplanar discs. For
-// normals in all directions it is a quarter of the area.
+// Area of a tree node, projected in the direction of the unit vector `way`: exact for one disc and for
+// coplanar discs. For normals in all directions it is a quarter of the area.
 float facing_area(Disc disc, vec3 way)
 {
     float along = dot(disc.facing_m2, way);
@@ -38,8 +38,8 @@ float facing_area(Disc disc, vec3 way)
     return max(0.5f * (both_sides + along), 0.0f);
 }
 
-// Form factor A cos cos / (pi r^2 + A) of a disc at `way` from a receiver with this normal, faded to 0 at
-// `radius_m`.
+// Occlusion by one disc: the form factor A cos cos / (pi r^2 + A) of a disc at `way` from a receiver with
+// this normal, faded to 0 at `radius_m`.
 float hidden_by_disc(Disc disc, vec3 way, vec3 normal, float radius_m)
 {
     float r_2 = dot(way, way);
@@ -57,8 +57,8 @@ struct DiscSum {
     vec3 bounced;
 };
 
-// Traverses the tree: a distant node counts as one disc, and near nodes are opened. All lanes of a subgroup
-// must call this function together.
+// Sums the occlusion by all discs over the tree: a distant node counts as one disc, and the children of near
+// nodes are visited. All lanes of a subgroup must call sum_of_discs() together.
 DiscSum sum_of_discs(vec3 place, vec3 normal, bool is_there)
 {
     uint top = constants.level_count - 1u;
@@ -67,7 +67,8 @@ DiscSum sum_of_discs(vec3 place, vec3 normal, bool is_there)
     uint first = first_of(top);
     DiscSum sum = DiscSum(0.0, vec3(0.0));
     bool goes_on = is_there;
-    // All lanes end together. A subgroup would compute a finished lane anyway.
+    // All lanes of a subgroup leave the loop together, because the subgroup would compute a finished lane
+    // anyway.
     do {
         Disc disc = disc_at(first + node);
         vec3 way = disc.place - place;
@@ -79,7 +80,8 @@ DiscSum sum_of_discs(vec3 place, vec3 normal, bool is_there)
         if (DISCS_BOUNCE) {
             sum.bounced += hidden * texelFetch(disc_colors, int(first + node)).rgb;
         }
-        // Moves to the first child, or to the next node. After a parent's last child, moves up.
+        // The traversal moves to the first child, or to the next node. After a parent's last child, it moves
+        // up.
         bool goes_down = goes_on && !is_whole;
         bool goes_past = goes_on && is_whole;
         level -= goes_down ? 1u : 0u;
@@ -94,7 +96,7 @@ DiscSum sum_of_discs(vec3 place, vec3 normal, bool is_there)
         }
         goes_on = goes_on && !(level == top && node >= constants.counts[top]);
     } while (subgroupAny(goes_on));
-    // Occlusion above 1 is impossible. The bounced light is scaled down together with such an occlusion.
+    // Occlusion cannot exceed 1. If the sum does, the bounced light is scaled down with it.
     sum.bounced /= max(sum.hidden, 1.0);
     return sum;
 }

@@ -18,8 +18,8 @@
 namespace estampe::occlusion {
 namespace {
 
-/// Sorts vertices so that neighbours in space are neighbours in the list. Splits the list along the longest
-/// side of its bounding box, at multiples of whole tree nodes.
+/// Sorts vertices so that neighbours in space are neighbours in the list. Splits the list recursively along
+/// the longest side of its bounding box, at multiples of whole tree nodes.
 void sort_by_place(std::span<uint32_t> vertices, std::span<const glm::vec3> places)
 {
     if (vertices.size() <= shared::disc_children) {
@@ -46,7 +46,7 @@ void sort_by_place(std::span<uint32_t> vertices, std::span<const glm::vec3> plac
     sort_by_place(vertices.subspan(half), places);
 }
 
-/// The tree's levels, and the settings of the style.
+/// Shader constants: the levels of the tree of discs, and the settings of the style.
 shared::DiscConstants constants_of(uint32_t disc_count, const DiscSettings& settings)
 {
     shared::DiscConstants constants{.counts = {disc_count}, .level_count = 1};
@@ -60,7 +60,7 @@ shared::DiscConstants constants_of(uint32_t disc_count, const DiscSettings& sett
     return constants;
 }
 
-/// Places the discs at posed vertices, and builds the tree level by level. Returns the tree.
+/// Adds passes that place the discs at posed vertices, and build the tree level by level. Returns the tree.
 gpu::BufferId add_disc_tree(gpu::Graph& graph, DiscBuffers& buffers, gpu::BufferId posed_vertices,
                             shared::DiscConstants constants)
 {
@@ -79,7 +79,7 @@ gpu::BufferId add_disc_tree(gpu::Graph& graph, DiscBuffers& buffers, gpu::Buffer
     return discs;
 }
 
-/// Creates the outputs of a pass over pixels, and sets its variant.
+/// Creates the output images of a pass over pixels, and sets its variant.
 AmbientOcclusion write_page(gpu::Graph& graph, gpu::Pass& pass, glm::uvec2 size_px, bool bounces)
 {
     const glm::uvec2 bounced_px = bounces ? size_px : glm::uvec2(1);
@@ -240,7 +240,7 @@ gpu::BufferId add_disc_map(gpu::Graph& graph, DiscBuffers& discs, DiscMapBuffers
 
 namespace {
 
-/// Interpolates the results of add_discs() between the vertices of each pixel's triangle.
+/// Adds a pass that interpolates the results of add_discs() between the vertices of each pixel's triangle.
 AmbientOcclusion add_vertex_page(gpu::Graph& graph, const OcclusionInputs& in, const PosedSurfaces& surfaces,
                                  const VertexOcclusion& found, uint32_t vertex_count,
                                  const OcclusionStyle& style)
@@ -261,7 +261,7 @@ AmbientOcclusion add_vertex_page(gpu::Graph& graph, const OcclusionInputs& in, c
     return page;
 }
 
-/// Interpolates the results of add_disc_map() between texels.
+/// Adds a pass that interpolates the results of add_disc_map() between texels.
 AmbientOcclusion add_map_page(gpu::Graph& graph, const OcclusionInputs& in, const PosedSurfaces& surfaces,
                               gpu::BufferId found, bool bounces, const OcclusionStyle& style)
 {

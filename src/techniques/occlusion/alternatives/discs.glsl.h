@@ -8,29 +8,30 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-SHARED_CONSTANT uint disc_children = 8U;    // children per node
-SHARED_CONSTANT uint most_disc_levels = 9U; // levels of a tree, including the level of discs
+SHARED_CONSTANT uint disc_children = 8U;    // number of children of a node in the tree of discs
+SHARED_CONSTANT uint most_disc_levels = 9U; // most levels of the tree of discs, including the level of discs
 
-// A disc, or the sum of all discs below a node: two texels of 16 bytes.
+// A disc, or the sum of all discs below a tree node: two texels of 16 bytes.
 struct Disc {
     vec3 place;
     float radius_m; // radius of a ball that holds the centres of all discs; 0 for a single disc
-    vec3 facing_m2; // sum of the normals times the areas
-    float area_m2;  // sum of the areas
+    vec3 facing_m2; // sum of the discs' normals, each times its area
+    float area_m2;  // sum of the discs' areas
 };
 
-// The tree's levels are stored one after another, discs first; level i has `counts[i]` nodes.
+// The tree of discs and the settings of the sum. The tree's levels are stored one after another, discs first;
+// level i has `counts[i]` nodes.
 struct DiscConstants {
     uint counts[most_disc_levels];
     uint level_count;
-    uint level;     // the current level
-    float radius_m; // farther occluders are ignored
+    uint level;     // tree level that the pass computes
+    float radius_m; // discs farther away than this are ignored
     float apart;    // a node counts as one disc if its radius is less than this share of its distance
-    float strength; // pixel passes: exponent of the visibility
-    float bleeding; // pixel passes: factor on bounced light
+    float strength; // exponent of the visibility, used in passes over pixels
+    float bleeding; // factor on bounced light, used in passes over pixels
 };
 
-// Variant bit: discs also bounce light.
+// Bit of `variant`: discs also bounce light.
 SHARED_CONSTANT uint discs_bounce = 1U;
 
 #ifdef __cplusplus

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Occlusion between discs, one per vertex, so that invisible surfaces occlude too. Computed per vertex, per
-// pixel, or per texel of a map of all surfaces.
+// Ambient occlusion between discs, one per vertex, so that invisible surfaces occlude too. Computed per
+// vertex, per pixel, or per texel of a map of all surfaces.
 
 #include <optional>
 #include <span>
@@ -15,37 +15,40 @@
 
 namespace estampe::occlusion {
 
-/// Whether the method needs a disc at each vertex.
+/// Whether the occlusion method needs a disc at each vertex.
 [[nodiscard]] constexpr bool has_discs(Method method)
 {
     return method == Method::discs || method == Method::splats || method == Method::uv;
 }
 
-/// The discs of a scene, sorted so that each run of 8, 64, ... neighbours is close together in space.
+/// The occluding discs of a scene, sorted so that each run of 8, 64, ... neighbours is close together in
+/// space.
 struct DiscList {
     std::vector<uint32_t> vertices; ///< indices of posed vertices that belong to triangles
-    std::vector<float> areas_m2;    ///< a third of the area of the vertex's triangles, in the rest pose
-    std::vector<glm::vec4> colors;  ///< linear, for all nodes of the tree; empty without colours
+    /// Area of each disc: a third of the area of the vertex's triangles, in the rest pose.
+    std::vector<float> areas_m2;
+    std::vector<glm::vec4> colors; ///< linear colour of each node of the tree; empty without colours
 };
 
-/// Lists the discs of `triangles`, whose first three numbers are vertex indices. `places` are the vertices in
-/// units of `unit_m`. Cost: n log n.
+/// Makes the list of discs from `triangles`, whose first three numbers are vertex indices. `places` are the
+/// vertices in units of `unit_m`. Cost: n log n.
 [[nodiscard]] DiscList list_discs(std::span<const glm::vec3> places, float unit_m,
                                   std::span<const glm::uvec4> triangles);
 
-/// Colours the discs by vertex colours. Each node gets the area-weighted mean of its children's colours.
+/// Sets the discs' colours from vertex colours. Each tree node gets the area-weighted mean of its children's
+/// colours.
 void color_discs(DiscList& list, std::span<const glm::vec3> color_of_vertex);
 
-/// The disc list and its last result, kept from frame to frame.
+/// The list of discs and the last occlusion result, kept from frame to frame.
 struct DiscBuffers {
     gpu::Buffer vertices;
-    gpu::Buffer colors;     ///< per node of the tree
-    gpu::Buffer visibility; ///< one float per posed vertex
-    gpu::Buffer bounced;    ///< four floats per posed vertex
+    gpu::Buffer colors;     ///< colour of each node of the tree
+    gpu::Buffer visibility; ///< visibility, one float per posed vertex
+    gpu::Buffer bounced;    ///< bounced light, four floats per posed vertex
     uint32_t disc_count = 0;
     uint32_t vertex_count = 0;
-    bool is_found = false;    ///< true: the result is valid for the current pose and style
-    float radius_m = 0.0F;    ///< radius of the result
+    bool is_found = false;    ///< the result is valid for the current pose and style
+    float radius_m = 0.0F;    ///< occlusion radius of the result
     bool has_bounced = false; ///< the result includes bounced light
 
     [[nodiscard]] bool empty() const { return disc_count == 0; }
@@ -56,22 +59,23 @@ struct DiscBuffers {
 /// A node of the tree counts as one disc if its radius is less than this share of its distance.
 inline constexpr float usual_apart = 0.35F;
 
-/// Settings of the sum over discs.
+/// Settings of the sum over occluding discs.
 struct DiscSettings {
-    float radius_m = 1.0F; ///< farther discs are ignored
+    float radius_m = 1.0F; ///< discs farther away than this are ignored
     float apart = usual_apart;
-    bool bounces = false; ///< also sums bounced light
+    bool bounces = false; ///< the sum includes bounced light
 };
 
-/// Occlusion per posed vertex.
+/// Ambient occlusion per posed vertex.
 struct VertexOcclusion {
-    gpu::BufferId visibility;             ///< one float per vertex
-    std::optional<gpu::BufferId> bounced; ///< four floats per vertex
+    gpu::BufferId visibility;             ///< visibility, one float per vertex
+    std::optional<gpu::BufferId> bounced; ///< bounced light, four floats per vertex
 };
 
-/// Computes each vertex's ambient visibility: 1 minus the sum of A cos cos / (pi r^2 + A) over all discs that
-/// face the vertex. Each term fades to 0 at the radius. Bounced light is the same sum, with each term
-/// multiplied by its disc's colour. Requires disc colours for bounced light.
+/// Adds passes that compute each vertex's ambient visibility: 1 minus the sum of A cos cos / (pi r^2 + A)
+/// over all discs that face the vertex, where A is a disc's area and r its distance. Each term fades to 0 at
+/// the radius. Bounced light is the same sum, with each term multiplied by its disc's colour. Requires disc
+/// colours for bounced light.
 ///
 /// Returns one float per posed vertex; 1 for vertices without a disc
 /// Cost    about n log n, and a small dispatch for each level of the tree; n^2 if `apart` is 0, which
@@ -81,7 +85,8 @@ struct VertexOcclusion {
 [[nodiscard]] VertexOcclusion add_discs(gpu::Graph& graph, DiscBuffers& buffers, gpu::BufferId posed_vertices,
                                         const DiscSettings& settings);
 
-/// Sums the discs per pixel. The result equals splatting every disc over all pixels within its radius.
+/// Adds a pass that sums the occlusion by discs per pixel. The result equals splatting every disc over all
+/// pixels within its radius.
 ///
 /// Cost    one full-screen dispatch, proportional to the logarithm of the discs: 40 ms and more on a CPU
 /// Source  as add_discs()
@@ -89,26 +94,27 @@ struct VertexOcclusion {
                                                gpu::BufferId posed_vertices, const OcclusionInputs& in,
                                                const OcclusionStyle& style, float apart = usual_apart);
 
-/// The last result for a map's texels, kept from frame to frame.
+/// The last occlusion result for a map's texels, kept from frame to frame.
 struct DiscMapBuffers {
-    /// Four floats per texel: bounced light, and visibility; -1 where the map has no surface.
+    /// Result per texel as four floats: bounced light, and visibility; -1 where the map has no surface.
     gpu::Buffer found;
-    uint32_t size = 0;     ///< texels per side
-    bool is_found = false; ///< true: the result is valid for the current pose and style
-    float radius_m = 0.0F; ///< radius of the result
+    uint32_t size = 0;     ///< texels per side of the map
+    bool is_found = false; ///< the result is valid for the current pose and style
+    float radius_m = 0.0F; ///< occlusion radius of the result
     bool has_bounced = false;
 };
 
-/// Allocates a map of `size` texels per side.
+/// Allocates an occlusion map of `size` texels per side.
 [[nodiscard]] DiscMapBuffers make_disc_map(gpu::Device& device, uint32_t size);
 
 struct DiscMapInputs {
-    gpu::BufferId map_texels; ///< see shaders/surface_map.glsl
+    gpu::BufferId map_texels; ///< texels of the map, see shaders/surface_map.glsl
     gpu::BufferId triangles;
     gpu::BufferId posed_vertices;
 };
 
-/// Sums the discs as add_discs() does, at the middle of each texel. The result is kept until something moves.
+/// Adds passes that sum the occlusion by discs, as add_discs() does, at the middle of each texel. The result
+/// is kept until something moves.
 ///
 /// Returns four floats per texel, row by row, in the layout of DiscMapBuffers::found
 /// Cost    texels times the logarithm of the discs, and the tree
@@ -116,7 +122,7 @@ struct DiscMapInputs {
 [[nodiscard]] gpu::BufferId add_disc_map(gpu::Graph& graph, DiscBuffers& discs, DiscMapBuffers& map,
                                          const DiscMapInputs& in, const DiscSettings& settings);
 
-/// Computes occlusion by one of the three disc methods, as the style says, for the page's pixels; none
+/// Adds passes that compute occlusion for the page's pixels by the disc method that the style selects; empty
 /// without discs.
 ///
 /// Cost    the sum over discs, and one full-screen dispatch that interpolates between vertices or texels

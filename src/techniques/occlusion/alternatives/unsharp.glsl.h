@@ -8,12 +8,12 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-SHARED_CONSTANT uint unsharp_taps = 8U; // taps of the Gaussian to either side
+SHARED_CONSTANT uint unsharp_taps = 8U; // taps (samples) of the Gaussian to either side
 
-// `from_half` and `half_px` are as in HorizonConstants.
+// Constants of depth darkening. `from_half` and `half_px` are as in HorizonConstants.
 struct UnsharpConstants {
-    float reach_px; // two standard deviations of the Gaussian on the page
-    float radius_m; // parallel projection: depth behind the mean at which a point turns black
+    float reach_px; // two standard deviations of the Gaussian, in pixels of the page
+    float radius_m; // in parallel projection: depth behind the mean at which a point turns black
     float strength;
     uint unused;
     uvec2 from_half;

@@ -18,7 +18,7 @@ layout(scalar, binding = 0) uniform Frame
 };
 
 layout(binding = 1) uniform sampler2D depth_image;
-layout(binding = 2) uniform sampler2D mean_image; // result of the row pass, for the column pass
+layout(binding = 2) uniform sampler2D mean_image; // mean depth along rows, which the column pass reads
 layout(binding = 3, r32f) writeonly uniform image2D out_mean;
 
 layout(push_constant, scalar) uniform Constants
@@ -50,8 +50,8 @@ void main()
     if (any(greaterThanEqual(uvec2(half_pixel), constants.half_px))) {
         return;
     }
-    // Mesa replaces a vector chosen by a specialization constant with its default value, so it is computed
-    // here.
+    // Computed at run time, because Mesa replaces a vector that a specialization constant selects with the
+    // constant's default.
     vec2 along = vec2(1.0 - float(is_upright), float(is_upright));
     float step_px = max(0.5 * constants.reach_px / float(unsharp_taps), 1.0);
     vec2 sum = vec2(depth_at(half_pixel), 1.0);

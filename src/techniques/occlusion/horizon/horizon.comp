@@ -22,7 +22,7 @@ layout(scalar, binding = 0) uniform Frame
 
 layout(binding = 1) uniform sampler2D depth_image;
 layout(binding = 2) uniform usampler2D normal_image;
-layout(binding = 3, rg32ui) writeonly uniform uimage2D out_open; // visibility and depth, as bits
+layout(binding = 3, rg32ui) writeonly uniform uimage2D out_open; // visibility and depth, as float bits
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -31,12 +31,13 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/occlusion/half_page.glsl"
 
-// A 4 x 4 pattern, ordered so that neighbours differ most.
+// Order of the sampling directions in a pattern of 4 x 4 pixels, chosen so that neighbours differ most.
 const uint pattern_order[16] = uint[](0u, 8u, 2u, 10u, 12u, 4u, 14u, 6u, 3u, 11u, 1u, 9u, 15u, 7u, 13u, 5u);
 
-// Part of a slice that an occluder blocks, front and back, as positions over the hemisphere: 0 is the horizon
-// on the other side. Uses the occluder's own slice instead of the step's, because pixel centres lie beside
-// the step's line; occluders in the surface's plane then lie exactly at its horizon.
+// Part of a slice (half plane through the view ray) that an occluder blocks, from front to back, as positions
+// over the hemisphere: 0 is the horizon on the other side. Uses the occluder's own slice instead of the
+// step's, because pixel centres lie beside the step's line; occluders in the surface's plane then lie exactly
+// at its horizon.
 vec2 hidden_by(vec3 way, vec3 normal, vec3 eye, float up, float thickness_m)
 {
     float z = dot(way, eye);
@@ -70,7 +71,7 @@ void main()
     }
     ivec2 pixel = whole_pixel(half_pixel);
     float depth = texelFetch(depth_image, pixel, 0).x;
-    // The noise is fixed to the page, independent of tiles: 16 pixels together cover all directions.
+    // The pattern is fixed to the page, independent of tiles: 16 pixels together cover all directions.
     uvec2 place = (uvec2(half_pixel) + constants.from_half) % horizon_pattern;
     uint rank = pattern_order[place.y * horizon_pattern + place.x];
     float turn = (float(rank) + 0.5) / 16.0;
@@ -109,7 +110,8 @@ void main()
         float weight = share * (slice_light_whole(n, up / share, aside / share) +
                                 slice_light_whole(-n, up / share, -aside / share));
         uvec4 hidden = uvec4(0u);
-        vec2 fronts = vec2(1.0); // previous step's front, on both sides; 1 is the surface's own horizon
+        // Front of the previous step's occluder, on both sides; 1 is the surface's own horizon.
+        vec2 fronts = vec2(1.0);
         for (int i = 0; i < loop_rounds(2 * int(horizon_steps), pixel.x); ++i) {
             float side = (i & 1) == 0 ? 1.0 : -1.0;
             float way = (float(i >> 1) + ahead) / float(horizon_steps);

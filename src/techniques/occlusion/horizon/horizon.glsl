@@ -2,20 +2,22 @@
 #ifndef ESTAMPE_HORIZON
 #define ESTAMPE_HORIZON
 
-// Angles in a slice, a plane through the view ray: 0 is towards the eye, positive is the current side. The
-// hemisphere above the surface is divided into sectors of equal light.
+// Angles in a slice, which is a plane through the view ray: 0 is towards the eye, positive is the current
+// side. The hemisphere above the surface is divided into sectors of equal light.
 
 const uint horizon_sectors = 32u;
 
-// Light in the slice from angle 0 to `angle`, with its cosine and sine, on a surface whose normal leans by an
-// angle n with cosine `cos_n` and sine `sin_n`: the integral of cos(a - n) sin(a).
+// Ambient light in a slice (plane through the view ray) from angle 0 to `angle`, given by its cosine and
+// sine, on a surface whose normal leans by an angle n with cosine `cos_n` and sine `sin_n`: the integral of
+// cos(a - n) sin(a).
 float slice_light(float angle, float cosine, float sine, float cos_n, float sin_n)
 {
     float cos_double = (2.0f * cosine * cosine - 1.0f) * cos_n + 2.0f * sine * cosine * sin_n;
     return 0.25f * (cos_n - cos_double + 2.0f * angle * sin_n);
 }
 
-// Light in the slice from angle 0 to the surface's horizon, pi / 2 from its normal.
+// Ambient light in a slice (plane through the view ray) from angle 0 to the surface's horizon, pi / 2 from
+// its normal.
 float slice_light_whole(float n, float cos_n, float sin_n)
 {
     return 0.25f * (2.0f * cos_n + (3.14159265f + 2.0f * n) * sin_n);

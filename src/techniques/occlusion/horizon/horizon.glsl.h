@@ -8,16 +8,16 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-SHARED_CONSTANT uint horizon_slices = 2U;      // planes through the view ray, per pixel
-SHARED_CONSTANT uint horizon_steps = 5U;       // steps per slice to either side
-SHARED_CONSTANT uint horizon_pattern = 4U;     // width and height in pixels of the pattern of directions
-SHARED_CONSTANT float horizon_least_px = 2.0F; // no occlusion if the radius on the page is smaller
+SHARED_CONSTANT uint horizon_slices = 2U;      // number of slices (planes through the view ray) per pixel
+SHARED_CONSTANT uint horizon_steps = 5U;       // number of samples per slice to either side
+SHARED_CONSTANT uint horizon_pattern = 4U;     // side in pixels of the repeated pattern of directions
+SHARED_CONSTANT float horizon_least_px = 2.0F; // smallest radius on the page, in pixels, that gives occlusion
 
-// Occlusion is computed at every second pixel each way: pixel `i` of the half page is pixel 2 * (from_half +
-// i) of the page.
+// Constants of the horizon method, which computes occlusion at every second pixel each way: pixel `i` of the
+// half page is pixel 2 * (from_half + i) of the page.
 struct HorizonConstants {
-    float radius_m;  // farther occluders are ignored
-    float reach_px;  // largest radius on the page
+    float radius_m;  // surfaces farther away than this do not occlude
+    float reach_px;  // largest occlusion radius in pixels of the page
     float thickness; // assumed thickness of occluders, as a share of the radius
     float strength;  // exponent of the visibility
     uvec2 from_half;

@@ -27,7 +27,8 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/occlusion/half_page.glsl"
 
-const float least_weight = 1e-3; // used if no half-page sample lies on the pixel's surface
+// Smallest total weight of half-page samples; decides if none lies on the pixel's surface.
+const float least_weight = 1e-3;
 
 void main()
 {

@@ -39,8 +39,8 @@ void main()
     vec2 own = uintBitsToFloat(texelFetch(open_image, half_pixel, 0).xy);
     vec3 normal = unpack_normal(texelFetch(normal_image, pixel, 0).y);
     DepthPlane plane = depth_plane(pixel, max(own.y, 1e-9), normal, 0.1 * constants.radius_m);
-    // Mesa replaces a vector chosen by a specialization constant with its default value, so it is computed
-    // here.
+    // Computed at run time, because Mesa replaces a vector that a specialization constant selects with the
+    // constant's default.
     ivec2 along = ivec2(1 - int(is_upright), int(is_upright));
     vec2 sum = vec2(own.x, 1.0);
     for (int i = 1; i <= 4; ++i) {

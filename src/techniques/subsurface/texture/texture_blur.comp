@@ -13,7 +13,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D spread_image;
 layout(binding = 1) uniform sampler2D point_image;
 layout(binding = 2) uniform sampler2D light_image;
-layout(binding = 3) uniform sampler2D sum_image; // sum of the previous levels
+layout(binding = 3) uniform sampler2D sum_image; // sum of the previous blur levels
 
 layout(binding = 4, rgba32f) writeonly uniform image2D out_light;
 layout(binding = 5, rgba32f) writeonly uniform image2D out_sum;
@@ -37,8 +37,8 @@ void main()
     vec4 own = texelFetch(light_image, texel, 0);
     vec4 point = texelFetch(point_image, texel, 0);
     int apart = 1 << constants.level;
-    // Mesa replaces a vector chosen by a specialization constant with its default value, so it is computed
-    // here.
+    // Computed at run time, because Mesa replaces a vector that a specialization constant selects with the
+    // constant's default.
     int upright = is_upright ? 1 : 0;
     ivec2 along = apart * ivec2(1 - upright, upright);
     int taps = own.w > 0.0 ? 4 : 1;

@@ -17,10 +17,12 @@ layout(binding = 2) uniform sampler2D light_image;
 layout(constant_id = 0) const uint variant = 0u;
 #include "techniques/subsurface/parameters.glsl"
 
-layout(binding = 5, rgba32f) writeonly uniform image2D out_light; // light; alpha 1 where it spreads
-// Scattering distance per colour, in texels; texel size.
+// Light that falls on the texel; alpha is 1 where it spreads.
+layout(binding = 5, rgba32f) writeonly uniform image2D out_light;
+// Scattering distance per colour, in texels; the size of a texel in alpha.
 layout(binding = 6, rgba32f) writeonly uniform image2D out_spread;
-layout(binding = 7, rgba32f) writeonly uniform image2D out_sum; // sum of blurs so far; 1 where it spreads
+// Sum of the blur levels so far; alpha is 1 where light spreads.
+layout(binding = 7, rgba32f) writeonly uniform image2D out_sum;
 
 layout(push_constant, scalar) uniform Constants
 {

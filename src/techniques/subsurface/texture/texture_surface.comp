@@ -26,9 +26,11 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #define MATERIAL_TEXELS_BINDING 5
 #include "shaders/material_texels.glsl"
 
-layout(binding = 6, r32ui) writeonly uniform uimage2D out_draw;    // see shaders/surface_images.glsl
+// Draw call and flags, see shaders/surface_images.glsl.
+layout(binding = 6, r32ui) writeonly uniform uimage2D out_draw;
 layout(binding = 7, rg32ui) writeonly uniform uimage2D out_normal; // packed normal, stored twice
-layout(binding = 8, rgba32f) writeonly uniform image2D out_point; // position in anchor space; size of a texel
+// Position in anchor space in xyz; size of a texel in w.
+layout(binding = 8, rgba32f) writeonly uniform image2D out_point;
 
 layout(push_constant, scalar) uniform Constants
 {
