@@ -75,22 +75,22 @@ SunPosition position_of(const SunStyle& style)
                                                         style.latitude_deg, style.longitude_deg);
 }
 
-/// Elevation of the light at dusk: after sunset it comes from the sun's glow, which spreads upwards.
+/// Elevation of the light at dusk. After sunset the light comes from the sun's glow, which spreads upwards.
 double height_of_glow(double elevation_deg)
 {
     return elevation_deg > lowest_deg ? elevation_deg
                                       : lowest_deg + std::min(4.0 * std::max(-elevation_deg, 0.0), 25.0);
 }
 
-/// Strength and colour of the sun. Eyes and paper compress the falling strength of a setting sun, and the
-/// glow remains after it has set.
+/// Strength and colour of the sun at an elevation. Eyes and paper compress the falling strength of a setting
+/// sun, and the glow remains after sunset.
 glm::vec3 sun_of(double elevation_deg, const SunStyle& style)
 {
     const auto through = [&](double deg) {
         return glm::vec3(sunlight_through_air(glm::radians(deg), static_cast<double>(style.haze)));
     };
     const float strength = std::max(std::pow(luminance(through(elevation_deg)), 0.25F), 0.3F);
-    // The last light is rosier than the red of the sun's disc.
+    // The last light after sunset is rosier than the red of the sun's disc.
     const glm::vec3 hue = of_brightness_one(through(std::max(elevation_deg, lowest_deg)));
     return strength * between(-8.0, 0.5, elevation_deg) * glm::mix(glm::vec3(1.0F), hue, style.warmth);
 }
@@ -134,7 +134,7 @@ void set_daylight(Lighting& lighting, const Daylight& daylight, const LightStyle
         return;
     }
     const float scale = std::exp2(style.exposure_stops) / (1.0F + style.fill);
-    // Adds a black sun too: an outdoor scene keeps its sky in a moonless night.
+    // A black sun is added too, so that an outdoor scene keeps its sky in a moonless night.
     std::vector records{parallel_light(daylight.towards_sun, scale * daylight.sun)};
     if (luminance(daylight.moon) > 0.0F) {
         records.push_back(parallel_light(daylight.towards_moon, scale * daylight.moon));

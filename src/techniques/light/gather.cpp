@@ -17,7 +17,7 @@ namespace {
 
 constexpr float least_light = 1.0F / 400.0F;
 
-/// Default values of a light record.
+/// A light record with default values.
 shared::LightRecord blank_record()
 {
     shared::LightRecord record{};
@@ -63,7 +63,8 @@ shared::LightRecord make_record(const Light& light, const glm::dmat4& world_from
     record.radius_m = light.radius_m.value_or(-1.0F);
     record.direction = glm::vec3(beam);
     record.side = glm::vec3(axis_of(world_from_node, {1.0, 0.0, 0.0}));
-    // KHR_lights_punctual's recommended angular falloff, as scale and offset of the cosine.
+    // Converts a spot's cone to the recommended angular falloff of KHR_lights_punctual, as scale and offset
+    // of the cosine.
     const float inner = std::cos(light.inner_cone_rad);
     const float outer = std::cos(light.outer_cone_rad);
     record.cone_scale = 1.0F / std::max(0.001F, inner - outer);
@@ -71,14 +72,15 @@ shared::LightRecord make_record(const Light& light, const glm::dmat4& world_from
     return record;
 }
 
-/// Distance attenuation of a local light; without the range window for inverse-square lights.
+/// Share of a local light that arrives at a distance. Inverse-square lights are taken without their range
+/// window.
 float weakened(const shared::LightRecord& record, float distance_2)
 {
     return is_unit_volume(record) ? estampe::weakened(LightFalloff::unit_volume, record.range_m, distance_2)
                                   : estampe::weakened(LightFalloff::inverse_square, 0.0F, distance_2);
 }
 
-/// Share of a local light that leaves along the unit vector `along`.
+/// Share of a local light that leaves along the unit vector `along`, because of its cone or pyramid.
 float share_along(const shared::LightRecord& record, const glm::vec3& along)
 {
     const uint32_t type = record.type & shared::light_type_mask;
@@ -94,7 +96,7 @@ float share_along(const shared::LightRecord& record, const glm::vec3& along)
         along);
 }
 
-/// Light that reaches a point, as if the surface faced every light.
+/// Light of all lights that reaches a point, as if the surface faced every light.
 float arriving(const std::vector<shared::LightRecord>& records, const glm::vec3& point)
 {
     float sum = 0.0F;
@@ -111,7 +113,8 @@ float arriving(const std::vector<shared::LightRecord>& records, const glm::vec3&
     return sum;
 }
 
-/// Light at the brighter parts of the scene: the 80th percentile over a sample of its vertices.
+/// Brightness for the exposure: light at the brighter parts of the scene, the 80th percentile over a sample
+/// of its vertices.
 float exposure_key(const std::vector<shared::LightRecord>& records, const Scene& scene, const ScenePose& pose,
                    const glm::dvec3& anchor)
 {
@@ -130,12 +133,12 @@ float exposure_key(const std::vector<shared::LightRecord>& records, const Scene&
     return *key;
 }
 
-/// Like exposure_key(), but returns the cached value if nothing has changed.
+/// Brightness for the exposure like exposure_key(), but the cached value if nothing has changed.
 float remembered_exposure_key(const std::vector<shared::LightRecord>& records, const Scene& scene,
                               const ScenePose& pose, const glm::dvec3& anchor, ExposureKeyCache& memory)
 {
     const auto is_same = [](const shared::LightRecord& a, const shared::LightRecord& b) {
-        // If equal numbers have different bits, the only cost is another computation.
+        // Numbers that are equal but have different bits only cost another computation.
         return std::memcmp(&a, &b, sizeof a) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
     };
     if (!std::ranges::equal(records, memory.records, is_same) || anchor != memory.anchor ||
@@ -146,8 +149,8 @@ float remembered_exposure_key(const std::vector<shared::LightRecord>& records, c
     return memory.key;
 }
 
-/// Manual exposure: light that a white sheet reflects as luminance 1.2 times 2^EV maps to 1. A white sheet
-/// reflects 1 / pi of the irradiance.
+/// Exposure factor of manual metering. Light that a white sheet reflects as luminance 1.2 times 2^EV becomes
+/// 1. A white sheet reflects 1 / pi of the irradiance.
 float manual_exposure(float ev100)
 {
     return 1.0F / (std::numbers::pi_v<float> * 1.2F * std::exp2(ev100));
@@ -161,7 +164,8 @@ void add_scene_records(std::vector<shared::LightRecord>& records, const Scene& s
         const Index light = scene.nodes[node].light;
         if (light != no_index && scene.lights[light].type != LightType::ambient) {
             records.push_back(make_record(scene.lights[light], pose.world_from_node[node], anchor));
-            // A unit-volume light needs a range; without one in the file it takes the scene's radius.
+            // A light with unit-volume falloff needs a range. If the file gives none, the range is the
+            // scene's radius.
             float& range_m = records.back().range_m;
             range_m = range_m > 0.0F ? range_m : is_unit_volume(records.back()) ? radius_m : 0.0F;
         }
@@ -193,8 +197,8 @@ shared::LightRecord parallel_light(const glm::dvec3& towards, float brightness)
     return light;
 }
 
-/// The style's sun, and a weak, low fill light from the other side of the viewer, which gives form to the
-/// shade.
+/// Adds the style's sun, and a weak, low fill light from the other side of the viewer, which gives form to
+/// the shade.
 void add_sun_and_fill(std::vector<shared::LightRecord>& records, const LightStyle& style,
                       const ViewAnalysis& analysis)
 {
@@ -213,7 +217,7 @@ void add_sun_and_fill(std::vector<shared::LightRecord>& records, const LightStyl
     }
 }
 
-/// Light that reaches a surface, with the cosine of the angle of incidence.
+/// Light that reaches a surface point, multiplied by the cosine of the angle of incidence.
 float falling_on(const std::vector<shared::LightRecord>& records, const SurfacePoint& surface,
                  const glm::vec3& point, float falloff)
 {
@@ -228,13 +232,13 @@ float falling_on(const std::vector<shared::LightRecord>& records, const SurfaceP
     return sum;
 }
 
-/// Default light of an interior: a lamp, and daylight if there is an opening. Exposed for the visible
+/// Default lights of an interior: a lamp, and daylight if there is an opening, exposed for the visible
 /// surfaces.
 std::vector<shared::LightRecord> lamp_light(const Shelter& shelter, const glm::dvec3& anchor,
                                             const LightStyle& style)
 {
     constexpr float daylight = 0.8F;
-    // Light on the metered surfaces without ambient: a lone lamp leaves them at a half tone, for depth.
+    // Light on the metered surfaces without ambient light. A lone lamp leaves them at a half tone, for depth.
     const float white = shelter.towards_light ? 0.62F : 0.5F;
     const glm::vec3 offset(shelter.origin - anchor);
     float size_2 = 0.0F;
@@ -249,8 +253,8 @@ std::vector<shared::LightRecord> lamp_light(const Shelter& shelter, const glm::d
     lamp.color = glm::vec3(std::max(size_2, 1e-12F));
     std::vector<shared::LightRecord> records{lamp};
     if (shelter.towards_light) {
-        // Daylight from the whole sky casts no shadow: the opening's rim would throw a hard edge on the wall
-        // across.
+        // Daylight from the whole sky casts no shadow, because the opening's rim would throw a hard edge on
+        // the opposite wall.
         shared::LightRecord& sky = records.emplace_back(parallel_light(*shelter.towards_light, daylight));
         sky.groups &= all_groups;
     }
@@ -282,8 +286,8 @@ void expose(Lighting& lighting, float exposure, const Bounds& bounds)
     }
 }
 
-/// Sorts directional lights first, shadow-casting ones before others, then by brightness. Returns their
-/// number.
+/// Sorts the lights: directional lights first, shadow-casting ones before others, then by brightness. Returns
+/// the number of directional lights.
 uint32_t put_suns_first(std::vector<shared::LightRecord>& records)
 {
     const auto is_before = [](const shared::LightRecord& a, const shared::LightRecord& b) {
@@ -294,7 +298,8 @@ uint32_t put_suns_first(std::vector<shared::LightRecord>& records)
         };
         return rank(a) < rank(b);
     };
-    if (!std::ranges::is_sorted(records, is_before)) { // stable_sort allocates
+    // Avoids stable_sort() where possible, because it allocates memory.
+    if (!std::ranges::is_sorted(records, is_before)) {
         std::ranges::stable_sort(records, is_before);
     }
     return static_cast<uint32_t>(
@@ -332,7 +337,7 @@ Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& 
                                 : exposure_key(records, scene, pose, anchor);
     }
     lighting.directional_count = put_suns_first(records);
-    // Metering by the page adds exposure_stops later.
+    // With metering by the page, exposure_stops is added later.
     const float stops = style.metering == Metering::page ? 0.0F : style.exposure_stops;
     const float metered = is_manual ? manual_exposure(style.ev100) : key > 0.0F ? 1.0F / key : 1.0F;
     lighting.exposure = metered * std::exp2(stops);

@@ -46,7 +46,7 @@ layout(scalar, binding = 9) uniform Sun
     SunShadow sun_shadow;
 };
 
-// Read only for shadow edges with teeth.
+// Surface coordinates of strokes, read only for shadow edges with teeth.
 layout(binding = 10) uniform sampler2D coordinate_image;
 layout(binding = 11) uniform usampler2D footprint_image;
 
@@ -57,23 +57,27 @@ layout(scalar, binding = 12) uniform EdgeLooks
 
 layout(scalar, binding = 13) readonly buffer Lists
 {
-    uint lists[]; // see light_tiles.comp
+    uint lists[]; // lists of local lights per large tile, from light_tiles.comp
 };
 
-layout(binding = 14, rgba16f) writeonly uniform image2D out_light; // irradiance / pi; its luminance in alpha
-layout(binding = 15, r32ui) writeonly uniform uimage2D out_strongest; // see LitPixels
+// Irradiance / pi in rgb; its luminance in alpha.
+layout(binding = 14, rgba16f) writeonly uniform image2D out_light;
+// Direction towards the strongest local light, see LitPixels.
+layout(binding = 15, r32ui) writeonly uniform uimage2D out_strongest;
 
 layout(binding = 16) uniform usamplerBuffer local_shadow_texels;
 layout(binding = 17) uniform samplerBuffer local_maps;
-// Irradiance / pi; alpha: share that the lightmap replaces.
+// Baked irradiance / pi; in alpha, the share of ambient light that the lightmap replaces.
 layout(binding = 18) uniform sampler2D lightmap_image;
-layout(binding = 19, r32f) writeonly uniform image2D out_sun; // see LitPixels
+layout(binding = 19, r32f) writeonly uniform image2D out_sun; // visible share of the sun, see LitPixels
 // Share of sunlight that terrain, smoke and clouds let through.
 layout(binding = 20) uniform sampler2D sun_share_image;
-layout(binding = 21) uniform sampler2D occlusion_image; // ambient visibility
+layout(binding = 21) uniform sampler2D occlusion_image; // share of ambient light that occlusion lets through
 
-layout(binding = 22) uniform sampler2D bounced_image; // share of ambient light that occluders reflect here
-layout(binding = 23) uniform sampler2D points_image;  // positions to light, used instead of visible surfaces
+// Light that occluders reflect to this pixel, as a share of ambient light.
+layout(binding = 22) uniform sampler2D bounced_image;
+// Positions of points to light, used instead of visible surfaces.
+layout(binding = 23) uniform sampler2D points_image;
 
 #define TILE_LIST_BINDING 24
 #include "shaders/tile_list.glsl"
@@ -109,13 +113,14 @@ const bool has_bounced = (variant & light_has_bounced) != 0u;
 const bool has_points = (variant & light_has_points) != 0u;
 const bool has_tiles = (variant & light_has_tiles) != 0u;
 
-const float most_light = 65504.0; // largest half float
+const float most_light = 65504.0; // largest number that a half float can hold
 const uint lights_per_round = 256u;
-const float least_sun_cosine = 0.05; // below this cosine, sun shadows are not recorded
+const float least_sun_cosine = 0.05; // cosine of incidence below which sun shadows are not recorded
 
 // The strongest light of the current pixel, for `out_strongest`.
 float strongest = 0.0;
-vec3 towards_strongest = vec3(0.0); // towards a local light; zero if a directional light is the strongest
+// Direction towards the strongest light if it is local; zero if it is directional.
+vec3 towards_strongest = vec3(0.0);
 
 void weigh(vec3 arriving, vec3 towards_local)
 {
@@ -150,13 +155,13 @@ LocalShadow local_shadow_at(uint shadow)
 
 shared uint reaching[lights_per_round / 32u];
 
-// A tile of 8 x 8 pixels is one workgroup of 64 threads, which culls the local lights.
+// Culls local lights per tile. A tile of 8 x 8 pixels is one workgroup of 64 threads.
 
-shared uint tile_nearest; // distance along the tile's axis, encoded by ordered()
+shared uint tile_nearest; // smallest distance of a visible point along the tile's axis, encoded by ordered()
 shared uint tile_farthest;
 shared uint tile_slices;
 
-// Maps floats of either sign to integers in the same order.
+// Maps floats of either sign to integers that compare in the same order.
 uint ordered(float x)
 {
     uint bits = floatBitsToUint(x);
@@ -168,25 +173,25 @@ float from_ordered(uint bits)
     return uintBitsToFloat((bits >> 31) != 0u ? bits & 0x7fffffffu : ~bits);
 }
 
-// The visible part of a tile, for light culling: a cone about the middle ray, or a cylinder in parallel
-// projection, between the nearest and farthest visible point.
+// The visible part of a tile of pixels, for light culling: a cone about the middle ray, or a cylinder in
+// parallel projection, between the nearest and farthest visible point.
 struct Tile {
     vec3 origin;
     vec3 axis;
-    float radius_m; // radius at the origin
-    float widening; // growth of the radius per metre along the axis
+    float radius_m; // radius of the cone or cylinder at its origin
+    float widening; // growth of the cone's radius per metre along the axis
     float nearest_m;
     float farthest_m;
 };
 
-// Depth slice in a tile, 0 to 31 (a 2.5D depth mask).
+// Number of the depth slice in a tile, 0 to 31 (as in a 2.5D depth mask).
 uint slice_at(Tile tile, float along_m)
 {
     float share = (along_m - tile.nearest_m) / max(tile.farthest_m - tile.nearest_m, 1e-6);
     return uint(clamp(32.0 * share, 0.0, 31.0));
 }
 
-// `from_px` is the tile's upper left pixel.
+// Computes the visible part of a tile. `from_px` is the tile's upper left pixel.
 Tile find_tile(uvec2 from_px, bool sees, vec3 point)
 {
     if (gl_LocalInvocationIndex == 0u) {
@@ -196,7 +201,7 @@ Tile find_tile(uvec2 from_px, bool sees, vec3 point)
     }
     barrier();
     vec2 corner = vec2(from_px);
-    // The depth is about the scene's size, so that directions are precise.
+    // The corner points are at a depth of about the scene's size, so that directions are precise.
     bool is_parallel = frame.is_orthographic != 0u;
     float depth = is_parallel ? 0.5 : min(frame.near_m / frame.scene_radius_m, 0.5);
     vec3 middle = anchor_at(frame, corner + 4.0, depth);
@@ -226,7 +231,7 @@ Tile find_tile(uvec2 from_px, bool sees, vec3 point)
     return tile;
 }
 
-// Whether the light's sphere intersects the tile in an occupied depth slice.
+// Whether the sphere that a local light reaches intersects the tile in a depth slice with visible points.
 bool reaches(LightRecord light, Tile tile)
 {
     vec4 reach = reach_of(light);
@@ -254,23 +259,23 @@ vec3 local_light(LightRecord light, vec3 point, vec3 normal)
     return light.color * (attenuation * pow(max(dot(normal, direction), 1e-6), lighting.falloff));
 }
 
-// Index of a local light from its position in the list of this part of the page.
+// Index of a local light, from its position in the light list of this part of the page.
 uint listed_light(uint first, uint place)
 {
     return lighting.directional_count + (has_lists ? lists[first + place] : place);
 }
 
-// A point to light, and its light links.
+// A surface point to light, and its light links.
 struct Receiver {
     vec3 point;
     vec3 normal;
     vec3 smooth_normal;
-    uint groups; // light groups that light this point
+    uint groups; // bits of the light groups that light this point
     bool takes_shadow;
     Edge edge;
 };
 
-// Light of a local light at a point, with its shadow.
+// Light that arrives at a point from a local light, with its shadow.
 vec3 shadowed_light(LightRecord light, Receiver at)
 {
     vec3 arriving = local_light(light, at.point, at.normal);
@@ -282,7 +287,7 @@ vec3 shadowed_light(LightRecord light, Receiver at)
     return lit ? arriving : vec3(0.0);
 }
 
-// Skips words without a light; `bits` is the current word's remainder.
+// Skips words of the light mask that have no bit set; `bits` is the remainder of the current word.
 void step_over_none(inout uint word, inout uint bits)
 {
     while (bits == 0u && word + 1u < lights_per_round / 32u) {
@@ -290,9 +295,9 @@ void step_over_none(inout uint word, inout uint bits)
     }
 }
 
-// Sum of the local lights that reach a point. CPU implementations execute a loop body once even for zero
-// rounds, and once more at the end of other loops. So each costly part is inside a condition at the loop's
-// end.
+// Sum of the local lights that reach a point. CPU implementations of Vulkan execute a loop body once even for
+// zero rounds, and once more at the end of other loops. So each costly part is inside a condition at the
+// loop's end.
 vec3 local_lights(uvec2 from_px, Tile tile, Receiver at)
 {
     uvec2 part = from_px / list_tiles.tile_px;
@@ -357,7 +362,7 @@ void main()
     vec3 normal = unpack_normal(normals.x);
     vec3 smooth_normal = unpack_normal(normals.y);
 
-    // Light groups that light this draw call: all, unless the scene links lights to objects.
+    // Bits of the light groups that light this draw call: all, unless the scene links lights to objects.
     uint groups = 0xffffu;
     bool takes_shadow = true;
     if (has_links && sees_draw(word)) {
@@ -379,7 +384,7 @@ void main()
         light *= open;
     }
     if (has_lightmap) {
-        // The lightmap holds the bounced light, so it replaces ambient.
+        // The lightmap contains the bounced light, so it replaces the ambient light.
         vec4 known = texelFetch(lightmap_image, min(pixel, ivec2(frame.size_px) - 1), 0);
         light = mix(light, known.rgb, known.a);
     }
@@ -392,8 +397,8 @@ void main()
         sun_visible *= texelFetch(sun_share_image, min(pixel, ivec2(frame.size_px) - 1), 0).x;
     }
     sun_visible = takes_shadow ? sun_visible : 1.0;
-    // Pixels without a surface sum no lights. A loop over a count from a buffer also keeps lavapipe from
-    // compiling a shader per count.
+    // For pixels without a surface, no lights are summed. A loop over a count from a buffer also keeps
+    // lavapipe from compiling a shader per count.
     uint directional_count = sees_draw(word) ? lighting.directional_count : 0u;
     uint i = 0u;
     do {
@@ -402,7 +407,7 @@ void main()
         float lambert = dot(smooth_normal, sun.direction) > 0.0 ? max(dot(normal, sun.direction), 0.0) : 0.0;
         float visible = i == 0u ? sun_visible : 1.0;
         if (i == 0u && is_paper(word)) {
-            // Blank ground is drawn as paper: it has no shading, and its shadow fades with distance.
+            // Blank ground is drawn as paper. It has no shading, and its shadow fades with distance.
             lambert = lambert > 0.0 ? 1.0 : 0.0;
             visible =
                 mix(visible, 1.0, clamp(dot(lighting.paling, point) + lighting.paling_at_anchor, 0.0, 1.0));

@@ -144,10 +144,12 @@ const style::Table<ToneStyle>& tone_table()
 
 namespace {
 
-constexpr uint32_t list_from = 64;                // with fewer lights than this, every tile tests all lights
-constexpr uint64_t most_list_bytes = 32ULL << 20; // tiles grow to keep all lists within this size
+// Smallest number of local lights for which tiles get light lists; with fewer, every tile tests all lights.
+constexpr uint32_t list_from = 64;
+// Most bytes of all light lists; tiles grow to keep within this size.
+constexpr uint64_t most_list_bytes = 32ULL << 20;
 
-/// The light lists of the page's large tiles.
+/// The light lists of large tiles of the page.
 struct Lists {
     shared::ListTiles tiles{.columns = 1, .tile_px = 64};
     gpu::BufferId words;
@@ -254,7 +256,7 @@ LitPixels add_light(gpu::Graph& graph, const LightInputs& in)
 Paling ground_paling(const Bounds& bounds, const glm::dvec3& anchor, const glm::dvec3& towards_sun,
                      float most)
 {
-    constexpr double lowest_sun = 0.02; // below this sine of the sun's elevation, shadows count as infinite
+    constexpr double lowest_sun = 0.02; // sine of the sun's elevation below which shadows count as infinite
     const glm::dvec3 level(-towards_sun.x, 0.0, -towards_sun.z);
     if (bounds.empty() || towards_sun.y < lowest_sun || glm::length(level) < 1e-6) {
         return {};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_LIGHT_GLSL_H
 #define ESTAMPE_LIGHT_GLSL_H
-// Data that the shaders of light and exposure share with C++.
+// Data of light and exposure that shaders share with C++.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
@@ -9,42 +9,43 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-// Types of lights, with a flag above the mask.
+// Types of lights. A flag for the falloff lies above the mask of types.
 SHARED_CONSTANT uint light_directional = 0U;
 SHARED_CONSTANT uint light_point = 1U;
 SHARED_CONSTANT uint light_spot = 2U;
 SHARED_CONSTANT uint light_pyramid = 3U;
 SHARED_CONSTANT uint light_type_mask = 255U;
-SHARED_CONSTANT uint light_unit_volume = 1U << 8U; // local lights: falls off with 1 - (d / range)^2
+SHARED_CONSTANT uint light_unit_volume = 1U << 8U; // flag: the local light falls off with 1 - (d / range)^2
 
 // A light in anchor space, with the exposure multiplied in. `position` is unused for directional lights.
 struct LightRecord {
     vec3 position;
-    float range_m;  // no light reaches beyond this distance
-    vec3 direction; // towards a directional light; along the beam of a spot
+    float range_m;  // distance beyond which the light has no effect
+    vec3 direction; // direction towards a directional light, or along the beam of a spot
     uint type;
     vec3 color;
-    float cone_scale; // spots: saturate(cos(angle) * scale + offset) squared
+    float cone_scale; // for spots: the cone's factor is saturate(cos(angle) * scale + offset) squared
     float cone_offset;
-    vec3 side;      // pyramids: the x axis of the node
-    uint shadow;    // index of the light's first LocalShadow, plus one; 0: none
-    uint groups;    // bits 0-15: groups that it lights; bits 16-31: groups whose casters block it
-    float radius_m; // radius of the glowing ball, for penumbrae; negative: from the style
-    uint is_fill;   // 1: stands for reflected light, so occlusion applies to it as to ambient
+    vec3 side;   // for pyramid-shaped spots: the x axis of the light's node
+    uint shadow; // index of the light's first LocalShadow, plus 1; 0: no shadow map
+    uint groups; // bits 0-15: object groups that it lights; bits 16-31: object groups that cast its shadows
+    float radius_m; // radius of the glowing ball, for penumbrae; negative: the style's radius
+    uint is_fill;   // 1: the light stands for reflected light, so occlusion darkens it like ambient light
 };
 
 struct LightGlobals {
     vec3 sky_ambient;
     vec3 ground_ambient;
-    uint directional_count; // directional lights come first in the list; the first one casts the sun's shadow
+    // Number of directional lights, which come first in the list; the first one casts the sun's shadow.
+    uint directional_count;
     uint local_count;
-    float falloff; // exponent of the cosine; 1 is Lambert's law
-    // Gradient, per metre, of the share of sunlight that returns to its shadow on the blank ground.
+    float falloff; // exponent of the cosine of incidence; 1 is Lambert's law
+    // Increase, per metre, of the share of sunlight that lightens the sun's shadow on blank ground.
     vec3 paling;
     float paling_at_anchor;
 };
 
-// The page's large tiles, row by row; each has a list of lights.
+// The page's large tiles, row by row. Each tile has a list of lights.
 struct ListTiles {
     uint columns;
     uint tile_px;
@@ -52,18 +53,19 @@ struct ListTiles {
 
 SHARED_CONSTANT uint exposure_bins = 256U;
 SHARED_CONSTANT float exposure_bins_per_stop = 8.0F;
-SHARED_CONSTANT float exposure_darkest_stops = -16.0F; // lower edge of the first bin
+// Brightness at the lower edge of the histogram's first bin.
+SHARED_CONSTANT float exposure_darkest_stops = -16.0F;
 
-// The page's brightness, kept from frame to frame.
+// The automatic exposure, kept from frame to frame on the device.
 struct ExposureState {
-    float stops;   // exposure of the page
-    uint is_known; // 0 before the first frame
+    float stops;   // exposure of the page in stops
+    uint is_known; // 0 before the first frame, then 1
     uint bins[exposure_bins];
 };
 
 struct AdaptConstants {
     float compensation_stops;
-    float most_change_stops; // largest change since the last frame; negative: no limit
+    float most_change_stops; // largest change of the exposure since the last frame; negative: no limit
 };
 
 #ifdef __cplusplus

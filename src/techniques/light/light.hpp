@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Lighting of each pixel: the sun with its shadow, and any number of local lights, culled per tile; and the
+// Lighting of each pixel: the sun with its shadow, and any number of local lights, culled per tile. Also the
 // style's sections `light` and `tone`.
 
 #include <optional>
@@ -19,27 +19,27 @@ namespace estampe::light {
 
 enum class LightSource : uint8_t { automatic, scene, sun };
 
-/// Determines the exposure: from the scene's lights, from the page's brightness, or from the style.
+/// Source of the exposure: the scene's lights, the page's brightness, or a value of the style.
 enum class Metering : uint8_t { lights, page, manual };
 
-/// How the lights of a file decrease with distance: as the file says, or by one of the laws of LightFalloff.
+/// The decrease of the file's lights with distance: as in the file, or by one of the laws of LightFalloff.
 enum class Attenuation : uint8_t { file, inverse_square, unit_volume };
 
-/// The lit volume of a spot: as the file says, or one of SpotShape.
+/// The lit volume of spots: as in the file, or one of SpotShape.
 enum class SpotVolume : uint8_t { file, cone, pyramid };
 
-/// Changes to lights and objects of a file. The values of the picture apply to all lights and objects, and
+/// Changes to lights and objects of a file. The picture's values apply to all lights and objects, and
 /// overrides to single ones. The defaults change nothing.
 struct LightChanges {
     bool enabled = true;
-    float intensity = 1.0F; ///< factor
-    float range_m = -1.0F;  ///< -1: as in the file
-    float radius_m = -1.0F; ///< -1: as in the file
+    float intensity = 1.0F; ///< factor on the light's intensity
+    float range_m = -1.0F;  ///< range of the light; -1: as in the file
+    float radius_m = -1.0F; ///< radius of the light; -1: as in the file
     Attenuation attenuation = Attenuation::file;
     SpotVolume spot_volume = SpotVolume::file;
     bool receives_shadows = true;
-    std::string groups;        ///< numbers, "1+3"; empty: as in the file
-    std::string shadow_groups; ///< numbers; empty: as in the file
+    std::string groups;        ///< numbers of the light groups, such as "1+3"; empty: as in the file
+    std::string shadow_groups; ///< numbers of the groups that cast shadows; empty: as in the file
 
     bool operator==(const LightChanges&) const = default;
 };
@@ -83,26 +83,27 @@ struct ToneStyle {
 
 [[nodiscard]] const style::Table<ToneStyle>& tone_table();
 
-/// The lights of a frame. Directional lights come first; the strongest of them is the sun, which casts the
-/// shadow.
+/// The lights of a frame. Directional lights come first; the strongest of them, the sun, casts the shadow.
 struct Lighting {
     std::vector<shared::LightRecord> records;
     uint32_t directional_count = 0;
-    glm::dvec3 towards_sun{0.0, 1.0, 0.0}; ///< towards the first directional light; straight up without one
+    /// Direction towards the first directional light; straight up without one.
+    glm::dvec3 towards_sun{0.0, 1.0, 0.0};
     glm::vec3 ambient{0.0F};
     float exposure = 1.0F;           ///< factor on the intensities of the scene's lights
-    Groups sun_casters = all_groups; ///< groups that cast shadows for the first directional light
-    bool has_groups = false;         ///< some light does not light all groups
-    bool indoors = false;            ///< the lights are the default lamp of an interior
+    Groups sun_casters = all_groups; ///< object groups that cast shadows in the first directional light
+    bool has_groups = false;         ///< some light does not light all object groups
+    bool indoors = false;            ///< the only light is the default lighting of an interior
 };
 
-/// The exposure key and the scene it was computed from, kept from frame to frame.
+/// The brightness on which the exposure is based, and the scene it was computed from, kept from frame to
+/// frame.
 struct ExposureKeyCache {
     std::vector<shared::LightRecord> records;
     ScenePose pose;
     glm::dvec3 anchor{0.0};
     float key = 1.0F;
-    std::vector<shared::LightRecord> room; ///< unused storage, reused for the next Lighting's records
+    std::vector<shared::LightRecord> room; ///< spare memory for the records of the next Lighting
 };
 
 /// Places the scene's lights in anchor space. A scene without lights gets the style's sun, which turns with
@@ -114,7 +115,7 @@ struct ExposureKeyCache {
                                      const glm::dvec3& anchor, const LightStyle& style,
                                      const ViewAnalysis& analysis = {}, ExposureKeyCache* memory = nullptr);
 
-/// Share of sunlight that returns to the sun's shadow on the blank ground. It grows linearly from 0 below the
+/// Lightening of the sun's shadow on blank ground, as a share of sunlight. It grows linearly from 0 below the
 /// middle of the scene to `most` at the end of the shadow of the scene's bounds, so that the shadow is
 /// darkest at the foot of its object, as in drawings.
 struct Paling {
@@ -125,34 +126,34 @@ struct Paling {
 [[nodiscard]] Paling ground_paling(const Bounds& bounds, const glm::dvec3& anchor,
                                    const glm::dvec3& towards_sun, float most);
 
-/// Ambient light on surfaces that face up and down.
+/// Ambient light on surfaces that face up (sky) and down (ground).
 struct SkyAndGround {
     glm::vec3 sky{0.0F};
     glm::vec3 ground{0.0F};
 };
 
-/// Splits a share of ambient light: a quarter brighter from above, a quarter darker from below.
+/// Splits a share of ambient light into two: a quarter brighter from above, a quarter darker from below.
 [[nodiscard]] SkyAndGround sky_and_ground(const glm::vec3& ambient, float share = 1.0F);
 
 /// Converts the style's tone curve to shader constants.
 [[nodiscard]] shared::ToneConstants tone_constants(const ToneStyle& style);
 
-/// The shadow maps of all lights.
+/// The shadow maps of all lights, and the data to look them up.
 struct ShadowMaps {
-    gpu::BufferId sun;           ///< reversed depth, row by row
-    gpu::BufferId sun_globals;   ///< SunShadow, see shadow/shadow.glsl.h
-    gpu::BufferId local;         ///< near distance over distance, for all maps of local lights
-    gpu::BufferId local_shadows; ///< LocalShadow, see shadow/shadow.glsl.h
-    gpu::BufferId edge_profile;  ///< EdgeProfile, see shadow/shadow.glsl.h
+    gpu::BufferId sun;           ///< the sun's shadow map: reversed depth, row by row
+    gpu::BufferId sun_globals;   ///< SunShadow record, see shadow/shadow.glsl.h
+    gpu::BufferId local;         ///< shadow maps of all local lights: near distance over distance
+    gpu::BufferId local_shadows; ///< LocalShadow records, see shadow/shadow.glsl.h
+    gpu::BufferId edge_profile;  ///< EdgeProfile record, see shadow/shadow.glsl.h
     bool has_sun = false;
     bool has_local = false;
-    uint32_t variant = 0; ///< see shadow/shadow_style.hpp
+    uint32_t variant = 0; ///< bits of the lighting shader for shadows, see shadow/shadow_style.hpp
 };
 
 struct LightInputs {
-    gpu::BufferId frame;    ///< FrameGlobals
-    gpu::BufferId lighting; ///< LightGlobals
-    gpu::BufferId lights;   ///< LightRecord
+    gpu::BufferId frame;    ///< buffer with a FrameGlobals record
+    gpu::BufferId lighting; ///< buffer with a LightGlobals record
+    gpu::BufferId lights;   ///< buffer of LightRecord
     gpu::ImageId draw;
     gpu::ImageId depth;
     gpu::ImageId normal;
@@ -161,37 +162,38 @@ struct LightInputs {
     gpu::ImageId coordinate;
     gpu::ImageId footprint;
     ShadowMaps shadows;
-    std::optional<gpu::ImageId> lightmap; ///< baked light; replaces ambient where alpha is 1
+    std::optional<gpu::ImageId> lightmap; ///< baked light; replaces ambient light where alpha is 1
     /// r16f: share of sunlight that terrain, smoke and clouds let through.
     std::optional<gpu::ImageId> sun_share;
-    std::optional<gpu::ImageId> occlusion; ///< ambient visibility
-    bool occludes_all = false;             ///< occlusion applies to all light, not only to ambient
-    std::optional<gpu::ImageId> bounced;   ///< light that occluders reflect, as a share of ambient
-    std::optional<gpu::ImageId> points; ///< positions to light in anchor space, instead of those from depth
-    std::optional<gpu::BufferId> tiles; ///< only these tiles are lit, see shaders/tiles.glsl.h
+    std::optional<gpu::ImageId> occlusion; ///< ambient visibility per pixel, from a technique of occlusion
+    bool occludes_all = false;             ///< occlusion darkens all light, not only ambient light
+    std::optional<gpu::ImageId> bounced;   ///< light that occluders reflect, as a share of ambient light
+    /// Positions in anchor space of points to light, instead of those from depth.
+    std::optional<gpu::ImageId> points;
+    std::optional<gpu::BufferId> tiles; ///< list of the tiles to light, see shaders/tiles.glsl.h; empty: all
     uint32_t local_count = 0; ///< number of point and spot lights, which follow the directional lights
     bool has_emissive = false;
-    bool keeps_strongest = false; ///< outputs the direction of the strongest light
-    bool keeps_sun = false;       ///< outputs the visible share of the first directional light
-    bool counts_visits = false;   ///< outputs counts of local lights instead of light: tested, and in range
-    bool looks_at_all = false;    ///< tests every light at every pixel, for comparison
-    bool has_links = false;       ///< matches lights and draw calls by their groups
+    bool keeps_strongest = false; ///< also outputs the direction of the strongest light
+    bool keeps_sun = false;       ///< also outputs the visible share of the first directional light
+    bool counts_visits = false;   ///< outputs numbers of local lights instead of light: tested, and in range
+    bool looks_at_all = false;    ///< tests every light at every pixel, as a reference
+    bool has_links = false;       ///< a light lights only the draw calls that share a group with it
     glm::uvec2 size_px{0};
 };
 
 struct LitPixels {
-    /// rgba16f: irradiance over pi, at most 65504, and its luminance; 1 for unlit materials and the
+    /// rgba16f: irradiance over pi, at most 65504, and its luminance in alpha; 1 for unlit materials and the
     /// background.
     gpu::ImageId light;
-    /// r32ui: octahedral direction towards the strongest light if it is local, else 0; one texel unless
-    /// `keeps_strongest`.
+    /// r32ui: octahedral direction towards the strongest light if it is local, else 0; an image of one texel
+    /// unless `keeps_strongest`.
     gpu::ImageId strongest;
     /// r32f: share of the first directional light that is not in shadow; negative where the light is absent
-    /// or grazing; one texel unless `keeps_sun`.
+    /// or grazing; an image of one texel unless `keeps_sun`.
     gpu::ImageId sun;
 };
 
-/// Lights the surface.
+/// Adds passes that light the visible surfaces.
 ///
 /// Cost    one full-screen dispatch; local lights cost only where they reach. From 65 local lights on, a
 ///         small dispatch first lists them for large tiles, linear in lights and tiles of 64 pixels

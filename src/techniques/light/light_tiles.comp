@@ -27,7 +27,8 @@ layout(scalar, binding = 2) readonly buffer Lights
 
 layout(scalar, binding = 3) writeonly buffer Lists
 {
-    uint lists[]; // per tile: the count, then indices from the first local light
+    // Per large tile: the number of lights, then their indices, counted from the first local light.
+    uint lists[];
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -35,9 +36,10 @@ layout(push_constant, scalar) uniform Constants
     ListTiles list_tiles;
 };
 
-shared uint touching[2]; // one bit per light of the 64 that are tested
+shared uint touching[2]; // one bit per light of the 64 that are tested: it reaches the tile
 
-// The plane through three points as normal and offset: dot(n, p) >= d on the side of `inside`.
+// The plane through three points, as normal n in xyz and offset d in w; the point `inside` is on the side
+// where dot(n, p) >= d.
 vec4 side_through(vec3 a, vec3 b, vec3 c, vec3 inside)
 {
     vec3 n = normalize(cross(b - a, c - a));
@@ -52,7 +54,7 @@ vec4[4] sides_of(uint tile)
     vec2 high = min(low + float(list_tiles.tile_px), vec2(frame.size_px));
     vec2 corners[4] = vec2[](low, vec2(high.x, low.y), high, vec2(low.x, high.y));
     bool is_parallel = frame.is_orthographic != 0u;
-    // The depth is about the scene's size, so that the planes are precise.
+    // The corner points are at a depth of about the scene's size, so that the planes are precise.
     float depth = is_parallel ? 0.5 : min(frame.near_m / frame.scene_radius_m, 0.5);
     vec3 from[4];
     vec3 far[4];
@@ -69,7 +71,7 @@ vec4[4] sides_of(uint tile)
 bool touches(vec4 sides[4], vec4 reach)
 {
     vec3 from_eye = reach.xyz - frame.eye_anchor;
-    float radius = reach.w + 1e-4 * length(from_eye); // margin against rounding
+    float radius = reach.w + 1e-4 * length(from_eye); // enlarged by a margin against rounding
     bool ahead = frame.is_orthographic != 0u || dot(frame.view_forward, from_eye) > -radius;
     for (int i = 0; i < 4; ++i) {
         ahead = ahead && dot(sides[i].xyz, reach.xyz) - sides[i].w > -radius;

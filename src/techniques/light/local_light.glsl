@@ -2,11 +2,11 @@
 #ifndef ESTAMPE_LOCAL_LIGHT
 #define ESTAMPE_LOCAL_LIGHT
 
-// Reach and attenuation of a point or spot light.
+// Reach and attenuation of local lights (lamps and spots).
 
 #include "techniques/light/light.glsl.h"
 
-// Share of a local light that leaves along the unit vector `beam`.
+// Share of a spot's light that leaves along the unit vector `beam`; 1 for lamps.
 float in_cone(LightRecord light, vec3 beam)
 {
     uint type = light.type & light_type_mask;
@@ -19,7 +19,8 @@ float in_cone(LightRecord light, vec3 beam)
     return type >= light_spot ? cone * cone : 1.0;
 }
 
-// Distance attenuation: the windowed inverse square of KHR_lights_punctual, or the falloff of a unit volume.
+// Attenuation of a local light with distance: the windowed inverse square of KHR_lights_punctual, or the
+// falloff of a unit volume.
 float weakened(LightRecord light, float distance_2)
 {
     float ratio = distance_2 / (light.range_m * light.range_m);
@@ -27,14 +28,15 @@ float weakened(LightRecord light, float distance_2)
     return (light.type & light_unit_volume) != 0u ? clamp(1.0 - ratio, 0.0, 1.0) : window / distance_2;
 }
 
-// A bounding sphere of the light's reach: about the light, or tighter about a narrow spot's cone.
+// Bounding sphere of the space that a local light reaches: about the light, or tighter about a narrow spot's
+// cone.
 vec4 reach_of(LightRecord light)
 {
     uint type = light.type & light_type_mask;
     float r = light.range_m;
     float cosine = -light.cone_offset / max(light.cone_scale, 1e-6);
     if (type == light_pyramid) {
-        // The corners of the pyramid lie farther out than its sides.
+        // The corners of a spot's pyramid lie farther out than its sides, so the bounding cone is wider.
         cosine = cosine > 0.0 ? inversesqrt(max(2.0 / (cosine * cosine) - 1.0, 1.0)) : 0.0;
     }
     if (type < light_spot || cosine <= 0.0) {

@@ -37,13 +37,14 @@ glm::uvec3 light_cells_of(const glm::uvec3& cells)
     return (cells + (shared::smoke_light_cells - 1)) / shared::smoke_light_cells;
 }
 
-/// Images have at least two layers, so that shaders see an array.
+/// Description of an image array for a field. Images have at least two layers, so that shaders see an array.
 gpu::ImageDesc field_desc(const glm::uvec3& size, gpu::Format format)
 {
     return {.width = size.x, .height = size.y, .format = format, .layers = std::max(size.z, 2U)};
 }
 
-/// Converts a lamp to the box's space; `strength` is a luminance, not yet a share.
+/// Converts a lamp to the coordinates of a smoke box. `strength` is a luminance here, not yet a share of all
+/// light.
 shared::SmokeLight light_of(const Lamp& lamp, const Box& box)
 {
     const glm::mat3 turned = box.cell_m * glm::mat3(box.grid_from_anchor);
@@ -59,7 +60,7 @@ shared::SmokeLight light_of(const Lamp& lamp, const Box& box)
                              .shadow = lamp.shadow};
     if (is_near) {
         const glm::vec3 way_m = box.cell_m * (light.place - 0.5F * glm::vec3(box.cells));
-        // The distance to the middle of the box, at least half the box's width.
+        // The distance from the lamp to the middle of the box, at least half the box's width.
         const float away_m = std::max(glm::length(way_m), 0.5F * box.width_m());
         light.falloff = away_m * away_m;
         light.strength /= light.falloff;
@@ -74,7 +75,7 @@ glm::vec3 towards(const shared::SmokeLight& light, const Box& box)
                                 : light.place;
 }
 
-/// Rounds a number of layers up to whole bricks, where the next box may begin.
+/// Rounds a number of layers up to whole bricks, because the next box begins at a whole brick.
 uint32_t whole_bricks(uint32_t layers)
 {
     return shared::smoke_brick * groups_of(layers, shared::smoke_brick);
@@ -136,7 +137,7 @@ gpu::BufferId add_puffs(gpu::Graph& graph, const shared::SmokeBox& box, gpu::Buf
     return puffs;
 }
 
-/// The drawn quantities of a box: density, and fire if any.
+/// The quantities of a smoke box that are drawn: density, and fire if there is any.
 struct Seen {
     gpu::ImageId density;
     std::optional<gpu::ImageId> fire = {};
@@ -160,14 +161,15 @@ Seen add_seen(gpu::Graph& graph, const shared::SmokeBox& box, const SmokeStyle& 
     return {.density = density, .fire = is_burning(style) ? std::optional(fire) : std::nullopt};
 }
 
-/// Several boxes write to one image one after another: the first box writes, the others modify.
+/// Handle of an image that several boxes write one after another: the first box's pass writes, the others
+/// modify.
 template <class Handle>
 Handle write_turn(gpu::Pass& pass, Handle into, bool is_first)
 {
     return is_first ? pass.write(into) : pass.modify(into);
 }
 
-/// Whether some texels of the fields belong to no box.
+/// Whether some texels of the field images belong to no smoke box.
 bool has_gaps(std::span<const shared::SmokeBox> boxes, const shared::SmokeGlobals& globals)
 {
     const glm::uvec2 sides(globals.field_cells);
@@ -182,7 +184,7 @@ uint32_t shaded_variant(const Fields& in)
     return in.shadows ? shared::smoke_is_shaded | (in.shadows->variant & of_map) : 0U;
 }
 
-/// `blank` stands in for missing maps.
+/// Binds the scene's shadow maps. The buffer `blank` stands in for missing maps.
 void bind_shadows(gpu::Pass& pass, const Fields& in, gpu::BufferId blank)
 {
     const SceneShadows shadows = in.shadows.value_or(SceneShadows{.frame = in.globals,
@@ -248,7 +250,7 @@ Volume add_volume(gpu::Graph& graph, VolumeMemory& memory, const SmokeStyle& sty
     gpu::ImageId packed =
         graph.import_image("smoke/packed", memory.packed_, memory.packed_.desc(), gpu::Layout::undefined);
     gpu::BufferId densest = gpu::import_whole(graph, "smoke/bricks", memory.bricks_);
-    // Filters read texels next to boxes with weight 0, so these texels must not hold NaN.
+    // Texture filters read texels next to boxes with weight 0, so these texels must not hold NaN.
     const bool is_blank = boxes.size() > 1 && has_gaps(boxes, known);
     if (is_blank) {
         for (gpu::ImageId* const field : {&shape, &light, &packed}) {

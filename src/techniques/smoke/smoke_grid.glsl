@@ -2,17 +2,17 @@
 #ifndef ESTAMPE_SMOKE_GRID
 #define ESTAMPE_SMOKE_GRID
 
-// Define before: `smoke`, a SmokeGlobals, and `has_several`. Positions are in cells from the low corner of a
-// box.
+// Positions and interpolation in the grid of a smoke box. Define before: `smoke`, a SmokeGlobals, and
+// `has_several`. Positions are in cells from the low corner of a box.
 
-// Texture coordinate of a position in a field; positions beyond the outermost nodes are clamped to them.
+// Texture coordinate of a position in a field. Positions beyond the outermost nodes are clamped to them.
 vec2 field_uv(vec2 place, vec2 size, vec2 image_size)
 {
     return (has_several ? clamp(place, vec2(0.5), size - 0.5) : place) / image_size;
 }
 
-// Trilinear interpolation between nodes at the middles of cells, constant beyond the outermost nodes. The
-// field has `size` nodes from layer `first_layer` on, in an image of `image_size`.
+// Trilinear interpolation of a field between nodes at the middles of cells, constant beyond the outermost
+// nodes. The field has `size` nodes from layer `first_layer` on, in an image of `image_size`.
 float sample_layers(sampler2DArray field, vec3 place, vec3 size, vec2 image_size, float first_layer)
 {
     float z = clamp(place.z - 0.5, 0.0, size.z - 1.0);
@@ -40,8 +40,8 @@ int brick_index(uint box, uvec3 brick)
     return int((layer * counts.y + brick.y) * counts.x + brick.x);
 }
 
-// Distances at which a ray enters and leaves the box, in lengths of `direction`. If the ray misses the box,
-// the second distance is less than the first.
+// Distances at which a ray enters and leaves a box of `cells`, in lengths of `direction`. If the ray misses
+// the box, the second distance is less than the first.
 vec2 range_in_box(vec3 cells, vec3 origin, vec3 direction)
 {
     vec3 safe = mix(direction, vec3(1e-9), lessThan(abs(direction), vec3(1e-9)));

@@ -30,10 +30,10 @@ layout(scalar, binding = 1) uniform Smoke
     SmokeGlobals smoke;
 };
 
-layout(binding = 2) uniform sampler2D smoke_image; // written by smoke_march.comp
+layout(binding = 2) uniform sampler2D smoke_image; // marched smoke, from smoke_march.comp
 layout(binding = 3) uniform sampler2D depth_image;
 layout(binding = 4) uniform sampler2D line_image;
-layout(binding = 5) uniform sampler2D sky_image; // for smoke_has_haze
+layout(binding = 5) uniform sampler2D sky_image; // colour of the sky, for smoke_has_haze
 layout(binding = 6, rgba8) writeonly uniform image2D out_paint;
 layout(binding = 7, r16f) writeonly uniform image2D out_ink;
 
@@ -42,7 +42,7 @@ layout(push_constant, scalar) uniform Constants
     SmokeInk ink;
 };
 
-const int ways = 12; // directions in which a line searches for the edge
+const int ways = 12; // number of directions in which a line searches for the smoke's edge
 
 vec4 smoke_at(ivec2 pixel)
 {
@@ -60,7 +60,7 @@ vec3 point_at(ivec2 pixel, float away_m)
     return ray.origin + away_m * ray.direction;
 }
 
-// Antialiased coverage of the edge: 1 inside, 0 outside.
+// Antialiased coverage of the drawn smoke at its edge: 1 inside, 0 outside.
 float cover_at(ivec2 pixel, float opacity)
 {
     vec2 slope = 0.5 * vec2(smoke_at(pixel + ivec2(1, 0)).x - smoke_at(pixel - ivec2(1, 0)).x,
@@ -68,8 +68,8 @@ float cover_at(ivec2 pixel, float opacity)
     return clamp(0.5 + (opacity - smoke.edge) / max(length(slope), 0.02), 0.0, 1.0);
 }
 
-// Distance in pixels to the nearest place where the smoke ends, or where the smoke is farther away by `gap_m`
-// more than a steep slope allows. Places that the scene hides do not count.
+// Distance in pixels to the nearest place where the smoke ends, or where it is farther from the eye by
+// `gap_m` more than a steep slope allows. Places that the scene hides do not count.
 float distance_to_end(ivec2 pixel, float surface_m, float own_depth, float pixel_m, float gap_m)
 {
     const float steep = 3.0;
@@ -87,8 +87,8 @@ float distance_to_end(ivec2 pixel, float surface_m, float own_depth, float pixel
     return nearest;
 }
 
-// Share of the smoke that the scene's lines in front of it leave visible; half of an outline lies beyond its
-// object.
+// Share of the smoke that stays visible beside the scene's lines in front of it; half of an outline lies
+// beyond its object.
 float left_by_scene(ivec2 pixel, float own_depth)
 {
     float line = texelFetch(line_image, pixel, 0).a;
@@ -101,7 +101,8 @@ float left_by_scene(ivec2 pixel, float own_depth)
     return nearest > own_depth ? 1.0 - line : 1.0;
 }
 
-// Change of position over one pixel: the mean of both sides if the puff continues on both.
+// Change of the smoke surface's position over one pixel: the mean of both sides if the puff continues on
+// both.
 vec3 step_along(ivec2 pixel, ivec2 way, vec3 point, float surface_m, float gap_m)
 {
     float after_m = smoke_at(pixel + way).z;
@@ -122,7 +123,7 @@ float strokes_at(ivec2 pixel, vec3 point, float surface_m, float dark, uint box)
     vec3 side = unit(cross(axis, abs(axis.y) < 0.7 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0)));
     vec3 risen = vec3(0.0, smoke.boxes[box].stroke_rise_m, 0.0);
     LineField field = field_along(axis, side, cross(axis, side), point - risen, f);
-    // On a puff's edge, where its surface turns away from the eye, lines would crowd into black.
+    // On a puff's edge, where its surface turns away from the eye, strokes would crowd into black.
     float pixel_m = pixel_size_m(frame, point);
     field.v_per_px = clamp(field.v_per_px, 0.2 * pixel_m, 3.0 * pixel_m);
     float pen = ink.stroke_px;
@@ -130,7 +131,7 @@ float strokes_at(ivec2 pixel, vec3 point, float surface_m, float dark, uint box)
     return line_ink(field, style, dark, smoke.boxes[box].seed + 5u);
 }
 
-// Share of flame in the visible smoke, from its light.
+// Share of flame in the visible smoke, computed from its light.
 float flame_share(float light)
 {
     return smoothstep(0.04, 0.16, light / smoke_flame_light);

@@ -27,7 +27,7 @@ layout(scalar, binding = 0) uniform Smoke
 
 layout(binding = 1) uniform sampler2DArray shape;
 
-// Read only for smoke_is_shaded.
+// The frame's constants, read only for smoke_is_shaded.
 layout(scalar, binding = 2) uniform Frame
 {
     FrameGlobals frame;
@@ -58,10 +58,10 @@ layout(push_constant, scalar) uniform Constants
 #include "techniques/shadow/sun/sun_shadow.glsl"
 #include "techniques/smoke/smoke_grid.glsl"
 
-const float stride = 1.5;    // in cells
-const int most_strides = 96; // smoke beyond this many strides casts no shadow
+const float stride = 1.5;    // distance between two samples towards a light, in cells
+const int most_strides = 96; // number of strides beyond which smoke casts no shadow on smoke
 
-// Optical depth of a box along a ray of at most `distance` cells.
+// Optical depth of a smoke box along a ray of at most `distance` cells.
 float depth_through(uint number, vec3 origin, vec3 direction, float distance)
 {
     vec3 cells = vec3(smoke.boxes[number].cells);
@@ -75,7 +75,7 @@ float depth_through(uint number, vec3 origin, vec3 direction, float distance)
     float way = min(reach, stride * float(count)) / float(count);
     float dense = 0.0;
     for (int i = 0; i < count; i += 4) {
-        [[unroll]] for (int k = 0; k < 4; ++k) // four reads in flight at once
+        [[unroll]] for (int k = 0; k < 4; ++k) // unrolled, so that four texel reads are under way at a time
         {
             vec3 place = origin + (from + (float(min(i + k, count - 1)) + 0.5) * way) * direction;
             float there = sample_layers(shape, place, cells, vec2(smoke.field_cells.xy),
@@ -86,7 +86,7 @@ float depth_through(uint number, vec3 origin, vec3 direction, float distance)
     return dense * way * smoke.boxes[number].cell_m * smoke.boxes[number].extinction_per_m;
 }
 
-// Transmittance of the smoke between `place` and a light at `distance` cells.
+// Share of light that the smoke lets through between `place` and a light at `distance` cells.
 float left_of_light(vec3 place, vec3 towards, float distance)
 {
     float depth = depth_through(turn.box, place, towards, distance);
@@ -106,7 +106,8 @@ float left_of_light(vec3 place, vec3 towards, float distance)
     return exp(-depth);
 }
 
-// Inverse square, windowed to reach zero at the range; zero outside a spot's cone.
+// Share of a light that arrives at a distance: inverse square, windowed to reach zero at the range; zero
+// outside a spot's cone.
 float arrives(SmokeLight light, vec3 towards, float distance)
 {
     float distance_m = distance * smoke.boxes[turn.box].cell_m;
@@ -116,8 +117,8 @@ float arrives(SmokeLight light, vec3 towards, float distance)
     return min(light.falloff * window * cone * cone / max(distance_m * distance_m, 1e-6), 4.0);
 }
 
-// Visibility of a light past the scene. Smoke has no surface, so the shadow bias offsets it towards the
-// light.
+// Share of a light that the scene's shadow maps let through to a place. Smoke has no surface, so the shadow
+// bias offsets the place towards the light.
 float left_by_scene(SmokeLight light, vec3 place, vec3 towards)
 {
     mat4 anchor_from_grid = smoke.boxes[turn.box].anchor_from_grid;

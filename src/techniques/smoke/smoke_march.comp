@@ -36,16 +36,16 @@ layout(binding = 5, rgba32f) writeonly uniform image2D out_smoke;
 #include "techniques/smoke/smoke_grid.glsl"
 #include "techniques/smoke/smoke_volume.glsl"
 
-const float least_left = 5e-5; // stops when the transmittance is lower
+const float least_left = 5e-5; // transmittance below which the march along a ray stops
 
-// Sample positions along a ray: from `first` on, `spacing` apart.
+// Positions of samples along a ray: from `first` on, `spacing` apart.
 struct Samples {
     float first;
     float spacing;
 };
 
-// For smoke_by_axis the planes are fixed in the box's grid, across the main axis of the view; for
-// smoke_by_view they face the view.
+// Positions of the samples of a ray in a box. For smoke_by_axis the sample planes are fixed in the box's
+// grid, across the main axis of the view; for smoke_by_view they face the view.
 Samples samples_of(Ray ray, uint box, float from)
 {
     float step_m = smoke.boxes[box].step_m;
@@ -79,15 +79,16 @@ vec3 facing(uint box, vec3 place)
     return slope * inversesqrt(max(dot(slope, slope), 1e-12));
 }
 
-// A part of a ray, in metres, that lies within a constant set of boxes: one bit per box.
+// A part of a ray, in metres, that lies within a constant set of boxes, with one bit per box.
 struct Stretch {
     float from;
     float until;
     uint boxes;
-    uint finest; // the box with the shortest step
+    uint finest; // number of the box with the shortest step
 };
 
-// The stretch from `from` to at most `most`; `boxes` is 0 outside all boxes.
+// The stretch of a ray from `from` to at most `most`, within which the set of boxes is constant; `boxes` is 0
+// outside all boxes.
 Stretch stretch_from(Ray ray, float from, float most)
 {
     Stretch stretch = Stretch(from, most, 0u, 0u);
@@ -105,19 +106,19 @@ Stretch stretch_from(Ray ray, float from, float most)
     return stretch;
 }
 
-// Accumulated state of a ray.
+// State of a ray that is marched through the smoke.
 struct Gone {
-    float left; // transmittance so far
+    float left; // transmittance of the smoke so far
     float bright;
     float surface_m; // distance at which the ray passed the edge opacity, 0 before
-    uint box;        // the densest box there
+    uint box;        // number of the densest box at the distance surface_m
 };
 
-// Sum over boxes of one step.
+// Sum over all boxes of one step of a ray.
 struct Passed {
     float thickness;
     float light;
-    float empty; // distance without smoke from here
+    float empty; // distance from here that the ray stays in empty bricks
     uint densest;
 };
 

@@ -21,7 +21,7 @@ layout(scalar, binding = 0) uniform Smoke
 
 layout(binding = 1) uniform sampler2DArray shape;
 layout(binding = 2) uniform sampler2DArray light;
-layout(binding = 3) uniform sampler2DArray fire; // for smoke_has_fire; the box's own image
+layout(binding = 3) uniform sampler2DArray fire; // fire of this box, for smoke_has_fire
 layout(binding = 4, rgba16f) writeonly uniform image2DArray out_packed;
 
 layout(scalar, binding = 5) writeonly buffer Bricks
@@ -36,7 +36,7 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/smoke/smoke_grid.glsl"
 
-shared uint densest; // float bits; non-negative floats sort like their bits
+shared uint densest; // largest density as float bits; non-negative floats sort like their bits
 
 float shape_at(ivec3 cell)
 {
@@ -71,7 +71,8 @@ void main()
         if (all(lessThan(cell, ivec3(smoke.boxes[turn.box].cells)))) {
             imageStore(out_packed, cell + ivec3(0, 0, smoke.boxes[turn.box].first_layer), vec4(here, there));
         }
-        // An interpolation between the brick's cells and the next cells never exceeds the cells' maximum.
+        // An interpolation between the brick's cells and the cells beyond never exceeds the maximum of these
+        // cells.
         float beside = max(max(shape_at(cell + ivec3(1, 0, 0)), shape_at(cell + ivec3(0, 1, 0))),
                            shape_at(cell + ivec3(1, 1, 0)));
         float beyond = max(max(shape_at(cell + ivec3(1, 0, 1)), shape_at(cell + ivec3(0, 1, 1))),

@@ -16,11 +16,12 @@ layout(scalar, binding = 0) uniform Smoke
     SmokeGlobals smoke;
 };
 
-layout(binding = 1) uniform sampler2DArray density; // only the first `depth` layers
+// Density in the first `depth` layers; other layers are not read.
+layout(binding = 1) uniform sampler2DArray density;
 
 layout(scalar, binding = 2) writeonly buffer Puffs
 {
-    vec4 out_puffs[]; // centre and radius, in cells
+    vec4 out_puffs[]; // puffs as centre and radius, in cells
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -52,7 +53,7 @@ void main()
                   smoke.boxes[turn.box].puffs_risen;
     float most = mix(0.5, smoke_most_puff, unit_float(hash(identity + 3u))) * apart;
     float radius = most * sqrt(smoothstep(0.1, 0.7, density_near(middle, uvec3(cells))));
-    // The box's floor may cut a puff. The box's other sides must not.
+    // The box's floor may cut a puff, but the other sides must not.
     vec3 inside = min(middle, cells - middle);
     inside.y = cells.y - middle.y;
     out_puffs[item] = vec4(middle, min(radius, min(inside.x, min(inside.y, inside.z))));

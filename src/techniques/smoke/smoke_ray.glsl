@@ -15,8 +15,8 @@ Ray ray_at(FrameGlobals frame, vec2 position_px)
     if (frame.is_orthographic != 0u) {
         return Ray(anchor_at(frame, position_px, 1.0), frame.view_forward);
     }
-    // Uses a distant point: near the eye, the difference of two positions would lose its digits to
-    // cancellation.
+    // The ray's direction is computed from a distant point: near the eye, the difference of two positions
+    // would lose its digits to cancellation.
     return Ray(frame.eye_anchor, -towards_eye(frame, anchor_at(frame, position_px, 1e-5)));
 }
 

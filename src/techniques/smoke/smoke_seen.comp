@@ -41,7 +41,7 @@ void main()
     if (has_fire) {
         float hot = smoothstep(0.5 * seen.ignition, seen.ignition, amount_of(smoke_temperature, cell));
         float burning = min(seen.flame * hot * amount_of(smoke_fuel, cell), 1.0);
-        fire = burning * burning; // thin ends of flames leave shade dark
+        fire = burning * burning; // squared, so that the thin ends of flames do not light up shade
         dense = max(dense, burning);
     }
     imageStore(out_density, cell, vec4(dense));

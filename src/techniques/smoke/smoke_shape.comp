@@ -18,7 +18,8 @@ layout(scalar, binding = 0) uniform Smoke
     SmokeGlobals smoke;
 };
 
-layout(binding = 1) uniform sampler2DArray density; // only the first `depth` layers
+// Density in the first `depth` layers; other layers are not read.
+layout(binding = 1) uniform sampler2DArray density;
 layout(binding = 2) uniform samplerBuffer puff_texels;
 layout(binding = 3, r16f) writeonly uniform image2DArray out_shape;
 
@@ -27,9 +28,10 @@ layout(push_constant, scalar) uniform Constants
     SmokeTurn turn;
 };
 
-const float soft_cells = 1.5; // width of a puff's soft edge
+const float soft_cells = 1.5; // width of a puff's soft edge, in cells
 
-// Lattice offsets, `first` to `last` from the knot below a place, whose puffs may reach the place.
+// Range of lattice offsets, `first` to `last` from the lattice knot below a place, of puffs that may reach
+// the place.
 struct Knots {
     ivec3 first;
     ivec3 last;
@@ -43,7 +45,7 @@ Knots knots_about(vec3 within)
     return Knots(ivec3(is_below_far) - 1, ivec3(is_above_near));
 }
 
-// Depth inside the deepest puff around a place, in cells; negative outside.
+// Depth of a place inside the deepest puff around it, in cells; negative outside all puffs.
 float depth_in_puffs(vec3 place)
 {
     vec3 at = (place - smoke.boxes[turn.box].puffs_risen) / smoke.boxes[turn.box].puff_cells;

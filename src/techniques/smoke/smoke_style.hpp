@@ -10,7 +10,7 @@
 
 namespace estampe::smoke {
 
-/// Positions of samples along the view rays.
+/// Positions of the samples of smoke along view rays.
 enum class Sampling : uint8_t {
     rays, ///< equal steps from the ray's entry into the box, with random offsets
     axis, ///< planes of the grid, across the main axis of the view
@@ -33,7 +33,7 @@ struct SmokeStyle {
     float amount_per_s = 6.0F;
     float rise_s = 3.0F;
     float wind_m_per_s = 0.0F;
-    wind::Wind wind; ///< the scene's [wind]; this section has no key for it
+    wind::Wind wind; ///< wind of the scene's section [wind]; the smoke's section has no key for it
     float curl = 1.0F;
     bool obstacles = false;
     Solver solver = Solver::automatic;
@@ -76,7 +76,7 @@ struct SmokeStyle {
     int seed = 1;
 };
 
-/// Whether the smoke contains fuel (is_burning) or water (is_moist).
+/// Whether the smoke contains fuel that burns.
 [[nodiscard]] inline bool is_burning(const SmokeStyle& style)
 {
     return style.fuel_per_s > 0.0F;

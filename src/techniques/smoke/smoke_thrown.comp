@@ -27,7 +27,8 @@ layout(scalar, binding = 1) uniform Smoke
 layout(binding = 2) uniform sampler2DArray packed;
 layout(binding = 3) uniform samplerBuffer brick_texels;
 layout(binding = 4) uniform sampler2D depth_image;
-layout(binding = 5) uniform sampler2D share_image; // for smoke_has_share
+// Share of sunlight that others let through, for smoke_has_share.
+layout(binding = 5) uniform sampler2D share_image;
 layout(binding = 6, r16f) writeonly uniform image2D out_share;
 
 layout(push_constant, scalar) uniform Constants
@@ -38,10 +39,11 @@ layout(push_constant, scalar) uniform Constants
 #include "techniques/smoke/smoke_grid.glsl"
 #include "techniques/smoke/smoke_volume.glsl"
 
-const float stride = 1.0;     // in cells
-const float most_depth = 8.0; // stops here: the remaining light is invisible
+const float stride = 1.0; // distance between two samples, in cells
+// Optical depth at which the march stops, because the remaining light is invisible.
+const float most_depth = 8.0;
 
-// Optical depth of a box along a ray.
+// Optical depth of a smoke box along a ray.
 float depth_through(uint box, Ray ray)
 {
     Ray within = ray_in_box(box, ray);

@@ -19,7 +19,7 @@ layout(push_constant, scalar) uniform Constants
     AdaptConstants constants;
 };
 
-// The metered pixels: from the 70th percentile of the page's brightness to the 90th.
+// Metered are the pixels from the 70th percentile of the page's brightness to the 90th.
 const float key_from = 0.7;
 const float key_to = 0.9;
 

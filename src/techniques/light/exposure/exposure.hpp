@@ -12,42 +12,42 @@
 
 namespace estampe::light {
 
-/// The automatic exposure, kept from picture to picture.
+/// Keeps the automatic exposure from picture to picture.
 class ExposureMemory {
 public:
     /// Prepares for a picture at scene time `time_s`, and returns how many stops the exposure may change;
-    /// negative: no limit. The exposure starts again after a jump back in time or after another metering
-    /// mode.
+    /// negative: no limit. The exposure starts new after a jump back in time or after another metering mode.
     [[nodiscard]] float prepare(gpu::Device& device, const LightStyle& style, double time_s);
 
-    /// Call this before the next picture shows another scene.
+    /// Discards the kept exposure. Call forget() before the next picture shows another scene.
     void forget() { time_s_.reset(); }
 
-    /// Scene time of the last picture; none if its exposure was not metered by the page.
+    /// Scene time of the last picture; empty if its exposure was not metered by the page.
     [[nodiscard]] const std::optional<double>& time_s() const { return time_s_; }
 
-    /// Continues from a picture at scene time `time_s`.
+    /// Restores the exposure of a picture at scene time `time_s`, to continue from it.
     void recall(gpu::Buffer state, double time_s)
     {
         state_ = std::move(state);
         time_s_ = time_s;
     }
 
-    /// Holds shared::ExposureState.
+    /// The device buffer with a shared::ExposureState record.
     [[nodiscard]] gpu::Buffer& buffer() { return state_; }
 
 private:
     gpu::Buffer state_;
-    std::optional<double> time_s_; ///< scene time of the last picture
+    std::optional<double> time_s_; ///< scene time of the last picture; empty if none is kept
 };
 
 struct ExposureInputs {
     gpu::ImageId light;
     gpu::ImageId draw;
-    gpu::BufferId state; ///< ExposureState, all zero before the first frame
-    bool adapts = true;  ///< false: reuses the last frame's exposure, for further samples of a picture
-    float compensation_stops = 0.0F; ///< brightens the picture beyond the metered exposure
-    float most_change_stops = -1.0F; ///< largest change since the last frame; negative: no limit
+    gpu::BufferId state; ///< ExposureState record; all zero before the first frame
+    bool adapts = true;  ///< false: the last frame's exposure is used again, for further samples of a picture
+    float compensation_stops = 0.0F; ///< stops by which the picture is brighter than metered
+    /// Largest change of the exposure since the last frame; negative: no limit.
+    float most_change_stops = -1.0F;
     glm::uvec2 size_px{0};
 };
 
