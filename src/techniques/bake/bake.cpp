@@ -71,7 +71,7 @@ void add_lamp(Hash& hash, const Lamp& lamp)
     hash.add(lamp.baked);
 }
 
-/// Changes with every input of the map: positions, normals, materials, textures and settings.
+/// Fingerprint of all inputs of a lightmap: positions, normals, materials, textures and settings.
 uint64_t work_fingerprint(const Scene& scene, const StaticTriangles& triangles, const BakeSettings& settings)
 {
     Hash hash;
@@ -107,19 +107,19 @@ uint64_t work_fingerprint(const Scene& scene, const StaticTriangles& triangles, 
     return hash.value();
 }
 
-/// The light of one texel as its paths estimate it.
+/// The light of one lightmap texel, as estimated from its paths.
 struct Estimate {
     glm::vec3 light{0.0F};
-    float variance = 0.0F; ///< variance of the mean brightness
+    float variance = 0.0F; ///< variance of the mean brightness over all paths
     glm::vec3 place{0.0F};
     glm::vec3 normal{0.0F};
-    bool known = true; ///< false where the texel lies inside a solid object
+    bool known = true; ///< false if the texel lies inside a solid object
 };
 
 constexpr int filter_reach = 3;
 constexpr uint32_t nobody = 0xffffffffU;
 
-/// Weight of texel `b` in the filtered value of texel `a`; `b` lies `step` texels away.
+/// Weight of texel `b` in the filtered value of texel `a`. `b` is `step` texels away.
 float agreement(const Estimate& a, const Estimate& b, const glm::ivec2& step)
 {
     const float cosine = glm::dot(a.normal, b.normal);
@@ -163,8 +163,8 @@ public:
     std::vector<bool> known;
 };
 
-/// Fills those texels of `wanted` that touch known texels with the mean of the known ones; returns the filled
-/// texels.
+/// Fills the texels of `wanted` that touch known texels with the mean of these known texels. Returns the
+/// filled texels.
 std::vector<uint32_t> fill_beside(Canvas& canvas, const std::vector<uint32_t>& wanted)
 {
     std::vector<uint32_t> filled;
@@ -190,7 +190,7 @@ std::vector<uint32_t> fill_beside(Canvas& canvas, const std::vector<uint32_t>& w
     return filled;
 }
 
-/// Returns the unknown texels that touch `texels`, each once.
+/// Returns the unknown texels that touch `texels`, without duplicates.
 std::vector<uint32_t> unknown_beside(const Canvas& canvas, const std::vector<uint32_t>& texels)
 {
     std::vector<uint32_t> found;
@@ -206,9 +206,9 @@ std::vector<uint32_t> unknown_beside(const Canvas& canvas, const std::vector<uin
     return found;
 }
 
-/// Averages each texel with texels up to three texels away that are on its surface and differ by no more than
-/// the noise: a bilateral filter after Dammertz et al., "Edge-Avoiding A-Trous Wavelet Transform", 2010, at
-/// one scale. Cost: 49 lookups per texel.
+/// Averages each lightmap texel with texels up to three texels away that are on its surface and differ by no
+/// more than the noise: a bilateral filter after Dammertz et al., "Edge-Avoiding A-Trous Wavelet Transform",
+/// 2010, at one scale. Cost: 49 lookups per texel.
 std::vector<glm::vec3> smoothed(std::span<const charts::Texel> texels, std::span<const Estimate> estimates,
                                 uint32_t size)
 {
@@ -247,8 +247,8 @@ std::vector<glm::vec3> smoothed(std::span<const charts::Texel> texels, std::span
     return result;
 }
 
-/// Writes the texels into an image, fills unknown texels with the mean of their neighbours, and extends the
-/// edges of charts into their gutters.
+/// Writes the lightmap texels into an image, fills unknown texels with the mean of their neighbours, and
+/// extends the edges of charts into their gutters.
 LightImage spread(std::span<const charts::Texel> texels, std::span<const Estimate> estimates,
                   std::span<const glm::vec3> light, uint32_t size)
 {
@@ -275,22 +275,23 @@ LightImage spread(std::span<const charts::Texel> texels, std::span<const Estimat
     return {.width = size, .height = size, .texels = std::move(canvas.light)};
 }
 
-constexpr uint32_t paths_a_visit = 8; // paths of one texel before the next texel follows
+// Number of paths that a thread traces for one texel before it goes to the next.
+constexpr uint32_t paths_a_visit = 8;
 constexpr uint64_t texels_a_block = 512;
-constexpr uint64_t blocks_at_once = 32; // blocks between two checks of the clock
-// A texel with a larger share of paths that meet a back face lies inside an object.
+constexpr uint64_t blocks_at_once = 32; // number of blocks of work between two checks of the clock
+// A texel lies inside an object if a larger share of its paths than this meets a back face.
 constexpr float most_backs = 0.6F;
 
-/// Sums over the paths of a texel so far.
+/// Sums over all paths of a texel so far.
 struct Sum {
     glm::vec3 light{0.0F};
-    float square = 0.0F; ///< sum of squared brightness
+    float square = 0.0F; ///< sum of squared brightness of the paths
     float backs = 0.0F;
 };
 
 static_assert(sizeof(Sum) == 20);
 
-/// Header of a file of unfinished work.
+/// Header of a file that stores an unfinished bake.
 struct ProgressHeader {
     std::array<char, 16> mark{"estampe bake 1\n"};
     uint64_t fingerprint = 0;
@@ -298,7 +299,8 @@ struct ProgressHeader {
     uint64_t texel_count = 0;
 };
 
-/// Cuts and packs charts for the triangles that receive light, draw call by draw call.
+/// Cuts the triangles that receive light into charts, draw call by draw call, and packs the charts into a
+/// map.
 charts::Atlas make_atlas(const StaticTriangles& triangles, const Surfaces& surfaces, uint32_t size)
 {
     std::vector<charts::Chart> cut;
@@ -328,7 +330,7 @@ charts::Atlas make_atlas(const StaticTriangles& triangles, const Surfaces& surfa
     return charts::pack_charts(cut, triangles.count(), size);
 }
 
-/// Point `number` of a sequence that fills the unit square evenly at any length: Roberts, "The Unreasonable
+/// Point `number` of a sequence of any length that fills the unit square evenly: Roberts, "The Unreasonable
 /// Effectiveness of Quasirandom Sequences", 2018.
 glm::vec2 even_point(uint32_t number, const glm::dvec2& shift)
 {
@@ -430,7 +432,7 @@ bool Bake::work(double seconds)
     const auto end = Clock::now() + std::chrono::duration<double>(seconds);
     State& state = *state_;
     while (state.next_block < state.block_count()) {
-        // The blocks of one group hold different texels: no two threads share a texel, and each texel adds
+        // The blocks of one round hold different texels, so no two threads share a texel, and each texel adds
         // its paths in order.
         const uint64_t round_end = (state.next_block / state.blocks_a_round() + 1) * state.blocks_a_round();
         const uint64_t group_end = std::min(state.next_block + blocks_at_once, round_end);

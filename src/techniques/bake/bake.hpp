@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Bakes the light on static meshes on the CPU, by path tracing from each texel of a map.
+// Bakes a lightmap of static meshes on the CPU, by path tracing from each texel of the map.
 
 #include <cstddef>
 #include <cstdint>
@@ -17,35 +17,37 @@ namespace estampe::bake {
 
 enum class LampKind : uint8_t { directional, point, spot, pyramid };
 
-/// A lamp with shadow rays of its own, in space relative to StaticTriangles::anchor. Its colour is the
-/// irradiance over pi on a surface that faces it: at any distance (directional), at one metre, or next to the
-/// lamp (unit volume).
+/// A lamp for baking, to which shadow rays are traced, in space relative to StaticTriangles::anchor. Its
+/// colour is the irradiance over pi on a surface that faces it: at any distance (directional), at one metre,
+/// or next to the lamp (unit volume).
 struct Lamp {
     LampKind kind = LampKind::directional;
     glm::vec3 position{0.0F};
-    glm::vec3 direction{0.0F, 1.0F, 0.0F}; ///< towards a directional light; along the beam of a spot
+    /// Direction towards a directional light; along the beam of a spot.
+    glm::vec3 direction{0.0F, 1.0F, 0.0F};
     glm::vec3 color{1.0F};
-    float range_m = 0.0F;    ///< 0: unlimited
-    float cone_scale = 0.0F; ///< spots: saturate(cos(angle) * scale + offset) squared
+    float range_m = 0.0F; ///< range of the lamp; 0: unlimited
+    /// For spots: the cone's factor is saturate(cos(angle) * scale + offset) squared.
+    float cone_scale = 0.0F;
     float cone_offset = 1.0F;
-    /// Pyramids: a unit vector at a right angle to the beam, across two of the four sides.
+    /// For pyramid-shaped spots: a unit vector at a right angle to the beam, across two of the four sides.
     glm::vec3 side{1.0F, 0.0F, 0.0F};
-    bool unit_volume = false;    ///< falls off with 1 - (d / range)^2 instead of the inverse square
-    Groups groups = all_groups;  ///< lights only objects lit by one of these groups
-    Groups casters = all_groups; ///< only objects that cast shadows for one of these groups block the lamp
-    bool baked = false;          ///< true: the map holds direct and bounced light; false: bounced light only
+    bool unit_volume = false;    ///< the light falls off with 1 - (d / range)^2 instead of the inverse square
+    Groups groups = all_groups;  ///< the lamp lights only objects of these groups
+    Groups casters = all_groups; ///< only objects that cast shadows for these groups block the lamp
+    bool baked = false; ///< true: the lightmap holds direct and bounced light; false: bounced light only
 };
 
 struct BakeSettings {
-    uint32_t size = 1024;   ///< texels per side, 16 to 4096
-    uint32_t samples = 128; ///< paths per texel
-    uint32_t bounces = 3;   ///< largest number of surfaces that reflect the light of a path
+    uint32_t size = 1024;   ///< texels per side of the lightmap, 16 to 4096
+    uint32_t samples = 128; ///< number of light paths per texel
+    uint32_t bounces = 3;   ///< most surfaces that reflect the light of a path
     uint32_t seed = 1;
-    glm::vec3 sky{0.0F};    ///< radiance from above the horizon
-    glm::vec3 ground{0.0F}; ///< radiance from below the horizon
+    glm::vec3 sky{0.0F};    ///< radiance of the sky, above the horizon
+    glm::vec3 ground{0.0F}; ///< radiance of the surroundings below the horizon
     std::vector<Lamp> lamps;
-    float exposure = 1.0F; ///< exposure of the lamps, recorded in the map
-    bool smooth = true;    ///< removes noise between neighbours on the same surface
+    float exposure = 1.0F; ///< exposure of the lamps, recorded in the lightmap
+    bool smooth = true;    ///< removes noise between neighbour texels on one surface
 };
 
 /// One lightmap while it is computed.
@@ -60,29 +62,29 @@ struct BakeSettings {
 ///         2005 (the choice of a lamp); rays by Embree.
 class Bake {
 public:
-    /// Cuts and packs charts, and builds the ray acceleration structure. `scene` must outlive the bake.
-    /// Throws Error if no static triangle receives light, or if the charts do not fit. Cost: about 3 us per
-    /// triangle and 0.1 us per texel.
+    /// Starts a bake: cuts and packs charts, and builds the ray acceleration structure. `scene` must outlive
+    /// the bake. Throws Error if no static triangle receives light, or if the charts do not fit. Cost: about
+    /// 3 us per triangle and 0.1 us per texel.
     Bake(const Scene& scene, const BakeSettings& settings);
     ~Bake();
     Bake(const Bake&) = delete;
     Bake& operator=(const Bake&) = delete;
 
-    /// Works for about `seconds` on all cores; returns whether work is left. The map is bit-identical for any
-    /// number of calls and of threads.
+    /// Works on the lightmap for about `seconds` on all cores; returns whether work is left. The result is
+    /// bit-identical for any number of calls and of threads.
     bool work(double seconds);
 
-    /// Share of the work that is done, 0 to 1.
+    /// Share of the bake's work that is done, 0 to 1.
     [[nodiscard]] double done() const;
 
-    /// Resumes work that save_progress() wrote. Returns false and changes nothing if `path` holds no progress
-    /// of this scene with these settings.
+    /// Resumes a bake that save_progress() stored. Returns false and changes nothing if `path` holds no
+    /// progress of this scene with these settings.
     [[nodiscard]] bool load_progress(const std::filesystem::path& path);
 
-    /// Replaces the file at `path` atomically. Throws Error.
+    /// Stores the unfinished bake, replacing the file at `path` atomically. Throws Error.
     void save_progress(const std::filesystem::path& path) const;
 
-    /// The map from the work done so far, filtered, and extended into the gaps between charts.
+    /// The lightmap from the work done so far, filtered, and extended into the gaps between charts.
     [[nodiscard]] Lightmap map() const;
 
     [[nodiscard]] size_t texel_count() const;

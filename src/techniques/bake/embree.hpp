@@ -11,7 +11,7 @@
 
 namespace estampe::bake {
 
-/// Finds the nearest hit of the ray.
+/// Finds the nearest hit of a ray with Embree.
 inline void intersect(RTCScene scene, RTCRayHit& ray)
 {
 #if RTC_VERSION_MAJOR >= 4
@@ -23,7 +23,7 @@ inline void intersect(RTCScene scene, RTCRayHit& ray)
 #endif
 }
 
-/// Sets `tfar` of the ray to minus infinity if anything blocks the ray.
+/// Tests with Embree whether anything blocks the ray, and sets the ray's `tfar` to minus infinity if so.
 inline void occlude(RTCScene scene, RTCRay& ray)
 {
 #if RTC_VERSION_MAJOR >= 4

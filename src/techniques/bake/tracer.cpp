@@ -15,7 +15,7 @@
 namespace estampe::bake {
 namespace {
 
-/// Column or row of a texture at coordinate `x`, by the wrap mode.
+/// Column or row of a texture at coordinate `x`, according to the wrap mode.
 uint32_t wrapped(float x, uint32_t side, Wrap wrap)
 {
     if (!std::isfinite(x)) {
@@ -132,7 +132,8 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-/// Embree uses all threads: its thread limit holds for the whole process.
+/// Builds the Embree scene. Embree uses all threads, because its thread limit would hold for the whole
+/// process.
 std::shared_ptr<void> build_rays(const StaticTriangles& triangles)
 {
     RTCDevice device = rtcNewDevice(nullptr);
@@ -197,7 +198,7 @@ glm::vec3 cosine_direction(const glm::vec3& normal, const glm::vec2& square)
                           normal * height);
 }
 
-/// The unshadowed light of a lamp at a place, and the direction from the place to the lamp.
+/// The light of a lamp at a place without shadows, and the direction from the place to the lamp.
 struct Beam {
     glm::vec3 light{0.0F};
     glm::vec3 direction{0.0F};
@@ -205,7 +206,7 @@ struct Beam {
     Groups casters = all_groups;
 };
 
-/// Share of a lamp's light that leaves along the unit vector `along`.
+/// Share of a lamp's light that leaves along the unit vector `along`, because of its cone or pyramid.
 float share_along(const Lamp& lamp, const glm::vec3& along)
 {
     if (lamp.kind != LampKind::spot && lamp.kind != LampKind::pyramid) {
@@ -303,8 +304,8 @@ bool Tracer::blocked(const glm::vec3& from, const glm::vec3& direction, float re
 
 glm::vec3 Tracer::from_lamps(const Vertex& vertex, bool baked_alone, Random& random) const
 {
-    // Only one lamp is sampled: its probability is proportional to its brightness here, so its light is
-    // scaled to the sum of all lamps.
+    // The single lamp that is sampled. Its probability is proportional to its brightness here, so its light
+    // is scaled to the sum of all lamps.
     Beam chosen;
     float chosen_brightness = 0.0F;
     float sum = 0.0F;
@@ -339,7 +340,7 @@ glm::vec3 Tracer::glow_towards(const Hit& hit, const glm::vec3& direction) const
                : glm::vec3(0.0F);
 }
 
-/// Probability density, per steradian, that from_glow() samples this direction.
+/// Probability density, per steradian, with which from_glow() samples this direction.
 float Tracer::glow_density(uint32_t triangle, const glm::vec3& direction, float distance_m) const
 {
     if (glowing_.empty()) {
@@ -374,7 +375,8 @@ glm::vec3 Tracer::from_glow(const Vertex& vertex, Random& random) const
         blocked(vertex.place, direction, distance_m * (1.0F - 1e-4F) - lift_m_, random)) {
         return glm::vec3(0.0F);
     }
-    return glow * (cosine / pi / (own + cosine / pi)); // the balance heuristic
+    // Multiple importance sampling with the balance heuristic.
+    return glow * (cosine / pi / (own + cosine / pi));
 }
 
 Arrival Tracer::follow(const charts::Texel& texel, const glm::vec2& first, Random& random) const
@@ -385,7 +387,7 @@ Arrival Tracer::follow(const charts::Texel& texel, const glm::vec2& first, Rando
                   .plane = plane,
                   .links = surfaces_.links(texel.triangle)};
     Arrival arrival{.light = from_lamps(vertex, true, random)};
-    glm::vec3 share(1.0F); // weight of the light that leaves the next surface
+    glm::vec3 share(1.0F); // weight in the path of the light that leaves the next surface
     for (uint32_t bounce = 0;; ++bounce) {
         arrival.light += share * from_glow(vertex, random);
         const glm::vec2 square = bounce == 0 ? first : glm::vec2(random.next(), random.next());

@@ -16,7 +16,7 @@
 
 namespace estampe::bake {
 
-/// The triangles of a scene with their materials. Scene and triangles must outlive this object.
+/// The triangles of a scene with their materials, for ray hits. Scene and triangles must outlive this object.
 class Surfaces {
 public:
     Surfaces(const Scene& scene, const StaticTriangles& triangles);
@@ -25,10 +25,10 @@ public:
 
     [[nodiscard]] glm::vec3 place(uint32_t triangle, const glm::vec2& weights) const;
 
-    /// Unit normal of the triangle's plane, on the side that the vertex normals point to.
+    /// Unit normal of the triangle's plane, on the side to which the vertex normals point.
     [[nodiscard]] glm::vec3 plane_normal(uint32_t triangle) const { return plane_normals_[triangle]; }
 
-    /// Unit normal, interpolated between the vertices.
+    /// Unit normal, interpolated between the triangle's vertices.
     [[nodiscard]] glm::vec3 smooth_normal(uint32_t triangle, const glm::vec2& weights) const;
 
     [[nodiscard]] float area_m2(uint32_t triangle) const { return areas_m2_[triangle]; }
@@ -38,16 +38,16 @@ public:
         return scene_.materials[material_of_[triangle]];
     }
 
-    /// Share of light that the surface reflects, per channel.
+    /// Share of light that the surface reflects, per colour channel.
     [[nodiscard]] glm::vec3 albedo(uint32_t triangle, const glm::vec2& weights) const;
 
-    /// Radiance that the front face emits.
+    /// Radiance that the triangle's front face emits.
     [[nodiscard]] glm::vec3 glow(uint32_t triangle, const glm::vec2& weights) const;
 
-    /// Opacity: from the texture for masked and transparent materials, else 1.
+    /// Opacity of the surface: from the texture for masked and transparent materials, else 1.
     [[nodiscard]] float cover(uint32_t triangle, const glm::vec2& weights) const;
 
-    /// Whether any triangle is masked or transparent.
+    /// Whether any triangle is masked or transparent, so that rays may pass through it.
     [[nodiscard]] bool lets_rays_pass() const { return lets_rays_pass_; }
 
     /// Whether a triangle takes light from a lightmap; transparent and unlit triangles do not.
@@ -56,7 +56,7 @@ public:
         return material(triangle).alpha_mode != AlphaMode::blend && !material(triangle).unlit;
     }
 
-    /// Light links of a triangle: the intersection of those of its node and of its material.
+    /// Light links of a triangle: the intersection of the links of its node and of its material.
     [[nodiscard]] const LightLinks& links(uint32_t triangle) const { return links_of_[triangle]; }
 
     /// Whether any triangle has light links other than the default.
@@ -76,7 +76,7 @@ private:
     bool has_links_ = false;
 };
 
-/// Random numbers, 0 to below 1; each path has its own sequence: Steele, Lea and Flood, "Fast Splittable
+/// Random numbers from 0 to below 1. Each path has its own sequence: Steele, Lea and Flood, "Fast Splittable
 /// Pseudorandom Number Generators", 2014.
 class Random {
 public:
@@ -94,18 +94,18 @@ private:
 
 /// The light that one path contributes to its texel.
 struct Arrival {
-    glm::vec3 light{0.0F};   ///< an estimate of irradiance over pi
-    bool saw_a_back = false; ///< the first hit was a back face, as happens inside a closed object
+    glm::vec3 light{0.0F};   ///< estimate of the irradiance over pi
+    bool saw_a_back = false; ///< the path first hit a back face, as happens inside a closed object
 };
 
-/// Traces paths. Its functions change no state, so any number of threads may call them.
+/// Traces light paths. Its functions change no state, so any number of threads may call them.
 class Tracer {
 public:
     /// `surfaces` and `settings` must outlive the tracer.
     Tracer(const StaticTriangles& triangles, const Surfaces& surfaces, const BakeSettings& settings);
 
-    /// Follows one path from a texel. `first` chooses its first direction and should be spread evenly over
-    /// the paths of a texel.
+    /// Traces one path from a lightmap texel and returns its light. `first` chooses the path's first
+    /// direction and should be spread evenly over the paths of a texel.
     [[nodiscard]] Arrival follow(const charts::Texel& texel, const glm::vec2& first, Random& random) const;
 
 private:
@@ -115,16 +115,16 @@ private:
         float distance_m = 0.0F;
     };
 
-    /// A point of a path on a surface.
+    /// A point where a light path meets a surface.
     struct Vertex {
         glm::vec3 place;
-        glm::vec3 normal; ///< shading normal, for the cosine
+        glm::vec3 normal; ///< shading normal, for the cosine of incidence
         glm::vec3 plane;  ///< normal of the triangle's plane on the visible side
         LightLinks links;
     };
 
-    /// Finds the nearest hit among the triangles that cast shadows for one of `casters`; without `casters`,
-    /// among all triangles.
+    /// Finds the nearest hit of a ray among the triangles that cast shadows for the groups `casters`; without
+    /// `casters`, among all triangles.
     [[nodiscard]] std::optional<Hit> nearest(const glm::vec3& from, const glm::vec3& direction, float reach_m,
                                              Random& random,
                                              std::optional<Groups> casters = std::nullopt) const;
@@ -137,11 +137,12 @@ private:
 
     const Surfaces& surfaces_;
     const BakeSettings& settings_;
-    std::shared_ptr<void> rays_; ///< the Embree scene
+    std::shared_ptr<void> rays_; ///< the Embree scene with all triangles
     std::vector<uint32_t> glowing_;
-    std::vector<float> glow_sums_;        ///< running sum of the power of `glowing_`
-    std::vector<float> glow_of_triangle_; ///< brightness per square metre; empty if nothing glows
-    float lift_m_ = 0.0F; ///< distance of ray origins from their surface, against self-intersection
+    std::vector<float> glow_sums_; ///< running sum of the power of the triangles in `glowing_`
+    /// Emitted brightness per square metre of each triangle; empty if nothing glows.
+    std::vector<float> glow_of_triangle_;
+    float lift_m_ = 0.0F; ///< distance from a surface at which rays start, against self-intersection
 };
 
 } // namespace estampe::bake

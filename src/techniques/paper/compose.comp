@@ -11,7 +11,8 @@
 #include "shaders/loops.glsl"
 #include "techniques/paper/paper.glsl.h"
 
-// With this workgroup size one warp writes one whole line of memory, which is fast over the bus to the host.
+// With this workgroup size one warp (32 threads) writes one whole line of memory, which is fast over the bus
+// to the host.
 layout(local_size_x = 32, local_size_y = 8) in;
 
 layout(scalar, binding = 0) uniform Frame
@@ -23,15 +24,15 @@ layout(binding = 1) uniform sampler2D wash_image;
 layout(binding = 2) uniform sampler2D hatch_image;
 layout(binding = 3) uniform sampler2D line_image;
 layout(binding = 4) uniform sampler2D sky_ink_image;
-layout(binding = 5) uniform sampler2D light_image;       // for compose_has_tint
-layout(binding = 6) uniform sampler2D ink_image;         // for compose_has_ink
-layout(binding = 7) uniform sampler2D smoke_paint_image; // for compose_has_smoke
+layout(binding = 5) uniform sampler2D light_image;       // light on surfaces, for compose_has_tint
+layout(binding = 6) uniform sampler2D ink_image;         // flowing ink, for compose_has_ink
+layout(binding = 7) uniform sampler2D smoke_paint_image; // paint of smoke, for compose_has_smoke
 layout(binding = 8) uniform sampler2D smoke_ink_image;
-layout(binding = 9) uniform sampler2D cover_image; // for compose_has_cover
+layout(binding = 9) uniform sampler2D cover_image; // coverage by objects, for compose_has_cover
 layout(binding = 10, rgba16f) writeonly uniform image2D out_picture;
-layout(binding = 11, rgba32f) writeonly uniform image2D out_stage; // for compose_is_staged
+layout(binding = 11, rgba32f) writeonly uniform image2D out_stage; // output for compose_is_staged
 
-layout(std430, binding = 12) writeonly buffer Pixels // for compose_develops
+layout(std430, binding = 12) writeonly buffer Pixels // output for compose_develops
 {
     uint pixels[];
 };
@@ -57,25 +58,29 @@ const bool has_cover = (variant & compose_has_cover) != 0u;
 // Largest deviation of the window's edge from a straight line.
 const float edge_stray_mm = 0.17;
 
-// Share of a pure light colour that the darkest ink shows.
+// Share of a pure light colour that remains visible in the darkest ink.
 const float sheen = 0.3;
 
-// Ink under light of colour `tint`. Multiplication alone leaves ink black, so the ink also shines a little.
+// Colour of ink under light of colour `tint`. Multiplication alone leaves ink black, so the ink also shines a
+// little.
 vec3 lit_ink(vec3 ink, vec3 tint)
 {
     float purity = 1.0 - min(tint.r, min(tint.g, tint.b));
     return mix(ink * tint, tint, sheen * purity);
 }
 
-// Relief of the paper at a place.
+// Relief and stains of the paper at a place.
 struct Paper {
-    float relief; // mean about 0; features of a few tenths of a millimetre, with long faint fibres
-    float tooth;  // 0 to 1: the isotropic part of the relief
-    float pooled; // mean about 0; where paint gathers, in features of a centimetre
-    float stray;  // mean about 0; deviation of a ruled line
+    // Height of the relief, with the mean 0; has features of a few tenths of a millimetre, and long faint
+    // fibres.
+    float relief;
+    float tooth;  // the isotropic part of the relief, 0 to 1
+    float pooled; // amount of paint that gathers, with the mean 0, in features of a centimetre
+    float stray;  // deviation of a ruled line, with the mean 0
 };
 
-// One loop computes all noises but the finest, because CPU drivers compile this loop only once.
+// Paper at a place of the page. One loop computes all noises but the finest, because CPU drivers compile this
+// loop only once.
 Paper paper_at(vec2 page_mm, int loop_count)
 {
     vec2 tooth_at = page_mm * 3.1;
@@ -106,15 +111,15 @@ Paper paper_at(vec2 page_mm, int loop_count)
     return Paper(0.72 * tooth + 0.28 * fibre - 0.5, tooth, pooled - 0.5, stray);
 }
 
-// Share of a dry stroke that reaches the paper at a place: high spots get ink, hollows stay bare. The mean
-// equals the stroke's coverage, for any grain.
+// Share of a dry stroke that reaches the paper at a place: high spots of the paper get ink, hollows stay
+// bare. The mean equals the stroke's coverage, for any grain.
 float caught(float stroke, float tooth)
 {
     float bare = smoothstep(0.4, 0.68, 1.0 - tooth);
     return clamp(stroke * mix(1.0, 1.4 - bare, constants.ink_grain), 0.0, 1.0);
 }
 
-// Distance to the edge of the drawing's window, negative inside.
+// Distance to the edge of the drawing's window (the page inside the margin), negative inside.
 float from_window_mm(vec2 page_mm)
 {
     vec2 beyond = max(constants.window_min_mm - page_mm, page_mm - constants.window_max_mm);
@@ -183,7 +188,7 @@ void main()
     }
     float border = 0.0;
     if (has_margin) {
-        // The border covers the lines, in the ink of the strokes.
+        // The border line is drawn over the contour lines, in the ink of the strokes.
         border = (0.5 * constants.border_mm - abs(beyond_mm)) * frame.pixels_per_mm + 0.5;
         border = clamp(border, 0.0, min(constants.border_mm * frame.pixels_per_mm, 1.0));
         float cover = 1.0 - (1.0 - line_cover) * (1.0 - border);
@@ -223,7 +228,8 @@ void main()
                                                        : page.a;
         imageStore(out_stage, pixel, vec4(page.rgb, cover));
     } else if (develops) {
-        // Rounds to half floats, so that the bytes equal those of a picture that is developed later.
+        // Colours are rounded to half floats, so that the bytes equal those of a picture that is developed
+        // later.
         vec3 kept = vec3(unpackHalf2x16(packHalf2x16(page.rg)), unpackHalf2x16(packHalf2x16(page.bb)).x);
         pixels[uint(pixel.y) * frame.size_px.x + uint(pixel.x)] =
             is_transparent ? straight_srgb_bytes(constants.paper_color, page.rgb, page.a, kept)

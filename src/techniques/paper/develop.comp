@@ -16,7 +16,7 @@ layout(binding = 1, rgba32f) uniform image2D sum_image;
 
 layout(std430, binding = 2) writeonly buffer Pixels
 {
-    uint pixels[]; // one word per pixel; four for develop_keeps_floats
+    uint pixels[]; // one word per pixel; four words for develop_keeps_floats
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -38,7 +38,8 @@ void main()
     }
     ivec2 at = ivec2(pixel);
     vec4 color = texelFetch(picture_image, at, 0);
-    if (is_transparent && !keeps_floats) { // rounded to half floats like opaque pictures, for the same bytes
+    // Rounded to half floats like opaque pictures, so that the bytes are equal.
+    if (is_transparent && !keeps_floats) {
         color.rgb = vec3(unpackHalf2x16(packHalf2x16(color.rg)), unpackHalf2x16(packHalf2x16(color.bb)).x);
     }
     if (has_samples) {

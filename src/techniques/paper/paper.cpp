@@ -21,14 +21,16 @@ Window window_of(const PaperStyle& style, float width_mm)
 
 namespace {
 
-/// Only the output that is used has the page's size; the others are placeholders.
+/// Outputs of the compose pass. Only the output that is used has the page's size; the others are
+/// placeholders.
 struct Composed {
     gpu::ImageId picture;
     gpu::ImageId stage;
     gpu::BufferId pixels;
 };
 
-/// The wanted output; without `stage` and `pixels`, a picture for add_develop().
+/// The output that is wanted from the compose pass: without `stage` and `pixels`, a picture for
+/// add_develop().
 struct Wanted {
     std::optional<Stage> stage = {};
     std::optional<gpu::BufferId> pixels = {};
@@ -55,7 +57,8 @@ Composed compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& s
 {
     auto pass = graph.compute("compose", shaders::compose_comp);
     pass.uniform(in.frame).sample(in.wash).sample(in.hatch).sample(in.lines).sample(in.sky_ink);
-    // If the light image is not needed, it is not read here, so that its memory can be reused.
+    // If the light image is not needed, the wash is bound in its place, so that the light's memory can be
+    // reused.
     pass.sample(style.ink_tint > 0.0F ? in.light : in.wash);
     pass.sample(in.ink.value_or(in.wash));
     pass.sample(in.smoke_paint.value_or(in.wash)).sample(in.smoke_ink.value_or(in.wash));
@@ -94,7 +97,8 @@ Composed compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& s
 gpu::ImageId add_compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style)
 {
     if (style.transparent != Transparency::none) {
-        // Half floats are too coarse for an alpha near 1: too much paper would show under dark ink.
+        // A picture with alpha uses 32-bit floats. Half floats are too coarse for an alpha near 1: too much
+        // paper would show under dark ink.
         return compose(graph, in, style, {.stage = Stage::picture}).stage;
     }
     return compose(graph, in, style, {}).picture;

@@ -10,11 +10,11 @@
 
 namespace estampe::paper {
 
-/// Which paper is transparent, so that the picture has an alpha channel.
+/// The parts of the paper that are transparent, so that the picture has an alpha channel.
 enum class Transparency : uint8_t {
-    none,       ///< none: the picture is opaque
-    background, ///< the paper beyond all objects; objects hide what is behind them
-    paper       ///< all paper: only ink and paint remain
+    none,       ///< the whole picture is opaque
+    background, ///< paper beyond all objects is transparent; objects hide what is behind them
+    paper       ///< all paper is transparent: only ink and paint remain
 };
 
 struct PaperStyle {
@@ -34,49 +34,48 @@ struct PaperStyle {
 
 [[nodiscard]] const style::Table<PaperStyle>& paper_table();
 
-/// The colour of transparent paper; none for an opaque picture.
+/// The colour of transparent paper; empty for an opaque picture.
 [[nodiscard]] inline std::optional<glm::vec3> transparent_color(const PaperStyle& style)
 {
     return style.transparent == Transparency::none ? std::nullopt : std::optional(style.color);
 }
 
-/// The part of the page inside the margin.
+/// The rectangle of the page inside the margin.
 struct Window {
-    glm::vec2 min_mm{0.0F}; ///< from the page's upper left corner, y down
+    glm::vec2 min_mm{0.0F}; ///< upper left corner, from the page's upper left corner, y down
     glm::vec2 max_mm{0.0F};
     bool operator==(const Window&) const = default;
 };
 
-/// The window inside the margin of a page with this width and the style's height.
+/// The rectangle inside the margin, for a page with this width and the style's height.
 [[nodiscard]] Window window_of(const PaperStyle& style, float width_mm);
 
 struct ComposeInputs {
-    gpu::BufferId frame; ///< FrameGlobals
+    gpu::BufferId frame; ///< buffer with a FrameGlobals record
     gpu::ImageId wash;
     gpu::ImageId hatch;
     gpu::ImageId lines;
     gpu::ImageId sky_ink;
-    std::optional<gpu::ImageId> ink = {}; ///< flowing ink, below strokes and lines: rgba8 like `lines`
-    float ink_settles = 0.0F;             ///< how far flowing ink settles in the hollows of the paper
-    /// Over the lines: rgba8, square roots of the colour, coverage in alpha.
+    std::optional<gpu::ImageId> ink = {}; ///< flowing ink, drawn below strokes and lines: rgba8 like `lines`
+    float ink_settles = 0.0F;             ///< degree to which flowing ink settles in the paper's hollows
+    /// Paint of smoke, drawn over the lines: rgba8, square roots of the colour, coverage in alpha.
     std::optional<gpu::ImageId> smoke_paint = {};
-    std::optional<gpu::ImageId> smoke_ink = {}; ///< r16f; required together with `smoke_paint`
-    bool has_sky = true;                        ///< false: `sky_ink` is not used
-    /// rgba16f: coverage by objects in red, for a transparent background; without it the wash's alpha is
-    /// used.
+    std::optional<gpu::ImageId> smoke_ink = {}; ///< ink of smoke, r16f; required together with `smoke_paint`
+    bool has_sky = true;                        ///< whether `sky_ink` is drawn
+    /// rgba16f: coverage by objects in red, for a transparent background. If empty, the wash's alpha is used.
     std::optional<gpu::ImageId> cover = {};
-    gpu::ImageId light;    ///< used if the style tints the ink
-    glm::uvec2 page_px{0}; ///< size of the whole page
-    glm::uvec2 size_px{0}; ///< size of the current tile
+    gpu::ImageId light;    ///< light on surfaces; used if the style tints the ink
+    glm::uvec2 page_px{0}; ///< size of the whole page in pixels
+    glm::uvec2 size_px{0}; ///< size of the current tile of the page
 };
 
-/// Composes the layers on paper. Writes rgba16f, linear colour; for transparent paper rgba32f, with the
-/// picture's alpha. Cost: one full-screen dispatch.
+/// Adds a pass that composes the layers on paper. Writes rgba16f, linear colour; for transparent paper
+/// rgba32f, with the picture's alpha. Cost: one full-screen dispatch.
 [[nodiscard]] gpu::ImageId add_compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style);
 
-/// Composes the layers on paper and writes a picture of one sample into `pixels`, like add_compose() followed
-/// by add_develop(). `pixels` may be host memory. Cost: one full-screen dispatch, and the transfer to the
-/// pixels' memory.
+/// Adds a pass that composes the layers on paper and writes a picture of one sample into `pixels`, like
+/// add_compose() followed by add_develop(). `pixels` may be host memory. Cost: one full-screen dispatch, and
+/// the transfer to the pixels' memory.
 [[nodiscard]] gpu::BufferId add_pixels(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style,
                                        gpu::BufferId pixels);
 
@@ -88,12 +87,13 @@ enum class Stage : uint8_t {
     hatch = shared::stage_hatch,
     lines = shared::stage_lines,
     smoke = shared::stage_smoke,
-    picture = shared::stage_picture ///< all layers, with the picture's alpha instead of a layer's coverage
+    /// All layers, with the picture's alpha instead of the coverage of a layer.
+    picture = shared::stage_picture
 };
 
-/// Composes the layers up to `stage`. Writes rgba32f: linear colour, and the topmost layer's coverage, which
-/// is 1 for paper and wash. For transparent paper, the paper has relief only below objects, and the wash has
-/// the picture's alpha so far. Cost: as add_compose().
+/// Adds a pass that composes the layers up to `stage`. Writes rgba32f: linear colour, and the topmost layer's
+/// coverage, which is 1 for paper and wash. For transparent paper, the paper has relief only below objects,
+/// and the wash has the picture's alpha so far. Cost: as add_compose().
 [[nodiscard]] gpu::ImageId add_compose_stage(gpu::Graph& graph, const ComposeInputs& in,
                                              const PaperStyle& style, Stage stage);
 
@@ -107,13 +107,13 @@ struct Accumulation {
 
 enum class PixelForm : uint8_t { srgb_bytes, linear_floats };
 
-/// Outputs of add_develop(): new versions of both.
+/// Outputs of add_develop(): new versions of the sums and the pixels.
 struct Developed {
     gpu::ImageId sums;
     gpu::BufferId pixels;
 };
 
-/// Imports the sums of earlier samples. The first sample ignores the content of the images.
+/// Imports the image of sums of earlier samples. The first sample ignores its content.
 [[nodiscard]] gpu::ImageId import_sums(gpu::Graph& graph, gpu::Image& sums, const Accumulation& accumulation);
 
 /// Adds a frame to `sums` (rgba32f, as large as the picture if it has several samples). The last frame writes
@@ -126,15 +126,16 @@ struct Developed {
                                     const Accumulation& accumulation, PixelForm form = PixelForm::srgb_bytes,
                                     const std::optional<glm::vec3>& transparent = {});
 
-/// The layers that depth of field and motion blur process. add_cover() copies these layers. Its wash holds
-/// the objects' coverage in red, green and blue, so that the coverage is blurred like the wash.
+/// The layers that depth of field and motion blur process. The copies of add_cover() have a wash with the
+/// objects' coverage in red, green and blue, so that the coverage is blurred like the wash.
 struct CoverLayers {
-    gpu::ImageId wash;  ///< rgba16f
-    gpu::ImageId hatch; ///< r16f
-    gpu::ImageId lines; ///< rgba8
+    gpu::ImageId wash;  ///< rgba16f: flat colour under the ink
+    gpu::ImageId hatch; ///< r16f: ink of strokes
+    gpu::ImageId lines; ///< rgba8: contour lines, coverage in alpha
 };
 
-/// Copies strokes and lines, and turns the wash's alpha into a wash. Cost: one full-screen dispatch.
+/// Adds a pass that copies strokes and lines, and makes a wash from the wash's alpha (coverage by objects).
+/// Cost: one full-screen dispatch.
 [[nodiscard]] CoverLayers add_cover(gpu::Graph& graph, const CoverLayers& drawn, glm::uvec2 size_px);
 
 } // namespace estampe::paper

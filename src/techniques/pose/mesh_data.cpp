@@ -22,7 +22,8 @@ namespace estampe::pose {
 namespace {
 
 constexpr uint32_t enough_sheets = 8;
-constexpr double wire_radius = 3e-3; // as a share of the scene's radius: about a pen's width in a framed view
+// Radius of drawn wires as a share of the scene's radius; about a pen's width in a framed view.
+constexpr double wire_radius = 3e-3;
 
 template <typename T>
 T value_or(const std::vector<T>& values, size_t index, const T& otherwise)
@@ -30,7 +31,7 @@ T value_or(const std::vector<T>& values, size_t index, const T& otherwise)
     return index < values.size() ? values[index] : otherwise;
 }
 
-/// Rounds weights to 16 bits so that they still sum to one: the largest takes the rounding error.
+/// Rounds skin weights to 16 bits so that they still sum to one: the largest weight takes the rounding error.
 std::array<uint32_t, 8> round_weights(const glm::vec4& weights_0, const glm::vec4& weights_1)
 {
     std::array<uint32_t, 8> rounded{};
@@ -59,7 +60,7 @@ shared::SkinVertex pack_influences(const Primitive& primitive, size_t vertex)
                         pair(weights[4], weights[5]), pair(weights[6], weights[7])}};
 }
 
-/// Offsets of a primitive's uploaded vertices, which nodes with the same mesh share.
+/// Positions of a primitive's data in the uploaded vertex lists, which nodes with the same mesh share.
 struct UploadedPrimitive {
     uint32_t first_rest_vertex = 0;
     uint32_t first_skin_vertex = shared::no_skin;
@@ -127,7 +128,7 @@ private:
         const auto comes_first = [&](const glm::uvec4& a, const glm::uvec4& b) {
             return kind_of(a) > kind_of(b);
         };
-        // Most scenes are sorted already.
+        // The triangles of most scenes are sorted already.
         if (!std::is_sorted(triangles.begin(), triangles.end(), comes_first)) {
             std::stable_sort(triangles.begin(), triangles.end(), comes_first);
         }
@@ -191,7 +192,7 @@ private:
         }
     }
 
-    /// Cloth swings and falls about as far as its own size.
+    /// Bounds that a primitive may reach. Cloth swings and falls about as far as its own size.
     Bounds reached_bounds(const Node& node, const Primitive& primitive, const Bounds& bounds) const
     {
         Bounds reached = bounds;
@@ -390,7 +391,8 @@ private:
     std::vector<bool> moving_nodes_;
     std::vector<bool> draw_moves_;
     std::map<const Primitive*, UploadedPrimitive> uploaded_;
-    std::map<const Primitive*, Primitive> bodies_; ///< triangle meshes of lines and points
+    /// For each primitive of lines or points, its triangles as wires and dots.
+    std::map<const Primitive*, Primitive> bodies_;
     std::vector<glm::uvec4> opaque_, masked_, blended_;
 };
 

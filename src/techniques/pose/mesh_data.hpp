@@ -15,11 +15,11 @@
 
 namespace estampe::pose {
 
-/// Consecutive triangles.
+/// A range of consecutive triangles of the triangle list.
 struct Range {
     uint32_t first = 0;
     uint32_t count = 0;
-    bool plain = true; ///< no triangle is two-sided or mirrored
+    bool plain = true; ///< no triangle of the range is two-sided or mirrored
 };
 
 /// Triangles that cast shadows for the same groups, and that are either all movable or all static.
@@ -27,28 +27,31 @@ struct CasterRun {
     Range range;
     bool masked = false;
     Groups groups = all_groups;
-    bool moves = false; ///< may move by an animation, a skin or morph targets; false: never moves
+    bool moves = false; ///< the triangles may move by an animation, a skin or morph targets
 };
 
-/// The node, primitive and instance of a draw call, for posing.
+/// The node, primitive and instance that a draw call draws, for posing.
 struct DrawSource {
     Index node = 0;
-    uint32_t primitive = 0; ///< index in the node's mesh
+    uint32_t primitive = 0; ///< index of the primitive in the node's mesh
     uint32_t instance = 0;  ///< index into Node::instances; 0 without instances
-    Bounds local_bounds; ///< bounds of the rest vertices in object space; for cloth, with its range of motion
+    Bounds local_bounds; ///< bounds of the rest vertices in object space; for cloth, including its range of
+                         ///< motion
 };
 
-/// A mesh whose vertices another component poses. It casts no shadow into shadow maps and has no bounds.
+/// A mesh whose vertices another part of the program poses, such as terrain. It casts no shadow into shadow
+/// maps and has no bounds.
 struct ForeignMesh {
-    Index node = 0; ///< its mesh is one primitive without vertices
+    Index node = 0; ///< node of the foreign mesh, which has one primitive without vertices
     Index material = 0;
-    Index instead_of = no_index;    ///< a node whose own mesh this one replaces
-    std::vector<glm::dvec3> places; ///< approximate first positions of the vertices, in world space
+    Index instead_of = no_index; ///< node whose own mesh the foreign mesh replaces; no_index: none
+    /// Approximate first positions of the foreign mesh's vertices, in world space.
+    std::vector<glm::dvec3> places;
     std::vector<glm::uvec3> triangles;
     Bounds near; ///< bounds of the view, for a scene without other meshes
 };
 
-/// Flag in MeshData::edge_marks: the triangle's primitive has edge marks.
+/// Flag in MeshData::edge_marks: the triangle's primitive has edges that an author marked.
 inline constexpr uint8_t marks_edges = 8;
 
 /// Draw calls, vertices and triangles of a scene. Triangles come in the order opaque, masked, blended,
@@ -57,69 +60,74 @@ struct MeshData {
     std::vector<shared::RestVertex> rest_vertices;
     std::vector<shared::SkinVertex> skin_vertices;
     std::vector<shared::MorphOffset> morph_offsets;
-    std::vector<glm::uvec4> triangles; ///< three posed vertices, and the draw call with flags
+    std::vector<glm::uvec4> triangles; ///< indices of three posed vertices, and the draw call with flags
     /// Per posed vertex: position in the rest pose, in units of `stroke_unit_m`.
     std::vector<glm::vec3> stroke_coordinates;
-    /// Per triangle: Primitive::edge_marks, plus `marks_edges` if its primitive has marks; empty if none has.
+    /// Per triangle: Primitive::edge_marks (edges that an author marked), plus `marks_edges` if its primitive
+    /// has marks; empty if no primitive has marks.
     std::vector<uint8_t> edge_marks;
-    std::vector<uint32_t> draw_of_vertex;  ///< per posed vertex
-    std::vector<shared::DrawRecord> draws; ///< without matrices; mirrored flags match those of the triangles
-    std::vector<DrawSource> sources;       ///< per draw call; the ground has none and comes last
+    std::vector<uint32_t> draw_of_vertex; ///< number of the draw call, per posed vertex
+    /// Records of draw calls, without matrices; their mirrored flags equal those of the triangles.
+    std::vector<shared::DrawRecord> draws;
+    std::vector<DrawSource> sources; ///< source of each draw call; the ground has none and comes last
     Range opaque, masked, blended, ground;
-    uint32_t blended_sheets = 0;    ///< most layers of `blended` behind each other, counted up to 8
+    /// Most layers of `blended` triangles behind each other from any view, counted up to 8.
+    uint32_t blended_sheets = 0;
     std::vector<CasterRun> casters; ///< parts of `opaque` and `masked` that cast shadows
     uint32_t joint_count = 0;
     uint32_t morph_weight_count = 0;
-    std::optional<uint32_t> foreign_vertex; ///< first vertex of the foreign mesh
-    glm::dvec3 anchor{0.0}; ///< origin of anchor space in the world; in multiples of 64 m with a foreign mesh
-    /// `anchor` when stroke coordinates were computed; with a foreign mesh `anchor` may follow the eye.
+    std::optional<uint32_t> foreign_vertex; ///< first vertex of the foreign mesh; empty if there is none
+    glm::dvec3 anchor{0.0}; ///< origin of anchor space in the world; a multiple of 64 m with a foreign mesh
+    /// `anchor` at the time when stroke coordinates were computed; with a foreign mesh `anchor` may follow
+    /// the eye.
     glm::dvec3 rest_anchor{0.0};
     double stroke_unit_m = 1.0;
-    Bounds bounds; ///< bounds of the rest pose
+    Bounds bounds; ///< bounds of the rest pose in world space
 };
 
 /// Packs and unpacks a unit vector in the format of shaders/unit.glsl.
 [[nodiscard]] uint32_t pack_normal(glm::vec3 normal);
 [[nodiscard]] glm::vec3 unpack_normal(uint32_t packed);
 
-/// Packs groups in the format of DrawRecord::groups.
+/// Packs the light groups of an object in the format of DrawRecord::groups.
 [[nodiscard]] uint32_t packed_groups(const LightLinks& links);
 
-/// Computes MeshData::edge_marks. Cost: linear in triangles if any primitive has edge marks.
+/// Computes MeshData::edge_marks (edges that authors marked). Cost: linear in triangles if any primitive has
+/// edge marks.
 [[nodiscard]] std::vector<uint8_t> edge_marks_of(const MeshData& meshes, const Scene& scene);
 
-/// Whether every draw call has the default light links.
+/// Whether every draw call has the default light links (all lights light all objects).
 [[nodiscard]] bool has_plain_links(const MeshData& meshes);
 
-/// The anchor for a scene of these bounds that has a foreign mesh.
+/// The anchor for a scene with these bounds and a foreign mesh.
 [[nodiscard]] glm::dvec3 anchor_beside_foreign(const Bounds& bounds);
 
 /// Builds the mesh data of `scene`. Strokes follow UVs if `uvs_are_usable` accepts the primitive's, otherwise
 /// the position in the rest pose, so that they stick to skinned and morphing bodies. Adds a ground of
-/// material `ground_material` under the scene as its own range. A `foreign` mesh becomes the last opaque one.
-/// Throws Error if the scene is too large for `check_drawn_size`, or if scene/scene_limits.hpp rejects its
-/// extent or a position. Cost: linear in vertices drawn.
+/// material `ground_material` under the scene as its own range. A `foreign` mesh becomes the last opaque
+/// mesh. Throws Error if the scene is too large for `check_drawn_size`, or if scene/scene_limits.hpp rejects
+/// its extent or a position. Cost: linear in vertices drawn.
 [[nodiscard]] MeshData build_meshes(const Scene& scene, Index ground_material,
                                     const ForeignMesh* foreign = nullptr);
 
 /// Converts lines to thin wires and points to small dots, as triangles, so that they are drawn, lit and
-/// shadowed like other meshes. They keep the skin and morph targets of their vertices. Cost: 10 triangles per
-/// line, 8 per point.
+/// shadowed like other meshes. Wires and dots keep the skin and morph targets of their vertices. Cost: 10
+/// triangles per line, 8 per point.
 [[nodiscard]] Primitive drawn_body(const Primitive& primitive, float radius_m);
 
-/// Upper bound on a primitive's layers behind each other from any viewpoint, counted up to `enough`. A flat
-/// part has one, and so has a convex one-sided part; all other or deforming parts count as `enough`. Cost: n
-/// log n in triangles; quadratic in those of a convex part, up to 50 ms.
+/// Upper bound on the number of a primitive's layers behind each other from any viewpoint, counted up to
+/// `enough`. A flat part has one layer, and so has a convex one-sided part; all other or deforming parts
+/// count as `enough`. Cost: n log n in triangles; quadratic in those of a convex part, up to 50 ms.
 [[nodiscard]] uint32_t most_sheets(const Primitive& primitive, bool two_sided, uint32_t enough);
 
 /// Whether a primitive's first UV set can carry strokes: present, finite, nearly undistorted, and not cut
 /// into islands, at whose borders strokes would break. Cost: linear in triangles.
 [[nodiscard]] bool uvs_are_usable(const Primitive& primitive);
 
-/// The data that changes from frame to frame, ready for upload.
+/// The data of a pose, which changes from frame to frame, ready for upload.
 struct PoseData {
     std::vector<shared::DrawRecord> draws;
-    std::vector<glm::mat4> joints; ///< anchor_from_bind
+    std::vector<glm::mat4> joints; ///< matrices of joints, from bind pose to anchor space
     std::vector<float> morph_weights;
     /// World bounds of shadow casters, without a floor at the lowest level and without transparent objects.
     Bounds casters;
@@ -131,9 +139,9 @@ struct PoseData {
 /// An infinite box, for objects that may be anywhere.
 [[nodiscard]] Bounds everywhere();
 
-/// Boxes in anchor space around draw calls that differ between the two poses, covering both positions. A
-/// skinned body's box covers the reach of all its joints; the box is infinite if morph weights changed. Cost:
-/// linear in draws and joints.
+/// Boxes in anchor space around draw calls that differ between the poses `before` and `now`, covering both
+/// positions. A skinned body's box covers the reach of all its joints; the box is infinite if morph weights
+/// changed. Cost: linear in draw calls and joints.
 [[nodiscard]] std::vector<Bounds> moved_places(const MeshData& meshes, const PoseData& before,
                                                const PoseData& now);
 
@@ -141,10 +149,11 @@ struct PoseData {
 [[nodiscard]] bool is_plain(std::span<const glm::uvec4> triangles);
 
 /// Updates the mirrored flags of triangles and ranges to the draw calls that `pose` mirrors; returns whether
-/// any changed. Initially no triangle is flagged. Cost: linear in draws, and in triangles if any changed.
+/// any changed. Initially no triangle is flagged. Cost: linear in draw calls, and in triangles if any
+/// changed.
 [[nodiscard]] bool turn_triangles(MeshData& meshes, const PoseData& pose);
 
-/// Indices of solid triangles: opaque or masked, without blank ground and terrain.
+/// Indices of solid triangles, which are opaque or masked, without blank ground and terrain.
 [[nodiscard]] std::vector<uint32_t> solid_triangles(const MeshData& data);
 
 } // namespace estampe::pose

@@ -157,7 +157,7 @@ void extend(Bounds& place, const Bounds& local, const glm::mat4& anchor_from_loc
     }
 }
 
-/// The matrices that transform one draw call's vertices.
+/// The matrices that transform the vertices of one draw call.
 struct Places {
     size_t first = 0;
     size_t count = 0;
@@ -241,7 +241,8 @@ bool weighs_otherwise(const shared::DrawRecord& draw, const PoseData& before, co
     return draw.morph_target_count > 0 && !std::ranges::equal(weights(before), weights(now));
 }
 
-/// Collects runs in ascending order. When the list is full, merges the two runs with the smallest gap.
+/// Collects runs of vertices in ascending order. When the list is full, merges the two runs with the smallest
+/// gap.
 class Collector {
 public:
     void add(const VertexRun& run)
@@ -294,7 +295,8 @@ VertexRuns runs_to_pose(const MeshData& meshes, const PoseData* before, const Po
     if (before == nullptr) {
         return {VertexRun{.first = 0, .count = static_cast<uint32_t>(meshes.draw_of_vertex.size())}};
     }
-    // The joints of a single skin are not known here: if any joint moved, all skinned bodies count as moved.
+    // The joints of a single skin are not known here, so all skinned bodies count as moved if any joint
+    // moved.
     const bool have_joints_moved = before->joints != now.joints;
     Collector runs;
     for (uint32_t i = 0; i < now.draws.size(); ++i) {
@@ -381,7 +383,7 @@ gpu::BufferId add_pose_of_moved(gpu::Graph& graph, MeshBuffers& meshes, const Me
 {
     PosedAs& posed = meshes.posed_as[0];
     const VertexRuns runs = runs_to_pose(data, posed.is_known ? &posed.pose : nullptr, now, written_over);
-    posed.is_known = false; // false until the graph has run
+    posed.is_known = false; // the pose is unknown until the graph has run
     posed.pose = now;
     return add_runs(graph, meshes, data, runs, draws, rest_vertices);
 }

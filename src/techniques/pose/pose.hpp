@@ -13,7 +13,7 @@
 
 namespace estampe::pose {
 
-/// Consecutive posed vertices.
+/// A run of consecutive posed vertices.
 struct VertexRun {
     uint32_t first = 0;
     uint32_t count = 0;
@@ -23,12 +23,12 @@ struct VertexRun {
 using VertexRuns = InlineVector<VertexRun, shared::most_pose_runs>;
 
 /// The vertices whose pose differs between `before` and `now` (all vertices if `before` is null), and the
-/// vertices of the draw calls `written_over`, which must be in ascending order. Too many runs are merged; the
-/// merged run also contains the vertices between them. Cost: linear in draw calls, joints and weights.
+/// vertices of the draw calls `written_over`, which must be in ascending order. If there are too many runs,
+/// some are merged, together with the vertices between them. Cost: linear in draw calls, joints and weights.
 [[nodiscard]] VertexRuns runs_to_pose(const MeshData& meshes, const PoseData* before, const PoseData& now,
                                       std::span<const uint32_t> written_over);
 
-/// The pose that a buffer of posed vertices holds.
+/// Records the pose to which a buffer of vertices was posed.
 struct PosedAs {
     PoseData pose;
     bool is_known = false;
@@ -50,20 +50,21 @@ struct MeshBuffers {
     uint32_t vertex_count = 0;
 };
 
-/// Uploads `data`. Throws Error when it does not fit the device. Cost: one copy of everything.
+/// Uploads the meshes of `data`. Throws Error when they do not fit the device. Cost: one copy of everything.
 [[nodiscard]] MeshBuffers upload_meshes(gpu::Device& device, const MeshData& data);
 
-/// Uploads the pose: draws, joints, weights, and the triangles if mirrored flags change. `meshes` must be
-/// made from `data`. Returns whether triangles changed. Waits for the copy.
+/// Uploads the pose: draw records, joints, weights, and the triangles if mirrored flags change. `meshes` must
+/// be made from `data`. Returns whether triangles changed. Waits for the copy.
 bool upload_pose(gpu::Device& device, MeshBuffers& meshes, MeshData& data, const PoseData& pose);
 
-/// Swaps the posed vertices of this frame and the last frame.
+/// Swaps the buffers of posed vertices of this frame and the last frame.
 void swap_posed(MeshBuffers& meshes);
 
-/// Poses vertices of `meshes`, which must be made from `data`: morph targets, then the skin, or the object's
-/// transform without a skin. It poses only vertices whose buffer differs from `now`, which must be uploaded,
-/// and those of the draw calls `written_over`, in ascending order, which other passes overwrite. `draws` and
-/// `rest_vertices` are their handles in this graph. Call keep_posed() after the graph has run.
+/// Adds a pass that poses vertices of `meshes`, which must be made from `data`: morph targets, then the skin,
+/// or the object's transform without a skin. Only vertices are posed whose buffer differs from `now`, which
+/// must be uploaded, and those of the draw calls `written_over`, in ascending order, which other passes
+/// overwrite. `draws` and `rest_vertices` are their handles in this graph. Call keep_posed() after the graph
+/// has run.
 ///
 /// Writes  posed vertices, relative to the anchor
 /// Cost    one dispatch over the runs of runs_to_pose(), one thread per vertex
@@ -72,7 +73,7 @@ void swap_posed(MeshBuffers& meshes);
                                               const PoseData& now, std::span<const uint32_t> written_over,
                                               gpu::BufferId draws, gpu::BufferId rest_vertices);
 
-/// Confirms that the graph of add_pose_of_moved() has run.
+/// Confirms that the graph of add_pose_of_moved() has run, so that the posed vertices are valid.
 void keep_posed(MeshBuffers& meshes);
 
 } // namespace estampe::pose

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_POSE_VARIANT_GLSL_H
 #define ESTAMPE_POSE_VARIANT_GLSL_H
-// Variant bits and constants of pose.comp.
+// Bits of `variant` and constants of pose.comp.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
@@ -14,12 +14,12 @@ SHARED_CONSTANT uint pose_has_morphs = 1U << 1U;
 
 SHARED_CONSTANT uint most_pose_runs = 8U;
 
-// Runs of vertices that one dispatch poses.
+// Runs of consecutive vertices that one dispatch poses. An item is a vertex to pose.
 struct PoseRuns {
     uint run_count;
-    uint item_count;             // vertices of all runs
+    uint item_count;             // number of vertices of all runs
     uint firsts[most_pose_runs]; // first vertex of each run
-    uint ends[most_pose_runs];   // end of each run, counted in items
+    uint ends[most_pose_runs];   // number of items up to each run's end
 };
 
 #ifdef __cplusplus

@@ -18,7 +18,8 @@
 namespace estampe::pose {
 namespace {
 
-/// Copies a vertex's attributes to a new position and normal, so that the new vertex moves like its source.
+/// Copies a vertex's attributes to a vertex with a new position and normal, so that the new vertex moves like
+/// its source.
 class Copier {
 public:
     Copier(const Primitive& source, Primitive& target) : source_(source), target_(target)
@@ -119,10 +120,11 @@ Primitive drawn_body(const Primitive& primitive, float radius_m)
 
 namespace {
 
-constexpr size_t most_triangles = 1U << 16U; // larger primitives are not analysed
-constexpr size_t most_tests = 1U << 24U;     // largest number of tests of a corner against a triangle's plane
+constexpr size_t most_triangles = 1U << 16U; // most triangles of a primitive whose layers are analysed
+constexpr size_t most_tests = 1U << 24U;     // most tests of a corner against a triangle's plane
 
-/// Merges vertices at the same position, so that meshes with split vertices along edges stay connected.
+/// Gives vertices at one position a common number, so that meshes with split vertices along edges stay
+/// connected.
 std::vector<uint32_t> weld(const std::vector<glm::vec3>& positions)
 {
     std::map<std::tuple<float, float, float>, uint32_t> places;
@@ -171,8 +173,8 @@ std::vector<std::vector<uint32_t>> parts_of(const Primitive& primitive)
 
 enum class Form : uint8_t { flat, convex, other };
 
-/// A part is flat if all corners lie in the plane of every triangle, convex if all corners lie on the same
-/// side of every triangle's plane.
+/// Form of a part. It is flat if all corners lie in the plane of every triangle, convex if all corners lie on
+/// one side of every triangle's plane.
 Form form_of(const std::vector<glm::vec3>& positions, const std::vector<uint32_t>& part)
 {
     const std::set<uint32_t> corners(part.begin(), part.end());
@@ -184,7 +186,7 @@ Form form_of(const std::vector<glm::vec3>& positions, const std::vector<uint32_t
         bounds.extend(positions[corner]);
     }
     const double radius = bounds.radius();
-    // Rounding error of float positions.
+    // Rounding error of positions in 32-bit floats.
     const double rounding = 1.2e-7 * (glm::length(bounds.center()) + radius);
     bool has_below = false;
     bool has_above = false;
@@ -194,7 +196,8 @@ Form form_of(const std::vector<glm::vec3>& positions, const std::vector<uint32_t
         const glm::dvec3 ac = glm::dvec3(positions[part[i + 2]]) - a;
         const glm::dvec3 across = glm::cross(ab, ac);
         const double twice_area = glm::length(across);
-        // The plane of a sliver triangle is inaccurate.
+        // The plane of a very thin triangle is inaccurate, so the tolerance grows with the triangle's length
+        // over its width.
         const double breadth =
             twice_area / std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
         const double tolerance = 1e-5 * radius + 4.0 * radius * rounding / breadth;
@@ -233,9 +236,9 @@ namespace {
 
 /// An edge of a triangle, stored under the lower position number of its two ends.
 struct Side {
-    uint32_t higher = 0;    ///< the higher position number
-    uint32_t corner = 0;    ///< its first corner, an index into Primitive::indices
-    bool goes_up = true;    ///< runs from the lower to the higher number
+    uint32_t higher = 0;    ///< position number of the edge's other end, which is the higher
+    uint32_t corner = 0;    ///< the edge's first corner, an index into Primitive::indices
+    bool goes_up = true;    ///< the edge runs from the lower to the higher position number
     bool is_paired = false; ///< the neighbouring triangle's edge has been found
 };
 
@@ -244,7 +247,7 @@ std::vector<uint32_t> number_places(const Primitive& primitive)
 {
     std::vector<glm::vec3> positions = primitive.positions;
     for (glm::vec3& position : positions) {
-        position += 0.0F; // turns -0 into 0
+        position += 0.0F; // converts -0 to 0
     }
     std::vector<uint32_t> places(positions.size());
     meshopt_generateVertexRemap(places.data(), nullptr, positions.size(), positions.data(), positions.size(),
@@ -332,14 +335,14 @@ private:
     }
 
     const Primitive& primitive_;
-    std::vector<uint32_t> places_; ///< one per vertex
-    std::vector<uint32_t> first_;  ///< one per place, into sides_
+    std::vector<uint32_t> places_; ///< position number of each vertex
+    std::vector<uint32_t> first_;  ///< for each position number, the index of its first edge in sides_
     std::vector<Side> sides_;
     EdgeLengths lengths_;
 };
 
-/// Ratio of the larger to the smaller stretch of the map from a triangle to its texture; infinite if
-/// degenerate.
+/// Ratio of the larger to the smaller stretch of the map from a triangle to its texture; infinite for a
+/// degenerate triangle.
 float stretch(const glm::vec3& p0, const glm::vec3& p1, const glm::vec3& p2, glm::vec2 u0, glm::vec2 u1,
               glm::vec2 u2)
 {
