@@ -12,12 +12,13 @@
 namespace estampe::bleed {
 namespace {
 
-constexpr float largest_radius_px = 96.0F; // 3 mm at 600 dpi
+constexpr float largest_radius_px = 96.0F; // radius of 3 mm at 600 dpi
 constexpr float sigmas_taken_in = 2.5F;
 
 float sigma_px(const BleedStyle& style, float pixels_per_mm)
 {
-    // Below a third of a pixel a blur has no effect, and its exponent grows without bound.
+    // Standard deviation of the blur in pixels. Below a third of a pixel a blur has no effect, and its
+    // exponent grows without bound.
     return std::clamp(0.5F * style.width_mm * pixels_per_mm, 0.3F, largest_radius_px / sigmas_taken_in);
 }
 
@@ -29,9 +30,10 @@ shared::BleedConstants constants_of(const BleedInputs& in, const BleedStyle& sty
             .radius_px = reach_px(style, in.pixels_per_mm),
             .falloff = 0.5F / (sigma * sigma),
             .level = style.level,
-            // Bleed narrower than a pixel fades out: contrast alone would blacken tones.
+            // If ink bleeds less far than a pixel, bleed fades out, because contrast alone would blacken
+            // tones.
             .reach = std::min(0.5F * width_px, 1.0F),
-            // Steep enough that bare paper stays bare.
+            // The contrast is at least so steep that bare paper stays bare.
             .contrast = std::max(style.contrast, 0.5F / style.level)};
 }
 

@@ -8,11 +8,11 @@ namespace estampe::shared {
 
 struct BleedConstants {
     uvec2 size_px;
-    uint radius_px; // of the blur, on each side
+    uint radius_px; // radius of the blur on each side
     float falloff;  // exponent of the blur: 1 / (2 sigma^2), per square pixel
-    float level;    // blurred ink at which paper turns to ink
+    float level;    // amount of blurred ink at which paper turns to ink
     float reach;    // weight of the bled ink, 0 to 1
-    float contrast; // of the blurred ink around `level`
+    float contrast; // contrast of the blurred ink around `level`
 };
 
 #ifdef __cplusplus

@@ -25,7 +25,7 @@ struct BleedInputs {
     glm::uvec2 size_px{0};
 };
 
-/// Largest distance from which ink affects a pixel; 0 if bleed is off.
+/// Largest distance from which ink of other pixels affects a pixel by bleeding; 0 if bleed is off.
 [[nodiscard]] uint32_t reach_px(const BleedStyle& style, float pixels_per_mm);
 
 /// Merges the ink of strokes and lines by blur and contrast. This fills acute corners and narrow gaps, and

@@ -31,7 +31,8 @@ void main()
     }
     float sum = ink_at(pixel.x, pixel.y);
     float weights = 1.0;
-    // Symmetric pairs, so that a mirrored page gives a bit-identical mirrored picture.
+    // The blur adds symmetric pairs of texels, so that a mirrored page gives a bit-identical mirrored
+    // picture.
     for (int i = 1; i <= int(constants.radius_px); ++i) {
         float weight = exp(-constants.falloff * float(i * i));
         sum += weight * (ink_at(pixel.x - i, pixel.y) + ink_at(pixel.x + i, pixel.y));

@@ -14,7 +14,8 @@ layout(scalar, binding = 0) readonly buffer Lines
     FocusLine lines[];
 };
 
-layout(binding = 1, rgba8) uniform image2D ink_image; // square root of linear colour; coverage
+// Square root of linear colour in rgb; coverage in alpha.
+layout(binding = 1, rgba8) uniform image2D ink_image;
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -28,7 +29,7 @@ float line_coverage(FocusLine line, vec2 from_middle)
     float along = dot(from_middle, line.outwards);
     float aside = abs(line.outwards.x * from_middle.y - line.outwards.y * from_middle.x);
     float half_width = line.half_width_px * (along - line.tip_px) / (line.end_px - line.tip_px);
-    // A line thinner than a pixel keeps a pixel's width and gets paler.
+    // A focus line thinner than a pixel keeps a pixel's width and gets paler.
     return along <= line.tip_px
                ? 0.0
                : clamp(max(half_width, 0.5) + 0.5 - aside, 0.0, 1.0) * min(half_width / 0.5, 1.0);

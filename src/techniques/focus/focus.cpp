@@ -16,7 +16,7 @@ namespace {
 constexpr size_t least_lines = 3;
 constexpr size_t most_lines = 20000;
 
-/// Random numbers that are equal on every machine.
+/// Random numbers that are equal on every computer.
 class Random {
 public:
     explicit Random(uint32_t seed) : engine_(seed) {}
@@ -28,7 +28,7 @@ private:
     std::mt19937 engine_;
 };
 
-/// Distance from the middle to just beyond the window's farthest corner.
+/// Length of focus lines: the distance from the middle to just beyond the window's farthest corner.
 float reach_px(const glm::vec2& middle, const Window& window)
 {
     return glm::length(glm::max(glm::abs(window.min_px - middle), glm::abs(window.max_px - middle))) + 1.0F;
@@ -56,7 +56,8 @@ std::vector<shared::FocusLine> focus_lines(const FocusStyle& style, const Window
     const glm::vec2 middle = middle_px(style, window);
     const glm::vec2 half_size = 0.5F * (window.max_px - window.min_px);
     const float end_px = reach_px(middle, window);
-    // Spacing is measured near the picture's edge, halfway between the distances of sides and corners.
+    // The spacing of focus lines is measured near the picture's edge, halfway between the distances of sides
+    // and corners.
     const float edge_px = 0.5F * (std::max(half_size.x, half_size.y) + glm::length(half_size));
     const auto turn = glm::two_pi<float>();
     const auto count =
@@ -67,7 +68,7 @@ std::vector<shared::FocusLine> focus_lines(const FocusStyle& style, const Window
     lines.reserve(count);
     float bundle = random.next();
     for (size_t i = 0; i < count; ++i) {
-        // Neighbours share a value for a while, which forms bundles and gaps.
+        // Neighbouring focus lines share a random value for a while, which forms bundles and gaps.
         bundle = random.next() < 0.35F ? random.next() : bundle;
         const float share = 1.0F - style.bundles * bundle;
         const float angle =

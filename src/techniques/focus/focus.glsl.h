@@ -6,13 +6,13 @@
 namespace estampe::shared {
 #endif
 
-// A wedge that points at the middle. Line n of N lies in sector n of N equal sectors around the middle,
-// counted from +x towards +y, which points down the page.
+// A focus line: a wedge that points at the middle. Line n of N lies in sector n of N equal sectors around the
+// middle, counted from +x towards +y, which points down the page.
 struct FocusLine {
-    vec2 outwards; // direction on the page
-    float tip_px;  // distance of the tip from the middle
+    vec2 outwards; // direction of the line on the page, away from the middle
+    float tip_px;  // distance of the line's tip from the middle
     float end_px;
-    float half_width_px; // at end_px
+    float half_width_px; // half the line's width at the distance end_px
 };
 
 struct FocusConstants {

@@ -25,28 +25,28 @@ struct FocusStyle {
 
 [[nodiscard]] const style::Table<FocusStyle>& focus_table();
 
-/// The part of the page inside the margin; y points down.
+/// The rectangle of the page inside the margin; y points down.
 struct Window {
     glm::vec2 min_px{0.0F};
     glm::vec2 max_px{0.0F};
 };
 
-/// The point to which focus lines converge.
+/// The point of the page to which focus lines converge.
 [[nodiscard]] glm::vec2 middle_px(const FocusStyle& style, const Window& window);
 
-/// All focus lines of a picture; each extends beyond the window. Cost: linear in lines.
+/// Makes all focus lines of a picture; each extends beyond the window. Cost: linear in lines.
 [[nodiscard]] std::vector<shared::FocusLine> focus_lines(const FocusStyle& style, const Window& window,
                                                          float pixels_per_mm, double time_s);
 
 struct FocusInputs {
-    gpu::BufferId lines; ///< shared::FocusLine
+    gpu::BufferId lines; ///< buffer of shared::FocusLine
     uint32_t line_count = 0;
     glm::vec2 middle_px{0.0F};
     glm::uvec2 size_px{0};
 };
 
-/// Draws focus lines over `ink`, a contour layer: square root of linear colour, coverage in alpha. Where both
-/// layers have ink, the ink with more coverage wins. Cost: one full-screen dispatch.
+/// Draws focus lines over `ink`, the layer of contours: square root of linear colour, coverage in alpha.
+/// Where both have ink, the ink with more coverage wins. Cost: one full-screen dispatch.
 [[nodiscard]] gpu::ImageId add_focus(gpu::Graph& graph, const FocusInputs& in, const FocusStyle& style,
                                      gpu::ImageId ink);
 

@@ -32,7 +32,7 @@ layout(binding = 4, r16f) uniform image2D hatch_image;
 layout(binding = 5, rgba8) uniform image2D line_image;
 
 #define TILE_LIST_BINDING 6
-#include "shaders/tile_list.glsl" // only in the variant with a tile list
+#include "shaders/tile_list.glsl" // used only in the variant with a tile list
 
 void main()
 {

@@ -2,21 +2,21 @@
 #ifndef ESTAMPE_HAZE
 #define ESTAMPE_HAZE
 
-// How distance fades a drawing. Requires before inclusion: `frame`, `constants` (haze.glsl.h), and
+// Fading of a drawing with distance. Requires before inclusion: `frame`, `constants` (haze.glsl.h), and
 // HAZE_DEPTH_BINDING.
 
 #include "shaders/camera.glsl"
 
 layout(binding = HAZE_DEPTH_BINDING) uniform sampler2D depth_image;
 
-const int line_steps = 4; // most samples per direction when searching for the surface of a line
+const int line_steps = 4; // most samples per direction in the search for the surface of a line
 
 float haze_depth(ivec2 pixel)
 {
     return texelFetch(depth_image, clamp(pixel, ivec2(0), ivec2(frame.size_px) - 1), 0).x;
 }
 
-// Number of half-lives of haze in front of a point at this pixel and depth.
+// Number of times that haze halves the contrast of a point at this pixel and depth.
 float halvings(ivec2 pixel, float depth)
 {
     vec3 from_eye = anchor_at(frame, vec2(pixel) + 0.5, max(depth, 1e-9)) - frame.eye_anchor;
@@ -32,10 +32,11 @@ float ink_left(ivec2 pixel, float depth)
 const ivec2 eight_ways[8] = ivec2[8](ivec2(1, 0), ivec2(0, 1), ivec2(-1, 0), ivec2(0, -1), ivec2(1, 1),
                                      ivec2(-1, 1), ivec2(-1, -1), ivec2(1, -1));
 
-// Half of a line's width is outside the edge that the line follows, over a farther surface or the background.
-// To find the depth of the line's surface, each sample extrapolates the depth of neighbours to this pixel:
-// reversed depth is linear over a plane in page coordinates. This gives the pixel's own depth on that plane,
-// or the depth of a nearer surface that ends between sample and pixel. Negative if no surface is near.
+// Depth of the surface to which a line at this pixel belongs. Half of a line's width is outside the edge that
+// the line follows, over a farther surface or the background. To find the depth of the line's surface, each
+// sample extrapolates the depth of neighbours to this pixel: reversed depth is linear over a plane in page
+// coordinates. This gives the pixel's own depth on that plane, or the depth of a nearer surface that ends
+// between sample and pixel. Negative if no surface is near.
 float line_depth(ivec2 pixel, float own)
 {
     float nearest = own > 0.0 ? own : -1.0;

@@ -8,13 +8,13 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-SHARED_CONSTANT uint haze_has_tiles = 1U << 0U; // variant bit of haze.comp: fade only listed tiles
+SHARED_CONSTANT uint haze_has_tiles = 1U << 0U; // bit of `variant` of haze.comp: fade only the listed tiles
 
 struct HazeConstants {
-    float start_m;      // no haze up to this distance
-    float halves_per_m; // beyond start_m: half-lives per metre
-    float ink;          // how much faster strokes and lines fade than colour
-    uint line_reach_px; // largest distance of a line's pixel from the edge it follows
+    float start_m;      // distance up to which there is no haze
+    float halves_per_m; // halvings of contrast per metre, beyond start_m
+    float ink;          // factor by which strokes and lines fade faster than colour
+    uint line_reach_px; // largest distance in pixels of a line's pixel from the edge it follows
 };
 
 #ifdef __cplusplus

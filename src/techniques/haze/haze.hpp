@@ -26,29 +26,31 @@ struct HazeStyle {
 [[nodiscard]] const style::Table<HazeStyle>& haze_table();
 
 struct HazeInputs {
-    gpu::BufferId frame;       ///< FrameGlobals
-    gpu::ImageId depth;        ///< r32f, reversed; 0 is the background
-    float line_half_px = 1.0F; ///< half width of the widest line: its part outside the edge it follows
+    gpu::BufferId frame; ///< buffer with a FrameGlobals record
+    gpu::ImageId depth;  ///< r32f: reversed depth; 0 is the background
+    /// Half the width of the widest line, which is the part outside the edge that it follows.
+    float line_half_px = 1.0F;
     glm::uvec2 size_px{0};
-    /// If given, only these tiles are faded: those of surface::add_far_tiles() beyond start_m.
+    /// Tiles to fade, from surface::add_far_tiles() beyond start_m; empty: the whole page.
     std::optional<gpu::BufferId> tiles;
 };
 
-/// The layers that fade.
+/// The layers of the drawing that fade.
 struct HazeLayers {
-    gpu::ImageId wash;  ///< rgba16f
-    gpu::ImageId hatch; ///< r16f
-    gpu::ImageId lines; ///< rgba8, coverage in alpha
+    gpu::ImageId wash;  ///< rgba16f: flat colour under the ink
+    gpu::ImageId hatch; ///< r16f: ink of strokes
+    gpu::ImageId lines; ///< rgba8: contour lines, coverage in alpha
 };
 
-/// Fades distant parts into `sky`, an rgba16f image of the page's size or of one texel.
+/// Adds a pass that fades distant parts into `sky`, an rgba16f image of the page's size or of one texel.
 ///
 /// Writes  new versions of the three layers; background pixels are unchanged
 /// Cost    one dispatch over the page or a list of tiles; up to 64 more depth samples on pixels of lines
 [[nodiscard]] HazeLayers add_haze(gpu::Graph& graph, const HazeInputs& in, const HazeStyle& style,
                                   gpu::ImageId sky, const HazeLayers& layers);
 
-/// The share of ink that haze leaves at each pixel, for strokes drawn as vector paths.
+/// Adds a pass that computes the share of ink that haze leaves at each pixel, for strokes drawn as vector
+/// paths.
 ///
 /// Writes  two floats per pixel, row by row: for strokes and for lines; 1 on the background
 /// Cost    one full-screen dispatch with at most 64 depth samples per pixel

@@ -24,7 +24,7 @@ layout(push_constant, scalar) uniform Constants
 
 layout(scalar, binding = 2) writeonly buffer Left
 {
-    vec2 left[]; // row by row
+    vec2 left[]; // share of ink that haze leaves, of strokes and of lines, row by row
 };
 
 void main()

@@ -30,7 +30,7 @@ HeightMap heights_of(uint32_t width, uint32_t height, std::span<const Channel> r
     return map;
 }
 
-/// Reads heights beyond the edges: from the opposite edge, or from the nearest texel.
+/// Reads heights, also beyond the picture's edges: from the opposite edge, or from the nearest texel.
 class Heights {
 public:
     Heights(const HeightMap& map, bool wraps) : map_(map), wraps_(wraps) {}
@@ -40,10 +40,11 @@ public:
         return static_cast<double>(map_.heights[inside(y, map_.height) * map_.width + inside(x, map_.width)]);
     }
 
-    /// Change of height per texel to the right and downwards.
+    /// Change of height per texel, to the right and downwards.
     [[nodiscard]] glm::dvec2 slope(int64_t x, int64_t y) const
     {
-        constexpr double side = 3.0 / 32.0; // Scharr's weights; those of one side have the sum 1/2
+        // Scharr's weights for slopes; the weights on one side have the sum 1/2.
+        constexpr double side = 3.0 / 32.0;
         constexpr double middle = 10.0 / 32.0;
         const auto across = [&](int64_t row) { return at(x + 1, row) - at(x - 1, row); };
         const auto down = [&](int64_t column) { return at(column, y + 1) - at(column, y - 1); };
@@ -97,7 +98,8 @@ Image make_normal_map(const HeightMap& map, const NormalMapSettings& settings)
     for (uint32_t y = 0; y < map.height; ++y) {
         for (uint32_t x = 0; x < map.width; ++x) {
             const glm::dvec2 slope = relief_texels * heights.slope(x, y);
-            // Rows go down and y goes up, so a surface that rises downwards has a normal that leans upwards.
+            // Image rows go down, but y of the normal goes up. So a surface that rises downwards has a normal
+            // that leans upwards.
             const glm::dvec3 normal = glm::normalize(glm::dvec3(-slope.x, green * slope.y, 1.0));
             normals.rgba.insert(normals.rgba.end(),
                                 {byte_of(normal.x), byte_of(normal.y), byte_of(normal.z), 255});

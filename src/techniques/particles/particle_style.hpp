@@ -19,7 +19,7 @@ struct ParticleStyle {
     float spread_deg = 12.0F;
     float lift_m_per_s2 = 0.0F;
     float wind_m_per_s = 0.8F;
-    wind::Wind wind; ///< the scene's [wind]; this section has no key for it
+    wind::Wind wind; ///< wind of the scene's section [wind]; the section of particles has no key for it
     float swirl_m_per_s = 0.6F;
     float swirl_m = 2.0F;
     float size_m = 0.5F;

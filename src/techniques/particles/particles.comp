@@ -21,7 +21,7 @@ layout(binding = 2) uniform usamplerBuffer start_texels;
 layout(binding = 3) uniform usamplerBuffer listed_texels;
 layout(binding = 4) uniform samplerBuffer sheet_texels;
 layout(binding = 5) uniform sampler2D depth_image;
-layout(binding = 6) uniform sampler2D sky_image; // colour that haze fades into
+layout(binding = 6) uniform sampler2D sky_image; // colour of the sky, into which haze fades particles
 layout(binding = 7, rgba16f) uniform image2D wash_image;
 layout(binding = 8, r16f) uniform image2D hatch_image;
 layout(binding = 9, rgba8) uniform image2D line_image;
@@ -37,7 +37,7 @@ layout(push_constant, scalar) uniform Constants
 layout(constant_id = 0) const uint variant = 0u;
 const bool by_groups = (variant & particles_by_groups) != 0u;
 
-// Distance of the visible surface along the view; very large for the background.
+// Distance of the visible surface along the view direction; very large for the background.
 float seen_at_m(ivec2 pixel)
 {
     float depth = texelFetch(depth_image, min(pixel, ivec2(frame.size_px) - 1), 0).x;
@@ -45,7 +45,7 @@ float seen_at_m(ivec2 pixel)
     return depth > 0.0 ? (frame.clip_from_anchor * vec4(point, 1.0)).w : 1e12;
 }
 
-// Brightness of frame `which` of the sprite sheet, at `at`, 0 to 1.
+// Brightness of frame `which` of the sprite sheet, at the place `at`, 0 to 1 in both directions.
 float sheet_at(vec2 at, int which)
 {
     ivec2 cell_px = ivec2(constants.sheet_px / constants.frames);
@@ -62,7 +62,7 @@ float sheet_at(vec2 at, int which)
         mix(texelFetch(sheet_texels, lower + low.x).x, texelFetch(sheet_texels, lower + high.x).x, f.x), f.y);
 }
 
-// Density of a sprite at an offset from its centre, in radii: a ragged disc, or the frame of its sheet.
+// Density of a sprite at an offset from its centre, in radii: a ragged disc, or a frame of the sprite sheet.
 float density_at(vec2 uv, float trait, float shown)
 {
     float ragged = value_noise(2.6 * uv + 97.0 * trait, 3u) + 0.2 * value_noise(5.6 * uv - 61.0 * trait, 4u);
@@ -78,14 +78,14 @@ float density_at(vec2 uv, float trait, float shown)
     return max(abs(uv.x), abs(uv.y)) < 1.0 ? density : 0.0;
 }
 
-// Sums over all sprites at a place.
+// Sums over all sprites at a place of the page.
 struct Mass {
     float density;
-    vec2 beside;  // density one pixel to the right, and one pixel below
+    vec2 beside;  // density of sprites one pixel to the right, and one pixel below
     float soft;   // density, with sprites composited over each other
-    float shade;  // 0 to 1: shade on the lower side of the nearest sprite
-    float fold;   // ink where a sprite overlaps others
-    float away_m; // mean distance of the visible sprites along the view
+    float shade;  // shade on the lower side of the nearest sprite, 0 to 1
+    float fold;   // ink of the line where a sprite overlaps others
+    float away_m; // mean distance of the visible sprites along the view direction
 };
 
 struct SpriteOver {
@@ -105,7 +105,7 @@ SpriteOver sprite_over(vec2 place, int i)
                      texelFetch(sprite_texels, sprite + 2));
 }
 
-// Offset in the sprite's axes: along it and across it.
+// Offset from a sprite's centre in the sprite's rotated axes: along it and across it.
 vec2 turned(Sprite sprite, vec2 away)
 {
     return vec2(dot(away, sprite.turn) / sprite.stretch, dot(away, vec2(-sprite.turn.y, sprite.turn.x)));
@@ -118,8 +118,8 @@ bool is_near(SpriteOver over)
     return max(uv.x, uv.y) < 1.0 + (constants.outline_px + 2.0) / over.sprite.radius_px;
 }
 
-// Index of the next sprite in the list that is near any place of the subgroup; `last` if there is none. This
-// small loop skips sprites at low cost on CPUs.
+// Index of the next sprite in the list that is near any place of the subgroup (threads that run together);
+// `last` if there is none. This small loop skips sprites at low cost on CPUs.
 int find_sprite(vec2 place, int i, int last)
 {
     bool is_far;
@@ -134,7 +134,8 @@ int find_sprite(vec2 place, int i, int last)
 
 void add_sprite(inout Mass mass, SpriteOver over, float opacity, float surface_m, bool is_crisp)
 {
-    const float edge = 0.6; // in radii: sprites behind are hidden within this distance from the centre
+    // Radius of a sprite's outline, in radii of the sprite; within it, sprites behind are hidden.
+    const float edge = 0.6;
     Sprite sprite = over.sprite;
     vec2 away = over.away;
     vec2 uv = turned(sprite, away);
@@ -150,12 +151,12 @@ void add_sprite(inout Mass mass, SpriteOver over, float opacity, float surface_m
                             density_at(below, sprite.trait, sprite.frame)) *
                        (opacity * before);
     }
-    // Frames of a sheet have their own inner shading.
+    // Frames of a sprite sheet have their own inner shading.
     float solid = constants.frames.x > 0u ? 0.0 : opacity * before;
     float beyond_px = (length(away) - edge) * sprite.radius_px;
     float hides = clamp(0.5 - beyond_px, 0.0, 1.0) * smoothstep(0.1, 0.3, solid);
     float lower = clamp((length(away + vec2(0.24, 0.4)) - 0.68) * sprite.radius_px + 0.5, 0.0, 1.0);
-    // An arc on the upper side, widest in its middle.
+    // The line where a sprite overlaps others is an arc on its upper side, widest in the middle.
     float up = dot(normalize(away + 1e-6), normalize(vec2(sprite.trait - 0.5, -1.0)));
     float width_px =
         constants.outline_px * smoothstep(0.35, 1.0, up) * smoothstep(0.3, 0.8, fract(7.3 * sprite.trait));
@@ -164,8 +165,8 @@ void add_sprite(inout Mass mass, SpriteOver over, float opacity, float surface_m
     mass.fold = max(mass.fold * (1.0 - hides), arc * smoothstep(0.2, 0.5, solid));
 }
 
-// A subgroup may span the lists of two tiles if a tile of the page is drawn; lanes past their list's end add
-// nothing.
+// Sums over all sprites at a place. A subgroup may span the lists of two tiles if a tile of the page is
+// drawn; lanes past their list's end add nothing.
 Mass mass_at(vec2 place, float surface_m, bool is_crisp)
 {
     uvec2 tile = min(uvec2(place), frame.page_px - 1u) / particle_tile_px;
@@ -183,14 +184,14 @@ Mass mass_at(vec2 place, float surface_m, bool is_crisp)
     return mass;
 }
 
-// particles_by_groups: a workgroup reads as many sprites as it has threads, one per thread.
+// Number of sprites that a workgroup reads together, one per thread, for particles_by_groups.
 const int read_at_once = 64;
 shared vec4 held[3 * read_at_once];
 
 void read_sprites(int first, int last)
 {
     int own = int(gl_LocalInvocationIndex);
-    barrier(); // all threads have finished with the previous sprites
+    barrier(); // waits until all threads have finished with the previous sprites
     if (first + own < last) {
         int sprite = 3 * int(texelFetch(listed_texels, first + own).x);
         for (int k = 0; k < 3; ++k) {
@@ -200,7 +201,7 @@ void read_sprites(int first, int last)
     barrier();
 }
 
-// Like mass_at(), for a workgroup whose pixels are all in one tile.
+// Sums over all sprites at a place like mass_at(), for a workgroup whose pixels are all in one tile.
 Mass mass_by_groups(vec2 place, float surface_m, bool is_crisp)
 {
     uvec2 tile = min(listed_from_px() + frame.tile_from_px, frame.page_px - 1u) / particle_tile_px;
@@ -219,13 +220,13 @@ Mass mass_by_groups(vec2 place, float surface_m, bool is_crisp)
     return mass;
 }
 
-// Distance in pixels from the density's threshold contour, positive inside.
+// Distance in pixels from the contour where the sprites' density reaches its threshold, positive inside.
 float within_px(Mass mass)
 {
     return (mass.density - 0.35) / max(length(mass.beside - mass.density), 1e-4);
 }
 
-// Number of times that haze has halved the particles' contrast.
+// Number of times that haze halves the particles' contrast.
 float halvings(ivec2 pixel, float away_m)
 {
     vec3 way = frame.is_orthographic != 0u ? frame.view_forward

@@ -31,7 +31,8 @@ uint32_t lattice(double coordinate)
     return static_cast<uint32_t>(static_cast<int64_t>(coordinate));
 }
 
-/// Gradient of value noise in [0, 1]; the noise is smooth to second order, so that its gradient has no kinks.
+/// Gradient of value noise in [0, 1]. The noise has continuous second derivatives, so its gradient has no
+/// kinks.
 glm::dvec3 noise_gradient(const glm::dvec3& place, uint32_t seed)
 {
     const glm::dvec3 cell = glm::floor(place);
@@ -52,7 +53,8 @@ glm::dvec3 noise_gradient(const glm::dvec3& place, uint32_t seed)
     return gradient;
 }
 
-/// A unit vector within `spread_rad` of `direction`, uniform over that cap.
+/// A random unit vector within `spread_rad` of `direction`, with uniform density; `a` and `b` are random
+/// numbers.
 glm::dvec3 scattered(const glm::dvec3& direction, double spread_rad, double a, double b)
 {
     const double up = 1.0 - a * (1.0 - std::cos(spread_rad));
@@ -68,7 +70,7 @@ Particle fly(const ParticleStyle& style, const Emitter& emitter, uint32_t number
              double age_s)
 {
     constexpr double longest_step_s = 0.35;
-    constexpr double drag_s = 0.8; // time constant of air drag
+    constexpr double drag_s = 0.8; // time constant with which air drag slows particles down
     const auto seed = static_cast<uint32_t>(style.seed);
     const auto trait = [&](uint32_t which) { return hashed(number, emitter_number, which, seed); };
     const double bearing = glm::radians(static_cast<double>(style.wind.towards_deg));
@@ -102,8 +104,8 @@ Particle fly(const ParticleStyle& style, const Emitter& emitter, uint32_t number
     return particle;
 }
 
-/// The emitter as it was `ago_s` seconds ago, interpolated linearly between known states. Before the oldest
-/// known state, returns the oldest.
+/// The state of an emitter `ago_s` seconds ago, interpolated linearly between known states. For times before
+/// the oldest known state, returns the oldest state.
 Emitter stood(const Emitter& emitter, double ago_s)
 {
     if (emitter.before.empty() || emitter.step_s <= 0.0) {
@@ -174,7 +176,7 @@ glm::dvec2 projected_px(const ParticleView& view, const glm::dvec3& place, doubl
     return (0.5 * glm::dvec2(clip) / clip.w + 0.5) * glm::dvec2(view.page_px);
 }
 
-/// Opacity of a particle by age: fades in quickly and out slowly.
+/// Opacity of a particle by its age: it fades in quickly and out slowly.
 float density_at(float age)
 {
     return glm::smoothstep(0.0F, 0.12F, age) * (1.0F - glm::smoothstep(0.45F, 1.0F, age));
@@ -185,10 +187,10 @@ glm::vec2 turn_by(float angle)
     return {std::cos(angle), std::sin(angle)};
 }
 
-/// Lists the sprites of each tile, in the order of the sprites.
+/// For each tile of the page, lists the sprites that touch it, in the order of the sprites.
 void list_sprites(ParticlePlan& plan, glm::uvec2 tiles)
 {
-    constexpr float beyond_px = 2.0F; // margin for soft edges and sample jitter
+    constexpr float beyond_px = 2.0F; // margin of sprites in pixels, for soft edges and sample jitter
     const auto for_tiles = [&](const shared::Sprite& sprite, const auto& visit) {
         const float reach = sprite.radius_px * sprite.stretch + beyond_px;
         const glm::vec2 side(shared::particle_tile_px);
@@ -315,7 +317,7 @@ void Sheet::ensure(gpu::Device& device, const ParticleStyle& style,
 
 namespace {
 
-/// Lists the tiles of 8 x 8 pixels that have sprites.
+/// Adds a pass that lists the tiles of 8 x 8 pixels that have sprites.
 gpu::BufferId add_tiles(gpu::Graph& graph, const ParticleInputs& in, gpu::BufferId starts,
                         uint32_t tiles_across)
 {

@@ -18,28 +18,30 @@ namespace estampe::particles {
 /// A source of particles.
 struct Emitter {
     glm::dvec3 place{0.0};
-    glm::dvec3 direction{0.0, 1.0, 0.0}; ///< unit vector; 0: the emitter gives no particles
-    double size = 1.0;                   ///< factor on the style's particle size
-    std::vector<Emitter> before; ///< earlier states at equal time steps; empty: the emitter never changed
-    double step_s = 0.0;         ///< time between two states of `before`
+    /// Direction in which particles leave, a unit vector; 0: the emitter gives no particles.
+    glm::dvec3 direction{0.0, 1.0, 0.0};
+    double size = 1.0; ///< factor on the style's particle size
+    /// Earlier states of the emitter at equal time steps; empty: the emitter never changed.
+    std::vector<Emitter> before;
+    double step_s = 0.0; ///< time between two states of `before`
 };
 
 struct Particle {
     glm::dvec3 place{0.0};
     glm::dvec3 velocity{0.0};
-    float age = 0.0F; ///< share of its life, 0 to 1
+    float age = 0.0F; ///< elapsed share of the particle's life, 0 to 1
     float size = 1.0F;
     float trait = 0.0F;
     float trait_b = 0.0F;
 };
 
-/// Velocity of the swirls at `place`, in feature sizes: the curl of three noises, which has no divergence, at
-/// about unit speed. Source: Bridson, Houriham, Nordenstam, "Curl-Noise for Procedural Fluid Flow", SIGGRAPH
-/// 2007.
+/// Velocity of the swirls that move particles at `place`, in feature sizes: the curl of three noises, which
+/// has no divergence, at about unit speed. Source: Bridson, Houriham, Nordenstam, "Curl-Noise for Procedural
+/// Fluid Flow", SIGGRAPH 2007.
 [[nodiscard]] glm::dvec3 swirl(const glm::dvec3& place, uint32_t seed);
 
-/// All particles alive at `time_s`. Each one depends only on its number, its age and its emitter's state at
-/// its birth, so the result does not depend on earlier calls. Cost: 10 us per particle.
+/// All particles alive at `time_s`. Each particle depends only on its number, its age and its emitter's state
+/// at its birth, so the result does not depend on earlier calls. Cost: 10 us per particle.
 [[nodiscard]] std::vector<Particle> particles_at(const ParticleStyle& style,
                                                  std::span<const Emitter> emitters, double time_s);
 
@@ -49,37 +51,37 @@ struct ParticleView {
     glm::dvec3 anchor{0.0};
     glm::uvec2 page_px{0};
     float pixels_per_mm = 1.0F;
-    float pixel_m = 0.001F; ///< size of a pixel at distance 1
+    float pixel_m = 0.001F; ///< size of a pixel at distance 1 from the eye
     bool is_parallel = false;
     glm::uvec2 sheet_px{0};
-    glm::uvec2 sheet_frames{0}; ///< columns and rows; 0 without a sheet
+    glm::uvec2 sheet_frames{0}; ///< columns and rows of the sprite sheet; 0 without a sheet
 };
 
-/// Sprites from the farthest to the nearest, and the list of sprites of each tile.
+/// All sprites of a picture, from the farthest to the nearest, and for each tile the list of its sprites.
 struct ParticlePlan {
     shared::ParticleConstants constants{};
     std::vector<shared::Sprite> sprites;
-    std::vector<uint32_t> starts; ///< first entry of each tile in `listed`, row by row, and the end
+    std::vector<uint32_t> starts; ///< index in `listed` of each tile's first sprite, row by row, and the end
     std::vector<uint32_t> listed;
 };
 
-/// Projects particles to sprites, without those behind the eye. The constants have no haze; the caller may
-/// add it. Cost: linear in sprites and the tiles they touch.
+/// Projects particles to sprites on the page, without those behind the eye. The constants have no haze; the
+/// caller may add it. Cost: linear in sprites and the tiles they touch.
 [[nodiscard]] ParticlePlan plan_particles(const ParticleStyle& style, std::span<const Particle> particles,
                                           const ParticleView& view);
 
-/// A sprite sheet of brightness, frames side by side and row by row.
+/// A sprite sheet as a brightness image, with frames side by side and row by row.
 struct SheetImage {
     glm::uvec2 size_px{1};
-    glm::uvec2 frames{0}; ///< columns and rows; 0: there is no sheet
+    glm::uvec2 frames{0}; ///< columns and rows of frames; 0: there is no sprite sheet
     std::vector<float> brightness = {1.0F};
 };
 
-/// The style's sprite sheet, loaded again when the style changes it.
+/// The style's sprite sheet on the device, loaded again when the style changes it.
 class Sheet {
 public:
-    /// Loads the sheet from a picture file, or from `simulate` for the built-in smoke. Throws Error that
-    /// names the file if the file is no picture, or has fewer pixels than rows or columns.
+    /// Loads the sprite sheet from a picture file, or from `simulate` for the built-in smoke. Throws Error
+    /// that names the file if the file is no picture, or has fewer pixels than rows or columns.
     void ensure(gpu::Device& device, const ParticleStyle& style, const std::function<SheetImage()>& simulate);
 
     [[nodiscard]] glm::uvec2 size_px() const { return size_px_; }
@@ -96,33 +98,33 @@ private:
     gpu::Buffer texels_;
 };
 
-/// A plan's lists on the device.
+/// A plan's sprites and lists on the device.
 struct SpriteLists {
     gpu::BufferId sprites;
     gpu::BufferId starts;
     gpu::BufferId listed;
-    gpu::BufferId sheet; ///< brightness, row by row
+    gpu::BufferId sheet; ///< brightness of the sprite sheet, row by row
 };
 
 /// Inputs of the pass that draws sprites.
 struct ParticleInputs {
-    gpu::BufferId frame; ///< FrameGlobals
+    gpu::BufferId frame; ///< buffer with a FrameGlobals record
     gpu::ImageId depth;  ///< r32f: reversed depth, 0 for the background
     gpu::ImageId sky;    ///< rgba16f, page-sized or one texel: the colour that haze fades into
     glm::uvec2 size_px{0};
-    /// The 8 x 8 pixels of a workgroup read their list together, which is faster on GPUs. A tile of the page
-    /// must then begin at a multiple of 8.
+    /// The 8 x 8 pixels of a workgroup read their sprite list together, which is faster on GPUs. A tile of
+    /// the page must then begin at a multiple of 8.
     bool by_groups = false;
 };
 
-/// The layers that particles are drawn over.
+/// The layers of the drawing over which particles are drawn.
 struct ParticleLayers {
     gpu::ImageId wash;
     gpu::ImageId hatch;
     gpu::ImageId lines;
 };
 
-/// Draws sprites over the layers: colour into the wash, ink into the lines; colour hides the strokes and
+/// Draws particles over the layers: colour into the wash, ink into the lines; colour hides the strokes and
 /// lines below.
 ///
 /// Cost    linear in overlapping sprites per pixel, only in tiles with sprites; a dispatch that lists these

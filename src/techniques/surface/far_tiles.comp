@@ -23,17 +23,17 @@ layout(binding = 1) uniform sampler2D depth_image;
 
 layout(push_constant, scalar) uniform Constants
 {
-    float from_m; // distance from the eye
+    float from_m; // distance from the eye from which surfaces count as far
 };
 
-// Cosine of the angle between the view direction and a corner of the tile.
+// Cosine of the angle between the view direction and the ray to a corner of the tile.
 float straight_at(vec2 corner_px)
 {
     return dot(normalize(anchor_at(frame, corner_px, 1e-5) - frame.eye_anchor), frame.view_forward);
 }
 
-// Upper bound on the reversed depth of surfaces at `distance_m` or farther, anywhere in the tile; nearer
-// surfaces may also pass.
+// Upper bound on the reversed depth of surfaces at `distance_m` or farther, anywhere in the tile. Some nearer
+// surfaces may pass the test too.
 float depth_at_most(vec2 from_px, float distance_m)
 {
     float least = min(min(straight_at(from_px), straight_at(from_px + vec2(8.0, 0.0))),
@@ -47,7 +47,7 @@ void main()
     uvec2 from_px = 8u * tile;
     bool is_on_page = all(lessThan(from_px, frame.size_px));
     ivec2 last_px = ivec2(frame.size_px) - 1;
-    // In parallel projection, depth does not give the distance from the eye.
+    // In parallel projection, depth does not give the distance from the eye, so all tiles pass.
     float limit = frame.is_orthographic != 0u ? 1e30 : depth_at_most(vec2(from_px), from_m);
     bool is_far = false;
     int i = 0;

@@ -25,8 +25,8 @@ size_t class_of(const Image& image)
     return size_class;
 }
 
-/// A size class with a free layer: `wanted` if possible, else the next smaller class, else a larger class. If
-/// no class has a free layer, the number of classes.
+/// A class of texture sizes with a free layer: `wanted` if possible, else the next smaller class, else a
+/// larger class. If no class has a free layer, the number of classes.
 size_t class_with_room(const TexturePlan& plan, size_t wanted, uint32_t most_layers)
 {
     const auto has_room = [&](size_t size_class) { return plan.layers[size_class].size() < most_layers; };
@@ -68,7 +68,7 @@ float linear(uint8_t encoded)
 glm::vec3 mean_color(const Image& image)
 {
     const size_t texels = static_cast<size_t>(image.width) * image.height;
-    // An odd stride avoids reading a single column.
+    // An odd stride avoids reading only one column of the texture.
     const size_t stride = std::max<size_t>(1, texels / 4096) | 1U;
     glm::vec4 sum(0.0F);
     for (size_t i = 0; i < texels; i += stride) {
@@ -79,7 +79,7 @@ glm::vec3 mean_color(const Image& image)
     return sum.w > 0.0F ? glm::vec3(sum) / sum.w : glm::vec3(1.0F);
 }
 
-/// The occlusion texture of a material; none if the material is unlit or the texture's strength is zero.
+/// The occlusion texture of a material; empty if the material is unlit or the texture's strength is zero.
 TextureRef occlusion_of(const Material& material)
 {
     return material.unlit || material.occlusion_strength <= 0.0F ? TextureRef{} : material.occlusion_texture;

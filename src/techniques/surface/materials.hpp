@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Materials and textures on the GPU. Textures are sorted into five size classes, each one array image,
-// because not every device can index textures freely.
+// Materials and textures on the GPU. Textures are sorted into five classes by size, each stored in one array
+// image, because not every device can index textures freely.
 
 #include <array>
 #include <string>
@@ -19,21 +19,22 @@ namespace estampe::surface {
 inline constexpr std::array<uint32_t, 5> texture_class_px{256, 512, 1024, 2048, 4096};
 
 struct MaterialBuffers {
-    std::vector<shared::MaterialRecord> records; ///< one per material, then the ground's
-    gpu::Buffer materials;                       ///< `records` on the device
+    std::vector<shared::MaterialRecord> records; ///< one record per material, then the ground's record
+    gpu::Buffer materials;                       ///< copy of `records` on the device
     std::array<gpu::Image, 5> textures;
 };
 
-/// The layer of each texture of `scene` that a colour, normal or occlusion uses; `layers` lists textures by
-/// class.
+/// The array layer of each texture of `scene` that a colour, normal or occlusion uses; `layers` lists
+/// textures by size class.
 struct TexturePlan {
-    std::vector<uint32_t> location; ///< class in bits 0-3, layer in 4-23; no_texture if unused
+    /// Per texture: size class in bits 0-3, layer in 4-23; no_texture if unused.
+    std::vector<uint32_t> location;
     std::array<std::vector<Index>, 5> layers;
-    uint32_t reduced = 0;  ///< number of textures in a class below their size
-    uint32_t left_out = 0; ///< number of textures that got no layer
+    uint32_t reduced = 0;  ///< number of textures stored in a class below their size
+    uint32_t left_out = 0; ///< number of textures for which no layer was free
 };
 
-/// Assigns textures to size classes. When a class already has `most_layers`, a texture goes to the next
+/// Assigns textures to classes of sizes. When a class already has `most_layers`, a texture goes to the next
 /// smaller class with room, else to a larger one.
 [[nodiscard]] TexturePlan plan_textures(const Scene& scene, uint32_t most_layers);
 
@@ -44,19 +45,19 @@ struct TexturePlan {
 [[nodiscard]] std::vector<shared::MaterialRecord> material_records(const Scene& scene,
                                                                    const TexturePlan& plan);
 
-/// Uploads materials, and textures resized to their class with all mip levels. `plan` must respect the layer
-/// limit of `device`. Throws Error when memory runs out. Cost: about 30 ms for a texture of 2048 x 2048
-/// texels, on two threads.
+/// Uploads materials, and textures resized to the size of their class with all mip levels. `plan` must
+/// respect the layer limit of `device`. Throws Error when memory runs out. Cost: about 30 ms for a texture of
+/// 2048 x 2048 texels, on two threads.
 [[nodiscard]] MaterialBuffers upload_materials(gpu::Device& device, const Scene& scene,
                                                const TexturePlan& plan);
 
 /// Sets the linear colour of a material without textures. Cost: an upload of all records.
 void recolor(gpu::Device& device, MaterialBuffers& buffers, Index material, const glm::vec3& color);
 
-/// Messages about reduced or omitted textures, one line each.
+/// Messages to the user about reduced or omitted textures, one line each.
 [[nodiscard]] std::vector<std::string> notes_of(const TexturePlan& plan);
 
-/// Imports the textures into a graph.
+/// Imports the texture arrays of all size classes into a graph.
 [[nodiscard]] std::array<gpu::ImageId, 5> import_textures(gpu::Graph& graph, MaterialBuffers& materials);
 
 } // namespace estampe::surface

@@ -10,17 +10,18 @@
 
 namespace estampe::surface {
 
-/// All mip levels of `image`, resized to `side` x `side` (a power of two). Each level averages four texels of
-/// the level above. Cost: about 10 ns per texel.
+/// Makes all mip levels of `image`, resized to `side` x `side` (a power of two). Each level averages four
+/// texels of the level above. Cost: about 10 ns per texel.
 [[nodiscard]] gpu::LayerPixels make_mips(const Image& image, uint32_t side);
 
-/// Computes the mips of several textures ahead, two at a time, so that uploads need not wait.
+/// Computes the mip levels of several textures in advance, two at a time, so that uploads need not wait.
 class MipQueue {
 public:
-    /// `scene` and `layers` must outlive the queue. Without layers the queue yields one white texel.
+    /// Starts computing. `scene` and `layers` must outlive the queue. Without layers the queue yields one
+    /// white texel.
     MipQueue(const Scene& scene, const std::vector<Index>& layers, uint32_t side);
 
-    /// The pixels of a layer; call with 0, 1, 2, ... in order.
+    /// The pixels of a layer with all mip levels. Call take() with 0, 1, 2, ... in order.
     [[nodiscard]] gpu::LayerPixels take(uint32_t layer);
 
 private:

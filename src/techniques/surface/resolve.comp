@@ -44,12 +44,12 @@ layout(scalar, binding = 6) readonly buffer StrokeCoordinates
 
 layout(scalar, binding = 8) readonly buffer StrokeKinds
 {
-    uint stroke_kinds[]; // one per draw call, see shaders/stroke_kind.glsl.h
+    uint stroke_kinds[]; // kind of strokes of each draw call, see shaders/stroke_kind.glsl.h
 };
 
 layout(scalar, binding = 9) readonly buffer FormCoordinates
 {
-    vec2 form_coordinates[]; // three per triangle
+    vec2 form_coordinates[]; // coordinates of strokes along the form, three per triangle
 };
 
 layout(binding = 10) uniform sampler2DArray texture_class_0;
@@ -57,11 +57,13 @@ layout(binding = 11) uniform sampler2DArray texture_class_1;
 layout(binding = 12) uniform sampler2DArray texture_class_2;
 layout(binding = 13) uniform sampler2DArray texture_class_3;
 layout(binding = 14) uniform sampler2DArray texture_class_4;
-layout(binding = 15, r32ui) writeonly uniform uimage2D out_draw; // see shaders/surface_images.glsl
-layout(binding = 16, r32f) writeonly uniform image2D out_depth;  // reversed, 0 for the background
-// Packed: shading normal, smooth geometric normal.
+// Draw call and flags, see shaders/surface_images.glsl.
+layout(binding = 15, r32ui) writeonly uniform uimage2D out_draw;
+layout(binding = 16, r32f) writeonly uniform image2D out_depth; // reversed depth, 0 for the background
+// Two packed normals: the shading normal, and the smooth geometric normal.
 layout(binding = 17, rg32ui) writeonly uniform uimage2D out_normal;
-layout(binding = 18, rgba8) writeonly uniform image2D out_color; // square root of linear colour; occlusion
+// Square root of linear colour in rgb; occlusion in alpha.
+layout(binding = 18, rgba8) writeonly uniform image2D out_color;
 layout(binding = 19, rgba32f) writeonly uniform image2D out_coordinate;
 layout(binding = 20, rgba32ui) writeonly uniform uimage2D out_footprint;
 
@@ -70,7 +72,7 @@ layout(push_constant) uniform Constants
     float strokes_per_m;
 }
 
-constants; // stroke coordinates per metre
+constants; // per_m: stroke coordinates per metre
 
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_textures = (variant & texture_class_mask) != 0u;
@@ -95,15 +97,15 @@ UvFootprint uv_at(uvec3 rest, uint uv_set, Barycentric b)
     return UvFootprint(uv * b.weight, uv * b.dx, uv * b.dy);
 }
 
-// Texels of a material's textures at a place of its surface; white without a texture.
+// Texels of a material's textures at a point of its surface; white without a texture.
 struct Texels {
     vec4 base;
     vec4 normal;
     vec4 occlusion;
 };
 
-// One loop has a single texture lookup, because lookups are expensive to compile. CPUs skip a texture that no
-// pixel of a subgroup needs.
+// Reads all textures of a material in one loop with a single lookup, because lookups are expensive to
+// compile. CPUs skip a texture that no pixel of a subgroup needs.
 Texels texels_at(uint material, uvec3 rest, Barycentric b)
 {
     Texels texels = Texels(vec4(1.0), vec4(1.0), vec4(1.0));
@@ -195,7 +197,7 @@ void main()
                                      uv_at(rest, uv_set_of(slot), at));
         }
     }
-    float open = 1.0; // visibility from the occlusion texture
+    float open = 1.0; // visibility of ambient light, from the occlusion texture
     if (has_occlusion) {
         TextureSlot slot = occlusion_texture_of(draw.material);
         if (slot.location != no_texture) {

@@ -10,49 +10,51 @@
 
 namespace estampe::surface {
 
-/// Features that a scene needs; shaders omit the others.
+/// Features that a scene needs; shaders leave out the others.
 struct SceneNeeds {
-    uint32_t texture_classes = 0; ///< one bit for each size class that holds textures
+    uint32_t texture_classes = 0; ///< one bit for each class of texture sizes that holds textures
     bool normal_maps = false;
     bool occlusion = false; ///< some material has an occlusion texture
     bool vertex_colors = false;
     bool second_uvs = false;
     bool emissive = false;
-    bool own_outlines = false; ///< some material has its own outline
+    bool own_outlines = false; ///< some material has its own width of outline
     bool moves = false;        ///< the scene has animations, skins or morph targets
 };
 
 struct ResolveInputs {
-    gpu::BufferId frame; ///< FrameGlobals
+    gpu::BufferId frame; ///< buffer with a FrameGlobals record
     gpu::BufferId visibility;
     gpu::BufferId triangles;
     gpu::BufferId posed_vertices;
     gpu::BufferId draws;
     gpu::BufferId rest_vertices;
     gpu::BufferId stroke_coordinates;
-    gpu::BufferId stroke_kinds;     ///< one per draw call, see shaders/stroke_kind.glsl.h
-    gpu::BufferId form_coordinates; ///< three per triangle; read only for strokes_form
+    gpu::BufferId stroke_kinds;     ///< kind of strokes of each draw call, see shaders/stroke_kind.glsl.h
+    gpu::BufferId form_coordinates; ///< coordinates of strokes along the form, three per triangle; read only
+                                    ///< for strokes_form
     gpu::BufferId materials;
     std::array<gpu::ImageId, 5> textures;
     SceneNeeds needs;
-    uint32_t strokes_present = 0; ///< one bit for each kind of strokes in `stroke_kinds`
+    uint32_t strokes_present = 0; ///< one bit for each kind of strokes that occurs in `stroke_kinds`
     float strokes_per_m = 1.0F;   ///< stroke coordinates per metre
     glm::uvec2 size_px{0};
 };
 
 struct Surface {
-    gpu::ImageId draw;  ///< r32ui: draw + 1 and flags, 0 for the background
+    gpu::ImageId draw;  ///< r32ui: draw call + 1 and flags, 0 for the background
     gpu::ImageId depth; ///< r32f: reversed depth, 0 for the background
-    /// rg32ui: two packed normals towards the eye, octahedral in two signed 16-bit parts: with normal maps,
-    /// and smooth.
+    /// rg32ui: two packed normals towards the eye, octahedral in two signed 16-bit parts: first with normal
+    /// maps, then smooth.
     gpu::ImageId normal;
-    gpu::ImageId color; ///< rgba8: square root of linear colour; visibility from the occlusion texture
+    /// rgba8: square root of linear colour; in alpha, visibility from the occlusion texture.
+    gpu::ImageId color;
     /// rgba32f: coordinate that strokes follow: two numbers and 0, or the position in the rest pose.
     gpu::ImageId coordinate;
     gpu::ImageId footprint; ///< rgba32ui: change of `coordinate` per pixel, see shaders/surface_images.glsl
 };
 
-/// Computes the surface attributes of all pixels.
+/// Adds a pass that computes the surface attributes of all pixels.
 ///
 /// Cost    one full-screen dispatch; 52 bytes written per pixel
 /// Source  Schied and Dachsbacher, "Deferred Attribute Interpolation for Memory-Efficient Deferred Shading",
@@ -60,14 +62,14 @@ struct Surface {
 [[nodiscard]] Surface add_resolve(gpu::Graph& graph, const ResolveInputs& in);
 
 struct FarInputs {
-    gpu::BufferId frame; ///< FrameGlobals
-    gpu::ImageId depth;  ///< Surface::depth
+    gpu::BufferId frame; ///< buffer with a FrameGlobals record
+    gpu::ImageId depth;  ///< depth of visible surfaces, from Surface::depth
     glm::uvec2 size_px{0};
 };
 
 /// Lists the tiles of 8 x 8 pixels that may show sky: tiles with any pixel of background, or of a surface
-/// that is `from_m` or farther from the eye. No unlisted tile has such a pixel. In parallel projection all
-/// tiles are listed.
+/// that is `from_m` or farther from the eye. No other tile has such a pixel. In parallel projection all tiles
+/// are listed.
 ///
 /// Writes  a list of tiles, see shaders/tiles.glsl.h
 /// Cost    one thread per tile, which stops at the first such pixel

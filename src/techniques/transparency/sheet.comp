@@ -37,9 +37,9 @@ layout(binding = 9) uniform sampler2DArray texture_class_2;
 layout(binding = 10) uniform sampler2DArray texture_class_3;
 layout(binding = 11) uniform sampler2DArray texture_class_4;
 
-layout(binding = 12) uniform usamplerBuffer sheet; // visibility buffer of this surface
+layout(binding = 12) uniform usamplerBuffer sheet; // visibility buffer of the transparent layer
 
-layout(binding = 13) uniform sampler2D painted_image; // the transparent surface's own paint
+layout(binding = 13) uniform sampler2D painted_image; // the transparent layer's own paint
 layout(binding = 14, rgba16f) uniform image2D wash;
 
 layout(constant_id = 0) const uint variant = 31u;

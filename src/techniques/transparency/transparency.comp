@@ -41,13 +41,15 @@ layout(binding = 9) uniform sampler2DArray texture_class_2;
 layout(binding = 10) uniform sampler2DArray texture_class_3;
 layout(binding = 11) uniform sampler2DArray texture_class_4;
 
-// Layers in depth order, nearest first. A binding without a layer repeats the buffer of another layer.
+// Visibility buffers of transparent layers in depth order, nearest first. For a missing layer, the buffer of
+// another layer is bound.
 layout(binding = 12) uniform usamplerBuffer layer_0;
 layout(binding = 13) uniform usamplerBuffer layer_1;
 layout(binding = 14) uniform usamplerBuffer layer_2;
 layout(binding = 15) uniform usamplerBuffer layer_3;
-layout(binding = 16, r32ui) writeonly uniform uimage2D out_draw; // 0: no transparent surface
-layout(binding = 17, rgba8) writeonly uniform image2D out_color; // square root of linear colour; coverage
+layout(binding = 16, r32ui) writeonly uniform uimage2D out_draw; // draw call + 1; 0: no transparent surface
+// Square root of linear colour in rgb; coverage in alpha.
+layout(binding = 17, rgba8) writeonly uniform image2D out_color;
 
 #define TILE_LIST_BINDING 18
 #include "shaders/tile_list.glsl"
@@ -89,8 +91,8 @@ void sort_ties(inout Layer layers[LAYERS])
     }
 }
 
-// An identifier of the draw calls in depth order, each at its first occurrence. Borders between the layers'
-// objects thus appear as changes of the identifier. A single draw call is its own identifier.
+// An identifier of the draw calls of all layers in depth order, each at its first occurrence. So borders
+// between the layers' objects appear as changes of the identifier. A single draw call is its own identifier.
 uint name_of(Layer layers[LAYERS])
 {
     uint name = 0u;
@@ -126,7 +128,7 @@ void main()
     for (int i = 0; i < LAYERS; ++i) {
         layers[i] = Layer(0u, 0u, vec4(0.0));
     }
-    // On CPUs, a loop with one body for all layers, which all lanes leave together, is fastest.
+    // On CPUs, the fastest loop is one with a single body for all layers, which all lanes leave together.
     int round_index = 0;
     do {
         uvec2 word = seen[0];
@@ -142,7 +144,7 @@ void main()
         ++round_index;
     } while (subgroupAny(round_index < there));
     sort_ties(layers);
-    vec3 color = vec3(0.0); // premultiplied by coverage
+    vec3 color = vec3(0.0); // colour multiplied by coverage (premultiplied)
     float through = 1.0;
     for (int i = 0; i < LAYERS; ++i) {
         color += through * layers[i].color.a * layers[i].color.rgb;

@@ -16,10 +16,10 @@
 
 namespace estampe::transparency {
 
-inline constexpr uint32_t most_layers = 4;        ///< limit for screened ink
-inline constexpr uint32_t most_sorted_layers = 8; ///< limit for sorted surfaces
+inline constexpr uint32_t most_layers = 4;        ///< most layers that are composited as screened ink
+inline constexpr uint32_t most_sorted_layers = 8; ///< most layers that are painted as sorted surfaces
 
-/// Draws transparent surfaces as a tint, or as surfaces of their own.
+/// Draws transparent surfaces as a tint (screened ink), or as surfaces of their own in depth order.
 enum class Mode : uint8_t { ink, sorted };
 
 struct TransparencyStyle {
@@ -30,10 +30,10 @@ struct TransparencyStyle {
 [[nodiscard]] const style::Table<TransparencyStyle>& transparency_table();
 
 struct TransparencyInputs {
-    gpu::BufferId frame; ///< FrameGlobals
+    gpu::BufferId frame; ///< buffer with a FrameGlobals record
     gpu::BufferId solid_visibility;
-    /// Visibility buffers of blended triangles, at least one: the nearest surfaces, then those behind them,
-    /// and so on.
+    /// Visibility buffers of transparent triangles, at least one: the nearest surfaces, the surfaces behind
+    /// them, and so on.
     std::vector<gpu::BufferId> layers;
     gpu::BufferId triangles;
     gpu::BufferId posed_vertices;
@@ -42,29 +42,31 @@ struct TransparencyInputs {
     gpu::BufferId materials;
     std::array<gpu::ImageId, 5> textures;
     uint32_t texture_classes = 0;
-    /// Tiles in which the first layer has surfaces, see shaders/tiles.glsl.h.
+    /// List of the tiles in which the first layer has surfaces, see shaders/tiles.glsl.h.
     std::optional<gpu::BufferId> tiles;
     glm::uvec2 size_px{0};
 };
 
-/// The composited transparent surfaces; one blank texel if the scene has none.
+/// The composited transparent surfaces; images of one blank texel if the scene has none.
 struct Transparency {
-    gpu::ImageId draw;  ///< r32ui: draw + 1, or an identifier of several draws in depth order; 0: none
+    gpu::ImageId draw; ///< r32ui: draw call + 1, or an identifier of several draw calls in depth order; 0: no
+                       ///< transparent surface
     gpu::ImageId color; ///< rgba8: square root of linear colour, coverage in alpha
 };
 
-/// Composites transparent surfaces in depth order, per pixel, at most `most_layers` of them. Cost: one
-/// full-screen dispatch.
+/// Adds a pass that composites transparent surfaces in depth order, per pixel, at most `most_layers` of them.
+/// Cost: one full-screen dispatch.
 ///
 /// Source  Porter and Duff, "Compositing Digital Images", SIGGRAPH 1984
 [[nodiscard]] Transparency add_transparency(gpu::Graph& graph, const TransparencyInputs& in);
 
-/// Blends one layer over `wash`, the paint behind it, and returns the new version of `wash`. Call it for the
-/// farthest layer first. `painted` is the layer's own paint. Cost: one full-screen dispatch.
+/// Adds a pass that blends one transparent layer over `wash`, the paint behind it, and returns the new
+/// version of `wash`. Call add_sheet() for the farthest layer first. `painted` is the layer's own paint.
+/// Cost: one full-screen dispatch.
 [[nodiscard]] gpu::ImageId add_sheet(gpu::Graph& graph, const TransparencyInputs& in, gpu::BufferId layer,
                                      gpu::ImageId painted, gpu::ImageId wash);
 
-/// The blank result for scenes without transparent surfaces. Costs next to nothing.
+/// Makes the blank result for scenes without transparent surfaces. Costs next to nothing.
 [[nodiscard]] Transparency add_no_transparency(gpu::Graph& graph);
 
 } // namespace estampe::transparency

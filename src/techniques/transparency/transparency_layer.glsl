@@ -8,9 +8,9 @@
 #include "shaders/texture.glsl"
 
 struct Layer {
-    uint draw; // draw + 1; 0: almost no coverage
+    uint draw; // draw call + 1; 0: the surface has almost no coverage here
     uint depth_bits;
-    vec4 color; // linear colour; coverage
+    vec4 color; // linear colour in rgb; coverage in alpha
 };
 
 Layer layer_at(uvec2 seen, ivec2 pixel)

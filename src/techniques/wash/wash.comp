@@ -35,7 +35,7 @@ layout(binding = 4) uniform sampler2D light_image;
 layout(binding = 7) uniform sampler2D background_image;
 layout(binding = 8) uniform sampler2D screen_image;
 layout(binding = 9, rgba16f) writeonly uniform image2D out_wash;
-layout(binding = 10) uniform usamplerBuffer variant_texels; // one per draw
+layout(binding = 10) uniform usamplerBuffer variant_texels; // style variant of each draw call
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -57,7 +57,7 @@ float darkness_at(ivec2 pixel)
 
 struct Darkness {
     float here;
-    float steepness; // increase per pixel; known only near the shadow's edge
+    float steepness; // increase of darkness per pixel; known only near the shadow's edge
 };
 
 bool is_near_edge(float dark)
@@ -65,9 +65,9 @@ bool is_near_edge(float dark)
     return abs(dark - constants.shadow_from) < constants.softness + 0.026;
 }
 
-// Takes the smaller difference of each axis, because the pixel on the other side may belong to another
-// surface. One loop covers the pixel and its neighbours; most subgroups leave the loop after the first
-// iteration.
+// Darkness of a pixel and its change to the neighbours. The smaller difference along each axis is used,
+// because the pixel on the other side may belong to another surface. One loop covers the pixel and its
+// neighbours; most subgroups leave the loop after the first iteration.
 Darkness darkness_around(ivec2 pixel)
 {
     ivec2 last = ivec2(frame.size_px) - 1;
@@ -111,14 +111,14 @@ void main()
         color = mix(vec3(luminance(color)), color, constants.saturation);
         float largest = max(max(color.r, color.g), max(color.b, 1e-3));
         float saturation = 1.0 - min(color.r, min(color.g, color.b)) / largest;
-        // Dark colours are painted pale: strokes show how dark an object is.
+        // Dark colours are painted pale, because strokes show how dark an object is.
         float brightness = luminance(color);
         float lifted = length(vec2(brightness, constants.least));
         color = min((color + 1e-4) * (lifted / (brightness + 1e-4)), vec3(1.0));
         color = mix(vec3(1.0), color, mix(constants.neutral, 1.0, smoothstep(0.0, 0.3, saturation)));
         vec4 light = texelFetch(light_image, pixel, 0);
         Darkness dark = darkness_around(pixel);
-        // The shadow's edge wavers a little, like an edge that a loaded brush paints. Where light falls off
+        // The shadow's edge wavers a little, like an edge painted with a wet brush. Where light falls off
         // slowly, the waver is limited, so that the edge does not break into spots.
         float waver = 0.0;
         if (is_near_edge(dark.here)) {
@@ -128,8 +128,8 @@ void main()
         }
         float shadow = smoothstep(constants.shadow_from - constants.softness,
                                   constants.shadow_from + constants.softness, dark.here + waver);
-        vec3 hue = (light.rgb + 1e-3) / (light.a + 1e-3); // black light has no hue
-        // Paint that is to be nearly grey takes no hue from coloured light either.
+        vec3 hue = (light.rgb + 1e-3) / (light.a + 1e-3); // the small addend gives black light no hue
+        // If paint shall be nearly grey, it takes no hue from coloured light either.
         float hue_share = 0.5 * smoothstep(0.0, 0.2, constants.saturation);
         color *= mix(vec3(1.0), constants.shadow_tint * shade_color_of(material), shadow) *
                  mix(vec3(1.0), hue, hue_share) * mix(vec3(1.0), light_tint(light.rgb), constants.light_tint);

@@ -9,7 +9,7 @@ namespace estampe::wash {
 
 namespace {
 
-/// Paints the surfaces of one style variant over the wash of the previous variants.
+/// Adds a pass that paints the surfaces of one style variant over the wash of the previous variants.
 gpu::ImageId add_variant(gpu::Graph& graph, const WashInputs& in, const WashVariant& variant, uint32_t number,
                          std::optional<gpu::ImageId> before)
 {

@@ -9,29 +9,30 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-// Variant bits of wash.comp.
-SHARED_CONSTANT uint wash_has_air = 1U << 0U;    // colours turn pale with distance
+// Bits of `variant` of wash.comp.
+SHARED_CONSTANT uint wash_has_air = 1U << 0U;    // colours turn pale with distance (aerial perspective)
 SHARED_CONSTANT uint wash_has_screen = 1U << 1U; // there are transparent surfaces
 SHARED_CONSTANT uint wash_has_background = 1U << 2U;
-SHARED_CONSTANT uint wash_is_of_one_variant = 1U << 3U; // paint only the variant `style_variant`
-SHARED_CONSTANT uint wash_keeps_cover = 1U << 4U;       // alpha is the coverage of objects
+// Only surfaces of the variant `style_variant` are painted.
+SHARED_CONSTANT uint wash_is_of_one_variant = 1U << 3U;
+SHARED_CONSTANT uint wash_keeps_cover = 1U << 4U; // alpha of the wash is the coverage by objects
 
 struct WashConstants {
     ToneConstants tone;
-    vec3 shadow_tint;    // multiplied into the colour in shadow
-    float shadow_from;   // darkness at which shadow begins
-    float softness;      // half the width of the step, in darkness
+    vec3 shadow_tint;    // colour by which surfaces in shadow are multiplied
+    float shadow_from;   // darkness of the drawing at which shadow begins
+    float softness;      // half the width of the shadow's soft edge, in darkness
     float ground_shadow; // strength of shadow_tint on blank ground, 0 to 1
-    float detail;        // 0: the material's mean colour, 1: its texture
-    float least;         // brightness that dark colours are lifted towards
-    float strength;      // 0: bare paper, 1: full colour
-    float neutral;       // share of the strength for greys
-    float saturation;    // 0: greys alone, 1: the materials' colours
-    float light_tint;    // how far coloured light tints surfaces
+    float detail;        // 0: the material's mean colour; 1: its texture
+    float least;         // brightness towards which dark colours are lifted
+    float strength;      // strength of the paint; 0: bare paper, 1: full colour
+    float neutral;       // strength of the paint on grey materials, as a share
+    float saturation;    // saturation; 0: greys only, 1: the materials' colours
+    float light_tint;    // strength with which coloured light tints surfaces
     float air;           // share of air_color at infinite distance
     vec3 air_color;
     float air_distance_m;
-    uint style_variant; // style variant to paint
+    uint style_variant; // number of the style variant to paint
 };
 
 #ifdef __cplusplus

@@ -21,15 +21,15 @@ struct WashStyle {
     float softness = 0.03F;
     float ground_shadow = 0.6F;
     float light_tint = 0.0F;
-    float air = 0.0F;                            ///< haze.tint; no key of its own
-    glm::vec3 air_color = style::srgb(0xf0dca2); ///< haze.tint_color
-    float air_distance_m = 120.0F;               ///< haze.tint_distance_m
+    float air = 0.0F;                            ///< haze.tint; the wash section has no key for it
+    glm::vec3 air_color = style::srgb(0xf0dca2); ///< haze.tint_color; the wash section has no key for it
+    float air_distance_m = 120.0F;               ///< haze.tint_distance_m; the wash section has no key for it
 };
 
 [[nodiscard]] const style::Table<WashStyle>& wash_table();
 
 struct WashInputs {
-    gpu::BufferId frame; ///< FrameGlobals
+    gpu::BufferId frame; ///< buffer with a FrameGlobals record
     gpu::ImageId draw;
     gpu::ImageId depth;
     gpu::ImageId color;
@@ -38,11 +38,12 @@ struct WashInputs {
     gpu::BufferId materials;
     gpu::ImageId screen; ///< colour and coverage of transparent surfaces; one texel if there are none
     bool has_screen = false;
-    gpu::ImageId background;    ///< the wash of the background, where no surface is visible
-    bool has_background = true; ///< false means bare paper
-    bool keeps_cover = false;   ///< alpha is the coverage of objects; bare ground covers nothing
+    gpu::ImageId background;    ///< wash of the background (sky), where no surface is visible
+    bool has_background = true; ///< false: the background is bare paper
+    bool keeps_cover = false;   ///< alpha of the wash is the coverage by objects; bare ground covers nothing
     glm::uvec2 size_px{0};
-    std::optional<gpu::BufferId> variant_of_draw; ///< r32ui texels; given if there are several style variants
+    std::optional<gpu::BufferId> variant_of_draw; ///< style variant of each draw call, r32ui texels; only if
+                                                  ///< there are several variants
 };
 
 /// How the surfaces of one style variant are painted.
@@ -51,7 +52,7 @@ struct WashVariant {
     shared::ToneConstants tone;
 };
 
-/// Paints flat colours.
+/// Adds passes that paint flat colours on surfaces.
 ///
 /// Writes  rgba16f: transmittance of the paint (1: bare paper). Alpha is 1 where there is a surface; with
 ///         `keeps_cover` it is the coverage of objects, transparent ones included
