@@ -4,15 +4,15 @@
 
 // Barycentric weights of a triangle's corners at a pixel, with their screen-space derivatives.
 struct Barycentric {
-    vec3 weight; // Perspective-correct; the sum is one
-    vec3 dx;     // Change per pixel to the right
-    vec3 dy;     // Change per pixel down
+    vec3 weight; // perspective-correct weights of the three corners; their sum is 1
+    vec3 dx;     // change of the weights per pixel to the right
+    vec3 dy;     // change of the weights per pixel down
 };
 
-// Homogeneous edge functions (Olano and Greer, "Triangle Scan Conversion using 2D Homogeneous Coordinates",
-// 1997). They do not divide by w, so triangles that cross the plane of the eye require no clipping. Corners
-// are first made relative to the pixel, so that the cross products are precise for very small and very large
-// triangles.
+// Computes barycentric weights by homogeneous edge functions (Olano and Greer, "Triangle Scan Conversion
+// using 2D Homogeneous Coordinates", 1997). They do not divide by w, so triangles that cross the plane of the
+// eye require no clipping. Corners are first made relative to the pixel, so that the cross products are
+// precise for very small and very large triangles.
 Barycentric barycentric_at(vec4 a, vec4 b, vec4 c, vec2 position_px, uvec2 size_px)
 {
     vec2 ndc = 2.0 * position_px / vec2(size_px) - 1.0;

@@ -27,25 +27,25 @@ vec3 linear_from_srgb(vec3 encoded)
     return mix(high, encoded / 12.92, lessThanEqual(encoded, vec3(0.04045)));
 }
 
-// Unpacks a vertex colour. Colour is linear and stored as its square root; alpha is stored as it is.
+// Unpacks a vertex colour to linear colour and alpha. Colour is stored as its square root; alpha is stored
+// unchanged.
 vec4 vertex_color(uint packed)
 {
     vec4 stored = unpackUnorm4x8(packed);
     return vec4(stored.rgb * stored.rgb, stored.a);
 }
 
-// Hue of a light, scaled so that its brightest channel is 1. No light gives white.
+// Hue of a light's colour, scaled so that the brightest channel is 1. White for no light.
 vec3 light_tint(vec3 light)
 {
     return (light + 1e-3) / (max(light.r, max(light.g, light.b)) + 1e-3);
 }
 
 // Conversion of a transparent picture to bytes. Programs composite such pictures in sRGB-encoded values,
-// where coverage computed in linear light would give bolder strokes. Alpha and colour are therefore chosen
-// so that the result over the drawing's own paper is the opaque drawing. output/layer_bytes.cpp does this on
-// the CPU.
+// where coverage computed in linear light would give bolder strokes. So alpha and colour are chosen such that
+// the result over the drawing's own paper is the opaque drawing. output/layer_bytes.cpp does this on the CPU.
 
-// Least alpha with which some colour turns `below` into `wanted`, both 0 to 1.
+// Smallest alpha with which some colour turns the colour `below` into `wanted`; channels are 0 to 1.
 float least_alpha(vec3 below, vec3 wanted)
 {
     vec3 darker = (below - wanted) / max(below, 1e-6);
@@ -54,7 +54,7 @@ float least_alpha(vec3 below, vec3 wanted)
     return min(max(least.r, max(least.g, least.b)), 1.0);
 }
 
-// Premultiplied linear colour and alpha of ink or paint with this alpha, which on `paper` shows `color`.
+// Premultiplied linear colour of ink or paint that has this alpha and shows `color` on `paper`.
 vec4 lifted_off(vec3 paper, vec3 color, float alpha)
 {
     return vec4(max(color - (1.0 - alpha) * paper, vec3(0.0)), alpha);
@@ -74,8 +74,9 @@ uint straight_srgb_bytes(vec3 paper, vec3 color, float page_alpha, vec3 shown)
     vec3 wanted = srgb_from_linear(clamp(shown, 0.0, 1.0));
     vec3 below = srgb_from_linear(clamp(paper, 0.0, 1.0));
     vec3 pigment = srgb_from_linear(clamp(page.rgb / page.a, 0.0, 1.0));
-    // The alpha with which the pigment comes nearest to the wanted colour. If the pigment is too similar to
-    // the paper, its coverage of the pixel is used.
+    // Smallest difference between pigment and paper for which alpha is chosen so that the pigment comes
+    // nearest to the wanted colour. If the pigment is too similar to the paper, its coverage of the pixel is
+    // used.
     const float least_way = 0.02;
     vec3 way = below - pigment;
     float length_2 = dot(way, way);
@@ -88,7 +89,7 @@ uint straight_srgb_bytes(vec3 paper, vec3 color, float page_alpha, vec3 shown)
         return 0u;
     }
     vec3 straight = below_byte + (wanted_byte - below_byte) * (255.0 / alpha);
-    // Keep the pigment's colour where it gives the same byte, so that a small alpha does not amplify
+    // The pigment's colour is kept where it gives an equal byte, so that a small alpha does not amplify
     // rounding.
     vec3 own = round(255.0 * pigment);
     vec3 off = abs(mix(below_byte, own, alpha / 255.0) - wanted_byte);

@@ -2,13 +2,13 @@
 #ifndef ESTAMPE_DRAW_TEXELS
 #define ESTAMPE_DRAW_TEXELS
 
-// Reads draw records as texels of four 32-bit words. Requires DRAW_TEXELS_BINDING.
+// Reads draw records (one per draw call) as texels of four 32-bit words. Requires DRAW_TEXELS_BINDING.
 
 #include "shaders/scene.glsl.h"
 
 layout(binding = DRAW_TEXELS_BINDING) uniform usamplerBuffer draw_texels;
 
-// Fields of a DrawRecord for shading.
+// The fields of a DrawRecord that shading needs.
 struct DrawPart {
     uint first_posed_vertex;
     uint first_rest_vertex;
@@ -22,7 +22,7 @@ DrawPart draw_at(uint draw)
     return DrawPart(words.x, words.y, words.z, words.w);
 }
 
-// Fields of a DrawRecord for posing its vertices.
+// The fields of a DrawRecord that posing its vertices needs.
 struct DrawPose {
     mat4 anchor_from_object;
     uint vertex_count;
@@ -45,7 +45,7 @@ DrawPose draw_pose_at(uint draw)
     return DrawPose(place, lists.x, lists.y, lists.z, lists.w, morph.x, morph.y);
 }
 
-// Fields of a DrawRecord that link it to lights.
+// The fields of a DrawRecord that link it to lights.
 struct DrawLinks {
     uint flags;
     uint groups;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_FIELD_SECTOR_GLSL_H
 #define ESTAMPE_FIELD_SECTOR_GLSL_H
-// The part of height fields that is computed, for several fields at once: the texels on the inner sides of
-// two straight lines.
+// The part of height fields that is computed, for several fields in one dispatch: the texels on the inner
+// sides of two straight lines.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
@@ -10,11 +10,11 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-// A texel is inside if dot(side, texel) + offset is at least 0 for both lines. All zeros include every
-// texel.
+// Two lines that bound the texels to compute. A texel is inside if dot(side, texel) + offset is at least 0
+// for both lines. All zeros include every texel.
 struct FieldSector {
-    vec2 sides[2];   // Normals of the lines, pointing inside
-    vec2 offsets[5]; // Offsets of both lines, for each field
+    vec2 sides[2];   // normals of the two lines, pointing inside
+    vec2 offsets[5]; // offsets of both lines, for each height field
 };
 
 #ifdef __cplusplus

@@ -9,19 +9,19 @@ namespace estampe::shared {
 #endif
 
 struct FrameGlobals {
-    mat4 clip_from_anchor; // For the whole page, with jitter and reversed z
+    mat4 clip_from_anchor; // projection of the whole page, with jitter and reversed z
     mat4 anchor_from_clip;
     vec3 eye_anchor;
     float pixels_per_mm;
     vec3 view_forward;
     uint is_orthographic;
-    uvec2 size_px; // Size of the rendered area: the page, or a tile of it
+    uvec2 size_px; // size in pixels of the rendered area: the page, or a tile of it
     float near_m;
     float scene_radius_m;
-    float nearby_m;     // Distance from the eye to the foreground
-    float pixel_m;      // Size of a pixel at distance one; in parallel projection at any distance
-    uvec2 page_px;      // Size of the whole page
-    uvec2 tile_from_px; // Page position of the first pixel of the rendered area
+    float nearby_m;     // distance from the eye to the foreground
+    float pixel_m;      // size of a pixel at distance 1 from the eye; in parallel projection at any distance
+    uvec2 page_px;      // size of the whole page in pixels
+    uvec2 tile_from_px; // page position of the rendered area's first pixel
 };
 
 #ifdef __cplusplus

@@ -22,7 +22,7 @@ uint hash(uint x, uint y, uint z)
     return hash(x ^ hash(y ^ hash(z)));
 }
 
-// Uniform number in [0, 1) from the top 24 bits.
+// Uniform random number in [0, 1) from the top 24 bits of a hash.
 float unit_float(uint bits)
 {
     return float(bits >> 8u) * (1.0f / 16777216.0f);

@@ -2,12 +2,13 @@
 #ifndef ESTAMPE_LAYER_SAMPLE
 #define ESTAMPE_LAYER_SAMPLE
 
-// The layers of a drawing at one place, in a form that may be added. Samples are blurred in this form: the
-// blurred layers, composited on paper, give the blurred picture with sharp paper.
+// The layers of a drawing at one place, in a form in which samples may be added. Samples are blurred in this
+// form: the blurred layers, composited on paper, give the blurred picture with sharp paper.
 
 struct LayerSample {
-    vec4 paint; // Paint that is visible beside the ink; in w, ink of strokes that is visible beside lines
-    vec4 lines; // Premultiplied colour of lines, and their coverage
+    // Paint that is visible beside the ink; in w, ink of strokes that is visible beside contour lines.
+    vec4 paint;
+    vec4 lines; // premultiplied colour of contour lines, and their coverage
 };
 
 const LayerSample no_sample = LayerSample(vec4(0.0), vec4(0.0));
@@ -22,8 +23,8 @@ LayerSample sum_of(LayerSample a, LayerSample b)
     return LayerSample(a.paint + b.paint, a.lines + b.lines);
 }
 
-// Combines paint, the ink of strokes over it, and lines over both. Colours of lines are given as square
-// roots.
+// Combines paint, the ink of strokes over it, and contour lines over both into one sample. Colours of lines
+// are given as square roots.
 LayerSample sample_of_layers(vec3 paint, float hatch, vec4 lines)
 {
     float shown = 1.0 - lines.a;
@@ -31,7 +32,8 @@ LayerSample sample_of_layers(vec3 paint, float hatch, vec4 lines)
                        vec4(lines.rgb * lines.rgb * lines.a, lines.a));
 }
 
-// Splits a sample into layers. Where ink hides the paint completely, the paint is `paint_below`.
+// Splits a sample into the layers paint, strokes and lines. Where ink hides the paint completely, the paint
+// is `paint_below`.
 void layers_of_sample(LayerSample layers, vec3 paint_below, out vec3 paint, out float hatch, out vec4 lines)
 {
     float cover = clamp(layers.lines.a, 0.0, 1.0);
@@ -41,7 +43,7 @@ void layers_of_sample(LayerSample layers, vec3 paint_below, out vec3 paint, out 
     lines = vec4(sqrt(layers.lines.rgb / max(cover, 1e-4)), cover);
 }
 
-// Packs a sample into three words; the fourth is `rest`.
+// Packs a sample of layers into three words; the fourth word is `rest`.
 uvec4 pack_sample(LayerSample layers, uint rest)
 {
     return uvec4(packHalf2x16(layers.paint.xy), packHalf2x16(layers.paint.zw),

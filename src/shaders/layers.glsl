@@ -7,8 +7,8 @@
 
 struct Layers {
     vec4 wash;
-    float hatch; // Includes the strokes of the sky, where no surface is visible
-    vec4 lines;  // Square roots of the colour, and coverage
+    float hatch; // ink of strokes, including those of the sky, where no surface is visible
+    vec4 lines;  // contour lines: square roots of the colour, and coverage
 };
 
 Layers layers_at(ivec2 pixel)

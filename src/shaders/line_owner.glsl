@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_LINE_OWNER
 #define ESTAMPE_LINE_OWNER
 
-// Requires `depth_image`, with reversed depth.
+// Finds the surface to which a contour line belongs. Requires `depth_image`, with reversed depth.
 
 const ivec2 ways_about[8] = ivec2[8](ivec2(1, 0), ivec2(0, 1), ivec2(-1, 0), ivec2(0, -1), ivec2(1, 1),
                                      ivec2(-1, 1), ivec2(-1, -1), ivec2(1, -1));
@@ -12,8 +12,8 @@ struct LineOwner {
     float depth;
 };
 
-// Finds the surface that a line belongs to. Half of a line's width is outside its surface, which is the
-// nearest surface in `depth_image` within the pen's reach. Where no line is, only the pixel itself is
+// Finds the surface that a contour line belongs to. Half of a line's width is outside its surface, which is
+// the nearest surface in `depth_image` within the pen's reach. Where no line is, only the pixel itself is
 // sampled.
 LineOwner owner_of(ivec2 pixel, float line_cover, float reach_px, ivec2 last)
 {

@@ -27,31 +27,31 @@ int ceil_log2(float x)
     return ((floatBitsToInt(x) + 0x7fffff) >> 23) - 127;
 }
 
-// Identity of a line or cell boundary, which stays the same at every zoom: i = odd * 2^level.
+// Random identity of a line or cell boundary, which stays unchanged at every zoom: i = odd * 2^level.
 uint dyadic_identity(int i, int level, uint seed)
 {
-    // The exponent of the lowest set bit, read from its float representation.
+    // The exponent of the lowest set bit of i, read from its float representation.
     int shift = (floatBitsToInt(float(i & -i)) >> 23) - 127;
     uint number =
         i == 0 ? 0x5bd1e995u : uint(i >> (shift & 31)) * 0x9e3779b1u ^ uint(level + shift) * 0x85ebca77u;
     return hash(number ^ seed);
 }
 
-// For a coordinate that is only known up to integers and sign: maps the i-th of `count` lines per unit (a
-// power of two) to a representative of all equivalent lines.
+// Number that stands for a line and all equivalent lines, for a coordinate that is only known up to integers
+// and sign. `i` is the i-th of `count` lines per unit (a power of two).
 int folded(int i, int count)
 {
     int inside = ((i - 1) & (count - 1)) + 1;
     return inside == count ? count : min(inside, count - inside);
 }
 
-// One of several independent random numbers in [0, 1) of an identity.
+// One of several independent random numbers in [0, 1) of a line's identity.
 float trait(uint identity, uint which)
 {
     return unit_float(identity * (2u * which + 0x9e3779b1u) ^ (which * 0x632be5abu));
 }
 
-// Approximate sine of period one, from two parabolas.
+// Approximate sine with the period 1, from two parabolas.
 float wave(float x)
 {
     float y = x - round(x);
@@ -66,12 +66,12 @@ float soft_step(float x, float breadth)
 }
 
 struct LineField {
-    float v;        // Across the strokes
-    float v_per_px; // Length of the gradient of v on the page
-    float u;        // Along the strokes
-    float u_per_px; // Change of u per pixel along the stroke
-    vec2 wander;    // Two coordinates that vary along the stroke, in the unit of u; they drive the wobble
-    bool wraps;     // v and u are only known up to integers and sign
+    float v;        // coordinate across the strokes, whose iso-lines are the strokes
+    float v_per_px; // length of the gradient of v, per pixel of the page
+    float u;        // coordinate along the strokes
+    float u_per_px; // change of u per pixel along the stroke
+    vec2 wander; // two coordinates that vary along the stroke, in the unit of u; the wobble depends on them
+    bool wraps;  // v and u are only known up to integers and sign
 };
 
 struct HatchLineStyle {
@@ -81,25 +81,26 @@ struct HatchLineStyle {
     float taper_px;
     float cell_px;
     float pressure;
-    // How newborn lines get their ink: 0 thin along their whole length, 1 as short strokes of full width.
+    // Form in which newborn lines get their ink: 0 thin along their whole length, 1 as short strokes of full
+    // width.
     float growth;
 };
 
-// The lines of one family near a pixel. Line numbers count half spacings: even lines are old, odd ones
-// newborn.
+// The hatching lines of one family near a pixel. Line numbers count half spacings: even lines are old (of the
+// coarser spacing), odd lines newborn (between them).
 struct Lines {
-    int level; // Exponent of the spacing
+    int level; // exponent of the spacing, a power of two
     float spacing;
-    float width;   // Width of an old line, in the unit of v
-    float newborn; // Ink of a newborn line as a share of that of an old line, 0 to 1
+    float width;   // width of an old line, in the unit of v
+    float newborn; // ink of a newborn line as a share of an old line's ink, 0 to 1
 };
 
-// `darkness` is in (0, 1]: the coverage of lines without gaps.
+// Spacing and width of the lines at a pixel. `darkness` in (0, 1] is the coverage of lines without gaps.
 Lines lines_of(LineField field, float width_px, float darkness)
 {
     Lines lines;
     lines.width = width_px * max(field.v_per_px, 1e-12f);
-    // Seen edge-on, the field is constant on the page; the spacing is limited so that line numbers stay
+    // On a surface seen edge-on, v is constant on the page; so the spacing is limited to keep line numbers
     // countable.
     lines.level = max(ceil_log2(lines.width / darkness), ceil_log2(max(abs(field.v), 1e-6f)) - 24);
     lines.level = field.wraps ? min(lines.level, 0) : lines.level;
@@ -112,20 +113,20 @@ Lines lines_of(LineField field, float width_px, float darkness)
 
 uint line_identity(LineField field, Lines lines, int number, uint seed)
 {
-    // Lines per unit: 2 / spacing.
+    // Number of lines per unit of v: 2 / spacing.
     int count = 1 << clamp(1 - lines.level, 0, 30);
     return dyadic_identity(field.wraps ? folded(number, count) : number, lines.level, seed);
 }
 
-// Values that the lines of one family share at a pixel.
+// Values that the hatching lines of one family share at a pixel.
 struct LineScale {
-    float wobble_frequency; // Per unit of u, a power of two; the wavelength is about two cells
-    float wobble_fade;      // Blend towards twice that wavelength
+    float wobble_frequency; // per unit of u, a power of two; the wavelength of the wobble is about two cells
+    float wobble_fade;      // share of the blend towards twice the wobble's wavelength
     float wobble_px;
     float pressure;
-    float cell; // Length of a cell in u
+    float cell; // length in u of a cell, which is a piece of a line between two gaps
     int cell_level;
-    float cell_growth; // How far the boundaries at half cells are open
+    float cell_growth; // degree to which the gaps at half cells are open
     float gap_scale;
     float px_per_u;
 };
@@ -151,7 +152,7 @@ LineScale scale_of(LineField field, HatchLineStyle style, float dark)
     return scale;
 }
 
-// Sideways displacement of a line in pixels: two octaves that cross-fade as the zoom changes.
+// Sideways displacement of a hatching line in pixels: two octaves that cross-fade as the zoom changes.
 float wobble(LineField field, LineScale scale, uint identity)
 {
     float along = field.u + 0.35f * (field.wander.x + (2.0f * trait(identity, 1u) - 1.0f) * field.wander.y);
@@ -160,23 +161,23 @@ float wobble(LineField field, LineScale scale, uint identity)
     return 1.15f * scale.wobble_px * mix(wave(fine + phase), wave(0.5f * fine + phase), scale.wobble_fade);
 }
 
-// Mean opening of cell boundaries, as a share of the largest opening. One in four boundaries stays closed. 0
-// if the lines have no gaps.
+// Mean opening of the gaps at cell boundaries, as a share of the largest opening. One in four boundaries has
+// no gap. 0 if the lines have no gaps.
 float mean_opening(HatchLineStyle style, float gap_scale)
 {
     return style.gap_px > 0.0f ? 0.75f * gap_scale : 0.0f;
 }
 
-// Mean share of a line that remains after gaps and tapers.
+// Mean share of a hatching line that remains after gaps and tapers.
 float kept_share(HatchLineStyle style, float gap_scale)
 {
     return 1.0f - mean_opening(style, gap_scale) * (style.gap_px + style.taper_px) / style.cell_px;
 }
 
-// Width factor along a line: 0 in gaps, rising to 1 over the taper. The line is divided along u into cells
-// with a gap at their boundaries; the length of a cell is a power of two in u, one to two cell_px on the
-// page. In darker tones and with distance, gaps shrink to a third and then close one after another. Each
-// closes almost at once, because a nearly closed gap would be a white speck.
+// Width factor along a hatching line: 0 in gaps, rising to 1 over the taper. The line is divided along u into
+// cells with a gap at their boundaries; the length of a cell is a power of two in u, one to two cell_px on
+// the page. In darker tones and with distance, gaps shrink to a third and then close one after another. Each
+// gap closes almost suddenly, because a nearly closed gap would be a white speck.
 float stroke_profile(LineField field, HatchLineStyle style, LineScale scale, uint identity)
 {
     float u = field.u + 16.0f * trait(identity, 3u);
@@ -197,16 +198,16 @@ float stroke_profile(LineField field, HatchLineStyle style, LineScale scale, uin
                           : 1.0f;
 }
 
-// Profile of a newborn line of which `share` of the ink is drawn, as strokes that grow one after another: 0
+// Width factor along a newborn line with `share` of its ink, drawn as strokes that grow one after another: 0
 // or 1 with soft ends. The strokes keep their places in u while the line is newborn.
 float grown_profile(LineField field, HatchLineStyle style, Lines lines, uint identity, float share)
 {
-    const float spread = 0.5f; // Share of the growth that a single stroke takes
+    const float spread = 0.5f; // share of the growth during which a single stroke grows
     float cell = 4.0f * lines.spacing;
     float at = field.u / cell + trait(identity, 6u);
     float number = floor(at);
     float order = trait(hash(identity ^ uint(int(number)) * 0x9e3779b1u), 7u);
-    // Stroke lengths whose mean over all orders from 0 to 1 is `share`.
+    // The strokes' lengths are chosen such that their mean over all orders from 0 to 1 is `share`.
     float front = share < 0.5f * spread          ? sqrt(2.0f * spread * share)
                   : share < 1.0f - 0.5f * spread ? share + 0.5f * spread
                                                  : 1.0f + spread - sqrt(2.0f * spread * (1.0f - share));
@@ -222,15 +223,15 @@ float pressure_at(LineField field, LineScale scale, uint identity)
     return 1.0f + scale.pressure * wave(scale.wobble_frequency * field.u + trait(identity, 5u));
 }
 
-// The lines of one family near a pixel, as drawn.
+// The hatching lines of one family near a pixel, as they are drawn.
 struct DrawnLines {
     Lines lines;
     LineScale scale;
-    float newborn_length; // Share of the length of a newborn line that is drawn
+    float newborn_length; // share of a newborn line's length that is drawn
     float newborn_width;
 };
 
-// `dark` is the darkness that the family must reach.
+// Computes the lines to draw. `dark` is the darkness that the family must reach.
 DrawnLines drawn_lines(LineField field, HatchLineStyle style, float dark)
 {
     DrawnLines drawn;
@@ -249,7 +250,7 @@ DrawnLines drawn_lines(LineField field, HatchLineStyle style, float dark)
     return drawn;
 }
 
-// Width of the i-th line at the pixel, in the unit of v.
+// Width of the i-th hatching line at the pixel, in the unit of v.
 float drawn_width(LineField field, HatchLineStyle style, DrawnLines drawn, int i, uint identity)
 {
     bool is_old = (i & 1) == 0;
@@ -261,12 +262,13 @@ float drawn_width(LineField field, HatchLineStyle style, DrawnLines drawn, int i
     return (is_old ? drawn.lines.width : drawn.newborn_width) * profile;
 }
 
-// Ink of one family of lines at a pixel of darkness `dark`, box-filtered over the pixel.
+// Ink of one family of hatching lines at a pixel of darkness `dark`, box-filtered over the pixel.
 float line_ink(LineField field, HatchLineStyle style, float dark, uint seed)
 {
     float g = max(field.v_per_px, 1e-12f);
     DrawnLines drawn = drawn_lines(field, style, dark);
-    // The lines that may touch the pixel; at most four, because lines keep their distance.
+    // Half the range in v of lines that may touch the pixel; at most four lines, because lines keep their
+    // distance.
     float reach =
         0.5f * drawn.lines.width * (1.0f + drawn.scale.pressure) + g * (1.15f * drawn.scale.wobble_px + 0.5f);
     int first = int(ceil(2.0f * (field.v - reach) / drawn.lines.spacing));

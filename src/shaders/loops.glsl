@@ -4,15 +4,15 @@
 
 // Thread indices, and loops that the compiler must not unroll.
 
-// Index of this thread's item, for dispatches that may exceed one dimension's limit of workgroups.
-// Workgroups have 64 threads; gl_WorkGroupSize would be 1 before the shader declares it.
+// Index of this thread's item, for dispatches whose number of workgroups may exceed the limit of one
+// dimension. Workgroups have 64 threads; gl_WorkGroupSize would be 1 before the shader declares it.
 uint item_index()
 {
     return gl_GlobalInvocationID.y * (64u * gl_NumWorkGroups.x) + gl_GlobalInvocationID.x;
 }
 
 // Returns `count`, as a loop bound that prevents unrolling, so that the loop body is compiled once. The
-// compiler does not know that `not_negative` is never negative, so it does not know the number of rounds.
+// compiler does not know that `not_negative` is never negative, so it cannot know the number of rounds.
 int loop_rounds(int count, int not_negative)
 {
     return count + min(not_negative, 0);

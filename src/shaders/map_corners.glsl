@@ -2,11 +2,14 @@
 #ifndef ESTAMPE_MAP_CORNERS
 #define ESTAMPE_MAP_CORNERS
 
-// Positions of triangle corners in the map of shaders/surface_map.glsl. Requires MAP_CORNERS_BINDING.
+// Positions of triangle corners in the map (texture of all surfaces) of shaders/surface_map.glsl. Requires
+// MAP_CORNERS_BINDING.
 
-layout(binding = MAP_CORNERS_BINDING) uniform usamplerBuffer map_corners; // Three per triangle
+// Positions of corners in the map, three per triangle.
+layout(binding = MAP_CORNERS_BINDING) uniform usamplerBuffer map_corners;
 
-// In texels, whose centres are at halves; negative if the triangle is not in the map.
+// Position of a corner in the map in texels, whose centres are at halves; negative if the triangle is not in
+// the map.
 vec2 map_corner_at(uint corner)
 {
     return uintBitsToFloat(texelFetch(map_corners, int(corner)).xy);

@@ -2,7 +2,8 @@
 #ifndef ESTAMPE_MATERIAL_TEXELS
 #define ESTAMPE_MATERIAL_TEXELS
 
-// Reads materials as texels of four 32-bit words, only the required fields. Requires MATERIAL_TEXELS_BINDING.
+// Reads materials as texels of four 32-bit words, but only the required fields. Requires
+// MATERIAL_TEXELS_BINDING.
 
 #include "shaders/scene.glsl.h"
 
@@ -43,7 +44,7 @@ vec3 outline_color_of(uint material)
     return uintBitsToFloat(material_words(material, 3u).xyz);
 }
 
-// Width of the material's own outline; 0 means the width of the style's outline.
+// Width of a material's own outline; 0 means the width of the style's outline.
 float outline_width_m_of(uint material)
 {
     return uintBitsToFloat(material_words(material, 3u).w);
@@ -54,7 +55,7 @@ vec3 emissive_of(uint material)
     return uintBitsToFloat(material_words(material, 4u).xyz);
 }
 
-// Texture number `nth`: 0 base colour, 1 normal, 2 occlusion.
+// Texture number `nth` of a material: 0 base colour, 1 normal, 2 occlusion.
 TextureSlot texture_of(uint material, uint nth)
 {
     uint texel = 5u + 2u * nth;

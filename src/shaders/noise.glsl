@@ -9,7 +9,7 @@ float lattice_value(ivec2 cell, uint seed)
     return unit_float(hash(uint(cell.x) * 0x9e3779b1u ^ uint(cell.y) * 0x85ebca77u ^ seed * 0xc2b2ae3du));
 }
 
-// Value noise in [0, 1] with one feature per unit of `p` and continuous first derivatives.
+// Value noise in [0, 1] with one bump per unit of `p` and continuous first derivatives.
 float value_noise(vec2 p, uint seed)
 {
     ivec2 cell = ivec2(floor(p));

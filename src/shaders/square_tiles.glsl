@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_SQUARE_TILES
 #define ESTAMPE_SQUARE_TILES
 
-// A list of tiles of square images (see tiles.glsl.h). Each tile has one group of 256 threads, and each
-// thread processes four texels of a row per round. Requires SQUARE_TILES_BINDING.
+// Reads a list of tiles of square images (see tiles.glsl.h). Each tile is processed by one group of 256
+// threads, and each thread processes four texels of a row per round. Requires SQUARE_TILES_BINDING.
 
 #include "shaders/tiles.glsl.h"
 
@@ -14,13 +14,13 @@ layout(scalar, binding = SQUARE_TILES_BINDING) readonly buffer SquareTiles
     uint square_tiles[];
 };
 
-// Index of the image that contains this group's tile.
+// Index of the square image that contains this group's tile.
 uint square_of_group()
 {
     return square_tiles[gl_WorkGroupID.x] >> 16;
 }
 
-// Image coordinates of the first of this thread's four texels.
+// Image coordinates, in this round, of the first of this thread's four texels.
 uvec2 texel_of_round(uint i)
 {
     uint tile = square_tiles[gl_WorkGroupID.x];

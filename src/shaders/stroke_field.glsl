@@ -2,24 +2,24 @@
 #ifndef ESTAMPE_STROKE_FIELD
 #define ESTAMPE_STROKE_FIELD
 
-// Selects the surface coordinate whose iso-lines are the strokes, for each layer.
+// Selects the surface coordinate whose iso-lines are the hatching strokes, for each layer.
 
 #include "shaders/surface_images.glsl"
 #include "shaders/lines.glsl"
 #include "shaders/stroke_kind.glsl.h"
 
 struct StrokeAxes {
-    vec2 flat_axis_0; // Direction across the strokes of each layer, over UVs and on the page
+    vec2 flat_axis_0; // direction across the strokes of the first layer, over UVs and on the page
     vec2 flat_axis_1;
     vec2 flat_axis_2;
-    vec2 wind;        // Horizontal direction x, z
-    vec2 ground_wind; // Wind that formed the dunes of the terrain
+    vec2 wind;        // horizontal direction of the wind (x, z)
+    vec2 ground_wind; // direction of the wind that formed the terrain's dunes
     vec3 towards_light;
-    bool has_directions; // Some strokes follow wind, light, height or slope
+    bool has_directions; // some strokes follow wind, light, height or slope
 };
 
-// Normals of the parallel planes that slice the solid in each layer. Where a surface is nearly parallel to
-// these planes, a second family of strokes with the level axis replaces the first.
+// Normals of the parallel planes that slice a solid into strokes, for each layer. Where a surface is nearly
+// parallel to these planes, a second family of strokes with the level axis replaces the first.
 vec3 slice_axis(uint layer)
 {
     return layer == 0u   ? vec3(0.2998, 0.8995, -0.3198)
@@ -34,7 +34,7 @@ vec3 level_axis(uint layer)
                          : vec3(0.7216, 0.0401, 0.6915);
 }
 
-// Horizontal direction across the wind, rotated per layer like flat strokes.
+// Horizontal direction across the wind, rotated per layer of strokes like flat strokes.
 vec3 across_wind(vec2 wind, uint layer)
 {
     vec2 turn = layer == 0u ? vec2(1.0, 0.0) : layer == 1u ? vec2(0.4695, 0.8829) : vec2(0.7547, -0.6561);
@@ -42,7 +42,7 @@ vec3 across_wind(vec2 wind, uint layer)
     return vec3(across.x * turn.x - across.y * turn.y, 0.0, across.x * turn.y + across.y * turn.x);
 }
 
-// Planes that contain the light direction, so that strokes run along it.
+// Normals of planes that contain the light direction, so that strokes run along the light.
 vec3 along_light(StrokeAxes axes, uint family)
 {
     vec3 light = axes.towards_light;
@@ -56,8 +56,9 @@ vec3 along_light(StrokeAxes axes, uint family)
                           : 0.7071 * (upright + lying);
 }
 
-// Planes that are tilted against the wind, so that the strokes show the form of slopes. Level ground gets
-// lines along its ripples, which bend where it rises or falls; slip faces get oblique lines down the slope.
+// Normals of planes that are tilted against the wind, so that strokes show the form of slopes. Level ground
+// gets lines along its ripples, which bend where it rises or falls; slip faces (lee sides of dunes) get
+// oblique lines down the slope.
 vec3 along_slope(vec2 wind, uint layer, bool is_level)
 {
     vec3 across = across_wind(wind, layer);
@@ -82,8 +83,9 @@ vec3 solid_axis(StrokeAxes axes, uint kind, uint family)
     return axis;
 }
 
-// Over UVs and on the page, layers are rotated against each other. Along the form they use its two
-// directions and their diagonal, because only integer combinations of the two are continuous everywhere.
+// Direction across flat strokes. Over UVs and on the page, layers are rotated against each other. Along the
+// form, layers use its two directions and their diagonal, because only integer combinations of the two are
+// continuous everywhere.
 vec3 flat_axis(StrokeAxes axes, uint kind, uint layer)
 {
     vec2 turned = layer == 0u ? axes.flat_axis_0 : layer == 1u ? axes.flat_axis_1 : axes.flat_axis_2;

@@ -2,20 +2,20 @@
 #ifndef ESTAMPE_SUN_DISC
 #define ESTAMPE_SUN_DISC
 
-// Disc lights, mainly the sun: the visible share of a disc above a straight horizon, and sample points on a
-// disc.
+// Lights with the shape of a disc, mainly the sun: the visible share of a disc above a straight horizon, and
+// sample points on a disc.
 
-// Angle from the sun's centre up to a horizon with this slope. Also precise for small angles.
+// Angle from the sun's centre up to a horizon with this slope. The formula is also precise for small angles.
 float above_sun_rad(float horizon_slope, float cos_elevation, float sin_elevation)
 {
     return atan(horizon_slope * cos_elevation - sin_elevation, cos_elevation + horizon_slope * sin_elevation);
 }
 
-// Share of a disc above a horizon that is `x` radii above its centre: 1 at -1, 0 at 1.
+// Visible share of a disc above a horizon that is `x` radii above the disc's centre: 1 at -1, 0 at 1.
 float share_of_disc(float x)
 {
     if (x < -0.999) {
-        return 1.0; // Exactly 1, without a rounding error
+        return 1.0; // exactly 1, without a rounding error
     }
     float h = min(x, 1.0);
     float width = sqrt(1.0 - h * h);

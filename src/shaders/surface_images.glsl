@@ -2,16 +2,17 @@
 #ifndef ESTAMPE_SURFACE_IMAGES
 #define ESTAMPE_SURFACE_IMAGES
 
-// Packed content of the images of techniques/surface.
+// Packed formats of the images of techniques/surface.
 
 #include "shaders/stroke_kind.glsl.h"
 
-// Word of the surface's draw image: draw + 1 (0: no surface), and material flags that many passes test.
+// The word of a pixel in the surface's draw image: draw call + 1 (0: no surface), and material flags that
+// many passes test.
 
-#define DRAW_PAPER (1u << 31) // Receives shadow, but neither wash nor outline
+#define DRAW_PAPER (1u << 31) // blank paper: the surface receives shadow, but has neither wash nor outline
 #define DRAW_UNLIT (1u << 30)
 #define DRAW_EMISSIVE (1u << 29)
-#define DRAW_STROKES_SHIFT 26 // Kind of strokes, see shaders/stroke_kind.glsl.h
+#define DRAW_STROKES_SHIFT 26 // position of the bits for the kind of strokes, see shaders/stroke_kind.glsl.h
 #define DRAW_NUMBER_MASK ((1u << DRAW_STROKES_SHIFT) - 1u)
 
 bool sees_draw(uint word)
@@ -29,14 +30,14 @@ uint strokes_of(uint word)
     return (word >> DRAW_STROKES_SHIFT) & 7u;
 }
 
-// No surface, or bare paper. No line is drawn between two such pixels.
+// Whether a pixel shows no surface, or blank paper. No line is drawn between two such pixels.
 bool is_paper(uint word)
 {
     return word == 0u || (word & DRAW_PAPER) != 0u;
 }
 
-// Change of a surface coordinate over one pixel to the right and down. Packed to 16 bytes: six numbers
-// relative to the largest of the six, with a precision of 1/32767.
+// Change of a surface coordinate per pixel to the right and down. Packed to 16 bytes: six numbers relative to
+// the largest of the six, with a precision of 1/32767.
 struct Footprint {
     vec3 dx;
     vec3 dy;

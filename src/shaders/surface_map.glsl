@@ -2,15 +2,16 @@
 #ifndef ESTAMPE_SURFACE_MAP
 #define ESTAMPE_SURFACE_MAP
 
-// Texels of a map over all surfaces; see features/common/surface_map.hpp. Requires MAP_TEXELS_BINDING.
+// Texels of a map (texture) of all surfaces; see features/common/surface_map.hpp. Requires
+// MAP_TEXELS_BINDING.
 
-layout(binding = MAP_TEXELS_BINDING) uniform usamplerBuffer map_texels; // Row by row
+layout(binding = MAP_TEXELS_BINDING) uniform usamplerBuffer map_texels; // texels of the map, row by row
 
-// Surface point at the centre of a texel.
+// The surface point at the centre of a texel of the map.
 struct MapPoint {
     bool is_there;
     uint triangle;
-    vec3 weight; // Barycentric weights of the triangle's corners
+    vec3 weight; // barycentric weights of the triangle's corners
 };
 
 uint map_texel_count()

@@ -4,12 +4,12 @@
 
 #include "shaders/scene.glsl.h"
 
-// Texture lookup in size classes. The including shader declares `sampler2DArray texture_class_0` to `_4`, and
-// TEXTURE_CLASSES, the specialization bits of the classes that contain textures. Processors execute every
-// branch that remains, so branches of unused classes are removed.
+// Texture lookup. Textures are layers of array images, one per class of sizes. The including shader declares
+// `sampler2DArray texture_class_0` to `_4`, and TEXTURE_CLASSES, the specialization bits of the classes that
+// contain textures. CPUs execute every branch that remains, so branches of unused classes are removed.
 
-// The sampler repeats. The other modes must keep half a texel away from the border, otherwise the filter
-// would read across it.
+// Texture coordinate after the wrap mode. The sampler repeats. The other modes must keep half a texel away
+// from the border, otherwise the filter would read across it.
 float wrap_coordinate(float x, uint mode, float half_texel)
 {
     if (mode == 0u) {
@@ -26,8 +26,8 @@ uint uv_set_of(TextureSlot slot)
 
 struct UvFootprint {
     vec2 uv;
-    vec2 dx; // Change per pixel to the right
-    vec2 dy; // Change per pixel down
+    vec2 dx; // change of the texture coordinate per pixel to the right
+    vec2 dy; // change of the texture coordinate per pixel down
 };
 
 UvFootprint transform_uv(TextureSlot slot, UvFootprint f)
@@ -40,7 +40,7 @@ vec4 sample_texture(TextureSlot slot, UvFootprint footprint)
 {
     UvFootprint f = transform_uv(slot, footprint);
     uint size_class = slot.location & 15u;
-    // Texel size of the mip level that is sampled, which is the size of the footprint.
+    // Texel size of the sampled mip level, which is about the size of the pixel's footprint.
     float texel_uv = max(1.0 / float(256u << size_class), max(length(f.dx), length(f.dy)));
     float half_texel = min(0.5 * texel_uv, 0.5);
     vec3 place = vec3(wrap_coordinate(f.uv.x, (slot.location >> 25) & 3u, half_texel),

@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_TILE_LIST_FILL
 #define ESTAMPE_TILE_LIST_FILL
 
-// Appends tiles to a list; see tiles.glsl.h. Requires TILE_LIST_BINDING. Groups can read data that other
-// groups store behind the list.
+// Appends tiles to a list of page tiles; see tiles.glsl.h. Requires TILE_LIST_BINDING. Groups can read data
+// that other groups store behind the list.
 
 #include "shaders/tiles.glsl.h"
 
@@ -12,8 +12,8 @@ layout(scalar, binding = TILE_LIST_BINDING) coherent buffer TileList
     uint tile_list[];
 };
 
-// Reserves `tiles` entries, at least one, and returns the index of the first entry. All threads contend for
-// the counter, so reserve several tiles with one call.
+// Reserves entries for `tiles` tiles, at least one, and returns the index of the first entry. All threads
+// contend for the counter, so reserve several tiles with one call.
 uint list_room(uint tiles)
 {
     uint first = atomicAdd(tile_list[tile_list_count], tiles);
@@ -29,8 +29,8 @@ void put_tile(uint number, uvec2 tile)
     tile_list[tile_list_first + number] = tile.x | tile.y << 16;
 }
 
-// Appends the tiles of a square of `side` x `side` tiles that are on the page. The first tile must be on the
-// page.
+// Appends to the list the tiles of a square of `side` x `side` tiles that are on the page. The first tile
+// must be on the page.
 void list_square(uvec2 first, uint side, uvec2 page_px)
 {
     uvec2 count = min((page_px + 7u) / 8u - first, uvec2(side));

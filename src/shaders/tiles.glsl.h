@@ -8,20 +8,20 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-// A list of 8 x 8 pixel tiles that one pass fills and others process, one group per tile. It holds the
-// dispatch arguments, the number of tiles, and the tiles, with columns in the lower half of a word and rows
-// in the upper half. gpu::add_empty_tile_list() creates an empty list.
+// A list of tiles of 8 x 8 pixels that one pass fills and other passes process, one workgroup per tile. The
+// list holds the dispatch arguments, the number of tiles, and the tiles, with columns in the lower half of a
+// word and rows in the upper half. gpu::add_empty_tile_list() creates an empty list.
 
-// Index of the word with the number of tiles; the three dispatch arguments come first.
+// Index of the word that holds the number of tiles; the three dispatch arguments come before it.
 SHARED_CONSTANT uint tile_list_count = 3U;
-SHARED_CONSTANT uint tile_list_first = 4U; // Index of the word with the first tile
-// Groups in a row of the dispatch; lists may be longer than a row.
+SHARED_CONSTANT uint tile_list_first = 4U; // index of the word that holds the first tile
+// Number of workgroups in a row of the dispatch; lists may be longer than a row.
 SHARED_CONSTANT uint tile_list_groups = 64U;
 
-// Tiles of square images, one word each: image from bit 16 on, the tile's row in bits 8-15, its column in
-// 0-7.
+// A list of tiles of square images, one word per tile: image from bit 16 on, the tile's row in bits 8-15, its
+// column in 0-7.
 
-SHARED_CONSTANT uint square_tile_texels = 64U; // Texels per side of a tile
+SHARED_CONSTANT uint square_tile_texels = 64U; // texels per side of a tile of square images
 
 #ifdef __cplusplus
 } // namespace estampe::shared

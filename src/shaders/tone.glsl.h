@@ -12,16 +12,16 @@ SHARED_CONSTANT uint tone_gamma = 0U;
 SHARED_CONSTANT uint tone_linear = 1U;
 SHARED_CONSTANT uint tone_filmic = 2U;
 
-// Parameters that map light to darkness on the page.
+// Parameters of the tone curve, which maps light to darkness on the page.
 struct ToneConstants {
-    uint curve; // tone_gamma, tone_linear or tone_filmic
+    uint curve; // kind of tone curve: tone_linear, tone_gamma or tone_filmic
     float exposure;
     float gamma;
     float contrast;
-    float floor;       // darkness below this stays paper
-    float ceiling;     // Upper limit of darkness
-    float local_value; // How much darker dark materials are drawn, 0 to 1
-    float occlusion;   // Strength of the occlusion texture, 0 to 1
+    float floor;       // darkness below which the paper stays white
+    float ceiling;     // largest darkness that is drawn
+    float local_value; // degree to which dark materials are drawn darker, 0 to 1
+    float occlusion;   // strength of occlusion textures, 0 to 1
 };
 
 #ifdef __cplusplus

@@ -2,10 +2,10 @@
 #ifndef ESTAMPE_UNIT
 #define ESTAMPE_UNIT
 
-// Unit vectors and their packing.
+// Unit vectors and their packed format.
 
-// Replacements of normalize and length for vectors of moderate size. On processors the built-in functions
-// spend much time on very large and very small vectors.
+// Replaces normalize() for vectors of moderate size. On CPUs the built-in functions spend much time on very
+// large and very small vectors.
 vec3 unit(vec3 v)
 {
     return v * inversesqrt(dot(v, v));
@@ -21,7 +21,7 @@ float size_of(vec2 v)
     return sqrt(dot(v, v));
 }
 
-// Unit vectors packed as two numbers in [-1, 1] (Cigolle et al., "A Survey of Efficient Representations for
+// Packs unit vectors as two numbers in [-1, 1] (Cigolle et al., "A Survey of Efficient Representations for
 // Independent Unit Vectors", JCGT 2014).
 
 vec2 sign_not_zero(vec2 v)

@@ -2,8 +2,9 @@
 #ifndef ESTAMPE_VISIBILITY
 #define ESTAMPE_VISIBILITY
 
-// A visibility buffer has one 64-bit word per pixel, here read as two halves: the triangle in the low half,
-// reversed depth in the high half. Triangles never have depth zero; depth zero means that the pixel is empty.
+// A visibility buffer has one 64-bit word per pixel, here read as two halves: the triangle number in the low
+// half, reversed depth in the high half. Triangles never have depth zero; depth zero means that the pixel is
+// empty.
 
 bool sees_triangle(uvec2 word)
 {
