@@ -89,7 +89,7 @@ struct HatchLineStyle {
 // The hatching lines of one family near a pixel. Line numbers count half spacings: even lines are old (of the
 // coarser spacing), odd lines newborn (between them).
 struct Lines {
-    int level; // exponent of the spacing, a power of two
+    int level; // logarithm to base 2 of the lines' spacing
     float spacing;
     float width;   // width of an old line, in the unit of v
     float newborn; // ink of a newborn line as a share of an old line's ink, 0 to 1
@@ -120,8 +120,9 @@ uint line_identity(LineField field, Lines lines, int number, uint seed)
 
 // Values that the hatching lines of one family share at a pixel.
 struct LineScale {
-    float wobble_frequency; // per unit of u, a power of two; the wavelength of the wobble is about two cells
-    float wobble_fade;      // share of the blend towards twice the wobble's wavelength
+    // Cells of the wobble per unit of u, a power of two; a wave is about two cells long.
+    float wobble_frequency;
+    float wobble_fade; // share of the blend towards twice the wobble's wavelength
     float wobble_px;
     float pressure;
     float cell; // length in u of a cell, which is a piece of a line between two gaps

@@ -139,7 +139,8 @@ private:
     const BakeSettings& settings_;
     std::shared_ptr<void> rays_; ///< the Embree scene with all triangles
     std::vector<uint32_t> glowing_;
-    std::vector<float> glow_sums_; ///< running sum of the power of the triangles in `glowing_`
+    /// Cumulative power of the triangles in `glowing_`, for choosing one by its power.
+    std::vector<float> glow_sums_;
     /// Emitted brightness per square metre of each triangle; empty if nothing glows.
     std::vector<float> glow_of_triangle_;
     float lift_m_ = 0.0F; ///< distance from a surface at which rays start, against self-intersection

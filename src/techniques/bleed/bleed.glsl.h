@@ -11,7 +11,7 @@ struct BleedConstants {
     uint radius_px; // radius of the blur on each side
     float falloff;  // exponent of the blur: 1 / (2 sigma^2), per square pixel
     float level;    // amount of blurred ink at which paper turns to ink
-    float reach;    // weight of the bled ink, 0 to 1
+    float reach;    // weight of the ink that has bled, 0 to 1
     float contrast; // contrast of the blurred ink around `level`
 };
 

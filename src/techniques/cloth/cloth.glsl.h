@@ -12,7 +12,7 @@ namespace estampe::shared {
 SHARED_CONSTANT uint cloth_bit_grid = 1U;      // the sheets are regular grids, so neighbours need no lists
 SHARED_CONSTANT uint cloth_bit_colliders = 2U; // the cloth collides with solids
 SHARED_CONSTANT uint cloth_bit_last = 8U;      // this pass ends a step or a small step of the cloth solver
-SHARED_CONSTANT uint cloth_bit_gusts = 16U;    // wind speed depends on the place
+SHARED_CONSTANT uint cloth_bit_gusts = 16U;    // the wind has gusts, so its speed depends on the place
 SHARED_CONSTANT uint cloth_bit_descent = 64U;  // block descent has already solved the links
 SHARED_CONSTANT uint cloth_bit_self = 128U;    // sheets collide with themselves
 SHARED_CONSTANT uint cloth_bit_flow = 256U;    // a fluid simulation moves the air in some boxes
@@ -47,7 +47,7 @@ SHARED_CONSTANT uint cloth_met_words = 32U;
 SHARED_CONSTANT uint cloth_most_flows = 8U;
 // Bits of torn links per particle of a sheet that may tear, see cloth_torn.glsl.
 SHARED_CONSTANT uint cloth_torn_bits = 64U;
-// Index of the first torn bit that stands for a grid cell, not a link.
+// First bit, in a particle's word of torn bits, that stands for a grid cell and not for a link.
 SHARED_CONSTANT uint cloth_torn_cells = 32U;
 // Wind slower than this moves nothing visibly and is ignored.
 SHARED_CONSTANT float cloth_breath_m_per_s = 0.05F;
@@ -134,7 +134,7 @@ struct ClothRun {
     vec3 wind_m_per_s;
     vec3 ahead_m;     // distance that the wind's pattern has moved, in addition to wind velocity times time
     float gustiness;  // share of the wind speed that varies with gusts
-    float gust_m;     // mean distance between gusts
+    float gust_m;     // mean distance between gusts of the wind
     float turbulence; // speed of eddies, as a share of the wind speed
     float eddy_m;     // size of eddies in the wind
     float time_s;     // time at the beginning of the first step
@@ -182,7 +182,7 @@ struct ClothBody {
     vec3 half_m;
     uint triangle_count;
     uvec2 nodes;
-    uint first; // index of the body's head (nodes per axis) in the texels
+    uint first; // index of the body's first texel, the head, which holds its nodes per axis
 };
 
 // The posed vertex that holds a particle, and the strength of the hold.
@@ -203,7 +203,7 @@ SHARED_CONSTANT uint cloth_on_back = 0x80000000U;
 
 #ifdef __cplusplus
 static_assert(sizeof(ClothSheet) == 100);
-// The smallest uniform buffer that Vulkan guarantees.
+// The sheets must fit in the smallest uniform buffer that Vulkan guarantees.
 static_assert(cloth_few_sheets * sizeof(ClothSheet) <= 16384);
 static_assert(cloth_small_sheet % cloth_wide_group == 0);
 static_assert(sizeof(ClothLink) == 16);

@@ -65,7 +65,8 @@ struct SheetReach {
 /// A box of air whose velocity comes from a periodic fluid simulation.
 struct Flow {
     glm::uvec3 cells{0};
-    glm::mat4 cells_from_place{1.0F}; ///< to grid cells, from the low corner; equal scale on all axes
+    /// Converts a place, relative to the box's low corner, to grid cells; equal scale on all axes.
+    glm::mat4 cells_from_place{1.0F};
 };
 
 /// A deforming mesh that sheets collide with, through its front and back surfaces along one axis.
@@ -184,7 +185,8 @@ public:
 
     [[nodiscard]] uint32_t first_of(size_t sheet) const { return records_.at(sheet).first; }
 
-    [[nodiscard]] uint32_t particle_count() const { return particle_count_; } ///< with padding
+    /// Number of particles of all sheets, including padding.
+    [[nodiscard]] uint32_t particle_count() const { return particle_count_; }
 
     [[nodiscard]] size_t sheet_count() const { return records_.size(); }
 
@@ -296,8 +298,9 @@ private:
     gpu::Buffer rest_;      ///< positions of all particles in the sheets' rest shapes
     gpu::Buffer near_;      ///< for self-collision: four particles that are near each particle
     gpu::Buffer by_colour_; ///< particles of all sheets by colour, each colour padded to whole workgroups
-    std::vector<std::vector<glm::uvec2>> colours_; ///< per sheet and colour: first index, and count
-    gpu::Buffer holds_;                            ///< one ClothHold per particle
+    /// Per sheet and colour of particles: first index in `by_colour_`, and count.
+    std::vector<std::vector<glm::uvec2>> colours_;
+    gpu::Buffer holds_; ///< holders of particles, one ClothHold per particle
     std::vector<shared::ClothCollider> solids_before_, solids_;
     std::vector<shared::ClothCollider> met_before_, met_; ///< colliders that sheets may meet in this run
     std::vector<SheetReach> reach_;

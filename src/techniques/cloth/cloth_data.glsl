@@ -9,7 +9,8 @@
 
 layout(constant_id = 0) const uint variant = 0u;
 
-#ifdef CLOTH_FEW_SHEETS // in a uniform buffer, so that threads need no registers for a sheet's record
+// Few sheets fit in a uniform buffer, so threads need no registers for a sheet's record.
+#ifdef CLOTH_FEW_SHEETS
 layout(scalar, binding = 0) uniform Sheets
 {
     ClothSheet sheets[cloth_few_sheets];

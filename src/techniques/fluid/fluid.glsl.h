@@ -52,12 +52,12 @@ struct FluidGrid {
     uint width; // number of cells along x
     uint height;
     uint depth;     // number of cells along z; 1 in 2D
-    float texel_x;  // 1 / width
-    float texel_y;  // 1 / height
+    float texel_x;  // width of a cell in texture coordinates: 1 / width
+    float texel_y;  // height of a cell in texture coordinates: 1 / height
     vec3 lid_speed; // velocity of the wall at the high end of y
 };
 
-// Constants of an advection pass.
+// Constants of a pass that advects the velocity or quantities (moves them with the flow).
 struct FluidAdvect {
     float cells_per_speed; // displacement in cells at speed 1 in this step
     uint channels;
@@ -81,7 +81,7 @@ struct FluidForces {
     float confinement;
     float rim_share; // rate of replacement by outside air next to the faces of an open box
     float rim_cells; // thickness of the layer in which air is replaced
-    vec3 outside;    // speed of the outside air
+    vec3 outside;    // velocity of the air outside an open box
 };
 
 // A rounded box turned about z, used for obstacles and sources: all points within `radius_m` of the box.

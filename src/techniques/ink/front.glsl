@@ -12,8 +12,8 @@ ivec2 pixel_at(vec2 page_px)
     return clamp(ivec2(floor(page_px)), ivec2(0), ivec2(globals.page_px) - 1);
 }
 
-// The nearest to the eye of eight places at distance `away_px` around a pixel, or the pixel itself if none of
-// them is nearer.
+// Among eight places at distance `away_px` around a pixel, the one whose surface is nearest to the eye; the
+// pixel itself if none is nearer.
 vec2 front_place(vec2 page_px, float away_px)
 {
     vec2 front_px = page_px;

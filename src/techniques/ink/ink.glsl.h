@@ -50,7 +50,7 @@ struct InkZone {
 
 // Constants of all ink steps of a picture.
 struct InkGlobals {
-    mat4 before_from_clip; // from this picture's clip space to the page of the previous picture
+    mat4 before_from_clip; // transform from this picture's clip space to the page of the previous picture
     vec3 wind_axis;        // rotation of the wind around the eye, in radians per second
     uint face_side;        // cells per side of a cube face without gutters
     InkWave waves[ink_wave_count];
@@ -89,7 +89,7 @@ struct InkGlobals {
 
 // Constants of one ink step.
 struct InkStep {
-    float phases[ink_wave_count];       // phases of the waves, in turns
+    float phases[ink_wave_count];       // phases of the waves at the time of this step, in turns
     float zone_streams[most_ink_zones]; // value of the stream function in the middle of each zone
     float seconds;
     float left;       // share of the wet ink that stays wet

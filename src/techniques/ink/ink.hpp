@@ -60,7 +60,7 @@ struct Time {
 
 /// The camera, and its motion since the last picture.
 struct View {
-    /// From this picture's clip space to the last picture's, without jitter.
+    /// transform from this picture's clip space to the last picture's, without jitter
     glm::mat4 before_from_clip{1.0F};
     bool is_moved = false;    ///< `before_from_clip` is not the identity
     bool has_motion = false;  ///< some objects moved since the last picture

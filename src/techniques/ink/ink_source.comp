@@ -31,7 +31,7 @@ layout(binding = 6) uniform usamplerBuffer mask_texels;
 layout(binding = 7) uniform usamplerBuffer state_texels; // cells of ink, used by grid.glsl
 layout(binding = 8) uniform sampler2D coordinate_image;  // surface coordinates, for ink_spots_on_things
 layout(binding = 9) uniform usampler2D footprint_image;  // pixel footprints, for ink_spots_on_things
-layout(binding = 10) uniform sampler2D depth_image;      // depths, for ink_spots_on_things
+layout(binding = 10) uniform sampler2D depth_image;      // depths of surfaces, for ink_spots_on_things
 
 layout(scalar, binding = 11) writeonly buffer Source
 {

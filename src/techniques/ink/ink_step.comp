@@ -128,7 +128,7 @@ vec3 direction_before(vec3 direction, int not_negative)
     return normalize(direction - drift);
 }
 
-// Where a visible point was in the last picture.
+// Position of a visible point in the last picture.
 struct Before {
     vec2 page_px;
     float depth; // reversed depth in the last picture; negative behind the eye

@@ -59,7 +59,7 @@ SHARED_CONSTANT float exposure_darkest_stops = -16.0F;
 // The automatic exposure, kept from frame to frame on the device.
 struct ExposureState {
     float stops;   // exposure of the page in stops
-    uint is_known; // 0 before the first frame, then 1
+    uint is_known; // 0 before the first frame; 1 once the exposure is known
     uint bins[exposure_bins];
 };
 

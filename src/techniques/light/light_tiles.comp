@@ -36,7 +36,7 @@ layout(push_constant, scalar) uniform Constants
     ListTiles list_tiles;
 };
 
-shared uint touching[2]; // one bit per light of the 64 that are tested: it reaches the tile
+shared uint touching[2]; // one bit for each of 64 lights that are tested; set if the light reaches the tile
 
 // The plane through three points, as normal n in xyz and offset d in w; the point `inside` is on the side
 // where dot(n, p) >= d.

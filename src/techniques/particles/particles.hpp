@@ -15,7 +15,7 @@
 
 namespace estampe::particles {
 
-/// A source of particles.
+/// A source of particles: its position, and how it throws particles.
 struct Emitter {
     glm::dvec3 place{0.0};
     /// Direction in which particles leave, a unit vector; 0: the emitter gives no particles.
@@ -35,9 +35,9 @@ struct Particle {
     float trait_b = 0.0F;
 };
 
-/// Velocity of the swirls that move particles at `place`, in feature sizes: the curl of three noises, which
-/// has no divergence, at about unit speed. Source: Bridson, Houriham, Nordenstam, "Curl-Noise for Procedural
-/// Fluid Flow", SIGGRAPH 2007.
+/// Velocity of the swirls that move particles: the curl of three noises, which has no divergence, at about
+/// unit speed. `place` is in units of the swirls' size. Source: Bridson, Houriham, Nordenstam, "Curl-Noise
+/// for Procedural Fluid Flow", SIGGRAPH 2007.
 [[nodiscard]] glm::dvec3 swirl(const glm::dvec3& place, uint32_t seed);
 
 /// All particles alive at `time_s`. Each particle depends only on its number, its age and its emitter's state

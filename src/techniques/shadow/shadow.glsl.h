@@ -13,9 +13,10 @@ SHARED_CONSTANT uint sun_levels = 8U;
 
 // Data for lookups in the sun's shadow map.
 struct SunShadow {
-    mat4 clip_from_anchor; // from anchor space to the map's clip space; reversed z: 1 is nearest to the sun
-    vec3 right;            // direction of the map's x axis, perpendicular to the sun
-    float texel_m;         // longer side of a texel in metres; in a clipmap, of the finest level
+    // Transform from anchor space to the map's clip space; reversed z: 1 is nearest to the sun.
+    mat4 clip_from_anchor;
+    vec3 right;    // direction of the map's x axis, perpendicular to the sun
+    float texel_m; // longer side of a texel in metres; in a clipmap, of the finest level
     vec3 down;
     float depth_m;     // distance along the sun's direction that clip z from 0 to 1 covers
     vec2 texels_per_m; // texels per metre along the map's x and y
@@ -57,7 +58,7 @@ struct LocalShadow {
     float near_m;
     uint is_cube;
     float radius_m; // radius of the luminous sphere in metres; 0 is a point light
-    uint unused;    // padding to 16 words
+    uint unused;    // unused; pads the record to 16 words
 };
 
 // Shape and direction of the teeth (small strokes) along shadow edges.
@@ -66,7 +67,7 @@ struct EdgeProfile {
     float width_px;     // width of the lines that carry the teeth; the spacing of teeth follows from it
     float darkness;
     float variety; // variation of the teeth's lengths: 0 all equal, 1 some hardly visible
-    vec3 axis_0;   // for waves: axis across the first family of teeth; axis_1 is that of the second
+    vec3 axis_0;   // for waves: axis across the first family of teeth
     uint seed;
     vec3 axis_1;    // for waves: axis across the second family of teeth
     vec3 axis_2;    // for waves on lamps' shadows: axis across the third family of teeth

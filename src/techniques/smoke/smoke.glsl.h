@@ -51,7 +51,7 @@ struct SmokeLight {
 // A smoke box and its contents. The fields of all boxes are stored in images of one common size. Each box's
 // layers begin at a whole brick.
 struct SmokeBox {
-    mat4 grid_from_anchor; // from anchor space to cells, counted from the box's low corner
+    mat4 grid_from_anchor; // transform from anchor space to cells, counted from the box's low corner
     mat4 anchor_from_grid;
     uvec3 cells;
     uint first_layer;

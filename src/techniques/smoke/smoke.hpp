@@ -19,7 +19,7 @@ namespace estampe::smoke {
 struct Box {
     glm::uvec3 cells{0};
     float cell_m = 1.0F;
-    glm::mat4 grid_from_anchor{1.0F}; ///< from anchor space to cells, counted from the low corner
+    glm::mat4 grid_from_anchor{1.0F}; ///< transform from anchor space to cells of the box
     glm::vec3 puffs_risen_m{0.0F};    ///< distance that the puffs have moved, in the grid's axes
     float strokes_risen_m = 0.0F;
     uint32_t number = 0; ///< number of the box; boxes with different numbers have different puffs
@@ -144,7 +144,7 @@ struct Layer {
 struct InkInputs {
     ViewInputs view;
     gpu::ImageId marched;       ///< result of add_march()
-    gpu::ImageId lines;         ///< rgba8: lines of the scene, coverage in alpha
+    gpu::ImageId lines;         ///< rgba8: contour lines of the scene, coverage in alpha
     float scene_line_px = 1.0F; ///< half the width of the scene's widest line
     float pixels_per_mm = 1.0F;
     std::optional<Haze> haze = {};

@@ -53,7 +53,7 @@ void main()
                   smoke.boxes[turn.box].puffs_risen;
     float most = mix(0.5, smoke_most_puff, unit_float(hash(identity + 3u))) * apart;
     float radius = most * sqrt(smoothstep(0.1, 0.7, density_near(middle, uvec3(cells))));
-    // The box's floor may cut a puff, but the other sides must not.
+    // The box's floor may cut off a part of a puff, but the box's other sides must not.
     vec3 inside = min(middle, cells - middle);
     inside.y = cells.y - middle.y;
     out_puffs[item] = vec4(middle, min(radius, min(inside.x, min(inside.y, inside.z))));

@@ -53,7 +53,7 @@ layout(push_constant, scalar) uniform Constants
 // no pixel.
 const float least_through = 1.0 / 4096.0;
 
-// One bit per tile: light passes through; a workgroup has four tiles, one below the other.
+// One bit per tile, set if light passes through; a workgroup has four tiles, one below the other.
 shared uint shining_tiles;
 
 // Adds to the tile list the tiles of a column whose bits are set in `rows`, at least one; bit 0 is the first

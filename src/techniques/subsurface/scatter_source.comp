@@ -54,7 +54,7 @@ layout(push_constant, scalar) uniform Constants
 const float most_light = 65504.0; // largest number that a half float can hold
 
 shared uint widest_of_group; // largest scattering distance in the workgroup, on the page, as float bits
-// One bit for each square around this workgroup and in it: the square receives light.
+// One bit for each square in and around this workgroup; set if the square receives light.
 shared uint reached_about;
 shared uint newly_reached; // number of squares that this workgroup lists
 shared uint first_listed;  // index in the list of the workgroup's first square
@@ -63,7 +63,8 @@ shared uint first_listed;  // index in the list of the workgroup's first square
 const uint squares_across = 3u;
 const uint squares_about = 18u;
 
-// Bits of the squares whose page pixels read this half-page pixel; neighbouring squares may do so too.
+// Bits of the squares whose page pixels read this half-page pixel. Near a square's edge, neighbouring squares
+// are included.
 uint squares_that_look(uvec2 local)
 {
     uvec2 within = local % 8u;

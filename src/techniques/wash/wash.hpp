@@ -21,9 +21,10 @@ struct WashStyle {
     float softness = 0.03F;
     float ground_shadow = 0.6F;
     float light_tint = 0.0F;
-    float air = 0.0F;                            ///< haze.tint; the wash section has no key for it
-    glm::vec3 air_color = style::srgb(0xf0dca2); ///< haze.tint_color; the wash section has no key for it
-    float air_distance_m = 120.0F;               ///< haze.tint_distance_m; the wash section has no key for it
+    float air = 0.0F; ///< strength of the tint of distant colours; value of the style's key haze.tint
+    /// Colour of the air that tints distant surfaces; value of haze.tint_color.
+    glm::vec3 air_color = style::srgb(0xf0dca2);
+    float air_distance_m = 120.0F; ///< distance over which colours are tinted; value of haze.tint_distance_m
 };
 
 [[nodiscard]] const style::Table<WashStyle>& wash_table();

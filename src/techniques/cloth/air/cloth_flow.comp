@@ -9,7 +9,7 @@
 
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 
-// Velocity of the fluid, one component per layer group, on the low faces of cells.
+// velocity of the fluid; each component is stored on the low faces of cells
 layout(binding = 0) uniform sampler2DArray velocity;
 
 layout(scalar, binding = 1) writeonly buffer Flow

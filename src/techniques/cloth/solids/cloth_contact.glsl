@@ -70,7 +70,6 @@ vec3 beside_collider(uint i, vec3 from, vec3 to, float begin, float end)
     vec3 centre_before = uintBitsToFloat(texelFetch(collider_texels, before).xyz);
     uvec4 place_after = texelFetch(collider_texels, after);
     vec3 centre_after = uintBitsToFloat(place_after.xyz);
-    // Exactly 0 for a solid that does not move.
     vec4 size = uintBitsToFloat(texelFetch(collider_texels, after + 2));
     vec3 centre_way = centre_after - centre_before; // exactly 0 for a solid that does not move
     vec3 from_there = from - (centre_before + begin * centre_way);

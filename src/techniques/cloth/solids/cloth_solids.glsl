@@ -65,7 +65,7 @@ vec4 ellipsoid_at(vec3 radii_m, vec3 place)
     return vec4(slope / steepness, share * (share - 1.0) / steepness);
 }
 
-// All that a rounded-off rectangle of half sides `half_m` leaves outside, in two or three dimensions at once.
+// Distance and direction from a box with the half sides `half_m`, in two or three dimensions.
 vec4 box_at(vec3 half_m, vec3 place)
 {
     vec3 beyond = abs(place) - half_m;

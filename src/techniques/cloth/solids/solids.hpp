@@ -61,8 +61,8 @@ struct Solid {
 /// Makes the solid of a grid, placed at the grid's middle. Heights are relative to this middle.
 [[nodiscard]] Solid solid_of_grid(SolidKind kind, const SolidGrid& grid, uint32_t number);
 
-/// Changes the representation of a solid's previous rotation, so that interpolation to the current rotation
-/// takes the short way: two quaternions are the same rotation, and a capsule may turn freely about its axis.
+/// Prepares a solid's previous rotation for interpolation to the current one by the short way. Two
+/// quaternions represent each rotation, and a capsule may turn freely about its axis.
 void turn_alike(shared::ClothCollider& before, const shared::ClothCollider& after);
 
 /// Converts a solid to the shaders' record. `first_of_grid` is the index of the first number of the solid's

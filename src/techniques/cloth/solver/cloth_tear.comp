@@ -154,7 +154,7 @@ bool is_across_in_lists(uint local, uint other)
         is_across = is_across || has_bit(torn_of(local), k) || is_torn_between(link.x, other);
         uvec2 torn = torn_of(link.x);
         for (uint i = 0u; i < (torn == uvec2(0u) ? 0u : sheet.link_width); ++i) {
-            // A direct link, because this pass may have torn far links already.
+            // Only direct links are tested, because this pass may have torn far links already.
             uvec4 next = link_at(link.x, i);
             bool is_beside = has_bit(torn, i) && uintBitsToFloat(next.y) > 0.0 && is_direct(next.x, local) &&
                              is_direct(next.x, other);

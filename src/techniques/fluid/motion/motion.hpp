@@ -23,7 +23,7 @@ enum class Advection : uint8_t {
 struct Carried {
     gpu::ImageId velocity;                 ///< the velocity that advects the field
     gpu::ImageId field;                    ///< the field that is advected; a velocity may advect itself
-    gpu::ImageId target;                   ///< overwritten with the result
+    gpu::ImageId target;                   ///< image that is overwritten with the advected field
     uint32_t channels = 0;                 ///< number of quantities; 0 for a velocity
     std::optional<gpu::ImageId> ways = {}; ///< displacements from add_ways(), if several fields share them
 };

@@ -32,8 +32,8 @@ const bool bounces = (variant & discs_bounce) != 0u;
 
 layout(scalar, binding = 5) writeonly buffer Found
 {
-    vec4 found[]; // per texel: bounced light, and visibility in alpha; alpha is -1 where the map has no
-                  // surface
+    // Per texel of the map: bounced light, and visibility in alpha; alpha is -1 where the map has no surface.
+    vec4 found[];
 };
 
 void main()

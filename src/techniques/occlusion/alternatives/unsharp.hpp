@@ -7,8 +7,8 @@
 
 namespace estampe::occlusion {
 
-/// Adds passes that darken points behind the mean depth around them, as drawings set objects off from their
-/// background. No light is computed.
+/// Adds passes that darken points farther from the eye than the mean depth around them, as illustrators
+/// darken the background beside an object. No light is computed.
 ///
 /// Cost    three dispatches, two over every second pixel each way with 16 depths each, then 4 at every pixel
 /// Source  Luft, Colditz and Deussen, "Image Enhancement by Unsharp Masking the Depth Buffer", SIGGRAPH 2006

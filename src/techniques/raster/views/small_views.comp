@@ -17,7 +17,8 @@ layout(scalar, binding = 7) readonly buffer Bounds
     ClusterBounds bounds[];
 };
 
-shared uint showing[cluster_triangles / 32u]; // one bit for each of 64 views: the view may show this cluster
+// One bit for each of 64 views; set if the view may show this cluster.
+shared uint showing[cluster_triangles / 32u];
 
 void draw_into(uint view_index, uint triangle, uint flags, vec3 a, vec3 b, vec3 c)
 {

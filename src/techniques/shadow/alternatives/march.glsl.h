@@ -9,7 +9,7 @@ namespace estampe::shared {
 struct MarchConstants {
     uvec2 size;    // size of the height field in texels
     vec2 sunwards; // one step of the ray towards the sun, in texels
-    float rise_m;  // rise of the ray per step
+    float rise_m;  // rise of the ray towards the sun per step, in metres
     uint step_count;
     uint blur_radius; // radius of the blur in texels
     float blur_falloff;

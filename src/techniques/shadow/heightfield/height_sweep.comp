@@ -14,7 +14,7 @@ layout(binding = 0) uniform sampler2D height_image;
 
 layout(scalar, binding = 1) buffer Seen
 {
-    uint seen_step[]; // for each step of a line, the earlier step that appears highest from it
+    uint seen_step[]; // for each step of a line: number of the step that forms its horizon towards the sun
 };
 
 layout(push_constant, scalar) uniform Constants

@@ -10,7 +10,7 @@
 
 // The position of a point in a local shadow map.
 struct MapPlace {
-    vec3 right; // axes of the map
+    vec3 right; // axes of the shadow map: right and down
     vec3 down;
     vec2 texel;    // position in texels; texel centres are at whole numbers
     float along_m; // distance of the point from the light along the map's axis

@@ -99,7 +99,7 @@ std::pair<glm::dvec2, glm::dvec2> span_of(const Clipmap& clipmap, uint32_t level
     for (int axis = 0; axis < 2; ++axis) {
         for (int k = 0; k < 3; ++k) {
             const double along = axes.at(static_cast<size_t>(axis))[k] / texel_m(clipmap, level);
-            if (along != 0.0) { // avoids infinity times zero
+            if (along != 0.0) { // avoids the product of infinity and zero
                 low[axis] += std::min(along * place.min[k], along * place.max[k]);
                 high[axis] += std::max(along * place.min[k], along * place.max[k]);
             }

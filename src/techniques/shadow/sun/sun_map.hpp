@@ -21,7 +21,8 @@ namespace estampe::shadow {
 
 /// The parallel view from the sun that contains all casters.
 struct SunView {
-    glm::mat4 clip_from_anchor{1.0F}; ///< from anchor space; reversed z: 1 nearest to the sun, 0 farthest
+    /// Transform from anchor space; reversed z: 1 nearest to the sun, 0 farthest.
+    glm::mat4 clip_from_anchor{1.0F};
     glm::vec3 right{1.0F, 0.0F, 0.0F};
     glm::vec3 down{0.0F, 0.0F, 1.0F};
     glm::vec2 extent_m{1.0F}; ///< size of the area that the map covers, along both axes
