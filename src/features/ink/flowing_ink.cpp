@@ -255,7 +255,8 @@ fluid::Solver solver_of(const ink::InkStyle& style)
     return fluid::Solver::automatic;
 }
 
-/// Advances the water from one time to another. Returns the meter's report; none if no step was needed.
+/// Simulates the ink's water from one time to another. Returns the meter's report; none if no step was
+/// needed.
 std::optional<SolverReport> pass(fluid::Fluid& fluid, gpu::Device& device, SolverMeter meter,
                                  const ink::InkStyle& ink, const Spoons& spoons, double from_s, double to_s)
 {

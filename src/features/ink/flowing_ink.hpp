@@ -50,8 +50,8 @@ struct ZoneView {
 /// The state of the ink's water at the end of a picture, for the next picture of a film.
 struct KeptWater {
     double time_s = 0.0;
-    std::vector<float> velocity; ///< two numbers per cell
-    std::vector<float> mass;     ///< one number per cell, if ink.solver is mass; else empty
+    std::vector<float> velocity; ///< Velocity of the water, two numbers per cell
+    std::vector<float> mass;     ///< Mass of the water per cell if ink.solver is mass; else empty
 };
 
 class InkWater {

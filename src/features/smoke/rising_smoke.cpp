@@ -88,7 +88,8 @@ struct Risen {
     StepsLeft left;
 };
 
-/// Runs all steps except those that fit into the picture's own graph. If steps are measured, runs all.
+/// Runs all steps of the simulation except those that fit into the picture's own graph. If steps are
+/// measured, runs all.
 Risen let_rise(fluid::Fluid& fluid, gpu::Device& device, SolverMeter meter, const Rise& rise)
 {
     const auto count =
@@ -145,9 +146,9 @@ struct RisingSmoke::Kept {
     double time_s = 0.0;
     double behind_s = 0.0; ///< Time by which the smoke is behind the picture's time
     uint32_t channels = 2;
-    std::vector<float> velocity;   ///< three numbers per cell
-    std::vector<float> quantities; ///< one number per channel and cell
-    std::vector<float> mass;       ///< one number per cell, if smoke.solver is mass; else empty
+    std::vector<float> velocity;   ///< Velocity of the air, three numbers per cell
+    std::vector<float> quantities; ///< Density, temperature and so on, one number per quantity and cell
+    std::vector<float> mass;       ///< Mass of the air per cell if smoke.solver is mass; else empty
 };
 
 struct RisingSmoke::Column {

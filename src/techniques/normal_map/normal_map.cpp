@@ -17,7 +17,7 @@
 namespace estampe {
 namespace {
 
-/// The heights of four channels per texel, of which `most` is white.
+/// Reads heights as the luminance of an image with four channels per texel. The value `most` is white.
 template <typename Channel>
 HeightMap heights_of(uint32_t width, uint32_t height, std::span<const Channel> rgba, uint32_t most)
 {

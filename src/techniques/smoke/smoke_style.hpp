@@ -17,7 +17,7 @@ enum class Sampling : uint8_t {
     view  ///< planes that face the eye
 };
 
-/// Pressure solver of the fluid simulation, and its advection.
+/// Pressure solver of the smoke's fluid simulation.
 enum class Solver : uint8_t { automatic, spectral, multigrid, jacobi, mass };
 enum class Advection : uint8_t { automatic, linear, cubic, maccormack };
 enum class Stepping : uint8_t { project, reflect };

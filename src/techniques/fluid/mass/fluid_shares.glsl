@@ -56,7 +56,7 @@ uint mass_index(uint cell_index, uint channel)
     return channel * grid.width * grid.height * grid.depth + cell_index;
 }
 
-// Displacement of the content at the middle of `cell`.
+// Displacement of the mass at the middle of `cell` in a step.
 vec3 way_from_middle(sampler2DArray velocity, ivec3 cell, float cells_per_speed)
 {
     vec3 here = velocity_at(velocity, cell, vec3(0.5));

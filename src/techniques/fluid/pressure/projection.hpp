@@ -13,14 +13,14 @@
 namespace estampe::fluid {
 
 enum class Solver : uint8_t {
-    automatic, ///< spectral where possible, else multigrid
-    jacobi,    ///< rounds of Jacobi's iteration: cheap, but leaves large-scale divergence
-    multigrid, ///< V(2,2) cycles
-    spectral,  ///< direct, by fast transforms; requires sizes that are powers of two and no obstacles
+    automatic, ///< spectral solver where possible, else multigrid
+    jacobi,    ///< Jacobi's iteration: cheap, but leaves large-scale divergence
+    multigrid, ///< multigrid with V(2,2) cycles
+    spectral,  ///< direct solve by fast transforms; requires sizes that are powers of two and no obstacles
     mass       ///< no solve: the fluid has a mass, advected both ways, and accelerates away from mass
 };
 
-/// "jacobi", "multigrid", "spectral", "mass" or "automatic".
+/// Name of a pressure solver: "jacobi", "multigrid", "spectral", "mass" or "automatic".
 [[nodiscard]] const char* name_of(Solver solver);
 
 struct ProjectionStyle {
