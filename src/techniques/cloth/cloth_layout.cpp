@@ -182,7 +182,7 @@ bool Cloths::is_small(size_t sheet) const
 
 void Cloths::group_sheets(gpu::Device& device)
 {
-    // Pairs of sheet and first particle per group; for small sheets only the sheet.
+    // For each group of threads, its sheet and its first particle; for small sheets only the sheet.
     std::vector<uint32_t> groups;
     const auto append_in_order = [&](uint32_t sheet) {
         for (uint32_t first = 0; first < records_[sheet].count; first += shared::cloth_group) {

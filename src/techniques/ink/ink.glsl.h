@@ -34,8 +34,9 @@ SHARED_CONSTANT uint ink_in_strips = 1U << 11U; // for CPUs: one thread processe
 
 // One wave of the ink's stream function: amplitude * sin(2 pi (dot(wave, place) + phase)).
 struct InkWave {
-    vec3 wave;       // direction and turns per millimetre of the wave; around the eye, turns per radian
-    float amplitude; // square millimetres per second; around the eye, square radians per second
+    vec3 wave; // direction and turns per millimetre of the wave; around the eye, turns per radian
+    // Amplitude of the wave, in square millimetres per second; around the eye, in square radians per second.
+    float amplitude;
 };
 
 // A round area where an object drives the ink, and may give ink.

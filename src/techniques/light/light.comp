@@ -265,7 +265,7 @@ uint listed_light(uint first, uint place)
     return lighting.directional_count + (has_lists ? lists[first + place] : place);
 }
 
-// A surface point to light, and its light links.
+// A surface point that is lit, and its light links (the groups of lights that light it).
 struct Receiver {
     vec3 point;
     vec3 normal;

@@ -119,15 +119,15 @@ private:
     std::unique_ptr<Kept> kept_;
 };
 
-/// Adds passes that compute occlusion by the style's method; empty if no surface occludes.
+/// Adds passes that compute ambient occlusion by the style's method. Returns nothing if no surface occludes.
 ///
 /// Writes  images of the tile's size
 /// Cost    that of the method: see add_horizon(), and alternatives/
 [[nodiscard]] std::optional<AmbientOcclusion>
 add_occlusion(gpu::Graph& graph, Memory& memory, const OcclusionInputs& in, const OcclusionStyle& style);
 
-/// Adds passes that compute occlusion from the visible surfaces around each pixel, which is the default
-/// method.
+/// Adds passes that compute ambient occlusion from the visible surfaces around each pixel, which is the
+/// default method.
 ///
 /// Cost    four dispatches, all but the last over every second pixel each way: 20 depths, twice 4 neighbours,
 ///         then 4 at every pixel

@@ -98,7 +98,7 @@ private:
     gpu::Buffer texels_;
 };
 
-/// A plan's sprites and lists on the device.
+/// The sprites of a ParticlePlan and their lists per tile, in device buffers.
 struct SpriteLists {
     gpu::BufferId sprites;
     gpu::BufferId starts;

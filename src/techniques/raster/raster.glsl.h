@@ -42,7 +42,7 @@ struct RasterView {
     uint first_texel; // first texel in the buffer of all maps; the map's rows are contiguous
     uint size_px;
     uvec2 origin_px; // position of the view's square in the image of the hardware path
-    uint groups;     // bits of object groups; a batch is drawn if it shares a bit
+    uint groups;     // bits of object groups; the view draws a batch that has one of these bits
     uvec2 turn_px;   // compute path only: position of the map's first texel; the map wraps around at its ends
 };
 

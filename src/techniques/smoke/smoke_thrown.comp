@@ -27,7 +27,7 @@ layout(scalar, binding = 1) uniform Smoke
 layout(binding = 2) uniform sampler2DArray packed;
 layout(binding = 3) uniform samplerBuffer brick_texels;
 layout(binding = 4) uniform sampler2D depth_image;
-// Share of sunlight that others let through, for smoke_has_share.
+// Share of sunlight that terrain and clouds let through, for smoke_has_share.
 layout(binding = 5) uniform sampler2D share_image;
 layout(binding = 6, r16f) writeonly uniform image2D out_share;
 

@@ -166,7 +166,7 @@ struct TextureInputs {
 
 /// The map's texels as surfaces to light. All images have the map's size.
 struct TextureSurface {
-    gpu::ImageId draw;   ///< r32ui: draw call as in Surface::draw; 0 for unused texels
+    gpu::ImageId draw;   ///< r32ui: draw call + 1 and flags, as in Surface::draw; 0 for unused texels
     gpu::ImageId normal; ///< rg32ui: packed normal, stored twice
     gpu::ImageId points; ///< rgba32f: xyz position in anchor space, w size of a texel there
 };

@@ -26,7 +26,7 @@ void main()
     vec3 to = moved(local, from.xyz, from.w, moment.step, moment.small_step);
     vec3 speed = speed_after(from.xyz, to);
     places[particle] = vec4(to, from.w);
-    // Block descent reads the velocity after every small step.
+    // The cloth solver that uses block descent reads the velocity after every small step.
     if (is_last || (variant & cloth_bit_descent) != 0u) {
         vec4 before = began[particle];
         speeds[particle] = vec4(speed, is_last ? calm_after(before.w, before.xyz, to) : before.w);

@@ -43,7 +43,7 @@ uvec4 link_at(uint local, uint k)
     return texelFetch(link_texels, int(sheet.first_link + k * sheet.stride + local));
 }
 
-// Whether the direct link between two particles is torn, in a sheet with lists.
+// Whether the link between two neighbour particles is torn, in a sheet with lists of links.
 bool is_torn_between(uint local, uint other)
 {
     uvec2 torn = torn_of(local);

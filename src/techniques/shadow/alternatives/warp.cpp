@@ -116,7 +116,7 @@ SunView warped_view(const SunMapScene& scene)
         const double w = 1.0 + (glm::dot(point, down) - along.low) / n;
         half_m = std::max(half_m, std::abs(glm::dot(point, right) - middle) / w);
     }
-    // Leaves a margin for the texels around a lookup.
+    // The view leaves a margin of four texels at each border, for the texels around a lookup.
     const double kept = 1.0 - 8.0 / static_cast<double>(size);
     const double p = kept * (2.0 * n + depth_m) / depth_m;
     const double q = kept * 2.0 * (n + depth_m) / depth_m;

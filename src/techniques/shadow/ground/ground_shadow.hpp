@@ -36,7 +36,7 @@ struct GroundSight {
 [[nodiscard]] shared::FieldSector seen_sector(const GroundSight& sight, const GroundLevels& levels,
                                               const LevelNumbers& numbers);
 
-/// The texels whose heights determine the horizons of `sector`, towards the sun.
+/// The texels towards the sun from `sector`, whose heights determine the horizons of its texels.
 [[nodiscard]] shared::FieldSector sunward_of(const shared::FieldSector& sector,
                                              const glm::dvec3& towards_sun);
 

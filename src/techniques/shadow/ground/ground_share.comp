@@ -16,7 +16,8 @@ layout(scalar, binding = 0) uniform Frame
 };
 
 layout(binding = 1) uniform sampler2D depth_image;
-layout(binding = 2) uniform usamplerBuffer kept; // kept ground fields, in the format of ground_keep.comp
+// Heights and horizons of the ground fields, in the format of ground_keep.comp.
+layout(binding = 2) uniform usamplerBuffer kept;
 layout(binding = 3, r16f) writeonly uniform image2D out_share;
 
 layout(push_constant, scalar) uniform Constants

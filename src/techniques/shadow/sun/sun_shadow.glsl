@@ -47,7 +47,8 @@ uint sun_level(vec3 point, float margin_m)
     float away = frame.is_orthographic != 0u ? 1.0 : dot(point - frame.eye_anchor, frame.view_forward);
     float pixel_m = sun_shadow.pixel_m * max(away, frame.near_m);
     int last = int(sun_shadow.level_count) - 1;
-    // A penumbra one pixel wide needs more than one texel.
+    // With soft shadows, texels must be smaller than a pixel, because a penumbra one pixel wide needs more
+    // than one texel.
     float wanted_m = has_soft_sun ? 0.5 * pixel_m : pixel_m;
     int wanted = clamp(int(floor(log2(wanted_m / sun_shadow.texel_m))), 0, last);
     vec2 at = vec2(dot(sun_shadow.right, point), dot(sun_shadow.down, point));
