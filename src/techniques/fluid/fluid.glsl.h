@@ -28,7 +28,7 @@ SHARED_CONSTANT uint fluid_bit_standing = 0x200000U; // some cells are solid per
 // Bits of `variant` for Fourier and cosine transforms. Without an axis bit, transforms run along x.
 SHARED_CONSTANT uint fluid_bit_along_y = 0x4000U;
 SHARED_CONSTANT uint fluid_bit_along_z = 0x8000U;
-SHARED_CONSTANT uint fluid_bit_long = 0x10000U;     // rows are longer than fluid_transform_pairs
+SHARED_CONSTANT uint fluid_bit_long = 0x10000U; // the rows to transform are longer than fluid_transform_pairs
 SHARED_CONSTANT uint fluid_bit_reversed = 0x20000U; // the pass computes the inverse transform
 SHARED_CONSTANT uint fluid_bit_dividing =
     // The pass does a forward transform, divides by the eigenvalues of the Laplacian, and transforms back.
@@ -75,7 +75,7 @@ struct FluidDiffuse {
 
 struct FluidForces {
     vec3 speed_gain; // gain of speed in the step by the uniform force
-    float kept;      // factor on the speed after friction
+    float kept;      // factor on the speed in a step, because of friction
     float lift;      // gain of vertical speed per unit of temperature
     float weight;    // loss of vertical speed per unit of density
     float confinement;

@@ -121,7 +121,7 @@ private:
     bool is_spectral_right_ = true;
 };
 
-// Access to a fluid's fields on the CPU, for tests and measurements.
+// Copies of a fluid's fields for the CPU, for tests and measurements.
 
 /// Leaves an image in the layout that gpu::import_uploaded() expects in later graphs.
 void hand_on(gpu::Graph& graph, gpu::ImageId image);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Haze: with distance, colour fades into the sky's, and strokes and lines fade to nothing.
+// Haze: with distance, colour fades into the colour of the sky, and strokes and lines fade to nothing.
 
 #include <optional>
 

@@ -23,7 +23,7 @@ struct Emitter {
     double size = 1.0; ///< factor on the style's particle size
     /// Earlier states of the emitter at equal time steps; empty: the emitter never changed.
     std::vector<Emitter> before;
-    double step_s = 0.0; ///< time between two states of `before`
+    double step_s = 0.0; ///< time between two neighbouring states in `before`
 };
 
 struct Particle {

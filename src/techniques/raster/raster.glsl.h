@@ -38,7 +38,7 @@ struct RasterConstants {
 struct RasterView {
     mat4 clip_from_anchor;
     vec3 eye_anchor;
-    float reach_m;    // objects farther from the eye are skipped
+    float reach_m;    // objects farther from the view's eye than this are skipped
     uint first_texel; // first texel in the buffer of all maps; the map's rows are contiguous
     uint size_px;
     uvec2 origin_px; // position of the view's square in the image of the hardware path
@@ -62,7 +62,7 @@ struct ViewsConstants {
     uint tile_capacity;
     uint small_area_px;
     uint groups;    // bits of the batch's object groups
-    uvec2 image_px; // hardware only: size of the image that holds all views
+    uvec2 image_px; // hardware path only: size of the image that holds all views
 };
 
 // A cluster of triangles that a view may show; one instance of the hardware path's draw call.

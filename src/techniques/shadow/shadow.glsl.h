@@ -49,9 +49,9 @@ struct SunVerticesConstants {
 // order +x -x +y -y +z -z, one after another. Texels hold near_m / w, where w is the distance along the map's
 // axis.
 struct LocalShadow {
-    vec3 right;       // direction of growing columns in a spot's map
+    vec3 right;       // in a spot's map, the direction in which the column number grows
     float scale;      // half the map's side at distance 1 from the light is 1 / scale
-    vec3 down;        // direction of growing rows in a spot's map
+    vec3 down;        // in a spot's map, the direction in which the row number grows
     uint first_texel; // index of the first texel in the buffer of all local shadow maps
     vec3 along;       // axis of a spot's map, from the light along the beam
     uint size;        // texels per side of each map

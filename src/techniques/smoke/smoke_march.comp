@@ -110,7 +110,7 @@ Stretch stretch_from(Ray ray, float from, float most)
 struct Gone {
     float left; // transmittance of the smoke so far
     float bright;
-    float surface_m; // distance at which the ray passed the edge opacity, 0 before
+    float surface_m; // distance at which the ray passed the edge opacity; 0 until then
     uint box;        // number of the densest box at the distance surface_m
 };
 

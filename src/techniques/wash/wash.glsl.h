@@ -29,7 +29,7 @@ struct WashConstants {
     float neutral;       // strength of the paint on grey materials, as a share
     float saturation;    // saturation; 0: greys only, 1: the materials' colours
     float light_tint;    // strength with which coloured light tints surfaces
-    float air;           // share of air_color at infinite distance
+    float air;           // share of air_color in colours at infinite distance
     vec3 air_color;
     float air_distance_m;
     uint style_variant; // number of the style variant to paint

@@ -115,8 +115,8 @@ Lists<Tether> build_tethers(const Sheet& sheet, const std::optional<GridForm>& g
     return lists;
 }
 
-// Bending: Bergou, Wardetzky, Harmon, Zorin and Grinspun, "A Quadratic Bending Model for Inextensible
-// Surfaces", SGP 2006.
+// Bending stiffness of cloth after Bergou, Wardetzky, Harmon, Zorin and Grinspun, "A Quadratic Bending Model
+// for Inextensible Surfaces", SGP 2006.
 
 constexpr size_t most_edges = 64; // largest number of edges at a particle
 // A tether is slightly longer than the sheet between its ends, so that tethers do not work against links.
