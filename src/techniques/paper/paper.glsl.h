@@ -41,7 +41,7 @@ struct PaperConstants {
     float grain; // visibility of the bare paper's relief, 0 to 1
     vec3 ink_color;
     float granulation; // visibility of the paper's relief in paint, 0 to 1
-    float ink_break;   // degree to which wet ink skips the paper's high spots
+    float ink_break;   // degree to which ink skips the paper's high spots
     float ink_tint;    // degree to which coloured light tints the strokes' ink
     uint seed;
     float ink_grain; // degree to which strokes get ink only on the paper's high spots
