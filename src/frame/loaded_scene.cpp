@@ -3,12 +3,14 @@
 
 #include <future>
 #include <memory>
+#include <utility>
 
 #include <estampe/error.hpp>
 
 #include "core/long_jobs.hpp"
 #include "features/cloth/moving_cloth.hpp"
 #include "features/common/view.hpp"
+#include "features/ink/flowing_ink.hpp"
 #include "features/terrain/ground_mesh.hpp"
 #include "scene/scene_limits.hpp"
 #include "scene/visibility.hpp"
@@ -196,7 +198,33 @@ void place_nodes(gpu::Device& device, LoadedScene& loaded, std::span<const NodeP
 
 void lay_out(gpu::Device& device, LoadedScene& loaded)
 {
-    take_layout(device, loaded, layout_of(loaded.scene));
+    // Zones keep their meshes in the scene, because ink needs the shapes.
+    std::vector<std::pair<Index, Index>> hidden;
+    for (Index node = 0; node < loaded.ink_zones.size(); ++node) {
+        if (loaded.ink_zones[node]) {
+            hidden.emplace_back(node, std::exchange(loaded.scene.nodes[node].mesh, no_index));
+        }
+    }
+    pose::MeshData layout = layout_of(loaded.scene);
+    for (const auto& [node, mesh] : hidden) {
+        loaded.scene.nodes[node].mesh = mesh;
+    }
+    take_layout(device, loaded, std::move(layout));
+}
+
+bool hide_ink_zones(gpu::Device& device, LoadedScene& loaded, const features::StyleTables& style)
+{
+    std::vector<bool> wanted = features::ink_zone_nodes(loaded.scene, style);
+    for (size_t node = 0; node < wanted.size(); ++node) {
+        wanted[node] = wanted[node] && loaded.scene.nodes[node].mesh != no_index;
+    }
+    loaded.ink_zones.resize(wanted.size(), false);
+    if (wanted == loaded.ink_zones) {
+        return false;
+    }
+    loaded.ink_zones = std::move(wanted);
+    lay_out(device, loaded);
+    return true;
 }
 
 bool swap_terrain(gpu::Device& device, LoadedScene& loaded, const Terrain& terrain)

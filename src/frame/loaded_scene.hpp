@@ -55,6 +55,7 @@ struct LoadedScene {
     std::unique_ptr<terrain::TerrainBuffers> terrain;
     /// Footprints in the terrain; null if the scene has no terrain.
     std::unique_ptr<terrain::Footprints> footprints;
+    std::vector<bool> ink_zones; ///< one flag per node: its mesh is an ink zone and not in `layout`
     bool terrain_moved = false;  ///< the terrain's vertices on the device are out of date
     bool has_plain_links = true; ///< every object is lit and shadowed by all lights
     bool pose_moved = true;      ///< the posed vertices on the device are out of date
@@ -84,6 +85,11 @@ void lay_out(gpu::Device& device, LoadedScene& loaded);
 /// change. Returns whether shadows may change; a change of brightness alone never changes shadows. Throws
 /// Error as styled_lighting() does.
 [[nodiscard]] bool style_lighting(gpu::Device& device, LoadedScene& loaded,
+                                  const features::StyleTables& style);
+
+/// Takes the meshes of the style's ink zones out of the layout, and puts those of earlier zones back. Returns
+/// whether the meshes were rebuilt.
+[[nodiscard]] bool hide_ink_zones(gpu::Device& device, LoadedScene& loaded,
                                   const features::StyleTables& style);
 
 /// Distance from the eye to the objects of the scene that are near it. A terrain surrounds the eye, so it

@@ -98,7 +98,8 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const features::S
         throw Error("there is no scene to draw", "", "call set_scene first");
     }
     frame::check_page(settings);
-    if (frame::style_lighting(device, *loaded, tables)) {
+    const bool are_zones_new = frame::hide_ink_zones(device, *loaded, tables);
+    if (frame::style_lighting(device, *loaded, tables) || are_zones_new) {
         posed_scene = {};
         features.invalidate(features::Event::lights_changed);
     }

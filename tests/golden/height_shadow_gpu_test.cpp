@@ -48,7 +48,7 @@ TEST(HeightShadowGolden, DunesInALowSun)
                                                              .texel_m = {texel_m},
                                                              .towards_sun = towards_sun,
                                                              .sun_radius_rad = 0.02},
-                                                            {.method = method});
+                                                            {.method = method, .blur_m = 2.0F * texel_m});
         const std::vector<float> visible = test::run_and_read_coverage(graph, seen);
         for (uint32_t i = 0; i < heights_side * heights_side; ++i) {
             const glm::vec2 p = texel_m * glm::vec2(i % heights_side, i / heights_side);

@@ -10,6 +10,7 @@
 
 #include "features/common/solver_meter.hpp"
 #include "features/common/style_tables.hpp"
+#include "features/ink/zone_shape.hpp"
 #include "style/names.hpp"
 #include "style/parameter.hpp"
 #include "style/toml.hpp"
@@ -30,8 +31,34 @@ std::optional<glm::dvec2> page_place_mm(const ZoneView& view, const glm::dvec3& 
     return share * glm::dvec2(view.page.page_px) / static_cast<double>(view.page.pixels_per_mm);
 }
 
-std::optional<shared::InkZone> zone_at(const ZoneView& view, const glm::dmat4& world_from_node,
-                                       const ink::ZoneStyle& style)
+/// The triangles of a node's mesh on the page. Triangles that reach behind the eye are left out.
+std::vector<PageTriangle> page_triangles(const ZoneView& view, const Node& node,
+                                         const glm::dmat4& world_from_node)
+{
+    std::vector<PageTriangle> triangles;
+    const std::vector<glm::mat4> one{glm::mat4(1.0F)};
+    for (const glm::mat4& instance : node.instances.empty() ? one : node.instances) {
+        const glm::dmat4 world_from_mesh = world_from_node * glm::dmat4(instance);
+        for (const Primitive& primitive : view.scene.meshes[node.mesh].primitives) {
+            std::vector<std::optional<glm::dvec2>> places_mm;
+            for (const glm::vec3& position : primitive.positions) {
+                places_mm.push_back(
+                    page_place_mm(view, glm::dvec3(world_from_mesh * glm::dvec4(position, 1.0))));
+            }
+            const bool has_triangles = primitive.topology == Topology::triangles;
+            for (size_t i = 0; has_triangles && i + 2 < primitive.indices.size(); i += 3) {
+                const auto place = [&](size_t corner) { return places_mm[primitive.indices[i + corner]]; };
+                if (place(0) && place(1) && place(2)) {
+                    triangles.push_back({glm::vec2(*place(0)), glm::vec2(*place(1)), glm::vec2(*place(2))});
+                }
+            }
+        }
+    }
+    return triangles;
+}
+
+/// The disc that a sphere of one metre in the node's space covers on the page.
+std::optional<shared::InkZone> disc_zone(const ZoneView& view, const glm::dmat4& world_from_node)
 {
     const glm::dvec3 middle(world_from_node[3]);
     const double radius_m =
@@ -49,19 +76,53 @@ std::optional<shared::InkZone> zone_at(const ZoneView& view, const glm::dmat4& w
             radius_mm = std::max(radius_mm, 100.0 * glm::distance(*middle_mm, *beside_mm));
         }
     }
-    const glm::dvec3 ahead = -glm::normalize(glm::dvec3(world_from_node[2]));
-    glm::dvec2 blows(0.0);
-    if (const auto ahead_mm = page_place_mm(view, middle + 0.01 * radius_m * ahead)) {
-        const glm::dvec2 moved = *ahead_mm - *middle_mm;
-        blows = glm::length(moved) > 1e-9 ? glm::normalize(moved) : blows;
-    }
     constexpr double smallest_mm = 0.1;
     return shared::InkZone{.middle_mm = glm::vec2(*middle_mm),
-                           .radius_mm = static_cast<float>(std::max(radius_mm, smallest_mm)),
-                           .amount = style.amount,
-                           .velocity_mm_per_s = style.blow_mm_per_s * glm::vec2(blows),
-                           .turn_rad_s = glm::radians(style.turn_deg_per_s),
-                           .gives = style.give};
+                           .radius_mm = static_cast<float>(std::max(radius_mm, smallest_mm))};
+}
+
+/// The direction on the page in which a node's -z points.
+glm::dvec2 ahead_on_page(const ZoneView& view, const glm::dmat4& world_from_node)
+{
+    const glm::dvec3 middle(world_from_node[3]);
+    const glm::dvec3 ahead = -glm::normalize(glm::dvec3(world_from_node[2]));
+    const double step_m = 0.01 * glm::length(glm::dvec3(world_from_node[2]));
+    const auto from_mm = page_place_mm(view, middle);
+    const auto to_mm = page_place_mm(view, middle + step_m * ahead);
+    const glm::dvec2 moved = from_mm && to_mm ? *to_mm - *from_mm : glm::dvec2(0.0);
+    return glm::length(moved) > 1e-9 ? glm::normalize(moved) : glm::dvec2(0.0);
+}
+
+/// Adds the zone of a node: the area that its mesh covers, or a disc if it has no mesh.
+void add_zone(InkZones& zones, const ZoneView& view, size_t node, const ink::ZoneStyle& style)
+{
+    const Node& from = view.scene.nodes[node];
+    const glm::dmat4& world_from_node = view.pose.world_from_node[node];
+    std::optional<shared::InkZone> zone;
+    if (from.mesh == no_index) {
+        zone = disc_zone(view, world_from_node);
+    } else if (const auto shape = zone_shape(page_triangles(view, from, world_from_node))) {
+        zone = shared::InkZone{.middle_mm = shape->middle_mm,
+                               .radius_mm = shape->radius_mm,
+                               .shape = static_cast<uint32_t>(zones.shapes.size() / shape->field.size() + 1),
+                               .shape_min_mm = shape->min_mm,
+                               .shape_size_mm = shape->size_mm};
+        std::ranges::copy(shape->field, std::back_inserter(zones.shapes));
+    }
+    if (zone) {
+        zone->amount = style.amount;
+        zone->velocity_mm_per_s = style.blow_mm_per_s * glm::vec2(ahead_on_page(view, world_from_node));
+        zone->turn_rad_s = glm::radians(style.turn_deg_per_s);
+        zone->gives = style.give;
+        zones.zones.push_back(*zone);
+    }
+}
+
+/// Whether an override describes a zone.
+bool is_of_zone(const style::Override& change)
+{
+    return change.surfaces.by == style::Surfaces::By::object && change.section == "ink" &&
+           change.key.starts_with("zone.");
 }
 
 } // namespace
@@ -89,14 +150,22 @@ std::vector<uint32_t> ink_mask(const pose::MeshData& meshes, const Scene& scene,
     return mask;
 }
 
-std::vector<shared::InkZone> ink_zones(const ZoneView& view, const StyleTables& style)
+std::vector<bool> ink_zone_nodes(const Scene& scene, const StyleTables& style)
 {
-    const auto is_of_zone = [](const style::Override& change) {
-        return change.surfaces.by == style::Surfaces::By::object && change.section == "ink" &&
-               change.key.starts_with("zone.");
-    };
+    std::vector<bool> are_zones(scene.nodes.size(), false);
+    for (const style::Override& change : style.overrides) {
+        for (size_t node = 0; is_of_zone(change) && node < scene.nodes.size(); ++node) {
+            are_zones[node] =
+                are_zones[node] || style::matches(change.surfaces.pattern, scene.nodes[node].name);
+        }
+    }
+    return are_zones;
+}
+
+InkZones ink_zones(const ZoneView& view, const StyleTables& style)
+{
     static const style::Schema<ink::InkStyle> schema(ink::ink_table());
-    std::vector<shared::InkZone> zones;
+    InkZones zones;
     std::vector<bool> is_done(view.scene.nodes.size(), false);
     for (const style::Override& first : style.overrides) {
         for (size_t node = 0; is_of_zone(first) && node < view.scene.nodes.size(); ++node) {
@@ -111,9 +180,8 @@ std::vector<shared::InkZone> ink_zones(const ZoneView& view, const StyleTables& 
                     schema.apply(styled, change);
                 }
             }
-            const auto zone = zone_at(view, view.pose.world_from_node[node], styled.zone);
-            if (zone && zones.size() < shared::most_ink_zones) {
-                zones.push_back(*zone);
+            if (zones.zones.size() < shared::most_ink_zones) {
+                add_zone(zones, view, node, styled.zone);
             }
         }
     }
@@ -527,13 +595,15 @@ std::optional<InkPlan> FlowingInk::ensure(gpu::Device& device, gpu::Executor& ex
     const std::optional<double> before = is_there ? before_s(in.settings, style) : std::nullopt;
     const ink::Time time = ink::time_of(style, in.settings.time_s, before);
     const shared::FrameGlobals seen = page_seen_by(in, in.camera);
-    const std::vector<shared::InkZone> zones =
+    InkZones found =
         ink_zones({.scene = in.scene, .pose = in.pose, .anchor = in.layout.anchor, .page = seen}, in.style);
+    const std::vector<shared::InkZone>& zones = found.zones;
     const Camera& before_camera = time.is_fresh ? in.camera : camera_before_;
     const MotionPlan moved{.clip_from_anchor = seen.clip_from_anchor,
                            .clip_from_anchor_before = page_seen_by(in, before_camera).clip_from_anchor,
                            .pose_moved = in.pose_moved};
     InkPlan plan{.ink = ink::plan_of(style, page, time, view_of(in, moved), zones), .motion = {}};
+    plan.ink.zone_shapes = std::move(found.shapes);
     plan.ink.variant |= device.execution().looks_only_where_needed() ? uint32_t{shared::ink_in_strips} : 0U;
     if (style.solved > 0.0F && plan.ink.grid.face_side == 0) {
         ink::add_stream(plan.ink, water_.stirred(device, executor, style, page, time, zones,

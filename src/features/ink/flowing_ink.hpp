@@ -42,10 +42,21 @@ struct ZoneView {
     const shared::FrameGlobals& page;
 };
 
-/// Finds the ink zones of the style: nodes whose names match an override by object of `ink.zone`. A zone is
-/// as large as a sphere of one metre radius in the node's space. Nodes behind the eye get none; at most
-/// `most_ink_zones` are made, in the order of the overrides. Cost: linear in nodes times overrides.
-[[nodiscard]] std::vector<shared::InkZone> ink_zones(const ZoneView& view, const StyleTables& style);
+/// Areas of the page in which nodes drive flowing ink.
+struct InkZones {
+    std::vector<shared::InkZone> zones;
+    std::vector<float> shapes; ///< see ink::Plan::zone_shapes
+};
+
+/// Finds the ink zones of the style: nodes whose names match an override by object of `ink.zone`. The zone of
+/// a node with a mesh is the area that the mesh at rest covers on the page. The zone of a node without a mesh
+/// is a disc, as large as a sphere of one metre radius in the node's space. Nodes behind the eye get none; at
+/// most `most_ink_zones` are made, in the order of the overrides. Cost: linear in nodes times overrides, and
+/// in the triangles of the meshes.
+[[nodiscard]] InkZones ink_zones(const ZoneView& view, const StyleTables& style);
+
+/// One flag per node: whether the style makes the node an ink zone. Meshes of such nodes are not drawn.
+[[nodiscard]] std::vector<bool> ink_zone_nodes(const Scene& scene, const StyleTables& style);
 
 /// The state of the ink's water at the end of a picture, for the next picture of a film.
 struct KeptWater {

@@ -159,5 +159,30 @@ TEST(FlowingInk, TellsWhatItCannotRead)
     EXPECT_NE(renderer.notes().back().find("nobody"), std::string::npos);
 }
 
+/// A mesh that the style makes a zone is not drawn and throws no shadow, and appears again when the style
+/// names it no more. Ink flows out of its shape.
+TEST(FlowingInk, AMeshThatIsAZoneIsNotDrawn)
+{
+    const Camera camera{.eye = {2.0, 3.0, 5.0}, .target = {0.0, 0.3, 0.0}};
+    const RenderSettings settings{.width = 160, .height = 120};
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(sliding_box());
+    Style zone;
+    zone.set("object.box.ink.zone.give=1");
+    const Image whole = renderer.render(camera, {}, settings);
+    const Image hidden = renderer.render(camera, zone, settings);
+    EXPECT_TRUE(renderer.render(camera, {}, settings) == whole);
+    Scene empty = sliding_box();
+    empty.nodes[1].mesh = no_index;
+    renderer.set_scene(empty);
+    EXPECT_TRUE(renderer.render(camera, {}, settings) == hidden);
+    EXPECT_FALSE(hidden == whole);
+    renderer.set_scene(sliding_box());
+    for (const char* const setting : {"ink.enabled=true", "ink.threshold=0.99"}) {
+        zone.set(setting);
+    }
+    EXPECT_FALSE(renderer.render(camera, zone, settings) == hidden) << "ink flows out of the box's shape";
+}
+
 } // namespace
 } // namespace estampe

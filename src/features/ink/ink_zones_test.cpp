@@ -43,7 +43,7 @@ Scene hung_box()
     return scene;
 }
 
-std::vector<shared::InkZone> zones_of(const std::vector<std::string>& assignments)
+InkZones shaped_zones_of(const std::vector<std::string>& assignments)
 {
     StyleTables style;
     for (const std::string& assignment : assignments) {
@@ -55,6 +55,11 @@ std::vector<shared::InkZone> zones_of(const std::vector<std::string>& assignment
         frame_globals(camera, {}, glm::dvec3(0.0), {.size_px = size_px, .page_height_mm = 50.0});
     return ink_zones(
         {.scene = scene, .pose = pose_scene(scene, 0.0), .anchor = glm::dvec3(0.0), .page = page}, style);
+}
+
+std::vector<shared::InkZone> zones_of(const std::vector<std::string>& assignments)
+{
+    return shaped_zones_of(assignments).zones;
 }
 
 TEST(InkMask, NamesObjectsAndWhatHangsOnThem)
@@ -98,6 +103,57 @@ TEST(InkZones, StandOnThePageWhereTheirObjectsAre)
     EXPECT_NEAR(zones[0].turn_rad_s, 1.5708F, 1e-3F);
     EXPECT_EQ(zones[0].gives, 0.5F);
     EXPECT_EQ(zones[0].amount, 0.25F);
+}
+
+/// A zone of a sphere or of a ring in the middle of the page, which the camera sees from 10 m.
+InkZones zone_of(const Primitive& primitive)
+{
+    Scene scene = test::scene_of(primitive);
+    scene.nodes[0].name = "orb";
+    scene.nodes[0].matrix = glm::dmat4(1.0);
+    StyleTables style;
+    style_schema().set(style, "object.orb.ink.zone.give=1");
+    const Camera camera{.eye = {0.0, 10.0, 0.0}, .target = {0.0, 0.0, 0.0}, .up = {0.0, 0.0, -1.0}};
+    const auto page =
+        frame_globals(camera, {}, glm::dvec3(0.0), {.size_px = size_px, .page_height_mm = 50.0});
+    return ink_zones(
+        {.scene = scene, .pose = pose_scene(scene, 0.0), .anchor = glm::dvec3(0.0), .page = page}, style);
+}
+
+/// The value of the zone's field at the node nearest to a place of the page.
+float depth_at(const InkZones& found, glm::vec2 place_mm)
+{
+    const shared::InkZone& zone = found.zones.at(0);
+    constexpr auto last = static_cast<float>(shared::ink_shape_side - 1);
+    const glm::uvec2 node(glm::round((place_mm - zone.shape_min_mm) / zone.shape_size_mm * last));
+    return found.shapes.at((zone.shape - 1) * shared::ink_shape_side * shared::ink_shape_side +
+                           node.y * shared::ink_shape_side + node.x);
+}
+
+TEST(InkZones, OfAMeshHaveItsShape)
+{
+    const double mm_per_m = 25.0 / (10.0 * std::tan(0.5 * Camera().vertical_fov_rad));
+    const InkZones ball = zone_of(shapes::sphere(1.5F, 64, 32));
+    ASSERT_EQ(ball.zones.size(), 1U);
+    ASSERT_EQ(ball.zones[0].shape, 1U);
+    EXPECT_NEAR(ball.zones[0].middle_mm.x, 50.0F, 0.1F);
+    EXPECT_NEAR(ball.zones[0].middle_mm.y, 25.0F, 0.1F);
+    // The outline of a sphere seen from 10 m is slightly larger than its radius.
+    const double radius_mm = mm_per_m * 10.0 * std::tan(std::asin(1.5 / 10.0));
+    EXPECT_NEAR(ball.zones[0].radius_mm, radius_mm, 0.02 * radius_mm);
+    for (const float share : {0.0F, 0.25F, 0.5F, 0.75F}) {
+        for (const float angle : {0.0F, 0.7F, 2.1F, 4.4F}) {
+            const glm::vec2 away =
+                share * static_cast<float>(radius_mm) * glm::vec2(std::cos(angle), std::sin(angle));
+            EXPECT_NEAR(depth_at(ball, ball.zones[0].middle_mm + away), share, 0.05F)
+                << share << ' ' << angle;
+        }
+    }
+    const InkZones ring = zone_of(shapes::torus(1.5F, 0.4F));
+    ASSERT_EQ(ring.zones.size(), 1U);
+    EXPECT_EQ(depth_at(ring, {50.0F, 25.0F}), 1.0F) << "the hole is outside";
+    EXPECT_LT(depth_at(ring, {50.0F + 1.5F * static_cast<float>(mm_per_m), 25.0F}), 0.2F);
+    EXPECT_NEAR(ring.zones[0].middle_mm.x, 50.0F, 0.1F);
 }
 
 TEST(InkZones, AreOnlyWhereAnOverrideNamesThem)

@@ -14,6 +14,27 @@
 
 namespace estampe::features {
 
+namespace {
+
+shadow::HeightMethod height_method(shadow::GroundMethod method, const gpu::ExecutionProfile& execution)
+{
+    switch (method) {
+    case shadow::GroundMethod::sweep:
+        return shadow::HeightMethod::sweep;
+    case shadow::GroundMethod::pyramid:
+        return shadow::HeightMethod::pyramid;
+    case shadow::GroundMethod::march:
+        return shadow::HeightMethod::march;
+    case shadow::GroundMethod::above:
+        return shadow::HeightMethod::above;
+    case shadow::GroundMethod::automatic:
+        break;
+    }
+    return execution.sweeps() ? shadow::HeightMethod::sweep : shadow::HeightMethod::pyramid;
+}
+
+} // namespace
+
 GroundShadowPlan plan_ground_shadow(const GroundShadowScene& scene, const shadow::ShadowStyle& style)
 {
     // Size of a texel, a power of two: periodic ground is then sampled at equal points far away.
@@ -27,7 +48,7 @@ GroundShadowPlan plan_ground_shadow(const GroundShadowScene& scene, const shadow
             .size = size,
             .levels = shadow::ground_levels_about({eye.x, eye.z}, {scene.anchor.x, scene.anchor.z},
                                                   scene.towards_sun, size, texel_m),
-            .method = scene.execution.sweeps() ? shadow::HeightMethod::sweep : shadow::HeightMethod::pyramid,
+            .style = {.method = height_method(style.ground, scene.execution), .blur_m = style.ground_blur_m},
             .relief_m = scene.relief_m};
 }
 
@@ -43,7 +64,8 @@ void GroundShadow::ensure(gpu::Device& device, const GroundShadowPlan& plan)
 bool GroundShadow::is_held(const GroundShadowPlan& plan, uint32_t level, uint64_t form) const
 {
     return stands(plan, level) && !is_in_part_ && held_->form == form &&
-           held_->plan.towards_sun == plan.towards_sun && held_->plan.sun_radius_rad == plan.sun_radius_rad;
+           held_->plan.towards_sun == plan.towards_sun && held_->plan.sun_radius_rad == plan.sun_radius_rad &&
+           held_->plan.style == plan.style;
 }
 
 bool GroundShadow::stands(const GroundShadowPlan& plan, uint32_t level) const
@@ -68,7 +90,7 @@ gpu::ImageId GroundShadow::record(gpu::Graph& graph, terrain::TerrainBuffers& te
         }
     }
     if (!stale.empty()) {
-        is_in_part_ = changes && in.clip_from_anchor && plan.method == shadow::HeightMethod::pyramid;
+        is_in_part_ = changes && in.clip_from_anchor && plan.style.method == shadow::HeightMethod::pyramid;
         shared::FieldSector wanted{};
         if (is_in_part_) {
             wanted = shadow::seen_sector({.clip_from_anchor = *in.clip_from_anchor,
@@ -83,7 +105,7 @@ gpu::ImageId GroundShadow::record(gpu::Graph& graph, terrain::TerrainBuffers& te
                                           .numbers = stale,
                                           .levels = plan.levels,
                                           .size = plan.size,
-                                          .method = plan.method,
+                                          .style = plan.style,
                                           .wanted = wanted,
                                           .sun_radius_rad = plan.sun_radius_rad},
                                          plan.towards_sun, kept);
@@ -95,6 +117,7 @@ gpu::ImageId GroundShadow::record(gpu::Graph& graph, terrain::TerrainBuffers& te
                                             .size = plan.size,
                                             .towards_sun = plan.towards_sun,
                                             .sun_radius_rad = plan.sun_radius_rad,
+                                            .method = plan.style.method,
                                             .size_px = in.size_px});
 }
 

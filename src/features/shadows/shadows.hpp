@@ -35,7 +35,7 @@ struct GroundShadowPlan {
     float sun_radius_rad = 0.0F;
     uint32_t size = 0; ///< Texels per side of each height field
     shadow::GroundLevels levels{};
-    shadow::HeightMethod method = shadow::HeightMethod::sweep;
+    shadow::HeightShadowStyle style;
     /// Height difference between the lowest ground and the top of the highest object on it.
     double relief_m = 0.0;
 };

@@ -103,17 +103,51 @@ TEST(TerrainPictures, RidgesThrowTheirShadow)
     const double end_m = -1.0 - 8.0 / std::tan(elevation_deg * std::numbers::pi / 180.0);
     Camera above{.eye = {-10.0, 60.0, 0.0}, .target = {-10.0, 0.0, 0.0}, .up = {0.0, 0.0, -1.0}};
     above.orthographic_half_height_m = 9.0;
-    const Image image =
-        renderer.render(above, sunlight_alone(static_cast<float>(elevation_deg)), terrain_page);
     // The picture is 32 m wide, from x = -26 to 6.
     const auto column = [](double x_m) { return static_cast<uint32_t>((x_m + 26.0) / 32.0 * 160.0); };
-    const double lit = brightness_at(image, column(end_m - 1.5), 45);
-    const double dark = brightness_at(image, column(end_m + 1.5), 45);
-    EXPECT_LT(dark, 0.85 * lit);
-    for (double x_m = -3.0; x_m > -24.0; x_m -= 0.2) {
-        if (std::abs(x_m - end_m) > 0.6) {
-            EXPECT_NEAR(brightness_at(image, column(x_m), 20), x_m > end_m ? dark : lit, 0.05) << x_m;
+    for (const char* const method : {"auto", "sweep", "pyramid", "march", "above"}) {
+        Style style = sunlight_alone(static_cast<float>(elevation_deg));
+        style.set(std::string("shadow.ground=") + method);
+        style.set("shadow.ground_blur_m=0.2");
+        const Image image = renderer.render(above, style, terrain_page);
+        const double lit = brightness_at(image, column(end_m - 1.5), 45);
+        const double dark = brightness_at(image, column(end_m + 1.5), 45);
+        EXPECT_LT(dark, 0.85 * lit) << method;
+        for (double x_m = -3.0; x_m > -24.0; x_m -= 0.2) {
+            if (std::abs(x_m - end_m) > 0.6) {
+                EXPECT_NEAR(brightness_at(image, column(x_m), 20), x_m > end_m ? dark : lit, 0.05)
+                    << method << ' ' << x_m;
+            }
         }
+    }
+}
+
+/// Blurred shadows are as wide as the style asks: the transition takes more metres.
+TEST(TerrainPictures, ABlurredShadowIsAsSoftAsTheStyleAsks)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(ground_of(
+        "[terrain]\nheight = '8 * smoothstep(2, 1, abs(x))'\n[mesh]\ncell_m = 0.25\ncells = 128\n"));
+    Camera above{.eye = {-10.0, 60.0, 0.0}, .target = {-10.0, 0.0, 0.0}, .up = {0.0, 0.0, -1.0}};
+    above.orthographic_half_height_m = 9.0;
+    const auto between = [&](const std::string& method, const std::string& blur_m) {
+        Style style = sunlight_alone(30.0F);
+        style.set("shadow.ground=" + method);
+        style.set("shadow.ground_blur_m=" + blur_m);
+        const Image image = renderer.render(above, style, terrain_page);
+        const double lit = brightness_at(image, 8, 45);
+        const double dark = brightness_at(image, 80, 45);
+        int count = 0;
+        for (uint32_t x = 8; x < 80; ++x) {
+            const double share = (brightness_at(image, x, 45) - dark) / (lit - dark);
+            count += share > 0.1 && share < 0.9 ? 1 : 0;
+        }
+        return count;
+    };
+    // From 10 to 90 % a blur takes 2.56 deviations; a column is 0.2 m wide.
+    for (const char* const method : {"march", "above"}) {
+        EXPECT_LE(between(method, "0"), 2) << method;
+        EXPECT_NEAR(between(method, "1.5"), 2.56 * 1.5 / 0.2, 3.0) << method;
     }
 }
 

@@ -188,8 +188,7 @@ struct Darkness {
                                      const HatchStyle& style);
 
 /// Draws strokes of a tonal art map; requires `in.map`. Near the eye, where its finest level would be
-/// enlarged,
-/// the map repeats at half the size, so that strokes keep their width at any zoom.
+/// enlarged, the map repeats at half the size, so that strokes keep their width at any zoom.
 ///
 /// Writes  r16f: coverage, 0 paper to 1 ink
 /// Cost    one full-screen dispatch, five texels per pixel
@@ -203,8 +202,7 @@ struct Darkness {
 [[nodiscard]] uint32_t reach_px(const HatchStyle& style, float pixels_per_mm);
 
 /// Draws dots of a screentone. Their mean ink is the wanted darkness, or the nearest tone. The dots lie on
-/// the
-/// page and move with the object that they shade.
+/// the page and move with the object that they shade.
 ///
 /// Writes  r16f: coverage, 0 paper to 1 ink
 /// Cost    one full-screen dispatch

@@ -285,6 +285,7 @@ void Memory::ensure(gpu::Device& device, const InkStyle& style, const Plan& plan
     }
     show(device, plan);
     mask_ = mapped_buffer(device, "ink mask", std::span<const uint32_t>(plan.mask));
+    zone_shapes_ = mapped_buffer(device, "ink zones", std::span<const float>(plan.zone_shapes));
     const bool has_map = (plan.variant & shared::ink_has_map) != 0;
     const bool has_picture = has_map && !style.flow_map.empty();
     if (has_picture && (map_file_ != style.flow_map || map_page_mm_ != plan.globals.page_mm)) {
@@ -383,7 +384,8 @@ private:
         pass.sample(cells_.at(memory_.newest_), gpu::Format::r32ui)
             .sample(in.coordinate)
             .sample(in.footprint)
-            .sample(in.depth);
+            .sample(in.depth)
+            .sample(gpu::import_whole(graph_, "ink/zones", memory_.zone_shapes_), gpu::Format::r32f);
         const glm::uvec2 size = plan_.grid.size;
         const gpu::BufferId source = pass.write(
             graph_.buffer("ink/source", {.size_bytes = sizeof(uint32_t) * uint64_t{size.x} * size.y}));
@@ -405,6 +407,7 @@ private:
         const glm::uvec2 nodes = plan_.grid.size / shared::ink_node_cells + 4U;
         auto pass = graph_.compute("ink/stream", shaders::ink_stream_comp);
         pass.uniform(globals_).sample(map, gpu::Format::r32f).sample(map, gpu::Format::r32f);
+        pass.sample(gpu::import_whole(graph_, "ink/zones", memory_.zone_shapes_), gpu::Format::r32f);
         const gpu::BufferId stream = pass.write(
             graph_.buffer("ink/stream", {.size_bytes = sizeof(float) * uint64_t{nodes.x} * nodes.y}));
         pass.push(step).variant(plan_.variant).dispatch_over(nodes.x, nodes.y);

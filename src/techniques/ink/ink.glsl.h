@@ -10,6 +10,7 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint ink_wave_count = 6U;
 SHARED_CONSTANT uint most_ink_zones = 8U;
+SHARED_CONSTANT uint ink_shape_side = 64U; // nodes per side of the field of a zone with the shape of a mesh
 SHARED_CONSTANT uint ink_map_side = 64U;     // nodes per side of a flow map's stream function
 SHARED_CONSTANT uint ink_node_cells = 4U;    // cells of ink between two nodes of the stream function
 SHARED_CONSTANT uint ink_gutter = 3U;        // extra cells of a cube face beyond each edge
@@ -39,14 +40,17 @@ struct InkWave {
     float amplitude;
 };
 
-// A round area where an object drives the ink, and may give ink.
+// An area where an object drives the ink, and may give ink: a disc, or the area that a mesh covers.
 struct InkZone {
     vec2 middle_mm; // middle of the zone on the page
-    float radius_mm;
+    float radius_mm; // radius of the disc, or of a disc of the same area
     float amount; // factor on the ink that the drawing gives in the zone
     vec2 velocity_mm_per_s;
     float turn_rad_s; // rotation of the flow about the zone's middle, clockwise on the page
     float gives;      // ink that the zone itself emits, 0 to 1
+    uint shape;       // 0: a disc; otherwise one more than the number of the zone's field of distances
+    vec2 shape_min_mm;
+    vec2 shape_size_mm;
 };
 
 // Constants of all ink steps of a picture.

@@ -83,6 +83,7 @@ struct Plan {
     /// A further stream function, at the nodes of a flow map, in square millimetres per second. Empty: there
     /// is none.
     std::vector<float> stream;
+    std::vector<float> zone_shapes; ///< fields of the zones that have one, ink_shape_side nodes each way
 };
 
 [[nodiscard]] Plan plan_of(const InkStyle& style, const Page& page, const Time& time, const View& view,
@@ -145,6 +146,7 @@ private:
     gpu::Buffer globals_;
     gpu::Buffer mask_;
     gpu::Buffer map_;
+    gpu::Buffer zone_shapes_;
     std::vector<float> map_stream_; ///< stream function that fits the picture of the flow map
     bool holds_picture_ = false;    ///< `map_` holds `map_stream_` and nothing else
     std::string map_file_;

@@ -33,7 +33,9 @@ layout(binding = 8) uniform sampler2D coordinate_image;  // surface coordinates,
 layout(binding = 9) uniform usampler2D footprint_image;  // pixel footprints, for ink_spots_on_things
 layout(binding = 10) uniform sampler2D depth_image;      // depths of surfaces, for ink_spots_on_things
 
-layout(scalar, binding = 11) writeonly buffer Source
+layout(binding = 11) uniform samplerBuffer zone_shapes; // fields of zones with the shape of a mesh
+
+layout(scalar, binding = 12) writeonly buffer Source
 {
     uint source[]; // ink that the drawing gives, one word per cell
 };
@@ -52,6 +54,7 @@ const bool from_strokes = (variant & ink_from_strokes) != 0u;
 const bool from_light = (variant & ink_from_light) != 0u;
 const int strip = (variant & ink_in_strips) != 0u ? int(ink_strip) : 1;
 
+#include "techniques/ink/flow/zones.glsl"
 #include "techniques/ink/front.glsl"
 #include "techniques/ink/grid.glsl"
 
@@ -141,8 +144,7 @@ float given_in_zones(float given, vec2 page_mm)
 {
     for (uint i = 0u; i < globals.zone_count; ++i) {
         InkZone zone = globals.zones[i];
-        vec2 away = (page_mm - zone.middle_mm) / zone.radius_mm;
-        float share = zone_share(dot(away, away));
+        float share = share_of_zone(zone, page_mm);
         given = clamp(max(given * mix(1.0, zone.amount, share), share * zone.gives), 0.0, 1.0);
     }
     return given;

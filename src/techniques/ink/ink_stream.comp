@@ -17,7 +17,9 @@ layout(scalar, binding = 0) uniform Ink
 layout(binding = 1) uniform samplerBuffer map_texels;    // stream function of the flow map, for ink_has_map
 layout(binding = 2) uniform samplerBuffer stream_texels; // stream function at nodes, used by carried.glsl
 
-layout(scalar, binding = 3) writeonly buffer Nodes
+layout(binding = 3) uniform samplerBuffer zone_shapes; // fields of zones with the shape of a mesh
+
+layout(scalar, binding = 4) writeonly buffer Nodes
 {
     float stream[];
 };
@@ -33,6 +35,7 @@ const bool has_zones = (variant & ink_has_zones) != 0u;
 
 #include "techniques/ink/flow/carried.glsl"
 #include "techniques/ink/flow/flow_map.glsl"
+#include "techniques/ink/flow/zones.glsl"
 
 void main()
 {
@@ -53,8 +56,8 @@ void main()
     if (has_zones) {
         for (uint i = 0u; i < globals.zone_count; ++i) {
             InkZone zone = globals.zones[i];
-            psi = in_zone(psi, place_mm - zone.middle_mm, zone.radius_mm, zone.velocity_mm_per_s,
-                          zone.turn_rad_s, step.zone_streams[i]);
+            psi = in_zone(psi, place_mm - zone.middle_mm, share_of_zone(zone, place_mm),
+                          zone.velocity_mm_per_s, zone.turn_rad_s, step.zone_streams[i]);
         }
     }
     stream[node.y * count.x + node.x] = psi / (node_mm * node_mm);

@@ -73,8 +73,7 @@ struct LensLayers {
 };
 
 /// Blurs the layers as the lens sees them, either all layers together or only the wash. Composed on paper
-/// they
-/// look like the blurred picture, while the paper itself stays sharp.
+/// they look like the blurred picture, while the paper itself stays sharp.
 ///
 /// Writes  new layers; pixels whose circle is smaller than a pixel keep their bits unless a nearer surface
 ///         blurs over them

@@ -48,6 +48,20 @@ const style::Table<ShadowStyle>& shadow_table()
                 "sun_radius_deg", &ShadowStyle::sun_radius_deg, {0.0F, 15.0F}, "deg",
                 "Half the angle that the sun's disc fills in the sky: more gives softer edges of shadows. "
                 "Shadows far from their object get softest. 0 gives hard edges, 0.27 is the real sun.")
+            .choice(
+                "ground", &ShadowStyle::ground,
+                {{"auto", GroundMethod::automatic},
+                 {"sweep", GroundMethod::sweep},
+                 {"pyramid", GroundMethod::pyramid},
+                 {"march", GroundMethod::march},
+                 {"above", GroundMethod::above}},
+                "How the shadows of hills and dunes on the terrain are computed. sweep, pyramid: exact, "
+                "softer far from the hill; march: one ray of the sun per point, then a blur; above: exact, "
+                "then a blur as seen from above; auto: sweep without a GPU, else pyramid.")
+            .number(
+                "ground_blur_m", &ShadowStyle::ground_blur_m, {0.0F, 4.0F}, "m",
+                "Width of the blur of the shadows of hills and dunes: 0 gives hard edges, more gives "
+                "softer edges, equally soft near and far. Only used when shadow.ground is march or above.")
             .number("lamp_radius_m", &ShadowStyle::lamp_radius_m, {0.0F, 10.0F}, "m",
                     "Radius of lamps (point lights, spotlights) that set no radius of their own. More gives "
                     "softer edges of shadows, 0 gives hard edges.")

@@ -18,6 +18,9 @@ enum class Edge : uint8_t { plain, strokes, waves };
 /// perspective map.
 enum class SunMapKind : uint8_t { automatic, whole, clipmap, faded, warped };
 
+/// How the shadow of the terrain on itself is computed; see HeightMethod.
+enum class GroundMethod : uint8_t { automatic, sweep, pyramid, march, above };
+
 struct ShadowStyle {
     SunMapKind sun_map = SunMapKind::automatic;
     float faded_reach_m = 60.0F;
@@ -27,6 +30,8 @@ struct ShadowStyle {
     float edge_variety = 0.5F;
     float edge_slant_deg = 35.0F;
     float sun_radius_deg = 0.0F;
+    GroundMethod ground = GroundMethod::automatic;
+    float ground_blur_m = 0.5F;
     float lamp_radius_m = 0.0F;
     int local_lights = 32;
     int local_size = 0;

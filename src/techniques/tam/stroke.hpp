@@ -103,8 +103,8 @@ private:
 };
 
 /// Fills `marks` with the ink of `stroke` on a level of `size_px` texels per side: one mark per texel, or two
-/// where
-/// a stroke overlaps itself across the edge. `tooth` holds the heights of that level's paper, or is empty.
+/// where a stroke overlaps itself across the edge. `tooth` holds the heights of that level's paper, or is
+/// empty.
 ///
 /// Cost    about 30 ns per texel near the stroke
 void draw_stroke(const Stroke& stroke, const Nib& nib, const Brush& brush, const std::vector<float>& tooth,

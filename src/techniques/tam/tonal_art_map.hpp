@@ -41,8 +41,7 @@ void check_map(const TonalArtMap& map, const std::string& where);
 
 /// Returns one threshold image per level. The threshold T of a texel is the darkness, times 255, at which the
 /// texel turns to ink. A shader draws any darkness t as saturate((t - T / 255) * sharpness + 0.5): whole
-/// strokes,
-/// in the order of the map.
+/// strokes, in the order of the map.
 ///
 /// Uses the maker's thresholds if the map has them: a share t of the texels has T <= 255 t, so the tone is
 /// exact. Otherwise coverage is interpolated linearly from each tone to the next, from paper at 0 to ink at

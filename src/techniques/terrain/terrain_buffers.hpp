@@ -99,9 +99,8 @@ public:
     [[nodiscard]] Posed add_vertices(gpu::Graph& graph, const Posed& meshes, gpu::BufferId texels);
 
     /// Computes the ground's heights above the anchor on several fields: r32f, `size` texels per field,
-    /// stacked
-    /// vertically. Leaves out forms that are too fine for a field. Texels outside `wanted` get a very low
-    /// height.
+    /// stacked vertically. Leaves out forms that are too fine for a field. Texels outside `wanted` get a very
+    /// low height.
     ///
     /// Cost    one dispatch, one thread per texel
     [[nodiscard]] gpu::ImageId add_heights(gpu::Graph& graph, const HeightFields& fields, glm::uvec2 size,

@@ -19,7 +19,7 @@ float wave_stream(vec2 wave, float amplitude, float phase, vec2 place_mm)
 }
 
 // Weight of a zone's own flow at a place. `square` is the squared distance from the zone's middle, in squared
-// radii; the weight is 1 up to half the radius, 0 beyond the radius.
+// distances from the middle to the edge; the weight is 1 up to half-way, 0 beyond the edge.
 float zone_share(float square)
 {
     return 1.0f - smoothstep(0.25f, 1.0f, square);
@@ -27,13 +27,13 @@ float zone_share(float square)
 
 // Stream function inside a zone, where the zone's own flow replaces the surrounding flow. The blend mixes
 // stream functions, not velocities, so the flow stays free of divergence. `in_middle` is the outer stream
-// function in the zone's middle.
-float in_zone(float outer, vec2 from_middle_mm, float radius_mm, vec2 velocity_mm_per_s, float turn_rad_s,
+// function in the zone's middle, `share` the zone's weight.
+float in_zone(float outer, vec2 from_middle_mm, float share, vec2 velocity_mm_per_s, float turn_rad_s,
               float in_middle)
 {
     float square_mm = dot(from_middle_mm, from_middle_mm);
     float inner = in_middle + wind_stream(from_middle_mm, velocity_mm_per_s) - 0.5f * turn_rad_s * square_mm;
-    return mix(outer, inner, zone_share(square_mm / (radius_mm * radius_mm)));
+    return mix(outer, inner, share);
 }
 
 // Gradient of a wave's stream function in a direction from the eye. On the unit sphere around the eye the

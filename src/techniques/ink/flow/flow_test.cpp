@@ -21,6 +21,8 @@ using namespace test::glsl; // NOLINT(google-build-using-namespace)
 #pragma GCC diagnostic ignored "-Wunused-function"
 using shared::ink_map_side;
 using shared::ink_node_cells;
+using shared::ink_shape_side;
+using shared::InkZone;
 
 struct Globals {
     uvec2 grid_size{200, 150};
@@ -37,10 +39,12 @@ vec4 texelFetch(const std::vector<float>& texels, int i)
 
 static std::vector<float> map_texels;
 static std::vector<float> stream_texels;
+static std::vector<float> zone_shapes;
 #include "techniques/ink/cube.glsl"
 #include "techniques/ink/flow/carried.glsl"
 #include "techniques/ink/flow/flow.glsl"
 #include "techniques/ink/flow/flow_map.glsl"
+#include "techniques/ink/flow/zones.glsl"
 #pragma GCC diagnostic pop
 
 } // namespace ink_flow
@@ -67,8 +71,8 @@ struct Flow {
         }
         psi += has_map ? ink_flow::flow_map_stream(place_mm) : 0.0F;
         for (const shared::InkZone& zone : zones) {
-            psi = ink_flow::in_zone(psi, place_mm - zone.middle_mm, zone.radius_mm, zone.velocity_mm_per_s,
-                                    zone.turn_rad_s,
+            psi = ink_flow::in_zone(psi, place_mm - zone.middle_mm, ink_flow::share_of_zone(zone, place_mm),
+                                    zone.velocity_mm_per_s, zone.turn_rad_s,
                                     stream_at(waves, phases, wind_mm_per_s(style), zone.middle_mm));
         }
         return psi;
@@ -135,6 +139,34 @@ double most_divergence(const Flow& flow)
     return most;
 }
 
+/// The field of a zone whose shape is a disc that touches the field's sides.
+std::vector<float> field_of_a_disc()
+{
+    constexpr int side = shared::ink_shape_side;
+    std::vector<float> field;
+    for (int i = 0; i < side * side; ++i) {
+        const glm::vec2 node = glm::vec2(i % side, i / side) / (0.5F * (side - 1)) - 1.0F;
+        field.push_back(std::min(glm::length(node), 1.0F));
+    }
+    return field;
+}
+
+TEST(InkFlow, AZoneShapedAsADiscWeighsAsADiscDoes)
+{
+    ink_flow::zone_shapes = field_of_a_disc();
+    shared::InkZone disc{.middle_mm = {60.0F, 70.0F}, .radius_mm = 40.0F};
+    shared::InkZone shaped = disc;
+    shaped.shape = 1;
+    shaped.shape_min_mm = {20.0F, 30.0F};
+    shaped.shape_size_mm = {80.0F, 80.0F};
+    for (float x = 10.0F; x < 110.0F; x += 0.7F) {
+        for (float y = 20.0F; y < 120.0F; y += 0.9F) {
+            EXPECT_NEAR(ink_flow::share_of_zone(shaped, {x, y}), ink_flow::share_of_zone(disc, {x, y}), 0.02)
+                << x << ' ' << y;
+        }
+    }
+}
+
 TEST(InkFlow, HasNoDivergence)
 {
     constexpr double rounding = 2e-5; // the last bit of a stream function of some thousands is 2e-4
@@ -145,6 +177,11 @@ TEST(InkFlow, HasNoDivergence)
                   {.middle_mm = {90.0F, 80.0F}, .radius_mm = 30.0F, .turn_rad_s = 2.0F}};
     const double of_zones = most_divergence(flow);
     EXPECT_LT(of_zones, rounding);
+    ink_flow::zone_shapes = field_of_a_disc();
+    flow.zones.front().shape = 1;
+    flow.zones.front().shape_min_mm = {20.0F, 30.0F};
+    flow.zones.front().shape_size_mm = {80.0F, 80.0F};
+    EXPECT_LT(most_divergence(flow), rounding) << "a zone with the shape of a mesh";
     std::mt19937 random(11); // NOLINT(cert-msc51-cpp): the same map each time
     std::uniform_real_distribution<float> value(-40.0F, 40.0F);
     ink_flow::map_texels.resize(size_t{shared::ink_map_side} * shared::ink_map_side);

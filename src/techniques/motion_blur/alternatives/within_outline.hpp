@@ -14,8 +14,7 @@
 namespace estampe::motion_blur {
 
 /// Blurs each pixel along its own path, following the velocities that are found there. No object blurs over
-/// its
-/// background.
+/// its background.
 ///
 /// Reads   `page`: packed layers with the displacement in half the exposure
 /// Writes  new layers

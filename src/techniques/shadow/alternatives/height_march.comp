@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per texel: walks a ray towards the sun's centre, one texel per step, until the ground is above
-// it.
+// One thread per texel and height field: walks a ray towards the sun's centre, one texel per step, until the
+// ground is above it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -20,21 +20,26 @@ layout(push_constant, scalar) uniform Constants
 void main()
 {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    uint field = gl_GlobalInvocationID.z;
+    vec2 first_row = vec2(0.0, field * march.size.y);
+    vec2 image_size = vec2(march.size.x, march.field_count * march.size.y);
+    float rise_m = march.rise * march.texel_m[field];
     if (any(greaterThanEqual(texel, ivec2(march.size)))) {
         return;
     }
-    float ray_m = texelFetch(height_image, texel, 0).x;
-    float visible = march.rise_m < 0.0 ? 0.0 : 1.0;
+    ivec2 stored_at = texel + ivec2(first_row);
+    float ray_m = texelFetch(height_image, stored_at, 0).x;
+    float visible = rise_m < 0.0 ? 0.0 : 1.0;
     vec2 place = vec2(texel);
     for (uint i = 0u; i < march.step_count && visible > 0.0; ++i) {
         place += march.sunwards;
-        ray_m += march.rise_m;
+        ray_m += rise_m;
         if (any(lessThan(place, vec2(0.0))) || any(greaterThan(place, vec2(march.size - 1u)))) {
             break;
         }
-        if (textureLod(height_image, (place + 0.5) / vec2(march.size), 0.0).x > ray_m) {
+        if (textureLod(height_image, (first_row + place + 0.5) / image_size, 0.0).x > ray_m) {
             visible = 0.0;
         }
     }
-    imageStore(out_visibility, texel, vec4(visible));
+    imageStore(out_visibility, stored_at, vec4(visible));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per texel: blurs the field along one axis.
+// One thread per texel and height field: blurs the field along one axis.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -19,6 +19,8 @@ layout(push_constant, scalar) uniform Constants
 // Direction of the blur: 1 vertical, 0 horizontal.
 layout(constant_id = 0) const uint variant = 0u;
 
+const float deviations_taken_in = 2.5;
+
 void main()
 {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
@@ -26,13 +28,18 @@ void main()
     if (any(greaterThan(texel, last))) {
         return;
     }
+    uint field = gl_GlobalInvocationID.z;
+    ivec2 first_row = ivec2(0, field * march.size.y);
+    float deviation = march.blur_texels[field];
+    float falloff = deviation > 0.0 ? 0.5 / (deviation * deviation) : 0.0;
+    int radius = int(ceil(deviations_taken_in * deviation));
     ivec2 aside = variant != 0u ? ivec2(0, 1) : ivec2(1, 0);
     float sum = 0.0;
     float weights = 0.0;
-    for (int i = -int(march.blur_radius); i <= int(march.blur_radius); ++i) {
-        float weight = exp(-march.blur_falloff * float(i * i));
-        sum += weight * texelFetch(hard_image, clamp(texel + i * aside, ivec2(0), last), 0).x;
+    for (int i = -radius; i <= radius; ++i) {
+        float weight = exp(-falloff * float(i * i));
+        sum += weight * texelFetch(hard_image, first_row + clamp(texel + i * aside, ivec2(0), last), 0).x;
         weights += weight;
     }
-    imageStore(out_visibility, texel, vec4(sum / weights));
+    imageStore(out_visibility, first_row + texel, vec4(sum / weights));
 }

@@ -7,12 +7,13 @@ namespace estampe::shared {
 #endif
 
 struct MarchConstants {
-    uvec2 size;    // size of the height field in texels
+    uvec2 size;    // size of each height field in texels; fields are stacked vertically
     vec2 sunwards; // one step of the ray towards the sun, in texels
-    float rise_m;  // rise of the ray towards the sun per step, in metres
+    float rise;    // rise of the ray towards the sun, as height per level distance
     uint step_count;
-    uint blur_radius; // radius of the blur in texels
-    float blur_falloff;
+    uint field_count;
+    float texel_m[5];     // distance between two texels of each field
+    float blur_texels[5]; // standard deviation of the blur of each field; 0 does not blur
 };
 
 #ifdef __cplusplus

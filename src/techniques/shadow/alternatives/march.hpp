@@ -8,10 +8,15 @@ namespace estampe::shadow {
 /// A simpler alternative to add_height_shadow(): one ray to the sun's centre per texel, then a blur of equal
 /// width everywhere.
 ///
-/// Throws  std::logic_error for more than one field
 /// Cost    three dispatches; up to `march_steps` samples per lit texel
 /// Source  Zanuttini, "Recherches en rendu non réaliste temps réel", Université Paris 8, 2008, chapter 4
 [[nodiscard]] gpu::ImageId add_march(gpu::Graph& graph, const HeightShadowInputs& in,
                                      const HeightFields& fields, const HeightShadowStyle& style);
+
+/// Blurs the shares of the sun of each field with a Gaussian of `style.blur_m`, within the field. Returns
+/// `shares` itself for a blur of 0. Cost: two dispatches, 5 deviations of texels per texel and dispatch.
+[[nodiscard]] gpu::ImageId add_blur(gpu::Graph& graph, const HeightShadowInputs& in,
+                                    const HeightFields& fields, const HeightShadowStyle& style,
+                                    gpu::ImageId shares);
 
 } // namespace estampe::shadow

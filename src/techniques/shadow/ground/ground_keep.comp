@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Packs a texel's height and horizon into one word, as two halves, for later frames.
+// Packs a texel's height and horizon (or share of the sun) into one word, as two halves, for later frames.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -112,14 +112,14 @@ gpu::BufferId add_ground_fields(gpu::Graph& graph, const GroundFields& fields, c
     for (const uint32_t number : fields.numbers) {
         texel_m.push_back(fields.levels[number].texel_m);
     }
-    const gpu::ImageId horizon =
-        add_height_horizon(graph,
-                           {.height = fields.height,
-                            .texel_m = texel_m,
-                            .towards_sun = towards_sun,
-                            .sun_radius_rad = std::max(static_cast<double>(fields.sun_radius_rad), 1e-4),
-                            .wanted = fields.wanted},
-                           {.method = fields.method});
+    const HeightShadowInputs inputs{.height = fields.height,
+                                    .texel_m = texel_m,
+                                    .towards_sun = towards_sun,
+                                    .sun_radius_rad =
+                                        std::max(static_cast<double>(fields.sun_radius_rad), 1e-4),
+                                    .wanted = fields.wanted};
+    const gpu::ImageId horizon = blurs(fields.style.method) ? add_height_shadow(graph, inputs, fields.style)
+                                                            : add_height_horizon(graph, inputs, fields.style);
     auto pass = graph.compute("ground/keep", shaders::ground_keep_comp);
     pass.sample(fields.height).sample(horizon);
     const gpu::BufferId result = pass.modify(kept);
@@ -140,6 +140,7 @@ gpu::ImageId add_ground_share(gpu::Graph& graph, const GroundShareInputs& in)
     pass.uniform(in.frame).sample(in.depth).sample(in.kept, gpu::Format::r32ui);
     const gpu::ImageId share = pass.write(graph.image(
         "ground/share", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
+    pass.variant(blurs(in.method) ? shared::ground_keeps_shares : 0U);
     pass.push(constants).dispatch_over_page(in.size_px.x, in.size_px.y);
     return share;
 }

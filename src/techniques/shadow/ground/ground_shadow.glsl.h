@@ -12,6 +12,9 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint ground_levels = 5U;
 
+// Bit of the share pass's variant: fields hold the visible share of the sun in place of the horizon.
+SHARED_CONSTANT uint ground_keeps_shares = 1U;
+
 // One field of ground heights, in anchor space; origin_m is the centre of its first texel.
 struct GroundLevel {
     vec2 origin_m;

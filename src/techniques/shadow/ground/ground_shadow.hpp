@@ -45,8 +45,7 @@ struct GroundFields {
     LevelNumbers numbers;
     const GroundLevels& levels; ///< position and texel size of all fields, not only of `numbers`
     uint32_t size = 0;
-    /// Method of the horizons; HeightMethod::march is not possible.
-    HeightMethod method = HeightMethod::sweep;
+    HeightShadowStyle style; ///< methods that blur store shares of the sun, not horizons
     /// For the pyramid method: texels to compute; texels outside are left unchanged.
     shared::FieldSector wanted{};
     /// Radius of the sun; determines how far from the sun horizons must be exact.
@@ -54,7 +53,8 @@ struct GroundFields {
 };
 
 /// Adds passes that compute heights and horizons of some ground fields and store them in `kept`, which has
-/// one word per texel, level by level. Cost: add_height_horizon() and one small dispatch.
+/// one word per texel, level by level. Cost: add_height_horizon() or, with methods that blur,
+/// add_height_shadow(), and one small dispatch.
 [[nodiscard]] gpu::BufferId add_ground_fields(gpu::Graph& graph, const GroundFields& fields,
                                               const glm::dvec3& towards_sun, gpu::BufferId kept);
 
@@ -66,6 +66,7 @@ struct GroundShareInputs {
     uint32_t size = 0;
     glm::dvec3 towards_sun{0.0, 1.0, 0.0};
     float sun_radius_rad = 0.0F;
+    HeightMethod method = HeightMethod::sweep; ///< method that computed the fields
     glm::uvec2 size_px{0};
 };
 

@@ -16,9 +16,13 @@ layout(scalar, binding = 0) uniform Frame
 };
 
 layout(binding = 1) uniform sampler2D depth_image;
-// Heights and horizons of the ground fields, in the format of ground_keep.comp.
+// Heights of the ground fields, and horizons or shares of the sun, in the format of ground_keep.comp.
 layout(binding = 2) uniform usamplerBuffer kept;
 layout(binding = 3, r16f) writeonly uniform image2D out_share;
+
+layout(constant_id = 0) const uint variant = 0u;
+
+const bool keeps_shares = (variant & ground_keeps_shares) != 0u;
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -31,8 +35,8 @@ vec2 kept_at(uint level, ivec2 texel)
     return unpackHalf2x16(texelFetch(kept, int(first) + texel.y * int(constants.size) + texel.x).x);
 }
 
-// Interpolated height and horizon of the ground, from the finest field that contains the place. Outside all
-// fields there is no horizon.
+// Interpolated height and horizon (or share of the sun) of the ground, from the finest field that contains
+// the place. Outside all fields all of the sun is visible.
 vec2 ground_at(vec2 place)
 {
     int chosen = -1;
@@ -50,7 +54,7 @@ vec2 ground_at(vec2 place)
     vec2 f = at - vec2(texel);
     vec2 found = mix(mix(kept_at(level, texel), kept_at(level, texel + ivec2(1, 0)), f.x),
                      mix(kept_at(level, texel + ivec2(0, 1)), kept_at(level, texel + ivec2(1, 1)), f.x), f.y);
-    return chosen < 0 ? vec2(-1e4, -1.0) : found;
+    return chosen < 0 ? vec2(-1e4, keeps_shares ? 1.0 : -1.0) : found;
 }
 
 void main()
@@ -71,6 +75,8 @@ void main()
         ground = ground_at(point.xz - back_per_m * above);
         above = max(point.y - ground.x - 0.1, 0.0);
     }
-    float share = sun.y > -constants.radius_rad ? share_of_disc(ground.y / constants.radius_rad) : 0.0;
+    float share = keeps_shares                    ? ground.y
+                  : sun.y > -constants.radius_rad ? share_of_disc(ground.y / constants.radius_rad)
+                                                  : 0.0;
     imageStore(out_share, pixel, vec4(depth > 0.0 ? share : 1.0));
 }

@@ -152,6 +152,8 @@ gpu::ImageId add_height_shadow(gpu::Graph& graph, const HeightShadowInputs& in,
         return add_sweep(graph, in, fields, Written::visibility);
     case HeightMethod::pyramid:
         return add_pyramid(graph, in, fields, Written::visibility);
+    case HeightMethod::above:
+        return add_blur(graph, in, fields, style, add_pyramid(graph, in, fields, Written::visibility));
     case HeightMethod::march:
         break;
     }
@@ -162,8 +164,8 @@ gpu::ImageId add_height_horizon(gpu::Graph& graph, const HeightShadowInputs& in,
                                 const HeightShadowStyle& style)
 {
     const HeightFields fields = height_fields_of(graph, in);
-    if (style.method == HeightMethod::march) {
-        throw std::logic_error("a march over heights knows no horizon");
+    if (blurs(style.method)) {
+        throw std::logic_error("a blurred shadow of heights knows no horizon");
     }
     return style.method == HeightMethod::sweep ? add_sweep(graph, in, fields, Written::horizon)
                                                : add_pyramid(graph, in, fields, Written::horizon);

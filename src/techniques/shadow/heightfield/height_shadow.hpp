@@ -15,13 +15,22 @@ namespace estampe::shadow {
 enum class HeightMethod : uint8_t {
     sweep,   ///< walks along lines away from the sun; constant cost per texel over the whole field
     pyramid, ///< searches from each texel towards the sun, over a pyramid of maximum heights
-    march    ///< traces a ray from each texel to the sun's centre, then blurs
+    march,   ///< traces a ray from each texel to the sun's centre, then blurs
+    above    ///< blurs the exact shares of `pyramid`, as an image of the ground seen from straight above
 };
+
+/// Whether a method blurs shares of the sun, so that it knows no horizons.
+[[nodiscard]] constexpr bool blurs(HeightMethod method)
+{
+    return method == HeightMethod::march || method == HeightMethod::above;
+}
 
 struct HeightShadowStyle {
     HeightMethod method = HeightMethod::sweep;
-    int march_steps = 512;
-    float march_blur_texels = 2.0F;
+    uint32_t march_steps = 512; ///< longest distance in texels at which ground throws a shadow
+    float blur_m = 0.5F;        ///< standard deviation of the blur of march and above
+
+    bool operator==(const HeightShadowStyle&) const = default;
 };
 
 /// Distance between two texels in metres, for each of the fields that are computed together.
@@ -42,23 +51,23 @@ struct HeightShadowInputs {
 /// lights nothing.
 ///
 /// Writes  r16f of the size of `height`
-/// Throws  std::logic_error for fields of less than 2 x 2 or more than 16384 x 16384 texels, for no
-///         field, and for more than one field with march
+/// Throws  std::logic_error for fields of less than 2 x 2 or more than 16384 x 16384 texels, and for no
+///         field
 /// Cost    sweep: two steps per texel at any sun direction; one thread per line, so large fields or several
 ///         fields at once use the device best. Pyramid: a third more memory; texel reads grow with the
 ///         logarithm of the distance to the occluder, so low suns cost more. March: up to `march_steps` per
 ///         lit texel
 /// Source  Timonen and Westerholm, "Scalable Height Field Self-Shadowing", Eurographics 2010 (sweep); Snyder
 ///         and Nowrouzezahrai, "Fast Soft Self-Shadowing on Dynamic Height Fields", EGSR 2008 (pyramid);
-///         Zanuttini, "Recherches en rendu non réaliste temps réel", 2008 (march)
+///         Zanuttini, "Recherches en rendu non réaliste temps réel", 2008 (march, above)
 [[nodiscard]] gpu::ImageId add_height_shadow(gpu::Graph& graph, const HeightShadowInputs& in,
                                              const HeightShadowStyle& style = {});
 
 /// Adds passes that compute the height of the horizon above the sun's centre in radians, negative below:
 /// r16f, most precise near 0. To draw shadow edges finer than texels, sample it with linear filtering, divide
 /// by the sun's radius, and pass it to `share_of_disc` of shaders/sun_disc.glsl. Supports sweep and pyramid;
-/// march has no horizon and throws std::logic_error. With pyramid the values are limited to 0.15 rad or 16
-/// sun radii from the sun's centre. Costs as much as add_height_shadow().
+/// methods that blur have no horizon and throw std::logic_error. With pyramid the values are limited to 0.15
+/// rad or 16 sun radii from the sun's centre. Costs as much as add_height_shadow().
 [[nodiscard]] gpu::ImageId add_height_horizon(gpu::Graph& graph, const HeightShadowInputs& in,
                                               const HeightShadowStyle& style = {});
 

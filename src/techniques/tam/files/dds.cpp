@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -85,12 +86,16 @@ public:
         const bool is_volume = !extended_ && (word(at::caps2) & volume) != 0;
         const uint32_t layers = is_volume ? word(at::depth) : (extended_ ? word(at::array_size) : 1U);
         const auto most_levels = static_cast<uint32_t>(level_count(images.size_px));
-        const uint32_t levels = is_volume ? 1U : std::max(1U, word(at::levels));
+        const uint32_t levels = std::max(1U, word(at::levels));
         if (layers < 1 || layers > max_layers || levels > most_levels) {
             throw Error(fmt::format("has {} layers of {} levels", layers, levels), name_,
                         fmt::format("at most {} layers of {} levels can be read", max_layers, most_levels));
         }
         size_t place = header_bytes + (extended_ ? dx10_bytes : 0);
+        if (is_volume) {
+            images.level_of_layer = volume_levels({images.size_px, layers, levels}, place);
+            return images;
+        }
         for (uint32_t layer = 0; layer < layers; ++layer) {
             std::vector<Gray8>& chain = images.level_of_layer.emplace_back();
             for (uint32_t level = 0; level < levels; ++level) {
@@ -184,6 +189,56 @@ private:
             place += layout_.bytes;
         }
         return coverage;
+    }
+
+    struct VolumeSize {
+        uint32_t size_px = 0;
+        uint32_t slices = 0;
+        uint32_t levels = 0;
+    };
+
+    /// Reads the mip levels of a volume, one tone per slice of level 0. A coarser level has half the slices
+    /// of the level before it, so each tone is blended from the two slices of that level that are nearest in
+    /// darkness. Levels with a single slice are not read, because all tones would look the same on them.
+    [[nodiscard]] std::vector<std::vector<Gray8>> volume_levels(const VolumeSize& size, size_t place) const
+    {
+        std::vector<std::vector<Gray8>> level_of_tone(size.slices);
+        std::vector<double> darkness;
+        for (uint32_t level = 0; level < size.levels && (level == 0 || size.slices >> level > 1); ++level) {
+            std::vector<Gray8> slices;
+            for (uint32_t slice = 0; slice < size.slices >> level; ++slice) {
+                slices.push_back(image(size.size_px >> level, place));
+            }
+            for (uint32_t tone = 0; tone < size.slices; ++tone) {
+                if (level == 0) {
+                    darkness.push_back(mean_coverage(slices[tone]));
+                }
+                level_of_tone[tone].push_back(level == 0 ? slices[tone] : blended(slices, darkness[tone]));
+            }
+        }
+        return level_of_tone;
+    }
+
+    /// Blends the two slices that are next in darkness, so that the mean of the result is `darkness`. Paper
+    /// counts as the slice before the first. A tone that is darker than the last slice gets the last slice.
+    [[nodiscard]] static Gray8 blended(const std::vector<Gray8>& slices, double darkness)
+    {
+        Gray8 lighter(slices.front().size(), 0);
+        double darkness_of_lighter = 0.0;
+        for (const Gray8& darker : slices) {
+            const double darkness_of_darker = mean_coverage(darker);
+            if (darkness_of_darker > darkness_of_lighter && darkness < darkness_of_darker) {
+                const double share =
+                    (darkness - darkness_of_lighter) / (darkness_of_darker - darkness_of_lighter);
+                std::ranges::transform(lighter, darker, lighter.begin(), [&](uint8_t before, uint8_t after) {
+                    return static_cast<uint8_t>(std::lround(std::lerp(before, after, share)));
+                });
+                return lighter;
+            }
+            lighter = darker;
+            darkness_of_lighter = darkness_of_darker;
+        }
+        return lighter;
     }
 
     [[nodiscard]] uint8_t coverage_at(std::span<const std::byte> texel) const

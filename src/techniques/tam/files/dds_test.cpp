@@ -72,19 +72,51 @@ TEST(Dds, ReadsLuminanceColourAndAlpha)
     EXPECT_EQ(decode_dds(alpha, "a8").level_of_layer[0][0], Gray8(16, 55));
 }
 
-TEST(Dds, ReadsTheSlicesOfAVolumeAsTones)
+std::vector<std::byte> volume_file(uint32_t slices, uint32_t levels)
 {
     std::vector<std::byte> bytes = old_file(0x20000, 8, 0xFF, 0, 0, 0);
-    put(bytes, 24, 3);
-    put(bytes, 28, 3);
+    put(bytes, 24, slices);
+    put(bytes, 28, levels);
     put(bytes, 112, 0x200000);
+    return bytes;
+}
+
+TEST(Dds, ReadsTheSlicesOfAVolumeAsTones)
+{
+    std::vector<std::byte> bytes = volume_file(3, 3);
     for (const int light : {200, 100, 50}) {
         bytes.insert(bytes.end(), 16, static_cast<std::byte>(light));
     }
     const DdsImages images = decode_dds(bytes, "volume");
     ASSERT_EQ(images.level_of_layer.size(), 3U);
-    EXPECT_EQ(images.level_of_layer[0].size(), 1U);
+    EXPECT_EQ(images.level_of_layer[0].size(), 1U) << "all tones share the only slice of level 1";
     EXPECT_EQ(images.level_of_layer[2][0], Gray8(16, 205));
+}
+
+TEST(Dds, BlendsTheTonesOfAVolumesLevelsFromItsSlices)
+{
+    std::vector<std::byte> bytes = volume_file(5, 3);
+    for (const int ink : {20, 60, 100, 140, 220}) {
+        bytes.insert(bytes.end(), 16, static_cast<std::byte>(255 - ink));
+    }
+    const auto half = [&](int left, int right) { // a level of 2 px: ink on the left, ink on the right
+        for (const int ink : {left, right, left, right}) {
+            bytes.push_back(static_cast<std::byte>(255 - ink));
+        }
+    };
+    half(80, 0);   // darkness 40
+    half(255, 65); // darkness 160
+    const DdsImages images = decode_dds(bytes, "volume");
+    ASSERT_EQ(images.level_of_layer.size(), 5U);
+    const std::vector<Gray8> expected{
+        {40, 0, 40, 0}, {109, 11, 109, 11}, {168, 33, 168, 33}, {226, 54, 226, 54}, {255, 65, 255, 65}};
+    for (size_t tone = 0; tone < 5; ++tone) {
+        ASSERT_EQ(images.level_of_layer[tone].size(), 2U) << "level 2 has one slice";
+        EXPECT_EQ(images.level_of_layer[tone][1], expected[tone]) << tone;
+    }
+    bytes.pop_back();
+    EXPECT_NE(message_of([&] { static_cast<void>(decode_dds(bytes, "cut")); }).find("truncated"),
+              std::string::npos);
 }
 
 TEST(Dds, RefusesCompressedAndOddOnes)

@@ -20,8 +20,7 @@ struct PaintedStroke {
 };
 
 /// Finds the strokes that are ink in `darker` but not in `lighter`. Both images have `size_px` texels per
-/// side;
-/// an empty `lighter` means paper.
+/// side; an empty `lighter` means paper.
 ///
 /// The difference is thinned to lines one pixel wide (Zhang and Suen, 1984), which are cut where they cross.
 /// Ends that point at each other across a gap of ink, such as a lighter stroke, are joined again. Widths are
@@ -35,8 +34,7 @@ struct PaintedStroke {
 ///
 /// The strokes of a tone are found in the tone's difference from the previous tone (see find_strokes()). Each
 /// coarser level keeps the best spaced strokes of the next finer level. These strokes are drawn as many
-/// pixels
-/// wide as they were painted, until the ink equals the darkness of the tone.
+/// pixels wide as they were painted, until the ink equals the darkness of the tone.
 ///
 /// Cost    a second or two for 512 px and 6 tones
 void derive_levels(TonalArtMap& map);
