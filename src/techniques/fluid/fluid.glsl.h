@@ -113,6 +113,7 @@ struct FluidShapes {
 struct FluidMass {
     float cells_per_speed;
     float gain_per_unit; // gain of speed per difference of one unit between neighbours
+    float damping;       // share of the difference in outflow between two cells by which speeds grow
     uint channels;       // masses per cell; all masses of a cell move along the same paths
 };
 

@@ -63,16 +63,14 @@ const style::Table<InkStyle>& ink_table()
                     "How much flowing ink is moved by simulated water instead of smooth artificial swirls. 0 "
                     "uses only the artificial swirls, 1 only simulated water, which they stir, with real "
                     "eddies (whirls).")
-            .choice(
-                "solver", &InkStyle::solver,
-                {{"automatic", Solver::automatic},
-                 {"multigrid", Solver::multigrid},
-                 {"jacobi", Solver::jacobi},
-                 {"mass", Solver::mass}},
-                "Method that computes the pressure of the simulated water that moves ink. multigrid: exact; "
-                "jacobi: simplest, least exact; mass: no computation of pressure, water flows away from "
-                "where it is dense; "
-                "automatic: multigrid. Only used when ink.solved is above 0.")
+            .choice("solver", &InkStyle::solver,
+                    {{"automatic", Solver::automatic},
+                     {"multigrid", Solver::multigrid},
+                     {"jacobi", Solver::jacobi},
+                     {"mass", Solver::mass}},
+                    "How the pressure of the water that moves ink is computed. multigrid: exactly; "
+                    "jacobi: simplest, least exact; mass: not at all, water flows away from where it is "
+                    "dense; automatic: multigrid. Needs ink.solved above 0.")
             .integer("jacobi_passes", &InkStyle::jacobi_passes, {1, 400}, "",
                      "How often the simplest method (jacobi) repeats its computation of the water's "
                      "pressure. More lets the water that moves ink swirl more truly and is slower. Only used "

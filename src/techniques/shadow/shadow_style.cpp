@@ -48,16 +48,15 @@ const style::Table<ShadowStyle>& shadow_table()
                 "sun_radius_deg", &ShadowStyle::sun_radius_deg, {0.0F, 15.0F}, "deg",
                 "Half the angle that the sun's disc fills in the sky: more gives softer edges of shadows. "
                 "Shadows far from their object get softest. 0 gives hard edges, 0.27 is the real sun.")
-            .choice(
-                "ground", &ShadowStyle::ground,
-                {{"auto", GroundMethod::automatic},
-                 {"sweep", GroundMethod::sweep},
-                 {"pyramid", GroundMethod::pyramid},
-                 {"march", GroundMethod::march},
-                 {"above", GroundMethod::above}},
-                "How the shadows of hills and dunes on the terrain are computed. sweep, pyramid: exact, "
-                "softer far from the hill; march: one ray of the sun per point, then a blur; above: exact, "
-                "then a blur as seen from above; auto: sweep without a GPU, else pyramid.")
+            .choice("ground", &ShadowStyle::ground,
+                    {{"auto", GroundMethod::automatic},
+                     {"sweep", GroundMethod::sweep},
+                     {"pyramid", GroundMethod::pyramid},
+                     {"march", GroundMethod::march},
+                     {"above", GroundMethod::above}},
+                    "How shadows of hills and dunes on the terrain are computed. sweep, pyramid: exactly; "
+                    "march: one ray of the sun per point, then a blur; above: exactly, then a blur as "
+                    "seen from above; auto: sweep without a GPU, else pyramid.")
             .number(
                 "ground_blur_m", &ShadowStyle::ground_blur_m, {0.0F, 4.0F}, "m",
                 "Width of the blur of the shadows of hills and dunes: 0 gives hard edges, more gives "

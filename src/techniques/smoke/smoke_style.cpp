@@ -43,9 +43,9 @@ const style::Table<SmokeStyle>& smoke_table()
                      {"multigrid", Solver::multigrid},
                      {"jacobi", Solver::jacobi},
                      {"mass", Solver::mass}},
-                    "Method that computes the pressure of the air in smoke. spectral: exact, without objects "
-                    "in the smoke; multigrid: around objects; jacobi: simplest, least exact; mass: air "
-                    "flows away from where it is dense, no smoke is lost; automatic: spectral or multigrid.")
+                    "How the pressure of the air in smoke is computed. spectral: exactly, without objects "
+                    "in the smoke; multigrid: around objects; jacobi: simplest, least exact; mass: not at "
+                    "all, no smoke is lost; automatic: spectral or multigrid.")
             // A pass of the device per round, twice in a step that reflects; a graph has room for 240 of
             // them.
             .integer("jacobi_passes", &SmokeStyle::jacobi_passes, {1, 100}, "",

@@ -28,6 +28,21 @@ bool is_solid(uint index)
     return (variant & fluid_bit_solids) != 0u && texelFetch(solids, int(index)).x != 0u;
 }
 
+// Outflow of a cell in metres per second.
+float outflow(ivec3 cell)
+{
+    float sum = 0.0;
+    for (int axis = 0; axis < fluid_dimensions(); ++axis) {
+        int layer = axis * int(grid.depth);
+        bool is_last = cell[axis] + 1 == fluid_size()[axis];
+        ivec3 after = neighbour(cell, axis, 1);
+        float at_end =
+            is_last && !is_periodic(axis) ? 0.0 : texelFetch(velocity, ivec3(after.xy, layer + after.z), 0).x;
+        sum += at_end - texelFetch(velocity, ivec3(cell.xy, layer + cell.z), 0).x;
+    }
+    return sum;
+}
+
 void main()
 {
     ivec3 cell = ivec3(gl_GlobalInvocationID);
@@ -36,6 +51,7 @@ void main()
     }
     uint here = fluid_cell_index(cell);
     uint mass_here = texelFetch(mass, int(here)).x;
+    float outflow_here = moved.damping > 0.0 ? outflow(cell) : 0.0;
     for (int axis = 0; axis < fluid_dimensions(); ++axis) {
         ivec3 before = cell;
         before[axis] = cell[axis] == 0 ? fluid_size()[axis] - 1 : cell[axis] - 1;
@@ -45,6 +61,9 @@ void main()
         float speed = texelFetch(velocity, texel, 0).x;
         if (!is_solid(here) && !is_solid(there)) {
             speed -= moved.gain_per_unit * (float(mass_here) - float(mass_there));
+            if (moved.damping > 0.0) {
+                speed += moved.damping * (outflow_here - outflow(before));
+            }
         }
         imageStore(out_velocity, texel, vec4(is_on_wall(axis, cell) ? 0.0 : speed));
     }

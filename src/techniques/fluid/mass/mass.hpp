@@ -57,6 +57,9 @@ struct Spread {
     std::optional<Solids> solids = {}; ///< no acceleration across the faces of solid cells
     float stiffness_m2_s2 = 0.0F;
     float time_s = 0.0F;
+    /// Bulk viscosity: the speed of a face grows by this share of the difference in outflow between its two
+    /// cells. Damps sound; stable up to 0.25 in 2D and 1/6 in 3D.
+    float damping = 0.0F;
 };
 
 [[nodiscard]] gpu::ImageId add_spread(gpu::Graph& graph, const Grid& grid, const Spread& spread);
