@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Runs the tutorials: all blocks that are marked "sh" of each page of docs/tutorials, in their order, in an empty folder a
-# page. A command of estampe has to succeed and to leave the file that it names with -o.
+# Runs the tutorials: all blocks that are marked "sh" of each page of docs/tutorials, and of docs/how-to/methods.md, in
+# their order, in an empty folder per page. A command of estampe has to succeed and to leave the file that it names with -o.
 # Blocks that are marked "sh-build" are not run: what builds a program is tested by tests/embed and tests/install, and the
 # others need a display, a file of the reader's or much time.
 # Usage: tutorials_test.sh ESTAMPE_FOLDER ESTAMPE MAKE_EXAMPLE
 set -euo pipefail
-pages="$1/docs/tutorials"
+docs="$1/docs"
 program="$(realpath "$2")"
 make_example="$(realpath "$3")"
 # shellcheck source=tests/support/harness.sh
@@ -28,7 +28,7 @@ estampe_example_square() {
 export program make_example
 export -f estampe estampe_example_square
 
-for page in "$pages"/*.md; do
+for page in "$docs"/tutorials/*.md "$docs"/how-to/methods.md; do
     name="$(basename "$page" .md)"
     mkdir "$folder/$name"
     awk '/^```/ { inside = !inside; run = inside && $0 == "```sh"; next } run' "$page" >"$folder/$name.sh"

@@ -77,7 +77,7 @@ void add_kind_keys(ContourTable& table)
                 "get none. Only used when contour.lines is chains.");
     add(shared::line_crest, "lines along the crests of dunes, even when seen from above");
     table.number("crest.angle_deg", &ContourStyle::crest_deg, {0.5F, 89.0F}, "deg",
-                 "Smallest bend of the ground, across the wind, that gives the crest of a dune a line. Less "
+                 "Smallest bend of the ground along the wind at which the crest of a dune gets a line. Less "
                  "draws more lines. The bend is measured within one cell of the ground's mesh. Only used "
                  "when contour.lines is chains.");
     add(shared::line_intersection, "lines where surfaces pass through each other");

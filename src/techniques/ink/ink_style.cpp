@@ -34,8 +34,8 @@ const style::Table<InkStyle>& ink_table()
                     "Darkness of a stroke, or strength of light, from which ink flows: more leaves fewer "
                     "spots of ink")
             .number("amount_per_s", &InkStyle::amount_per_s, {0.0F, 1000.0F}, "1/s",
-                    "How quickly ink flows out of the drawing, at the spots where ink flows: more gives "
-                    "denser threads")
+                    "How quickly ink flows out of its source spots in the drawing: more gives denser threads "
+                    "of ink")
             .number("spot_mm", &InkStyle::spot_mm, {0.05F, 20.0F}, "mm",
                     "Radius of the spots from which ink flows, at most half of ink.spacing_mm. More gives "
                     "wider threads of ink, about as wide as the spots.")
@@ -60,9 +60,8 @@ const style::Table<InkStyle>& ink_table()
                 "turn_s", &InkStyle::turn_s, {0.1F, 1000.0F}, "s",
                 "Time in which a swirl of flowing ink changes into another: less is restless, more is calm")
             .number("solved", &InkStyle::solved, {0.0F, 1.0F}, "",
-                    "How much flowing ink is moved by simulated water instead of smooth artificial swirls. 0 "
-                    "uses only the artificial swirls, 1 only simulated water, which they stir, with real "
-                    "eddies (whirls).")
+                    "How much simulated water moves flowing ink, in place of smooth artificial swirls. 0: only "
+                    "the swirls move ink; 1: only the water moves ink, with real eddies (whirls).")
             .choice("solver", &InkStyle::solver,
                     {{"automatic", Solver::automatic},
                      {"multigrid", Solver::multigrid},

@@ -148,7 +148,7 @@ const style::Table<SmokeStyle>& smoke_table()
                 "Darkness of the shadow that smoke throws in sunlight: 0 throws none, 1 is physically right")
             .number("glow", &SmokeStyle::glow, {0.0F, 100.0F}, "",
                     "Brightness of the flickering light from the fire below the smoke. 1 lights a surface "
-                    "half the box's width away as brightly as the main light. 0 gives no light.")
+                    "near the edge of the smoke's box as brightly as the main light. 0 gives no light.")
             .color("glow_color", &SmokeStyle::glow_color, "Colour of the light from the fire below the smoke")
             .number("flame", &SmokeStyle::flame, {0.0F, 10.0F}, "",
                     "How dense flames look for the amount of fuel that burns: less is pale, more is solid. 0 "

@@ -58,8 +58,8 @@ const style::Table<SubsurfaceStyle>& subsurface_table()
                     "is frosted glass. A thicker object blurs more.")
             .toggle("transmission", &SubsurfaceStyle::transmission,
                     "If true, glass-like materials of a glTF file (transmission and volume) are see-through. "
-                    "If false, they are opaque. Materials for which the style sets subsurface.behind keep "
-                    "that value.")
+                    "If false, they are opaque. A value of subsurface.behind in the style replaces what the "
+                    "file says.")
             .number("reach_mm", &SubsurfaceStyle::reach_mm, {0.1F, 200.0F}, "mm",
                     "Largest distance on the page over which light spreads under a surface. Near the camera, "
                     "wider spreading is limited to this length: more keeps skin soft in close-ups.")

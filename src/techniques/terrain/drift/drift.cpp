@@ -77,8 +77,8 @@ const style::Table<DriftStyle>& drift_table()
                          "Draws drifting sand. true: in any wind; false: never; auto: if the terrain's wind "
                          "is 6 m/s or more.")
             .number("amount", &DriftStyle::amount, {0.0F, 1.0F}, "",
-                    "Amount of drifting sand: 0 is none, 1 draws a streak at every place on a crest that may "
-                    "have one")
+                    "Amount of drifting sand along the crests of dunes: 0 draws none, 1 draws the densest "
+                    "streaks")
             .number("length_m", &DriftStyle::length_m, {0.05F, 20.0F}, "m",
                     "Length of an average streak of drifting sand: more draws longer streaks")
             .number("lift_m", &DriftStyle::lift_m, {0.0F, 20.0F}, "m",
