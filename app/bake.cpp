@@ -73,7 +73,7 @@ void BakeOptions::add_to(CLI::App& app)
         ->required()
         ->type_name("FILE");
     input_.add_to(command);
-    // --seed is left out of the world's options, because it is the seed of the bake's noise.
+    // The world gets no option --seed, because --seed of `estampe bake` sets the noise of the lightmap.
     world_.add_to(command, WorldOptions::Seed::is_left_out);
     command.add_option("-o,--output", output_, "Output file, NAME.exr, an OpenEXR lightmap")
         ->required()
@@ -161,8 +161,8 @@ BakeCommand BakeOptions::read() const
 
 namespace {
 
-/// Bakes until the map is complete. Returns false when a signal came first; then the file `partial` holds the
-/// progress.
+/// Bakes until the lightmap is complete. Returns false when a signal stopped the work; the file `partial`
+/// then holds the progress.
 bool work_through(LightmapBake& bake, const std::filesystem::path& partial)
 {
     constexpr double look_s = 0.5;

@@ -142,7 +142,7 @@ const std::vector<std::string>& job_keys()
     return keys;
 }
 
-/// Keys whose list of values expands one entry into several jobs.
+/// Keys of a batch job that may have a list of values; each value makes a separate job.
 constexpr std::array varied_keys{"scene", "camera", "view", "style"};
 
 bool is_varied(const std::string& key)
@@ -171,7 +171,7 @@ void check_entry(const WordEntry& entry)
     }
 }
 
-/// The keys of one batch job: its own, and the keys of [defaults] that the job does not set.
+/// The keys of one batch job: the job's own keys, and the keys of [defaults] that the job does not set.
 using Entries = std::map<std::string, WordEntry>;
 
 Entries with_defaults(const WordTable& job, const Entries& defaults)
@@ -181,8 +181,8 @@ Entries with_defaults(const WordTable& job, const Entries& defaults)
         check_entry(entry);
         entries.insert_or_assign(entry.key, entry);
     }
-    // A page of the job replaces a size in [defaults], and a size replaces a page. A camera and a view also
-    // replace each other.
+    // The key `page` of a job replaces the key `size` of [defaults], and the reverse. The keys `camera` and
+    // `view` replace each other in the same way.
     const bool has_camera = entries.contains("camera");
     const bool has_view = entries.contains("view");
     const bool has_size = entries.contains("size");
@@ -206,8 +206,8 @@ const WordEntry& required(const Entries& entries, const char* key, const std::st
     return found->second;
 }
 
-/// Replaces a word that would become a part of an output's file name, because paths and camera placements
-/// cannot be part of a file name.
+/// Returns a short name instead of a word that cannot be part of an output's file name, such as a path or a
+/// camera placement.
 std::string name_part(const WordEntry& entry, size_t index)
 {
     const std::string& word = entry.words[index];
@@ -221,7 +221,7 @@ std::string name_part(const WordEntry& entry, size_t index)
     return fmt::format("{}", fmt::join(stems, "+"));
 }
 
-/// Checks the number of jobs. Throws Error if one table expands into more jobs than is reasonable.
+/// Checks the number of jobs that one table of the job file makes. Throws Error if there are too many jobs.
 void check_job_count(const std::vector<const WordEntry*>& varied, const std::string& where)
 {
     constexpr size_t most = 1'000'000;
@@ -235,7 +235,8 @@ void check_job_count(const std::vector<const WordEntry*>& varied, const std::str
     }
 }
 
-/// Appends all jobs that one table expands into. The last of the keys with several values changes fastest.
+/// Appends all jobs that one table of the job file makes. Of the keys with several values, the last key
+/// changes fastest from job to job.
 void append_jobs(const WordTable& table, const Entries& entries, std::vector<BatchJob>& jobs)
 {
     const WordEntry& scene = required(entries, "scene", table.where);
@@ -343,8 +344,8 @@ std::vector<BatchJob> read_jobs(const std::string& file)
 
 namespace {
 
-/// Returns the jobs of one of `shards` parts; the part's number counts from 1. Parts are consecutive runs of
-/// jobs; their lengths differ by one at most.
+/// Returns the jobs of one of `shards` parts of the batch. Parts are numbered from 1 and contain consecutive
+/// jobs. The numbers of jobs in two parts differ by one at most.
 std::vector<BatchJob> shard_of(const std::vector<BatchJob>& jobs, uint32_t shard, uint32_t shards)
 {
     const auto bound = [&](uint64_t i) { return static_cast<std::ptrdiff_t>(i * jobs.size() / shards); };
@@ -428,18 +429,18 @@ void write_report(const BatchCommand& command, const std::string& device, const 
     for (size_t i = 0; i < jobs.size(); ++i) {
         json["jobs"].push_back(job_json(jobs[i], results[i]));
     }
-    // Names in the report come from files and may hold bytes that are not UTF-8.
+    // Names in the report come from files and may hold bytes that are not UTF-8; these bytes are replaced.
     const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     write_file_atomically(command.report, std::as_bytes(std::span(text)));
 }
 
-/// Keeps the scene of the renderer for the following jobs.
+/// Keeps the scene that the renderer has, so that following jobs with the same scene need not load it again.
 class SceneKeeper {
 public:
     explicit SceneKeeper(Renderer& renderer) : renderer_(renderer) {}
 
-    /// Returns the scene of these options, and sets the renderer's scene and lightmap if they differ from the
-    /// last job's. Throws Error when either cannot be read.
+    /// Returns the scene of the options `draw`. Sets the renderer's scene and lightmap if they differ from
+    /// the last job's. Throws Error when scene or lightmap cannot be read.
     [[nodiscard]] const Scene& ensure(const DrawOptions& draw)
     {
         if (is_there_ && load_the_same(draw, loaded_) && draw.lightmap == loaded_.lightmap) {
@@ -488,7 +489,7 @@ JobResult draw_job(Renderer& renderer, SceneKeeper& scenes, const BatchJob& job,
     return result;
 }
 
-/// Ends the batch. Throws Error if jobs failed or were not begun.
+/// Ends the batch. Throws Error if jobs failed or were not started.
 void conclude(const BatchCommand& command, const std::vector<JobResult>& results)
 {
     const auto count = [&](JobResult::Status status) {
@@ -515,7 +516,7 @@ void run(const BatchCommand& command)
     Renderer renderer(command.device);
     SceneKeeper scenes(renderer);
     Progress progress("batch", 0.0);
-    // The report is written after each job, so that it exists even if the program is ended.
+    // The report is written after each job, so that a report exists even if the program is stopped.
     const auto report = [&] { write_report(command, renderer.device().name, jobs, results); };
     report();
     for (size_t i = 0; i < jobs.size() && !was_told_to_stop(); ++i) {

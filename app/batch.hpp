@@ -30,15 +30,15 @@ private:
 
 /// A job of a batch: one picture or film, in the form of a command line.
 struct BatchJob {
-    uint32_t number = 1; ///< Number of the job among all jobs of the file
+    uint32_t number = 1; ///< Number of the job among all jobs of the job file, from 1
     std::string where;   ///< Place of the job in its file, as file:line:column
     std::string scene;
     std::string output;
     std::vector<std::string> arguments; ///< Arguments of `estampe render` for this job
 };
 
-/// Reads a job file and combines every scene, camera and style in its lists. Throws Error for an invalid job,
-/// with its file, line and column, and for two jobs with one output.
+/// Reads a job file. Each combination of the listed scenes, cameras and styles becomes a job. Throws Error,
+/// with file, line and column, for an invalid job, and for two jobs with the same output.
 [[nodiscard]] std::vector<BatchJob> read_jobs(const std::string& file);
 
 /// Returns the render command of a batch job. Throws Error for invalid options and for a style that cannot be

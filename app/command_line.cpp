@@ -24,7 +24,7 @@
 namespace estampe::app {
 namespace {
 
-/// Checks that no assignment sets the page's height when an option sets it already.
+/// Checks that no --set assignment sets the page's height when an option such as --page already sets it.
 void check_page_is_free(const std::vector<std::string>& assignments)
 {
     for (const std::string& assignment : assignments) {
@@ -266,8 +266,8 @@ Command to_command(const CLI::App& app, const TypedOptions& typed)
     return GraphCommand{std::move(draw)};
 }
 
-/// Returns the value of --help-style, if the option is typed. --help-style needs neither a scene nor an
-/// output, so it is read before other parts of the command line, which may be wrong.
+/// Returns the value of --help-style, if the option is typed. This option is read first, because it needs
+/// neither a scene nor an output, and the rest of the command line may be invalid.
 std::optional<StyleManualCommand> style_manual_of(std::span<const char* const> words)
 {
     constexpr std::string_view option = "--help-style";
@@ -284,14 +284,15 @@ std::optional<StyleManualCommand> style_manual_of(std::span<const char* const> w
     return std::nullopt;
 }
 
-/// Returns advice for a command line that cannot be parsed.
+/// Returns advice for the user when the command line cannot be parsed.
 std::string remedy_of(const CLI::ParseError& problem, const CLI::App& app, std::span<const char* const> words)
 {
     if (app.get_subcommands().empty()) {
         return "see estampe --help";
     }
     const CLI::App& command = *app.get_subcommands().front();
-    for (size_t i = 2; i < words.size(); ++i) { // Several assignments after one --set: "--set a=1 b=2"
+    // The user typed several assignments after one --set: "--set a=1 b=2".
+    for (size_t i = 2; i < words.size(); ++i) {
         const std::string_view option = words[i - 2];
         const std::string_view word = words[i];
         if ((option == "--set" || option == "--world") && !word.starts_with('-') &&

@@ -151,7 +151,7 @@ void run(const TamCommand& command)
     }
     AtomicFile preview = AtomicFile::file(command.preview, encode_png(map_sheet(map, command.style)));
     save_tonal_art_map(map, command.output);
-    preview.publish(); // Publishes both files, or none
+    preview.publish(); // Both files, or neither, appear under their final names
 }
 
 void run(const ViewCommand& command)
@@ -163,7 +163,8 @@ void run(const ViewCommand& command)
     viewer::Viewer viewer(command);
     viewer.run();
     if (viewer.is_reading()) {
-        // A thread may still read a large file whose scene is not needed. That thread ends with the program.
+        // The program ends without waiting for a thread that still reads a large scene file that is not
+        // needed.
         std::fflush(nullptr);
         remove_piped_scenes();
         std::_Exit(0);

@@ -25,7 +25,7 @@ constexpr uint32_t letter_px = 13; // Height of the letters in Dear ImGui's own 
 constexpr uint32_t letter_scale = 2;
 constexpr uint32_t name_px = letter_px * letter_scale + gap_px / 2;
 
-/// The letters of Dear ImGui's own font as coverage of pixels, so that no font file has to be found.
+/// The letters of Dear ImGui's built-in font, as the coverage of each pixel. No font file is needed.
 class Letters {
 public:
     Letters()

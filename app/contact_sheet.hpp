@@ -19,9 +19,9 @@ struct SheetEntry {
 };
 
 /// Makes a contact sheet: arranges pictures of one size side by side on white, in rows from left to right.
-/// The sheet's shape is as close to a screen's shape as whole rows allow. The name of each picture is beneath
-/// the picture. Names are drawn in ASCII; other characters are left out. Throws Error when the sheet would be
-/// larger than an Image may be.
+/// The number of columns is chosen so that the sheet's shape is close to a screen's shape. The name of each
+/// picture is below the picture. Names are drawn in ASCII; other characters are left out. Throws Error when
+/// the sheet would be larger than an Image may be.
 [[nodiscard]] Image lay_out_sheet(std::span<const SheetEntry> entries);
 
 /// Draws a contact sheet: the scene of `draw` in each of style_presets(), with the assignments of `draw`

@@ -122,7 +122,7 @@ Index first_placed_camera(const Scene& scene)
     return first;
 }
 
-/// Direction towards the sun over a terrain without objects.
+/// Direction towards the sun for a scene that is only a terrain, without objects.
 glm::dvec3 towards_sun(const SunBearing& sun, const Terrain& terrain)
 {
     SunPlace place{sun.azimuth_deg, sun.elevation_deg};
@@ -148,8 +148,8 @@ void lift(Scene& scene, double height_m)
     scene.roots = {lifted};
 }
 
-/// Checks that no variant is chosen for a world or terrain, because only scene files have material variants.
-/// Throws Error otherwise.
+/// Checks that the user chose no material variant for a world or a terrain, because only scene files have
+/// variants. Throws Error otherwise.
 void refuse_variant(const DrawOptions& draw)
 {
     if (!draw.load.variant.empty()) {
@@ -173,7 +173,7 @@ void check_is_known(const std::string& scene)
                 meant.empty() ? known_worlds() : fmt::format("did you mean the world {}?", meant));
 }
 
-/// Loads the scene from its file or pipe; messages use the name that the user typed.
+/// Loads the scene from its file or pipe. Error messages contain the name that the user typed.
 Scene load_file_of(const DrawOptions& draw)
 {
     if (!is_piped(draw.scene)) {
@@ -196,7 +196,7 @@ Scene load_file_of(const DrawOptions& draw)
     }
 }
 
-/// Returns the view direction that an automatic camera has chosen.
+/// Returns the view direction of a camera that the program placed automatically.
 ViewDirection direction_of_camera(const Camera& camera)
 {
     const glm::dvec3 back = glm::normalize(camera.eye - camera.target);

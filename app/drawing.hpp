@@ -22,20 +22,20 @@ namespace estampe::app {
 
 /// Appends an animation named "all" that plays all animations of the scene together. Its duration is that of
 /// the longest animation; shorter animations hold their last key. If several animations change one property
-/// of one node, the first is used and a warning says so. Returns whether there was no such conflict. Does
+/// of one node, the first is used and a warning says so. Returns true if there was no such conflict. Does
 /// nothing for a scene with fewer than two animations, or with an animation named "all".
 bool add_all_animations(Scene& scene);
 
-/// Returns the animation that `draw` selects. Throws Error that lists the file's animations if none has this
-/// name.
+/// Returns the animation that `draw` selects. If no animation has the given name, throws an Error that lists
+/// the file's animations.
 [[nodiscard]] Index choose_animation(const DrawOptions& draw, const Scene& scene);
 
 /// Returns a line of text that names the animation that is played, and the other animations. Empty unless the
 /// scene has several and `draw` chose none.
 [[nodiscard]] std::string note_of_animations(const DrawOptions& draw, const Scene& scene);
 
-/// Returns the camera that `draw` selects, at the time of `draw`. Throws Error that lists the file's cameras
-/// if none has this name.
+/// Returns the camera that `draw` selects, at the time of `draw`. If no camera has the given name, throws an
+/// Error that lists the file's cameras.
 [[nodiscard]] Camera choose_camera(const DrawOptions& draw, const Scene& scene, Index animation);
 
 /// Returns whether `draw` selects one of the scene's own cameras, which may move.
@@ -52,7 +52,7 @@ void set_scene(Renderer& renderer, const Scene& scene, const DrawOptions& draw);
 /// in view, as from inside a solid. Does nothing when the program placed the camera itself.
 void warn_of_empty_view(const DrawOptions& draw, const Scene& scene, Index animation, const Camera& camera);
 
-/// Warns when nothing of the scene is in view at any of these times of a film.
+/// Warns when nothing of the scene is in view at any of the given times of a film.
 void warn_of_empty_film(const DrawOptions& draw, const Scene& scene, Index animation,
                         std::span<const Moment> moments);
 

@@ -47,7 +47,7 @@ Camera turned(const Camera& camera, double turn)
     return other;
 }
 
-/// Returns how far the box reaches from the middle of the page, relative to half the page's height or width.
+/// Returns how far the box reaches from the middle of the page: 1 is the edge of the page.
 double reach(const Camera& camera, const Bounds& box, double aspect)
 {
     const std::optional<double>& half_height_m = camera.orthographic_half_height_m;
@@ -65,8 +65,8 @@ double reach(const Camera& camera, const Bounds& box, double aspect)
     return most;
 }
 
-/// Moves the eye away until all of `boxes`, seen from all of `sides`, are as far inside the page as the first
-/// box is from the first side.
+/// Moves the eye away from the target until all of `boxes` fit on the page from all of `sides`, with the same
+/// margin as the first box has from the first side.
 Camera far_enough(const Camera& camera, const std::vector<Bounds>& boxes, int sides, double aspect)
 {
     const auto farthest = [&](const Camera& from) {
@@ -92,18 +92,19 @@ Camera far_enough(const Camera& camera, const std::vector<Bounds>& boxes, int si
     return away;
 }
 
-/// The camera of a film. A camera that shows the whole scene does not move; it is far enough away for
-/// everything that moves later. A camera of the file moves as in the file. On a turntable either camera turns
-/// once around its target. A world's own film has its own camera path.
+/// The camera of a film. A camera that shows the whole scene does not move; it is so far away that all later
+/// movement is in view. A camera of the file moves as in the file. In a turntable film, the camera turns once
+/// around its target. A world's own film has its own camera path.
 class FilmCamera {
 public:
     /// Chooses the camera for the frames from `begin_s` to `end_s`; the camera follows `path` unless `path`
-    /// is null. Throws Error as choose_camera() does. Cost for a view of the whole scene: framing_camera(),
-    /// and scene_bounds() at some times.
+    /// is null. Throws Error as choose_camera() does. For a view of the whole scene the cost is one call of
+    /// framing_camera() and several calls of scene_bounds().
     FilmCamera(const DrawOptions& draw, const Scene& scene, Index animation, double begin_s, double end_s,
                bool turntable, std::shared_ptr<const worlds::CameraPath> path = nullptr);
 
-    /// Returns the film's camera at a time; `turn` is the position on a turntable, 0 to 1.
+    /// Returns the film's camera at a time. In a turntable film, `turn` is the position in the turn around
+    /// the scene, 0 to 1.
     [[nodiscard]] Camera at(double time_s, double turn) const;
 
 private:
@@ -111,7 +112,7 @@ private:
     const Scene& scene_;
     Index animation_;
     std::shared_ptr<const worlds::CameraPath> path_;
-    /// Camera that does not move; nothing for a camera of the file, which may move.
+    /// Camera that does not move; nothing if the film uses a camera of the scene's file, which may move.
     std::optional<Camera> still_;
 };
 
@@ -192,7 +193,8 @@ double moving_s(const DrawOptions& draw, bool is_own_film, const Scene& scene, I
 /// Returns the film's settings, with the last frame and the file's frame rate filled in.
 FilmChoice with_end(FilmChoice film, const DrawOptions& draw, const Scene& scene, Index animation)
 {
-    // Lowest frame rate of a file that is used; a file's rate outside the range is ignored.
+    // Lowest frame rate that is accepted from a scene's file; a lower or too high rate in the file is
+    // ignored.
     constexpr double least_rate = 1.0;
     constexpr double most_rate = 240.0;
     constexpr double turn_s = 5.0;
@@ -286,8 +288,8 @@ public:
         warn_if_empty(scene);
     }
 
-    /// Returns the number of the next frame after an earlier run, and adds the frames of that run to the film
-    /// file.
+    /// Finds out where an earlier run of the film stopped, and adds the frames of that run to the film file.
+    /// Returns the number of the next frame to draw.
     [[nodiscard]] uint32_t recall()
     {
         const std::optional<FilmState> state = film_.resume ? frames_.state(film_.first) : std::nullopt;
@@ -311,8 +313,8 @@ public:
         return next;
     }
 
-    /// Draws all frames from `next` on, or until a signal arrives. Returns the number after that of the last
-    /// frame drawn.
+    /// Draws all frames from frame `next` on, or until a signal arrives. Returns the number of the first
+    /// frame that is not drawn.
     [[nodiscard]] uint32_t draw_from(uint32_t next)
     {
         constexpr double keep_s = 5.0;
@@ -396,14 +398,15 @@ private:
         return draw_.time_s + (number - 1) / film_.frames_per_s;
     }
 
-    /// Returns the position on a turntable of a frame, or of a time between two frames.
+    /// Returns the position of a frame, or of a time between two frames, in the turn of a turntable film, 0
+    /// to 1.
     [[nodiscard]] double turn_at(double number) const
     {
         return film_.turntable ? (number - film_.first) / (film_.last + 1 - film_.first) : 0.0;
     }
 
-    /// Returns the time half an exposure before a frame. For the first frame it is half an exposure after the
-    /// frame, because an animation loops to its end before its start.
+    /// Returns the time half an exposure before a frame. For the first frame the function returns the time
+    /// half an exposure after the frame, because the time before it would be the end of a looping animation.
     [[nodiscard]] std::optional<Moment> exposure_end(uint32_t number,
                                                      const motion_blur::MotionBlurStyle& style) const
     {

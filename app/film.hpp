@@ -22,7 +22,8 @@ struct FilmCost {
     std::map<std::string, double> gpu_ms_of_passes;
 };
 
-/// Draws a film with a renderer that already has the scene. Call tell_of_signals() first.
+/// Draws a film with a renderer that already has the scene. Call tell_of_signals() first, so that a signal
+/// can stop the film between two frames.
 FilmCost draw_film(Renderer& renderer, const Scene& scene, const RenderCommand& command);
 
 } // namespace estampe::app

@@ -133,7 +133,7 @@ void FilmFrames::forget() const
 void FilmFrames::finish() const
 {
     forget();
-    std::error_code problem; // The folder stays if it holds files that others put there
+    std::error_code problem; // The folder stays if it contains files that are not frames of this film
     if (is_of_film_) {
         std::filesystem::remove(folder_, problem);
     }

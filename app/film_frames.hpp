@@ -55,8 +55,8 @@ public:
     /// Deletes the state of an earlier run, and its frames if they belong to a film file.
     void forget() const;
 
-    /// Deletes the film's state. Call this function when all frames are drawn and the film is written. Also
-    /// deletes the folder with a film file's frames.
+    /// Deletes the saved state of the film, and the folder with the frames of a film file. Call this function
+    /// when all frames are drawn and the film is written.
     void finish() const;
 
 private:
@@ -72,11 +72,12 @@ public:
     struct Frame {
         uint32_t number = 0;
         Image image;
-        /// State of the film for resuming after this frame; may be absent.
+        /// Result of Renderer::film_memory() after this frame, from which a stopped film can be continued;
+        /// may be absent.
         std::optional<std::vector<std::byte>> memory;
     };
 
-    /// Starts the thread that writes frames. `frames`, and `film` if it is not null, must outlive this
+    /// Starts the thread that writes frames. `frames`, and `film` if `film` is not null, must outlive this
     /// object.
     FilmQueue(const FilmFrames& frames, FilmWriter* film);
     /// Discards the frames that wait to be written.

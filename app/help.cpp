@@ -159,7 +159,8 @@ std::string completer(const CLI::Option& option)
         return "_estampe_words png jpg webp exr ora svg";
     }
     const auto is_of_words = [](char letter) { return letter == '|' || (letter >= 'a' && letter <= 'z'); };
-    if (type.find('|') != std::string::npos && std::ranges::all_of(type, is_of_words)) { // "up|down"
+    // The type lists the allowed words: "up|down".
+    if (type.find('|') != std::string::npos && std::ranges::all_of(type, is_of_words)) {
         std::string words = type;
         std::ranges::replace(words, '|', ' ');
         return "_estampe_words " + words;
@@ -177,7 +178,7 @@ std::string completer(const CLI::Option& option)
     return {};
 }
 
-/// Parts of bash's completion script for one command and its subcommands.
+/// Parts of the bash completion script for one command and its subcommands.
 struct Tables {
     std::string values;   ///< Cases of the script's function _estampe_value
     std::string commands; ///< Cases of the script for subcommands

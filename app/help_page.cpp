@@ -25,8 +25,8 @@ struct OptionGroup {
 
 constexpr const char* other_options = "Options";
 
-/// Returns the groups of options in the order of the help page. Options that no group names are below
-/// `other_options`.
+/// Returns the groups of options in the order of the help page. Options that belong to no group are listed
+/// under the heading `other_options`.
 const std::vector<OptionGroup>& option_groups()
 {
     static const std::vector<OptionGroup> groups{
@@ -140,7 +140,7 @@ std::string HelpPage::make_usage(const CLI::App* app, std::string name) const
 std::string HelpPage::make_option_opts(const CLI::Option* option) const
 {
     std::string text = CLI::Formatter::make_option_opts(option);
-    // An option that takes one value at a time must be repeated to give it several values.
+    // The help shows "..." only for an option that accepts several values after one name.
     if (!option->get_allow_extra_args()) {
         replace_all(text, " ...", "");
     }

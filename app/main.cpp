@@ -25,8 +25,8 @@ int fail(const char* message, int status)
     return status;
 }
 
-/// If standard streams are closed, opens unusable files in their place, so that no output file gets their
-/// descriptors.
+/// If stdin, stdout or stderr is closed, opens an unusable file in its place, so that no output file gets the
+/// descriptor of a standard stream.
 void hold_standard_streams()
 {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {

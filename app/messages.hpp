@@ -22,8 +22,8 @@ void print_warnings(const std::vector<std::string>& warnings);
 /// Writes "estampe: note: ..." to stderr for each note.
 void print_notes(const std::vector<std::string>& notes);
 
-/// Shows progress and remaining time of a long job on stderr. A terminal line is updated in place; otherwise
-/// one line per tenth of the job is written.
+/// Shows progress and remaining time of a long job on stderr. A terminal line is updated in place; if stderr
+/// is not a terminal, one line per tenth of the job is written.
 class Progress {
 public:
     /// Starts to show the progress of a job. `done`, 0 to 1, is the share of the job that is complete at the
@@ -33,7 +33,7 @@ public:
     /// Shows that the share `done` of the job is complete, followed by `what`, such as "frame 3 of 48".
     void show(double done, const std::string& what = {});
 
-    /// Clears the progress line of a terminal before other output.
+    /// Clears the progress line of a terminal; call this before other output.
     void clear() const;
 
 private:

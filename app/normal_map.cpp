@@ -21,7 +21,8 @@ constexpr const char* normal_map_examples = R"(Examples:
 White is high, black is low. A picture with 16 bits per channel gives smoother normals than one with 8. The map
 is for normalTexture of glTF: red to the right, green up, blue out of the surface.)";
 
-/// Returns whether the first of two allowed words was typed. Throws UsageError if neither was typed.
+/// Returns whether the user typed the first of an option's two allowed words. Throws UsageError if the user
+/// typed neither word.
 bool is_first(const std::string& typed, const char* option, const char* first, const char* second)
 {
     if (typed != first && typed != second) {

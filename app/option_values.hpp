@@ -54,8 +54,8 @@ inline constexpr std::array draft_assignments{"hatch.layers=1",         "contour
                                               "shadow.lamp_radius_m=0", "cloth.effort=0.5",
                                               "occlusion.enabled=false"};
 
-/// Returns the style that `--style` names, or the default style, with the assignments of `--set`. Throws
-/// UsageError for an invalid assignment, Error for a style that cannot be read.
+/// Returns the style that `--style` names, or the default style, with the assignments of `--set` applied.
+/// Throws UsageError for an invalid assignment, Error for a style that cannot be read.
 [[nodiscard]] Style read_style(const std::string& name, const std::vector<std::string>& assignments);
 
 /// The options for reading a scene: --up and --input-format.
@@ -67,7 +67,8 @@ public:
     /// Returns the axis of the file that points up, if one was typed. Throws UsageError for an invalid axis.
     [[nodiscard]] std::optional<UpAxis> up() const;
 
-    /// Returns the format of a piped scene; empty if none was typed. Throws UsageError for an unknown format.
+    /// Returns the format of a piped scene; empty if the user typed no format. Throws UsageError for an
+    /// unknown format.
     [[nodiscard]] std::string format() const;
 
 private:
@@ -78,7 +79,8 @@ private:
 /// Returns the presets that are complete styles: all except tam-..., which are tools of `estampe tam`.
 [[nodiscard]] std::vector<std::string> style_presets();
 
-/// Adds `--no-cache`, which takes effect while the command line is read: see gpu::keep_pipelines().
+/// Adds the option `--no-cache` to the command. The option takes effect while the command line is read: see
+/// gpu::keep_pipelines().
 void add_no_cache_flag(CLI::App& command);
 
 } // namespace estampe::app

@@ -144,7 +144,8 @@ namespace {
 
 constexpr uint32_t most_frames = 1000000;
 
-/// Returns the frame number, 1 to most_frames, if all of `text` is one; otherwise 0.
+/// Returns the frame number that `text` contains, 1 to most_frames. Returns 0 if `text` is not a number in
+/// this range.
 uint32_t frame_number(std::string_view text)
 {
     const uint32_t number = number_from<uint32_t>(text).value_or(0);
@@ -231,8 +232,9 @@ struct FormatFacts {
     PictureFormat format;
     const char* extension; ///< Value of --format for this format, after a dot
     const char* name;
-    std::array<int, 2> depths; ///< Bits per channel that the format allows, the usual number first; 0: none
-    int least_quality;         ///< Lowest value of the quality; negative: the format has no quality
+    /// Bits per channel that the format allows, the usual number first; an entry of 0 is unused.
+    std::array<int, 2> depths;
+    int least_quality; ///< Lowest value of the quality; negative: the format has no quality
     /// Longest side in pixels that the format allows; 0: the same limit as for all pictures.
     uint32_t longest_side_px;
 };

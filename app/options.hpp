@@ -46,7 +46,7 @@ struct FilmChoice {
     uint32_t last = 0;
     double frames_per_s = 24.0; ///< Frame rate; without --fps the rate of the scene's file, if it gives one
     bool has_rate = false;      ///< --fps was given on the command line
-    bool turntable = false;     ///< The eye goes once around the scene from the first frame to the last
+    bool turntable = false;     ///< The camera goes once around the scene from the first frame to the last
     bool flies = false;         ///< --film was given: the camera follows the path of the world's own film
     bool resume = false;        ///< The film continues where an earlier run stopped
 };
@@ -91,7 +91,7 @@ struct DrawOptions {
     RendererOptions device;
 };
 
-/// Stands in place of a file name for output to standard output.
+/// Name that the user types instead of a file name to write to standard output.
 inline constexpr const char* standard_output = "-";
 
 enum class PictureFormat : uint8_t { png, jpeg, webp, exr, openraster, svg };
@@ -108,7 +108,7 @@ struct PictureChoice {
 struct RenderCommand {
     DrawOptions draw;
     PictureChoice picture;
-    bool hidden = false;            ///< Hidden lines are drawn, too; only for .svg
+    bool hidden = false;            ///< Hidden lines (lines behind surfaces) are drawn as well; only for .svg
     bool plotter = false;           ///< The output is for pen plotters; only for .svg
     std::string motion;             ///< File that receives motion vectors, .exr; empty: none
     double since_s = 0.0;           ///< Time from which motion vectors are measured
@@ -134,9 +134,9 @@ struct GraphCommand {
 
 struct InfoCommand {
     std::string scene;        ///< Scene to report on; empty: lists the worlds
-    std::string input_format; ///< Format of a piped scene, as in DrawOptions
+    std::string input_format; ///< Format of a piped scene; empty: detected from its content
     std::optional<UpAxis> up;
-    std::vector<std::string> world; ///< Options of the world that `scene` names, as in DrawOptions
+    std::vector<std::string> world; ///< Options of the world that `scene` names, as KEY=VALUE
     bool json = false;
 };
 
@@ -177,9 +177,9 @@ struct NormalMapCommand {
 /// `estampe bake`: computes a lightmap.
 struct BakeCommand {
     std::string scene;
-    std::string input_format; ///< Format of a piped scene, as in DrawOptions
+    std::string input_format; ///< Format of a piped scene; empty: detected from its content
     std::optional<UpAxis> up;
-    std::vector<std::string> world; ///< Options of the world that `scene` names, as in DrawOptions
+    std::vector<std::string> world; ///< Options of the world that `scene` names, as KEY=VALUE
     std::string output;             ///< File that receives the lightmap, .exr
     Style style;
     BakeSettings settings;
@@ -211,7 +211,7 @@ public:
     /// object must outlive the parsing.
     void add_to(CLI::App& command, bool for_print);
 
-    /// Returns the page size. Throws UsageError for invalid options.
+    /// Returns the page size that the options give. Throws UsageError for invalid options.
     [[nodiscard]] PageSize read() const;
 
 private:
@@ -245,8 +245,8 @@ public:
     /// Adds the options of the picture's format to the command; this object must outlive the parsing.
     void add_to(CLI::App& command);
 
-    /// Checks the options of the picture's format and returns the format. The picture has this size, and `-o`
-    /// names its file `output`. Throws UsageError for invalid options.
+    /// Checks the options of the picture's format and returns the format. `output` is the file name after
+    /// `-o`; `width` and `height` are the picture's size in pixels. Throws UsageError for invalid options.
     [[nodiscard]] PictureChoice read(const std::string& output, uint32_t width, uint32_t height) const;
 
     /// Returns the format of a film's frames. Throws UsageError when an option was typed that does not apply
@@ -267,8 +267,8 @@ public:
     /// Adds --transparent to the command; this object must outlive the parsing.
     void add_to(CLI::App& command);
 
-    /// Inserts an assignment for --transparent before `assignments` of the style, so that these override it.
-    /// Throws UsageError for an invalid word.
+    /// Translates --transparent into an assignment of paper.transparent, and inserts it before `assignments`,
+    /// so that these can override it. Throws UsageError for an invalid word.
     void assign(std::vector<std::string>& assignments) const;
 
 private:

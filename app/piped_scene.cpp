@@ -163,7 +163,7 @@ private:
     throw Error(what, name_of(scene), remedy);
 }
 
-/// Reads the next bytes of the pipe; returns 0 at its end.
+/// Reads the next bytes of the pipe into `buffer` and returns their number; returns 0 at the end of the pipe.
 size_t read_some(int from, std::span<char> buffer, const std::string& scene)
 {
     for (;;) {
@@ -220,7 +220,8 @@ public:
     {
         const std::lock_guard lock(folders().guard);
         std::error_code problem;
-        fs::remove_all(path_, problem); // Removes links in the folder, not their targets
+        // Removes links that lie in the folder, not the files to which they point.
+        fs::remove_all(path_, problem);
         folders().paths.erase(path_);
     }
 
@@ -239,7 +240,8 @@ struct Received {
     fs::path file;
 };
 
-/// Links all files of the current folder into `folder`, so that the piped scene finds its textures.
+/// Creates links to all files of the current folder in `folder`, so that textures beside the piped scene are
+/// found.
 void link_current_folder(const fs::path& folder)
 {
     constexpr size_t most_links = 20000;
@@ -389,8 +391,8 @@ std::string missing_beside_pipe(const std::vector<std::string>& files, const std
 
 void remove_piped_scenes()
 {
-    // This function does not lock the memory of received scenes, because a thread that waits for a pipe may
-    // hold that lock.
+    // This function does not lock the memory of received scenes, because another thread may hold that lock
+    // for as long as it waits for a pipe.
     const std::lock_guard lock(folders().guard);
     for (const fs::path& path : folders().paths) {
         std::error_code problem;

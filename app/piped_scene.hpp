@@ -19,7 +19,7 @@ namespace estampe::app {
 /// first statement.
 [[nodiscard]] std::string_view sniffed_format(std::string_view beginning, uint64_t size_bytes);
 
-/// Stands in place of a scene's file name for reading from standard input.
+/// Name that the user types instead of a scene's file name to read the scene from standard input.
 inline constexpr const char* standard_input = "-";
 
 /// Returns the names of formats that --input-format accepts.

@@ -68,7 +68,7 @@ void watch_signals()
 {
     std::signal(SIGXFSZ, SIG_IGN);
     const sigset_t set = watched_set();
-    // The signals are blocked in all later threads; one thread waits for them.
+    // The signals are blocked in all threads that start later; a single thread waits for the signals.
     pthread_sigmask(SIG_BLOCK, &set, nullptr);
     try {
         std::thread(wait_for_signals).detach();
@@ -90,7 +90,8 @@ bool was_told_to_stop()
 
 namespace {
 
-constexpr const char* setting = "GALLIVM_PERF"; ///< Environment variable of Mesa
+/// Environment variable with which Mesa's shader compiler is configured.
+constexpr const char* setting = "GALLIVM_PERF";
 
 } // namespace
 

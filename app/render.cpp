@@ -52,7 +52,7 @@ bool is_layers_exr(const PictureChoice& choice)
     return lower_extension(choice.layers) == ".exr";
 }
 
-/// Resolution in dots per metre; 0 for a picture that is not a page.
+/// Returns the picture's resolution in dots per metre; 0 if the picture has no size in print.
 uint32_t dots_per_m(const PageSize& page)
 {
     constexpr double inches_a_m = 1000.0 / 25.4;
@@ -190,7 +190,7 @@ void check_outputs(const RenderCommand& command)
     const PictureChoice& choice = command.picture;
     const std::vector<std::filesystem::path> inputs{draw.scene, draw.lightmap};
     if (draw.output != standard_output) {
-        // The folder of numbered frames is created when the film is drawn.
+        // The folder of numbered frames may be missing at this point: it is created when the film is drawn.
         const std::filesystem::path folder = std::filesystem::path(draw.output).parent_path();
         const bool makes_folder =
             is_numbered(draw.output) && !folder.empty() && !std::filesystem::exists(folder);
@@ -218,8 +218,8 @@ void write_output(const std::string& output, std::span<const std::byte> bytes)
     }
 }
 
-/// Writes all files of a command or none, and then standard output. Throws Error naming what cannot be
-/// written.
+/// Writes either all files of a command or none, and afterwards writes to standard output. Throws Error
+/// naming what cannot be written.
 void write_pictures(DrawnPicture& picture, const Renderer& renderer, const RenderCommand& command)
 {
     if (picture.file) {
@@ -271,7 +271,7 @@ private:
     std::vector<std::pair<std::string, double>> steps_;
 };
 
-/// Returns whether clouds drift over the scene, or particles fly in it.
+/// Returns whether the style draws drifting clouds or flying particles in the scene.
 bool has_weather(const DrawOptions& draw, const Scene& scene)
 {
     const features::StyleTables& style = draw.style.tables();

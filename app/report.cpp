@@ -65,7 +65,7 @@ uint64_t drawn_triangles(const Scene& scene)
     return drawn;
 }
 
-/// The numbers that `estampe info` prints about a scene.
+/// The numbers that `estampe info` prints about a scene, such as counts and bounds.
 struct SceneSummary {
     /// Labels and numbers in display order.
     std::vector<std::pair<std::string, uint64_t>> counts;
@@ -258,8 +258,8 @@ Json scene_json(const SceneSummary& summary, const Scene& scene, const std::stri
     return json;
 }
 
-/// Writes bounds as text with four significant digits, and as many more as the position needs for the same
-/// step: far from the origin, four digits of the position would hide the size.
+/// Writes bounds as text with four significant digits. Far from the origin, more digits are written, because
+/// four digits of the position would hide the size of the box.
 std::string in_words(const Bounds& bounds)
 {
     constexpr int digits_of_side = 4;
@@ -336,7 +336,8 @@ std::string timings_json(const TimingReport& report, double passes_ms)
     return to_text(json);
 }
 
-/// Returns a table of pressure solvers after an empty line; empty if there are none.
+/// Returns a table of pressure solvers, which begins with an empty line; returns an empty text if `solvers`
+/// is empty.
 std::string solvers_text(const std::vector<SolverReport>& solvers)
 {
     std::string text = solvers.empty() ? ""

@@ -30,7 +30,8 @@ struct TimingReport {
     uint32_t frames = 1;
     /// GPU time of each pass: medians over every second frame after the first; may be empty.
     std::vector<PassTiming> passes;
-    /// GPU time of a whole frame: median of the other frames, in which passes may overlap.
+    /// GPU time of a whole frame: the median over the frames in which single passes are not timed and may
+    /// overlap.
     double gpu_ms = 0.0;
     std::vector<SolverReport> solvers;
     std::vector<std::pair<std::string, double>> cpu_ms; ///< Wall time of the steps of the command, in order

@@ -188,7 +188,7 @@ void check_layer_name(const Scene& scene, const std::string& layer)
             names.push_back(name.empty() ? fmt::format("object {}", i) : name);
         }
     }
-    // Layer names are unique: the second of two objects named leaf is "leaf 2".
+    // Layer names are made unique with numbers: the second of two objects named "leaf" becomes "leaf 2".
     const size_t digits = layer.find_last_not_of("0123456789");
     const bool is_numbered = digits != std::string::npos && digits + 1 < layer.size() && layer[digits] == ' ';
     const std::string unnumbered = is_numbered ? layer.substr(0, digits) : layer;
@@ -227,7 +227,9 @@ double key_rate(const Animation& animation)
         const bool all_fit = std::ranges::all_of(animation.channels, [&](const AnimationChannel& channel) {
             return std::ranges::all_of(channel.times_s, [&](float time_s) {
                 const double frame = rate * static_cast<double>(time_s);
-                constexpr double slack = 0.01; // Tolerance in frames, because times were rounded to floats
+                // Tolerance in frames for keys between two frames, because times of keys were rounded to
+                // floats.
+                constexpr double slack = 0.01;
                 return std::abs(frame - std::round(frame)) <= slack;
             });
         });

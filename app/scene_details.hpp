@@ -15,11 +15,11 @@ namespace estampe::app {
 struct SceneDetails {
     /// Label and text of each detail, in display order.
     std::vector<std::pair<std::string, std::string>> rows;
-    nlohmann::ordered_json json; ///< The details as numbers and lists, for programs
+    nlohmann::ordered_json json; ///< The details as numbers and lists, in JSON
 };
 
-/// Collects the details of a scene. `path` is the file from which the scene was read; its format says whether
-/// axis and unit are known. Cost: linear in vertices and triangles.
+/// Collects the details of a scene. `path` is the file from which the scene was read; the format of this file
+/// determines whether axis and unit are known. Cost: linear in vertices and triangles.
 [[nodiscard]] SceneDetails scene_details(const Scene& scene, const std::string& path);
 
 /// Checks the name of a layer. Throws Error, with the nearest valid name, unless `layer` can be a layer or

@@ -257,8 +257,7 @@ void add_style_manual(CLI::App& command, TypedOptions& typed)
         ->type_name("[NAME]");
 }
 
-/// Makes options refuse an empty word: it comes from a variable that was not set, and is no number, name or
-/// file.
+/// Makes all options refuse an empty word. An empty word usually comes from an unset shell variable.
 void refuse_empty_values(CLI::App& app)
 {
     const auto check = [](const std::string& word) { return std::string(word.empty() ? "is empty" : ""); };

@@ -50,7 +50,8 @@ struct TypedOptions {
     bool json = false;
     bool hidden = false;
     bool plotter = false;
-    std::string style_manual; ///< Value of --help-style; only declared, because style_manual_of() reads it
+    /// Value of --help-style; never read here, because style_manual_of() reads the option earlier.
+    std::string style_manual;
     bool schema = false;
     bool manual_page = false;
     bool completion = false;

@@ -129,7 +129,8 @@ std::string known_worlds()
 
 namespace {
 
-/// Sets in `style` each parameter that differs between `chosen.style` and its base.
+/// Copies to `style` each parameter that differs between `chosen.style` and its base, because the user has
+/// edited it.
 void keep_choices(Style& style, const ChosenStyle& chosen)
 {
     const features::StyleTables& changed = chosen.style.tables();
@@ -142,7 +143,7 @@ void keep_choices(Style& style, const ChosenStyle& chosen)
             }
         }
     }
-    // A direction of the sun that the user has chosen is kept.
+    // If the user has chosen a direction of the sun, this direction is kept.
     const light::LightStyle& light = changed.light;
     if (light.sun_azimuth_deg != base.light.sun_azimuth_deg ||
         light.sun_elevation_deg != base.light.sun_elevation_deg) {

@@ -33,7 +33,7 @@ namespace estampe::app {
 /// options.
 [[nodiscard]] std::unique_ptr<worlds::World> make_world(const DrawOptions& draw);
 
-/// The options --world and --seed of a command that can draw a world.
+/// The options --world and --seed, for a command that can draw a world.
 class WorldOptions {
 public:
     enum class Seed : uint8_t { is_an_option, is_left_out };
@@ -53,8 +53,8 @@ private:
 /// Checks that a world has a film. Throws UsageError unless `scene` is a world with a film of its own.
 void check_has_film(const std::string& scene);
 
-/// Returns how to type an option of a world, such as `--world hour=18`, if `key` is one, else empty. An empty
-/// value means that it is unknown.
+/// Returns the text with which the user sets an option of a world, such as `--world hour=18`. Returns an
+/// empty text if `key` is not such an option. If `value` is empty, the value is unknown.
 [[nodiscard]] std::string world_option_as_typed(const std::string& key, const std::string& value);
 
 /// Returns the list of worlds for messages: "the worlds: NAME, NAME".
@@ -76,7 +76,7 @@ public:
     WorldAnimator(const WorldAnimator&) = delete;
     WorldAnimator& operator=(const WorldAnimator&) = delete;
 
-    /// Simulates the world up to a time without drawing, as for the frames before those of a resumed film.
+    /// Simulates the world up to a time without drawing, for example to continue a film that was stopped.
     void go_to(double time_s, const Camera& camera);
 
     /// Simulates the world up to a time and shows it on the renderer. Returns the style of `draw` with the
@@ -88,10 +88,10 @@ public:
     [[nodiscard]] Style show(Renderer& renderer, const ChosenStyle& chosen, double time_s,
                              const Camera& camera);
 
-    /// Tells the world that its end is reached, see worlds::World::end_at().
+    /// Tells the world that the walker has reached its end, see worlds::World::end_at().
     void end_at(double time_s);
 
-    /// Makes the world leave the terrain alone. Call this function when the user has edited the renderer's
+    /// Makes the world stop changing the terrain. Call this function when the user has edited the renderer's
     /// terrain.
     void leave_ground() { has_left_ground_ = true; }
 

@@ -55,7 +55,8 @@ std::optional<double> Ground::height_under(const glm::dvec3& place) const
 
 namespace {
 
-constexpr double steepest_rad = 0.497 * std::numbers::pi; ///< Steepest view up or down
+/// Steepest angle at which the camera can look up or down.
+constexpr double steepest_rad = 0.497 * std::numbers::pi;
 
 glm::dvec3 rotated(const glm::dvec3& direction, double angle_rad, const glm::dvec3& axis)
 {
@@ -83,8 +84,8 @@ void CameraRig::set_mode(CameraMode mode)
 {
     mode_ = mode;
     if (mode == CameraMode::walk) {
-        // The walker's eye height is that of a person, or a share of the scene's height if the scene is not
-        // in metres.
+        // The height of the walker's eye is that of a person. If the scene is apparently not in metres, the
+        // height is a share of the scene's height.
         const double height_m = bounds_.empty() ? 3.0 : bounds_.max.y - bounds_.min.y;
         constexpr double person_m = 1.7;
         eye_height_m_ = height_m > person_m && height_m < 1000.0 * person_m ? person_m : 0.3 * height_m;
@@ -129,13 +130,14 @@ static glm::dvec3 turned(const glm::dvec3& direction, const glm::dvec3& up, doub
 void CameraRig::turn(const glm::dvec2& drag)
 {
     if (mode_ == CameraMode::orbit) {
-        // A drag over the view's whole height is half a turn; the model follows the pointer.
+        // A drag over the view's whole height turns the view by half a turn, so that the model follows the
+        // pointer.
         const double distance_m = glm::length(camera_.target - camera_.eye);
         const glm::dvec3 direction =
             turned(ahead(), world_up(), -drag.x * std::numbers::pi, -drag.y * std::numbers::pi);
         camera_.eye = camera_.target - direction * distance_m;
     } else {
-        // The point of the scene under the pointer follows the pointer.
+        // The factor is chosen so that the point of the scene under the pointer moves with the pointer.
         const double angle_rad = camera_.vertical_fov_rad;
         look_along(turned(ahead(), world_up(), drag.x * angle_rad, drag.y * angle_rad));
     }

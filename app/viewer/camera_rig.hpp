@@ -41,13 +41,13 @@ public:
     /// camera sideways.
     void turn(const glm::dvec2& drag);
     void pan(const glm::dvec2& drag);
-    /// Moves the camera closer by this many steps of the mouse wheel; negative moves away. In parallel
-    /// projection enlarges the view; in fly and walk mode moves ahead.
+    /// Moves the camera closer by this many steps of the mouse wheel; a negative number moves the camera
+    /// away. In parallel projection the view is enlarged; in fly and walk mode the camera moves ahead.
     void zoom(double steps);
     void roll(double angle_rad);
 
     /// Moves the camera for `seconds` at walking speed along `direction`: x to the right, y up, z ahead, each
-    /// -1 to 1.
+    /// from -1 to 1.
     void go(const glm::dvec3& direction, double seconds, bool is_fast);
 
     void go_home() { place(home_); }
@@ -76,8 +76,8 @@ public:
     /// Collects the ground of a scene. Cost: linear in triangles.
     explicit Ground(const Scene& scene);
 
-    /// Returns the height of the first surface straight below a place; nothing if there is none. Cost: linear
-    /// in triangles that are not vertical, about a millisecond for half a million.
+    /// Returns the height of the highest surface that is straight below a place; nothing if there is none.
+    /// Cost: linear in triangles that are not vertical, about a millisecond for half a million.
     [[nodiscard]] std::optional<double> height_under(const glm::dvec3& place) const;
 
 private:

@@ -13,7 +13,8 @@ class History {
 public:
     explicit History(State first) { states_.push_back(std::move(first)); }
 
-    /// Adds a state to the history; drops the states that were undone, and the oldest if there are very many.
+    /// Adds a state to the history. Drops all states that were undone, and the oldest state if there are very
+    /// many.
     void push(State state)
     {
         constexpr size_t most = 500;

@@ -10,7 +10,8 @@
 namespace estampe::viewer {
 namespace {
 
-// Value of `modifiers` for a letter: the typed character counts, whatever modifiers it needs.
+// Value of KeyHelp::modifiers for a typed letter: any modifier keys may be held, because some keyboard
+// layouts need them for the letter.
 constexpr int as_typed = -1;
 
 constexpr std::array pointer_keys{

@@ -27,7 +27,8 @@ void load_font(float size_px)
 {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
-    // Ranges of characters for Latin, dashes, arrows and the symbols of the panels.
+    // Unicode ranges of the glyphs in the font texture: Latin letters, dashes, arrows and the symbols of the
+    // panels.
     static const std::array<ImWchar, 9> ranges{0x20,   0x17f,  0x2010, 0x2027, 0x2190,
                                                0x21bf, 0x25a0, 0x25ff, 0};
     for (const char* file : font_files) {

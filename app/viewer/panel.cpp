@@ -18,7 +18,8 @@ namespace estampe::viewer {
 namespace {
 
 constexpr float panel_points = 350.0F;
-constexpr float ground_points = 480.0F; ///< Wider than usual, because expressions of heights are long
+/// Width of the panel; wider than usual, because expressions for terrain heights are long.
+constexpr float ground_points = 480.0F;
 constexpr float bar_points = 34.0F;
 
 const char* title_of(PanelTab tab)
@@ -113,7 +114,7 @@ void show_save_field(Studio& studio)
     ImGui::EndPopup();
 }
 
-/// Selects the axis of the file that points up; a change loads the scene again.
+/// Shows the choice of the axis of the file that points up; a change loads the scene again.
 void show_up_axes(Studio& studio, const PanelRequests& requests)
 {
     struct Choice {
@@ -153,8 +154,8 @@ bool narrowly(const Begin& begin)
     return is_open;
 }
 
-/// Shows a checkbox for a layer that is turned off by a value other than a boolean. Turning the layer on
-/// restores the value in `base`.
+/// Shows a checkbox for a layer whose parameter is not a boolean. Turning the layer on restores the
+/// parameter's value in `base`.
 template <typename T>
 void show_layer(Studio& studio, const char* name, T& value, const T& base, const T& off, const T& usual)
 {

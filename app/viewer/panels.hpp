@@ -17,7 +17,7 @@ namespace estampe::viewer {
 /// display.
 void apply_theme(float content_scale);
 
-/// Callbacks with which panels request more than a change of the studio.
+/// Callbacks of the window that panels call for actions beyond a change of the studio (the viewer's state).
 struct PanelRequests {
     std::function<void(Action)> act; ///< Runs a command as if its key had been pressed
     std::function<void(const std::string&)> open_style;
@@ -32,7 +32,7 @@ struct Area {
     float height = 0.0F;
 };
 
-// Functions that are called every time the window is painted, within ImGui's frame.
+// Functions that are called every time the window is painted, between ImGui's calls NewFrame and Render.
 
 /// Returns the area of the window that the open panels leave for the picture.
 [[nodiscard]] Area picture_area(const Studio& studio, float content_scale);

@@ -53,8 +53,8 @@ bool is_wide(const style::Range& range)
            range.maximum > 5.0F;
 }
 
-/// Returns a number format with as many digits as a slider step needs; in a wide range, a step at the current
-/// value.
+/// Returns a printf format with as many decimals as a step of the slider needs. In a wide range, the step
+/// depends on the current value.
 std::string digits_of(const Parameter& parameter, float number)
 {
     const float width =
@@ -135,7 +135,7 @@ bool edit_choice(const Parameter& parameter, Value& value)
     return changed;
 }
 
-/// Shows a text field for words and file names, which apply when the input is complete.
+/// Shows a text field for a word or a file name. The text applies when the input is complete.
 bool edit_text(const Parameter& parameter, Value& value)
 {
     const std::string held = std::get<std::string>(value);
@@ -198,8 +198,8 @@ std::string label_of(const Parameter& parameter)
     return label;
 }
 
-/// Returns whether the user picks the parameter's value instead of dragging a slider, so that a change
-/// applies at once.
+/// Returns whether the user picks the parameter's value from a list instead of dragging a slider. A picked
+/// value applies at once.
 bool is_picked(const Parameter& parameter)
 {
     return parameter.kind != Kind::number && parameter.kind != Kind::integer && parameter.kind != Kind::color;
@@ -294,8 +294,8 @@ void show_parameters(Studio& studio, const std::string& search, std::span<const 
         const auto changed = std::ranges::count_if(section.parameters, [&](const Parameter& parameter) {
             return parameter.get(values) != parameter.get(base);
         });
-        // Sections found by a search remember separately whether they are open, so that they close after the
-        // search.
+        // A section has a second ID while it is shown by a search, so that sections opened by the search are
+        // closed again afterwards.
         const std::string id = section.name + (search.empty() ? "" : " found");
         const std::string title = changed > 0
                                       ? fmt::format("{}  ({} changed)###{}", section.name, changed, id)

@@ -157,7 +157,7 @@ void PictureThread::set_scene(std::shared_ptr<const LoadedFile> file)
     const std::lock_guard lock(guard_);
     next_scene_ = std::move(file);
     next_terrain_.reset();
-    requests_ = {}; // The old requests belong to the previous scene
+    requests_ = {}; // The waiting requests belong to the previous scene
     change_ = {};
     changed_.notify_all();
 }
@@ -329,7 +329,8 @@ void PictureThread::apply(Renderer& renderer, const SceneChange& change)
 
 void PictureThread::draw_picture(Renderer& renderer, size_t slot, const PictureRequest& request)
 {
-    // The first sample of a picture is always finished, so that something is visible of a moving scene.
+    // The first sample of a picture is always finished, so that the user sees something even while the scene
+    // moves.
     bool is_stopped = false;
     const ProgressWatch watch([&](double share) {
         is_stopped = share > 0.0 && !is_wanted(slot);
@@ -369,7 +370,8 @@ void PictureThread::do_step(Renderer& renderer)
     film_size_px_ = glm::uvec2(0);
     try {
         if (std::exchange(is_compiling_, false)) {
-            renderer.set_terrain(*terrain_); // Setting the terrain again waits until its shader is compiled
+            // Calling set_terrain again waits until the terrain's shader is compiled.
+            renderer.set_terrain(*terrain_);
             tell(TerrainTaken{.is_compiled = true});
         }
         goes_on = job_->step(renderer, *animator_, [this](PictureNews news) { tell(std::move(news)); });

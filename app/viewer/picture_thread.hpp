@@ -51,7 +51,8 @@ struct Picture {
 /// Changes of the scene since the last picture was requested.
 struct SceneChange {
     std::vector<TrailStamp> prints; ///< Footprints to press into the terrain
-    std::optional<double> end_s;    ///< Time at which the world starts to end
+    /// Time at which the walker reaches the end of the world, so that its last scene begins.
+    std::optional<double> end_s;
 };
 
 /// Message of the thread: the renderer has another scene.
@@ -100,8 +101,8 @@ public:
                       const std::function<void(PictureNews)>& tell) = 0;
 };
 
-/// Draws in a separate thread, so that the window never waits for pictures. In each of two slots only the
-/// newest request is drawn. The thread alternates between the slots.
+/// Draws pictures in a separate thread, so that the window never waits for them. There are two slots for
+/// requests. In each slot only the newest request is drawn, and the thread alternates between the slots.
 class PictureThread {
 public:
     /// Starts the thread, which opens the renderer. The thread calls `wake` when there is a message.
@@ -112,13 +113,15 @@ public:
     PictureThread& operator=(const PictureThread&) = delete;
 
     void set_scene(std::shared_ptr<const LoadedFile> file);
-    /// Replaces the terrain from the next picture on; an interpreter draws the terrain until its shader is
-    /// compiled. After several calls the newest terrain is used. Applies only to the current scene.
+    /// Replaces the terrain from the next picture on. While the terrain's shader is being compiled, a slower
+    /// interpreter draws the terrain. After several calls the newest terrain is used. Applies only to the
+    /// current scene.
     void set_terrain(const Terrain& terrain);
-    /// Applies a change of the scene with the next picture; changes add up if that picture is not drawn.
+    /// Applies a change of the scene with the next picture. If that picture is not drawn, its change is added
+    /// to the next one.
     void change(SceneChange change);
-    /// Replaces the request for a picture in that slot, even if the old request is being drawn and has
-    /// samples left. An empty request ends the drawing in that slot.
+    /// Replaces the request for a picture in one of the two slots, even if the old request is being drawn and
+    /// has samples left. An empty request ends the drawing for the slot.
     void draw(size_t slot, std::optional<PictureRequest> request);
     void do_job(std::unique_ptr<PictureJob> job);
     /// Ends the current job after its current step.
@@ -161,8 +164,8 @@ private:
     std::thread thread_;
 };
 
-/// A recording of the view: not pictures, but camera, time and style, so that a film of the recording has
-/// full quality however slow the view was.
+/// A recording of the view. The recording stores camera, time and style instead of pictures, so that a film
+/// made from it has full quality, however slowly the view was drawn.
 class Take {
 public:
     struct Sample {
@@ -189,11 +192,11 @@ private:
     std::vector<Sample> samples_;
 };
 
-/// Returns the first file name of "fox-001.png", "fox-002.png", ... that does not exist in the working
-/// directory.
+/// Returns the first file name of the series "fox-001.png", "fox-002.png", ... that does not exist in the
+/// working directory.
 [[nodiscard]] std::string free_name(const std::string& scene, const std::string& extension);
 
-/// Draws the view once more, as `estampe render` would, and writes it as PNG.
+/// Draws the current view once more, in the same way as `estampe render`, and writes the picture as PNG.
 class ScreenshotJob : public PictureJob {
 public:
     ScreenshotJob(PictureRequest request, std::string path)

@@ -261,7 +261,7 @@ void ShaderReload::work()
             try {
                 parts = includes_of(shader.file, root_);
             } catch (const Error&) {
-                continue; // The file is being replaced; saving it triggers another event
+                continue; // The file is just being replaced; another event follows when the new file is saved
             }
             parts.insert(shader.file);
             const bool is_touched =

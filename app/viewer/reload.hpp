@@ -68,13 +68,13 @@ struct ShaderNews {
     std::string problem; ///< Reason why the shader could not be compiled; empty on success
 };
 
-/// Compiles a shader with the program glslc, as the build does but without optimisation. Optimisation takes
-/// up to ten times as long as the rest, and drivers optimise the shader again anyway. The picture is the
-/// same. `root` is the folder for include paths.
+/// Compiles a shader with the program glslc, as the build does but without optimisation. With optimisation,
+/// glslc takes up to ten times as long, and drivers optimise the shader anyway. The picture is the same.
+/// `root` is the folder for include paths.
 [[nodiscard]] ShaderNews compile_shader(const ShaderBuild& build, const std::filesystem::path& root);
 
-/// Watches the shaders of a source tree in a separate thread, and compiles shaders again that are saved or
-/// include a saved file.
+/// Watches the shaders of a source tree in a separate thread. If a file is saved, compiles all shaders again
+/// that are made from the file or include it.
 class ShaderReload {
 public:
     /// Starts to watch the shaders. `folder` is the source tree or its src/. Throws Error when it contains no
@@ -94,7 +94,7 @@ private:
     std::filesystem::path root_;
     std::function<void()> wake_;
     std::vector<ShaderBuild> shaders_;
-    std::vector<std::filesystem::path> all_; ///< Files of the shaders and everything that these include
+    std::vector<std::filesystem::path> all_; ///< Files of all shaders and all files that the shaders include
     FileWatch watch_;
     std::mutex guard_;
     std::vector<ShaderNews> news_;

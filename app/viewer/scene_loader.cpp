@@ -11,7 +11,8 @@
 namespace estampe::viewer {
 namespace {
 
-/// Adds the animation "all" if the scene's animations move different things.
+/// Adds the animation "all", which plays all animations together, if the scene's animations move different
+/// things.
 void offer_all_animations(Scene& scene)
 {
     if (!app::add_all_animations(scene)) {

@@ -49,7 +49,7 @@ public:
     /// Returns the share of the scene that is loaded, 0 to 1; nothing if the file does not say how large the
     /// scene is.
     [[nodiscard]] std::optional<double> share() const;
-    /// Returns whether a thread reads a file, even if the file's scene was discarded.
+    /// Returns whether a thread is still reading a file, even if the result is no longer wanted.
     [[nodiscard]] bool is_busy() const;
 
     using Result = std::variant<std::shared_ptr<const LoadedFile>, std::string>;

@@ -299,7 +299,7 @@ std::optional<Screen::Frame> Screen::begin()
     int height = 0;
     glfwGetFramebufferSize(window_, &width, &height);
     if (width == 0 || height == 0) {
-        return std::nullopt; // No frame, because the window is minimised
+        return std::nullopt; // No frame is drawn, because the window is minimised
     }
     if (is_outdated_ || size_px_.width != static_cast<uint32_t>(width) ||
         size_px_.height != static_cast<uint32_t>(height)) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The window has its own Vulkan device, separate from the renderer's device. The functions of the window's
-// device are kept apart from the functions that the library loads globally: loading a second instance would
-// replace the global functions while the renderer draws.
+// The viewer's window has its own Vulkan device, separate from the renderer's device. The functions of the
+// window's device are kept apart from the functions that the library loads globally: loading a second
+// instance would replace the global functions while the renderer draws.
 
 #include <optional>
 #include <string>
@@ -83,7 +83,7 @@ public:
     Screen(const Screen&) = delete;
     Screen& operator=(const Screen&) = delete;
 
-    /// A frame of the window while its commands are recorded.
+    /// A frame of the window while its Vulkan commands are recorded.
     struct Frame {
         VkCommandBuffer commands = VK_NULL_HANDLE;
         VkExtent2D size_px{};
@@ -98,7 +98,7 @@ public:
     /// Submits the frame and presents it in the window.
     void end(const Frame& frame);
 
-    /// Waits until no resource of the last frame is in use.
+    /// Waits until the device has finished the last frame, so that its resources are free.
     void wait() const;
 
     [[nodiscard]] const DeviceFunctions& vk() const { return vk_; }
@@ -135,7 +135,8 @@ private:
     bool is_outdated_ = true;
     std::vector<VkImage> images_;
     std::vector<VkImageView> views_;
-    std::vector<VkSemaphore> drawn_; ///< One semaphore per image of the swapchain
+    /// One semaphore per image of the swapchain, signalled when the image is drawn.
+    std::vector<VkSemaphore> drawn_;
     VkSemaphore acquired_ = VK_NULL_HANDLE;
     VkFence done_ = VK_NULL_HANDLE;
     VkCommandPool pool_ = VK_NULL_HANDLE;

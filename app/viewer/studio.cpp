@@ -21,15 +21,16 @@ namespace estampe::viewer {
 void Resolution::drawn(double scale, double seconds)
 {
     constexpr double step = 1.0 / 16.0;
-    constexpr double room = 0.9; ///< Share of the time that drawing may take; the rest is for other work
+    /// Share of the time between two pictures that drawing may take; the rest is for other work.
+    constexpr double room = 0.9;
     if (seconds > wanted_s && slow_s_ == 0.0) {
         slow_s_ = seconds;
         return;
     }
     const double counts_s = slow_s_ > 0.0 ? std::min(slow_s_, seconds) : seconds;
     slow_s_ = seconds > wanted_s ? seconds : 0.0;
-    // Assumes that the drawing time is proportional to the number of pixels; a constant part is compensated
-    // over several steps.
+    // The new size assumes that the drawing time is proportional to the number of pixels. The time that does
+    // not depend on pixels is balanced over several pictures.
     const double fitting = scale * std::sqrt(room * wanted_s / std::max(counts_s, 1e-4));
     const double next = std::clamp(std::floor(fitting / step) * step, least, 1.0);
     if (next < scale_ && counts_s > wanted_s) {
@@ -37,7 +38,7 @@ void Resolution::drawn(double scale, double seconds)
         slow_s_ = 0.0;
     } else if (next > scale_) {
         // The new size would fit even if the whole drawing time were proportional to pixels, so the size does
-        // not oscillate. It grows to at most twice as many pixels in one step.
+        // not oscillate. In one step, the size grows to at most twice as many pixels.
         scale_ = std::min(next, std::max(scale_ + step, 1.4 * scale_));
     }
 }

@@ -90,7 +90,8 @@ public:
 
     [[nodiscard]] const Style& style() const { return style_; }
 
-    /// Returns the style for changes in place; finish_change() then adds an undo step.
+    /// Returns the edited style. The caller may change the style through the reference; finish_change() then
+    /// adds an undo step.
     [[nodiscard]] Style& style() { return style_; }
 
     /// Returns the unchanged preset or file, to which parameters are reset.
@@ -139,8 +140,8 @@ private:
     uint64_t finished_revision_ = 0; ///< Revision of the style at the last undo step
 };
 
-/// A line of text for the user. A message about a problem stays until the user closes it or the problem is
-/// solved.
+/// A message (one line of text) for the user. A message about a problem stays until the user closes it or the
+/// problem is solved.
 struct Message {
     enum class Kind : uint8_t { note, problem };
     Kind kind = Kind::note;
@@ -181,7 +182,8 @@ struct Studio {
     bool is_on_processor = false;
     uint32_t samples = 1;
 
-    // The picture that is shown, and how it was drawn.
+    // Size of the shown picture, as a share of the view's sides. The fields below also describe the shown
+    // picture.
     double shown_scale = 0.0;
     glm::uvec2 shown_px{0};
     glm::uvec2 view_px{0}; ///< Size of the whole view in pixels
@@ -207,7 +209,7 @@ struct Studio {
 
     /// Shows a message and removes earlier messages about `topic`.
     void say(Message::Kind kind, const std::string& topic, const std::string& text);
-    /// Removes the message about the problem `topic` when the problem is solved.
+    /// Removes the messages about the subject `topic`, because the problem is solved.
     void settle(const std::string& topic);
     /// Calls `step`, and shows an exception of `step` as a message about `topic`.
     void attempt(const std::string& topic, const std::function<void()>& step);

@@ -30,7 +30,7 @@ struct Place {
     size_t column = 0; ///< Number of the column, from 0
 };
 
-/// Returns the position at the end of "file:line:column".
+/// Returns the line and column that stand at the end of a text "file:line:column".
 Place place_of(const std::string& where)
 {
     const size_t last = where.rfind(':');
@@ -169,8 +169,9 @@ Values sorted(Values values)
     return values;
 }
 
-/// Returns the text of a terrain file with changed values; nothing if `before` is not a terrain's text, or if
-/// the result differs from `wanted`, as it does when values span several lines.
+/// Returns the text `before` of a terrain file with changed values. Returns nothing if `before` is not a
+/// terrain's text, or if the changed text does not describe `wanted`; for example when values span several
+/// lines.
 std::optional<std::string> changed_text(const std::string& before, const Values& wanted)
 {
     try {
@@ -241,7 +242,7 @@ std::vector<std::string> names_of(const TerrainDescription& terrain)
     return names;
 }
 
-/// Replaces a node's name in an expression where it is a whole word outside of quotes.
+/// Replaces a node's name in an expression where the name is a whole word outside of quotes.
 std::string with_name(const std::string& expression, const std::string& before, const std::string& after)
 {
     std::string result;
@@ -281,7 +282,8 @@ TerrainEdit::TerrainEdit(const Terrain& terrain)
     try {
         file_text_ = file_text(draft_.name);
     } catch (const Error&) {
-        file_text_.clear(); // The file's text is unknown, so it is generated when the terrain is saved
+        // The file's text is unknown, so a new text is generated when the terrain is saved.
+        file_text_.clear();
     }
 }
 
@@ -295,7 +297,8 @@ void TerrainEdit::take_draft()
     holds_settings_ = false;
     TerrainDescription tried = draft_;
     for (size_t i = 0; i < tried.nodes.size(); ++i) {
-        tried.nodes[i].where = std::to_string(i); // Number that identifies the node in an error message
+        // The node's number, by which an error message refers to the node.
+        tried.nodes[i].where = std::to_string(i);
     }
     try {
         terrain_ = Terrain(std::move(tried));

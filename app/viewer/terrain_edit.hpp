@@ -59,8 +59,8 @@ public:
     // valid terrain an undo step.
 
     void set_expression(size_t node, const std::string& expression);
-    /// Renames a node, and updates all nodes that refer to it. The node "height" keeps its name, and no other
-    /// node can take this name.
+    /// Renames a node, and updates all nodes that refer to it. The node "height" cannot be renamed, and no
+    /// other node can be named "height".
     void rename(size_t node, const std::string& name);
     /// Adds a node of constant height to the terrain, with an unused name.
     void add_node();
@@ -76,7 +76,7 @@ public:
 
     [[nodiscard]] bool can_redo() const { return history_.can_redo(); }
 
-    /// Undoes the last change; undoes invalid input first.
+    /// Undoes the last change of the terrain. If the current input is invalid, undoes only this input.
     void undo();
     void redo();
 

@@ -22,7 +22,7 @@ public:
     Texture(const Texture&) = delete;
     Texture& operator=(const Texture&) = delete;
 
-    /// Replaces the texture's content from the next frame on. Cost: a copy.
+    /// Replaces the texture's content from the next frame on. The pixels are copied.
     void set(uint32_t width, uint32_t height, std::span<const uint8_t> rgba);
 
     /// Copies new content of the texture to the device. Call this between Screen::begin() and
@@ -67,7 +67,8 @@ private:
     return std::bit_cast<VkDescriptorSet>(id);
 }
 
-/// Paints the draw data of Dear ImGui. ImGui's own Vulkan backend would link a loader in addition to volk's.
+/// Paints the panels: the triangles that Dear ImGui returns as draw data. ImGui's own Vulkan backend would
+/// link a loader in addition to volk's.
 class UiPainter {
 public:
     explicit UiPainter(Screen& screen);

@@ -189,8 +189,8 @@ void Viewer::request(size_t slot, const Sight& sight, bool is_moving)
                                         .time_passes = sight.times_passes},
                            .scale = scale,
                            .view = view_};
-    // Consecutive pictures in one style are drawn as frames of a film, so that lines do not jump and flowing
-    // ink continues.
+    // Consecutive pictures in one style are drawn as frames of a film. Lines then do not jump, and flowing
+    // ink continues from picture to picture.
     const bool flows = request.style.style.tables().ink.enabled || (is_moving && studio_.file->visit);
     if ((flows || (is_moving && scale < 1.0)) && !sight.has_other && style_drawn_ == sight.style) {
         request.settings.continuity = Continuity::follows;
@@ -216,7 +216,8 @@ void Viewer::ask_for_pictures()
     is_moving_ = app::seconds_since(changed_) < settling_s || studio_.time.is_playing || drag_ != Drag::none;
     for (size_t slot = 0; slot < (now.has_other ? 2U : 1U); ++slot) {
         const bool is_asked = requested_view_.at(slot) == view_;
-        // A picture in full size may take minutes, so it waits until the quick picture is shown.
+        // A picture in full size may take minutes, so it is requested only after a quick, small picture is
+        // shown.
         if (!is_asked) {
             request(slot, now, true);
         } else if (!is_moving_ && answered_view_.at(slot) == view_ && !requested_whole_.at(slot)) {
@@ -331,7 +332,8 @@ void Viewer::run()
         if (frames_to_paint_ > 0 && app::seconds_since(painted) >= frame_s) {
             paint();
             send_terrain();
-            ask_for_pictures(); // Again, because panels and pointer may have changed the view
+            // Pictures are requested again, because panels and pointer may have changed the view.
+            ask_for_pictures();
             painted = app::Clock::now();
             --frames_to_paint_;
         }
@@ -341,8 +343,8 @@ void Viewer::run()
 
 namespace {
 
-/// Returns whether ImGui holds unprocessed input: from version 1.87 on it processes quick typing one key per
-/// frame, so more frames are needed.
+/// Returns whether ImGui still holds input. From version 1.87 on, ImGui processes quickly typed keys one per
+/// frame, so more frames must be painted.
 bool has_input_left()
 {
 #if IMGUI_VERSION_NUM >= 18700

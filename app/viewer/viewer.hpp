@@ -68,10 +68,10 @@ private:
     void take_terrain_of(const LoadedFile& file, bool is_same);
     [[nodiscard]] std::optional<double> height_under(const Ground& models, const glm::dvec3& place) const;
     void send_terrain();
-    /// Raises or lowers the scene when the terrain below it has changed.
+    /// Raises or lowers the scene to the height of the terrain, when the terrain below the scene has changed.
     void stand_on_terrain();
     void raise_camera(double rise_m);
-    /// Moves the camera above a terrain that has risen over it.
+    /// Moves the camera up, if the edited terrain has risen above the camera.
     void unbury_camera();
     void ask_for_pictures();
     void request(size_t slot, const Sight& sight, bool is_moving);
@@ -103,7 +103,7 @@ private:
     WarmUp warm_up_;
     app::Clock::time_point start_ = app::Clock::now();
     Studio studio_;
-    /// The picture thread and the next two members are destroyed before the window.
+    /// The picture thread and the next two members must be destroyed before the window.
     std::optional<PictureThread> pictures_;
     std::optional<SceneLoader> loader_;
     std::optional<ShaderReload> shaders_;
@@ -115,10 +115,11 @@ private:
     float ui_scale_ = 0.0F;
 
     Sight asked_;
-    uint64_t view_ = 0;                        ///< Number of the view that `asked_` describes
-    std::array<uint64_t, 2> requested_view_{}; ///< Number of the view that was last requested, by slot
+    uint64_t view_ = 0; ///< Number of the view that `asked_` describes
+    /// For each slot of the picture thread: number of the view that was last requested.
+    std::array<uint64_t, 2> requested_view_{};
     std::array<bool, 2> requested_whole_{};
-    /// Number of the view that was last answered with a picture or an error, by slot.
+    /// For each slot of the picture thread: number of the view for which a picture or an error last arrived.
     std::array<uint64_t, 2> answered_view_{};
     app::Clock::time_point changed_ = start_; ///< Time when the view last changed
     uint64_t scene_number_ = 0;
@@ -130,7 +131,7 @@ private:
     Drag drag_ = Drag::none;
     glm::dvec2 pointer_{0.0};
     bool has_pointer_ = false;
-    glm::dvec3 walked_to_{0.0};   ///< Position of the eye after the last step of the walker
+    glm::dvec3 walked_to_{0.0};   ///< Position of the eye after the last step in walk mode
     std::optional<double> end_s_; ///< Time when the walker reached the end of a world
     FileWatch scene_watch_;
     FileWatch style_watch_;
@@ -139,7 +140,7 @@ private:
     std::vector<std::filesystem::path> watched_terrain_;
     /// Revision of the terrain that was last sent to the renderer, TerrainEdit::revision().
     uint64_t terrain_sent_ = 0;
-    double standing_m_ = 0.0; ///< Height of the scene after it was last put on the terrain
+    double standing_m_ = 0.0; ///< Height of the scene's origin when the scene was last put on the terrain
     app::Clock::time_point looked_at_files_ = start_;
     Take take_;
     app::Clock::time_point take_start_ = start_;

@@ -151,7 +151,8 @@ void Viewer::act(Action action)
     const bool is_of_feet = action == Action::frame_back || action == Action::frame_on ||
                             action == Action::reload || action == Action::play;
     if (is_of_feet && is_on_foot()) {
-        // In walk mode arrow keys move the walker and Space jumps, so their other commands are not run.
+        // In walk mode the arrow keys move the walker and Space jumps. Their commands in other modes are not
+        // run.
         return;
     }
     if (act_on_view(action) || act_on_style(action)) {
@@ -218,7 +219,8 @@ void Viewer::act(Action action)
 void Viewer::move_by_keys(double seconds)
 {
     studio_.time.advance(seconds);
-    // Longest time that a movement takes into account; after a stall the camera must not leap.
+    // Longest time in seconds by which one frame moves the camera, so that the camera does not leap after a
+    // slow frame.
     constexpr double longest_s = 0.2;
     if (is_on_foot()) {
         go_on_foot(std::min(seconds, longest_s));
@@ -316,7 +318,7 @@ void Viewer::follow_pointer(const std::vector<PointerEvent>& events)
             break;
         case PointerEvent::Kind::move:
             if (has_pointer_) {
-                studio_.rig.turn(-way); // The view turns with the hidden pointer
+                studio_.rig.turn(-way); // While the pointer is hidden, its movement turns the view
             } else {
                 drag(way, event, area);
             }
@@ -362,7 +364,7 @@ void Viewer::go_on_foot(double seconds)
     worlds::Visit& visit = *studio_.file->visit;
     walk::Walker& walker = visit.walker();
     Camera camera = studio_.rig.camera();
-    if (camera.eye != walked_to_) { // The camera was moved by something else than walking
+    if (camera.eye != walked_to_) { // The camera was moved by another command, not by walking
         walker.put(camera.eye - glm::dvec3(0.0, static_cast<double>(walker.body().eye_m), 0.0));
     }
     const Gamepad pad = window_.gamepad();

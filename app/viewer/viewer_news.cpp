@@ -53,7 +53,7 @@ void Viewer::take(const Failure& failure)
     if (failure.what == Failure::Of::picture) {
         answered_view_ = requested_view_;
     } else {
-        asked_ = {}; // The requests made meanwhile are lost, so the view is requested again
+        asked_ = {}; // The thread has dropped all waiting requests, so the view is requested again
     }
     studio_.say(Message::Kind::problem, topic, failure.message);
 }
@@ -76,7 +76,8 @@ void Viewer::take(const SceneTaken& taken)
                                    : files_of_scene(taken.file->draw.scene));
     take_terrain_of(*taken.file, is_same);
     if (!is_same) {
-        // The ground is collected when the user starts to walk; the static parts of the scene suffice.
+        // The ground under the walker is computed only when the user starts to walk, from surfaces that never
+        // move.
         auto ground = std::make_shared<std::optional<Ground>>();
         studio_.rig.set_scene(taken.file->home, taken.file->bounds,
                               [this, file = taken.file, ground](const glm::dvec3& place) {
@@ -158,7 +159,7 @@ void Viewer::take_news()
         } else if (const auto* job = std::get_if<JobNews>(&news)) {
             if (job->is_done) {
                 studio_.work.reset();
-                asked_ = {}; // The current view is requested again
+                asked_ = {}; // Forgets the requested view, so that it is requested again
                 studio_.say(Message::Kind::note, "job", job->text);
                 report(job->text);
             } else {
@@ -235,7 +236,8 @@ void Viewer::take_terrain_of(const LoadedFile& file, bool is_same)
     if (!is_same || !studio_.terrain) {
         studio_.terrain.emplace(terrain);
     }
-    // The edited terrain differs from the file's terrain, so the renderer must get it too.
+    // The edited terrain differs from the terrain in the file, so the renderer must receive the edited
+    // terrain.
     const bool is_shown =
         terrain_toml(terrain.description()) == terrain_toml(studio_.terrain->terrain().description());
     terrain_sent_ = is_shown ? studio_.terrain->revision() : 0;
@@ -245,7 +247,8 @@ void Viewer::take(const TerrainTaken& taken)
 {
     studio_.settle("terrain");
     if (taken.is_compiled) {
-        requested_whole_ = {}; // A still picture is drawn in full, in the same way as estampe render does
+        // A still picture is requested in full quality, as estampe render would draw it.
+        requested_whole_ = {};
         studio_.is_refined = false;
         report("terrain compiled");
     }
@@ -322,7 +325,7 @@ void Viewer::look_at_terrain()
         return;
     }
     report("terrain changed: " + changed.front().string());
-    // A frame is painted, because an error message may disappear.
+    // One more frame is painted, because an error message may have to disappear.
     frames_to_paint_ = std::max(frames_to_paint_, 1);
     studio_.attempt("terrain file", [&] {
         const bool is_text =

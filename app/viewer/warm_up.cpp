@@ -33,7 +33,8 @@ std::string variable(const char* name)
     return value != nullptr ? value : "";
 }
 
-/// Returns a text that identifies this build of the program, and the folder of Mesa's shader cache.
+/// Returns a text that identifies this build of the program and the folder of Mesa's shader cache. If the
+/// text changes, shaders must be compiled again.
 std::string warmth()
 {
     Hash hash;
@@ -57,7 +58,7 @@ std::string text_of(const fs::path& file)
     }
 }
 
-/// Returns the command-line arguments of this process.
+/// Returns the command-line arguments with which this process was started.
 std::vector<std::string> own_words()
 {
     constexpr size_t most_bytes = 1 << 20U;
@@ -108,7 +109,7 @@ void WarmUp::begin(const std::string& scene)
     try {
         process_ = std::make_unique<output::Child>(words, "");
     } catch (const Error&) {
-        return; // Nothing is recorded, so that the next start also compiles without optimisation
+        return; // Nothing is written to the file, so that the next start also compiles without optimisation
     }
 }
 

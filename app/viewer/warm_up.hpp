@@ -12,7 +12,7 @@ namespace estampe::viewer {
 
 /// Shortens the first start of the viewer after an installation: this run compiles shaders without
 /// optimisation, and a process of low priority compiles optimised shaders for the next run. A file in the
-/// user's cache records which of the two a run does, see warmth_file().
+/// user's cache records whether optimised shaders exist, see warmth_file().
 class WarmUp {
 public:
     /// Decides how this run compiles shaders. Call this before a device is opened and before threads start.
@@ -21,8 +21,9 @@ public:
     /// Returns whether this run compiles shaders without optimisation.
     [[nodiscard]] bool is_quick() const { return is_quick_; }
 
-    /// Starts, once, the process that compiles shaders for the next run. Call this when the window shows this
-    /// scene, drawn on the CPU. The destructor ends the process if it has not finished.
+    /// Starts the process that compiles optimised shaders for the next run. Only the first call has an
+    /// effect. Call this when the window shows this scene, drawn on the CPU. The destructor ends the process
+    /// if it has not finished.
     void begin(const std::string& scene);
 
 private:
@@ -31,8 +32,8 @@ private:
     std::unique_ptr<output::Child> process_;
 };
 
-/// Work of the low-priority process: draws the scene without a window in all ways of the window, then records
-/// in a file that the shaders are compiled. Throws Error as `estampe render` does.
+/// Work of the low-priority process: draws the scene without a window in all ways in which the window draws,
+/// then records in a file that the shaders are compiled. Throws Error as `estampe render` does.
 void warm_up(const app::ViewCommand& command);
 
 /// Returns the file that records for which program and which cache of Mesa the shaders were compiled with

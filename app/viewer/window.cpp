@@ -13,7 +13,7 @@
 namespace estampe::viewer {
 namespace {
 
-std::atomic<bool> is_open = false; ///< The window exists, so GLFW accepts events from other threads
+std::atomic<bool> is_open = false; ///< The window exists, so that other threads may call GLFW to wake it
 
 constexpr int least_width_px = 320;
 constexpr int least_height_px = 200;
@@ -54,8 +54,9 @@ Window::Window(uint32_t width, uint32_t height)
     watch_keys();
     watch_rest();
     ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr;       // ImGui stores no settings on disk
-    ImGui_ImplGlfw_InitForOther(handle_, true); // ImGui's callbacks also call the callbacks set above
+    ImGui::GetIO().IniFilename = nullptr; // ImGui stores no settings on disk
+    // ImGui's event handlers also call the callbacks that were set before.
+    ImGui_ImplGlfw_InitForOther(handle_, true);
 }
 
 Window::~Window()
@@ -187,7 +188,8 @@ Gamepad Window::gamepad() const
         return pad;
     }
     const auto stick = [&](int x, int y) {
-        // Dead zone of the sticks, because they do not return exactly to their middle.
+        // Deflections of a gamepad's stick below this value count as 0, because sticks do not return exactly
+        // to their middle.
         constexpr double dead = 0.16;
         const glm::dvec2 at(state.axes[x], state.axes[y]);
         const double length = glm::length(at);

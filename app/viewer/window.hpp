@@ -27,15 +27,15 @@ struct WindowEvents {
     std::vector<Action> actions; ///< Commands of the keys that no text field used
     std::vector<std::string> dropped;
     std::vector<PointerEvent> pointer;
-    bool any = false; ///< Some event may change the painted window
+    bool any = false; ///< True if any event arrived that may change what the window shows
 };
 
 /// State of the first gamepad; sticks are -1 to 1 on each axis, positive to the right and down.
 struct Gamepad {
-    glm::dvec2 walk{0.0}; ///< Direction of the left stick
-    glm::dvec2 look{0.0}; ///< Direction of the right stick
+    glm::dvec2 walk{0.0}; ///< Deflection of the left stick
+    glm::dvec2 look{0.0}; ///< Deflection of the right stick
     bool runs = false;    ///< A bumper, or the left stick, is pressed
-    bool jumps = false;   ///< The lowest button is pressed
+    bool jumps = false;   ///< The lowest of the four face buttons is pressed
 };
 
 /// A window of the system with its keys and pointer, and its ImGui context. Only one window can exist at a
@@ -57,7 +57,7 @@ public:
 
     /// Waits at most this long for events of the window; 0 does not wait.
     [[nodiscard]] WindowEvents wait(double seconds);
-    /// Ends a wait() of the window's thread, from any thread.
+    /// Makes the current call of wait() return at once. Any thread may call this function.
     static void wake();
 
     /// Pixels of the display per point of text size.
@@ -69,7 +69,7 @@ public:
     /// Hides the pointer and lets it move without limit, or shows it again.
     void take_pointer(bool is_taken);
     [[nodiscard]] bool has_focus() const;
-    /// Toggles full screen on the monitor that shows most of the window.
+    /// Toggles full screen mode, on the monitor that shows the largest part of the window.
     void toggle_full_screen();
 
 private:
@@ -79,7 +79,7 @@ private:
 
     GLFWwindow* handle_ = nullptr;
     WindowEvents events_;
-    /// Position of the pointer according to the events so far, which may lag behind.
+    /// Position of the pointer after the events processed so far; the real pointer may be ahead.
     glm::dvec2 pointer_{0.0};
     float content_scale_ = 1.0F;
     glm::ivec4 place_px_{0}; ///< x, y, width and height of the window before full screen
